@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extracts the region where a point array lies between two values and saves it as tetrahedra.
+// Extracts the region where a point array is between two values, and writes it as tetrahedra.
 //
 //   ExtractIntervalVolume bluntfin.vts Density 1.2 5 dense.vtu
 
@@ -34,7 +34,7 @@ int main(int argc, char* argv[])
     vtkUnstructuredGrid::SafeDownCast(interval->GetOutputDataObject(0));
   if (!tetrahedra || tetrahedra->GetNumberOfCells() == 0)
   {
-    std::cerr << "nothing of " << argv[2] << " lies in that interval\n";
+    std::cerr << "No value of " << argv[2] << " is in this interval.\n";
     return EXIT_FAILURE;
   }
   const vtkIdType cells = interval->GetReport()->GetNumber("Cells");
@@ -42,7 +42,7 @@ int main(int argc, char* argv[])
   std::cout << tetrahedra->GetNumberOfCells() << " tetrahedra from " << cut << " of " << cells
             << " cells\n";
 
-  // Inline, since ParaView 5.11 refuses appended data with the libexpat of Debian 12.
+  // Inline data: ParaView 5.11 cannot read appended data with the libexpat of Debian 12.
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetDataModeToBinary();
   writer->SetInputData(tetrahedra);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws adjacent intervals of one array into a PNG: the last solid, those before it translucent.
+// Renders adjacent intervals of one array into a PNG file. The last interval is opaque, all others
+// are translucent.
 //
 //   IntervalsToPicture hydrogen_orbital.vti probability_density orbital.png 0.04 0.12 0.3 1
 
@@ -27,7 +28,7 @@ int main(int argc, char* argv[])
 {
   if (argc < 6)
   {
-    std::cerr << "usage: IntervalsToPicture INPUT ARRAY PICTURE.png BOUND BOUND [BOUND ...]\n";
+    std::cerr << "usage: IntervalsToPicture INPUT ARRAY IMAGE.png BOUND BOUND [BOUND ...]\n";
     return EXIT_FAILURE;
   }
   vtkSmartPointer<vtkAlgorithm> reader = MakeReader(argv[1]);
@@ -47,7 +48,7 @@ int main(int argc, char* argv[])
   renderer->UseDepthPeelingOn();
   for (int i = 0; i < count; ++i)
   {
-    // One mesh holds all intervals; the cell array IntervalId tells them apart.
+    // One mesh contains all intervals; the cell array IntervalId distinguishes them.
     vtkNew<vtkThreshold> one;
     one->SetInputConnection(intervals->GetOutputPort());
     one->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "IntervalId");
@@ -65,10 +66,12 @@ int main(int argc, char* argv[])
     mapper->ScalarVisibilityOff();
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
-    const double share = count > 1 ? static_cast<double>(i) / (count - 1) : 1.0;
-    actor->GetProperty()->SetColor(0.2 + 0.75 * share, 0.45 + 0.25 * share, 0.7 - 0.45 * share);
+    const double fraction = count > 1 ? static_cast<double>(i) / (count - 1) : 1.0;
+    actor->GetProperty()->SetColor(
+      0.2 + 0.75 * fraction, 0.45 + 0.25 * fraction, 0.7 - 0.45 * fraction);
     actor->GetProperty()->SetOpacity(i == count - 1 ? 1.0 : 0.3);
-    // Neighbours share a surface; each side of it belongs to one of them.
+    // Adjacent intervals share a surface. Culling back faces draws each side of it for one interval
+    // only.
     actor->GetProperty()->BackfaceCullingOn();
     renderer->AddActor(actor);
   }
@@ -85,15 +88,15 @@ int main(int argc, char* argv[])
   window->Render();
   if (intervals->GetReport()->GetNumber("CellsWithOutput") == 0)
   {
-    std::cerr << "nothing of " << argv[2] << " lies in these intervals\n";
+    std::cerr << "No value of " << argv[2] << " is in these intervals.\n";
     return EXIT_FAILURE;
   }
 
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(window);
-  picture->ReadFrontBufferOff();
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetInputConnection(image->GetOutputPort());
   writer->SetFileName(argv[3]);
   writer->Write();
   return writer->GetErrorCode() ? EXIT_FAILURE : EXIT_SUCCESS;

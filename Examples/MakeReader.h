@@ -10,8 +10,9 @@
 #include <string>
 
 /**
- * The reader for a file by its extension: legacy .vtk, else one of VTK's XML files (.vti, .vtr,
- * .vts, .vtu, .vtm ...). A file that can't be read shows as an error when the pipeline runs.
+ * Returns the reader for a file by its extension: legacy .vtk, or one of VTK's XML formats (.vti,
+ * .vtr, .vts, .vtu, .vtm ...). If the file cannot be read, the pipeline reports an error when it
+ * runs.
  */
 inline vtkSmartPointer<vtkAlgorithm> MakeReader(const std::string& path)
 {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where and how long an array of an Exodus file lies between two values, over all its time steps:
-// saves the tetrahedra, each with its extent in time, and draws them coloured by time.
+// Extracts the region and the duration for which an array of an Exodus file is between two values,
+// over all its time steps. Writes the tetrahedra with their time extents, and renders them colored
+// by time.
 //
 //   TimeVaryingIntervals mug.ex2 diffused 0.3 0.5 spread.vtu spread.png
 
@@ -33,7 +34,7 @@
 
 namespace
 {
-/// The blocks of an output as one grid.
+/// Returns the blocks of an output as one grid.
 vtkSmartPointer<vtkUnstructuredGrid> Append(vtkDataObject* output)
 {
   vtkNew<vtkAppendFilter> append;
@@ -47,12 +48,13 @@ vtkSmartPointer<vtkUnstructuredGrid> Append(vtkDataObject* output)
   return append->GetOutput();
 }
 
-/// Colour by time, and an optical depth of \a extinction per unit of length and time.
+/// Returns a volume colored by time, with the optical depth \a extinction per unit of length and
+/// time.
 vtkSmartPointer<vtkVolume> MakeVolume(
   vtkUnstructuredGrid* tetrahedra, const std::vector<double>& times, double extinction)
 {
-  vtkNew<vtkTemporalColorTransferFunction> colours;
-  colours->SetTimes(static_cast<int>(times.size()), times.data());
+  vtkNew<vtkTemporalColorTransferFunction> colors;
+  colors->SetTimes(static_cast<int>(times.size()), times.data());
   vtkNew<vtkPiecewiseFunction> constant;
   constant->AddPoint(times.front(), extinction);
   vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;
@@ -61,7 +63,7 @@ vtkSmartPointer<vtkVolume> MakeVolume(
   mapper->SelectScalarArray("Time");
   auto volume = vtkSmartPointer<vtkVolume>::New();
   volume->SetMapper(mapper);
-  volume->GetProperty()->SetColor(colours);
+  volume->GetProperty()->SetColor(colors);
   volume->GetProperty()->SetScalarOpacity(constant);
   volume->GetProperty()->SetScalarOpacityUnitDistance(1.0);
   return volume;
@@ -83,11 +85,11 @@ bool Draw(vtkVolume* volume, const char* path)
   renderer->GetActiveCamera()->Zoom(1.35);
   window->Render();
 
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(window);
-  picture->ReadFrontBufferOff();
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetInputConnection(image->GetOutputPort());
   writer->SetFileName(path);
   writer->Write();
   return writer->GetErrorCode() == 0;
@@ -98,7 +100,7 @@ int main(int argc, char* argv[])
 {
   if (argc != 7)
   {
-    std::cerr << "usage: TimeVaryingIntervals INPUT.ex2 ARRAY LOWER UPPER OUTPUT.vtu PICTURE.png\n";
+    std::cerr << "usage: TimeVaryingIntervals INPUT.ex2 ARRAY LOWER UPPER OUTPUT.vtu IMAGE.png\n";
     return EXIT_FAILURE;
   }
   vtkNew<vtkExodusIIReader> reader;
@@ -119,7 +121,7 @@ int main(int argc, char* argv[])
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = Append(interval->GetOutputDataObject(0));
   if (tetrahedra->GetNumberOfCells() == 0)
   {
-    std::cerr << "nothing of " << argv[2] << " lies in that interval at any time\n";
+    std::cerr << "No value of " << argv[2] << " is in this interval at any time.\n";
     return EXIT_FAILURE;
   }
   const vtkIdType simplices = interval->GetReport()->GetNumber("Simplices");
@@ -130,7 +132,7 @@ int main(int argc, char* argv[])
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(tetrahedra);
   writer->SetFileName(argv[5]);
-  // A line of sight through the middle that is always in the interval has an optical depth of 80.
+  // A view ray along the diagonal that is always inside the interval has an optical depth of 80.
   const double extinction = 80.0 / (tetrahedra->GetLength() * (allTimes.back() - allTimes.front()));
   const bool isDrawn = Draw(MakeVolume(tetrahedra, allTimes, extinction), argv[6]);
   return writer->Write() && isDrawn ? EXIT_SUCCESS : EXIT_FAILURE;

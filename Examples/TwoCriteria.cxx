@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extracts where one array lies in [a, b] and another in [c, d], saves it, and prints its volume.
+// Extracts the region where one array is in [a, b] and another in [c, d], writes it, and prints its
+// volume.
 //
 //   TwoCriteria disk_out_ref.vtu Temp 380 560 AsH3 0.1 0.14 both.vtu
 
@@ -57,7 +58,7 @@ int main(int argc, char* argv[])
   vtkUnstructuredGrid* tetrahedra = vtkUnstructuredGrid::SafeDownCast(both->GetOutputDataObject(0));
   if (!tetrahedra || tetrahedra->GetNumberOfCells() == 0)
   {
-    std::cerr << "nowhere do both hold\n";
+    std::cerr << "The two ranges have no common region.\n";
     return EXIT_FAILURE;
   }
   std::cout << tetrahedra->GetNumberOfCells() << " tetrahedra, volume " << Volume(tetrahedra)

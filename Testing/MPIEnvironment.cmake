@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What tests with several processes have in their environment, for Open MPI up to 4 and from 5 on:
-# processes share the cores, and containers may forbid reading another process's memory.
+# Environment of tests with several processes, for Open MPI before and since version 5: allow
+# oversubscription, and avoid reading the memory of other processes, which containers may forbid.
 set(interlume_mpi_environment
   "OMPI_MCA_rmaps_base_oversubscribe=1"
   "PRTE_MCA_rmaps_default_mapping_policy=:oversubscribe"
@@ -8,7 +8,7 @@ set(interlume_mpi_environment
   "OMPI_ALLOW_RUN_AS_ROOT=1"
   "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
 
-# interlume_ranks_test(NAME PROGRAM RANKS TIMEOUT): a test by so many processes of a program.
+# interlume_ranks_test(NAME PROGRAM RANKS TIMEOUT): adds a test that runs PROGRAM with RANKS processes.
 function (interlume_ranks_test name program ranks timeout)
   add_test(NAME ${name}
     COMMAND "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} ${ranks} $<TARGET_FILE:${program}>)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A bundle of streamlines around a hot disk, as a volume between two values on the surface that
-// they come from.
+// A stream volume around a hot disk: the region whose streamlines start between two values of an
+// inflow mapping.
 
-#include "GuidePicture.h"
+#include "GuideImage.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkDataObject.h>
@@ -18,11 +18,11 @@
 
 int main(int argc, char* argv[])
 {
-  GuidePicture picture(argc, argv);
-  vtkRenderer* renderer = picture.GetRenderer();
+  GuideImage image(argc, argv);
+  vtkRenderer* renderer = image.GetRenderer();
 
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(picture.GetPath("disk_out_ref.vtu").c_str());
+  reader->SetFileName(image.GetPath("disk_out_ref.vtu").c_str());
   vtkNew<vtkTerminationPlane> inflow;
   inflow->SetOrigin(-5.0, -5.0, 10.0);
   inflow->SetPoint1(5.0, -5.0, 10.0);
@@ -52,5 +52,5 @@ int main(int argc, char* argv[])
   volume->GetProperty()->SetScalarOpacity(extinction);
   renderer->AddVolume(volume);
 
-  return picture.Write(1.0, -1.5, 0.7);
+  return image.Write(1.0, -1.5, 0.7);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The region between two values of an electron's density, as a surface of its tetrahedra.
+// The region between two values of an electron density, as the surface of its tetrahedra.
 
-#include "GuidePicture.h"
+#include "GuideImage.h"
 
 #include <vtkActor.h>
 #include <vtkDataObject.h>
@@ -12,11 +12,11 @@
 
 int main(int argc, char* argv[])
 {
-  GuidePicture picture(argc, argv);
-  vtkRenderer* renderer = picture.GetRenderer();
+  GuideImage image(argc, argv);
+  vtkRenderer* renderer = image.GetRenderer();
 
   vtkNew<vtkXMLImageDataReader> reader;
-  reader->SetFileName(picture.GetPath("hydrogen_orbital.vti").c_str());
+  reader->SetFileName(image.GetPath("hydrogen_orbital.vti").c_str());
   vtkNew<vtkIntervalVolume> region;
   region->SetInputConnection(reader->GetOutputPort());
   region->SetInputArrayToProcess(
@@ -30,5 +30,5 @@ int main(int argc, char* argv[])
   actor->GetProperty()->SetColor(0.28, 0.65, 0.58);
   renderer->AddActor(actor);
 
-  return picture.Write(1.0, -1.5, 0.7);
+  return image.Write(1.0, -1.5, 0.7);
 }

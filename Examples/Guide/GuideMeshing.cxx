@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An icosahedron filled with tetrahedra, opened; every tetrahedron is well shaped and small enough.
+// An icosahedron filled with tetrahedra of bounded shape and volume, cut open.
 
-#include "GuidePicture.h"
+#include "GuideImage.h"
 
 #include <vtkActor.h>
 #include <vtkDataSetMapper.h>
@@ -13,8 +13,8 @@
 
 int main(int argc, char* argv[])
 {
-  GuidePicture picture(argc, argv);
-  vtkRenderer* renderer = picture.GetRenderer();
+  GuideImage image(argc, argv);
+  vtkRenderer* renderer = image.GetRenderer();
 
   vtkNew<vtkPlatonicSolidSource> surface;
   surface->SetSolidTypeToIcosahedron();
@@ -35,5 +35,5 @@ int main(int argc, char* argv[])
   actor->GetProperty()->EdgeVisibilityOn();
   renderer->AddActor(actor);
 
-  return picture.Write(0.4, -1.5, 0.5);
+  return image.Write(0.4, -1.5, 0.5);
 }

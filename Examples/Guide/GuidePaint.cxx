@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A checkered sheet where a flow comes in, carried through it; another image is another picture at
-// once.
+// A checkered image on the inflow, advected through the volume. A new image needs no new advection.
 
-#include "GuidePicture.h"
+#include "GuideImage.h"
 
 #include <vtkAnalyticFlowSource.h>
 #include <vtkImageCanvasSource2D.h>
@@ -14,8 +13,8 @@
 
 int main(int argc, char* argv[])
 {
-  GuidePicture picture(argc, argv);
-  vtkRenderer* renderer = picture.GetRenderer();
+  GuideImage image(argc, argv);
+  vtkRenderer* renderer = image.GetRenderer();
 
   vtkNew<vtkAnalyticFlowSource> flow;
   flow->SetField(vtkAnalyticFlowSource::SADDLE);
@@ -46,5 +45,5 @@ int main(int argc, char* argv[])
   volume->GetProperty()->SetScalarOpacityUnitDistance(0.3);
   renderer->AddVolume(volume);
 
-  return picture.Write(1.0, -1.5, 0.5);
+  return image.Write(1.0, -1.5, 0.5);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scanned tooth that light goes on in, from matter to matter, until it leaves.
+// A scanned tooth with full multiple scattering.
 
-#include "GuidePicture.h"
+#include "GuideImage.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkLight.h>
@@ -13,16 +13,16 @@
 
 int main(int argc, char* argv[])
 {
-  GuidePicture picture(argc, argv);
-  vtkRenderer* renderer = picture.GetRenderer();
+  GuideImage image(argc, argv);
+  vtkRenderer* renderer = image.GetRenderer();
 
   vtkNew<vtkXMLImageDataReader> reader;
-  reader->SetFileName(picture.GetPath("tooth.vti").c_str());
+  reader->SetFileName(image.GetPath("tooth.vti").c_str());
   vtkNew<vtkColorTransferFunction> albedo;
   albedo->AddRGBPoint(0.0, 0.999, 0.995, 0.975);
   vtkNew<vtkShadowedSliceMapper> mapper;
   mapper->SetInputConnection(reader->GetOutputPort());
-  mapper->SetMultipleScatteringToFull();
+  mapper->SetScatteringModeToFull();
   mapper->SetPhaseFunctionToHenyeyGreenstein();
   mapper->SetAnisotropy(0.8);
   mapper->SetScatteringAlbedo(albedo);
@@ -39,5 +39,5 @@ int main(int argc, char* argv[])
   sun->SetIntensity(0.6);
   renderer->AddLight(sun);
 
-  return picture.Write(0.3, -1.5, 0.4);
+  return image.Write(0.3, -1.5, 0.4);
 }

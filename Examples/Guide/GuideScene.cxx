@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A smoke-filled ball above a floor under a lamp of some size: volume and floor share its light and
-// shadows.
+// A sphere of smoke above a floor under an area light, with mutual shadows.
 
-#include "GuidePicture.h"
+#include "GuideImage.h"
 
 #include <vtkActor.h>
 #include <vtkAreaLight.h>
@@ -18,21 +17,21 @@
 
 int main(int argc, char* argv[])
 {
-  GuidePicture picture(argc, argv);
-  vtkRenderer* renderer = picture.GetRenderer();
+  GuideImage image(argc, argv);
+  vtkRenderer* renderer = image.GetRenderer();
 
   vtkNew<vtkTurbulenceSource> smoke;
   smoke->SetEnvelope(vtkTurbulenceSource::SPHERE);
   vtkNew<vtkShadowedSliceMapper> mapper;
   mapper->SetInputConnection(smoke->GetOutputPort());
-  vtkNew<vtkColorTransferFunction> grey;
-  grey->AddRGBPoint(0.0, 0.9, 0.9, 0.9);
+  vtkNew<vtkColorTransferFunction> gray;
+  gray->AddRGBPoint(0.0, 0.9, 0.9, 0.9);
   vtkNew<vtkPiecewiseFunction> opacities;
   opacities->AddPoint(0.0, 0.0);
   opacities->AddPoint(1.0, 0.9);
   vtkNew<vtkVolume> volume;
   volume->SetMapper(mapper);
-  volume->GetProperty()->SetColor(grey);
+  volume->GetProperty()->SetColor(gray);
   volume->GetProperty()->SetScalarOpacity(opacities);
   volume->GetProperty()->SetScalarOpacityUnitDistance(0.1);
   renderer->AddVolume(volume);
@@ -52,5 +51,5 @@ int main(int argc, char* argv[])
   vtkNew<vtkShadowedScenePass> shadows;
   renderer->SetPass(shadows);
 
-  return picture.Write(0.4, -1.5, 0.8);
+  return image.Write(0.4, -1.5, 0.8);
 }

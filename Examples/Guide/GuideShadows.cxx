@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An electron's density in a hydrogen atom, the ring around it in the shadow of its lobes.
+// The electron density in a hydrogen atom: its lobes cast shadows on the ring around it.
 
-#include "GuidePicture.h"
+#include "GuideImage.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkLight.h>
@@ -13,11 +13,11 @@
 
 int main(int argc, char* argv[])
 {
-  GuidePicture picture(argc, argv);
-  vtkRenderer* renderer = picture.GetRenderer();
+  GuideImage image(argc, argv);
+  vtkRenderer* renderer = image.GetRenderer();
 
   vtkNew<vtkXMLImageDataReader> reader;
-  reader->SetFileName(picture.GetPath("hydrogen_orbital.vti").c_str());
+  reader->SetFileName(image.GetPath("hydrogen_orbital.vti").c_str());
   vtkNew<vtkShadowedSliceMapper> mapper;
   mapper->SetInputConnection(reader->GetOutputPort());
   vtkNew<vtkColorTransferFunction> colors;
@@ -37,5 +37,5 @@ int main(int argc, char* argv[])
   sun->SetIntensity(1.6);
   renderer->AddLight(sun);
 
-  return picture.Write(1.0, -1.5, 0.7);
+  return image.Write(1.0, -1.5, 0.7);
 }

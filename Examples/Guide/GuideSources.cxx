@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A ball with a hole through it, made of formulas, in its own shadow.
+// A sphere with a hole, defined by formulas, with its shadow.
 
-#include "GuidePicture.h"
+#include "GuideImage.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkConstructiveVolume.h>
@@ -15,8 +15,8 @@
 
 int main(int argc, char* argv[])
 {
-  GuidePicture picture(argc, argv);
-  vtkRenderer* renderer = picture.GetRenderer();
+  GuideImage rendered(argc, argv);
+  vtkRenderer* renderer = rendered.GetRenderer();
 
   vtkNew<vtkSpatialPrimitive> ball;
   ball->SetShapeToSphere();
@@ -53,5 +53,5 @@ int main(int argc, char* argv[])
   sun->SetIntensity(1.8);
   renderer->AddLight(sun);
 
-  return picture.Write(0.6, -1.0, 1.2);
+  return rendered.Write(0.6, -1.0, 1.2);
 }

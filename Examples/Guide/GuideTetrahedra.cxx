@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hot gas around a spinning disk as a volume of tetrahedra, each as dense as its temperature says.
+// Hot gas around a spinning disk as a volume of tetrahedra whose extinction depends on temperature.
 
-#include "GuidePicture.h"
+#include "GuideImage.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkDataObject.h>
@@ -14,11 +14,11 @@
 
 int main(int argc, char* argv[])
 {
-  GuidePicture picture(argc, argv);
-  vtkRenderer* renderer = picture.GetRenderer();
+  GuideImage image(argc, argv);
+  vtkRenderer* renderer = image.GetRenderer();
 
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  reader->SetFileName(picture.GetPath("disk_out_ref.vtu").c_str());
+  reader->SetFileName(image.GetPath("disk_out_ref.vtu").c_str());
   vtkNew<vtkIntervalVolume> gas;
   gas->SetInputConnection(reader->GetOutputPort());
   gas->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Temp");
@@ -40,5 +40,5 @@ int main(int argc, char* argv[])
   volume->GetProperty()->SetScalarOpacity(extinction);
   renderer->AddVolume(volume);
 
-  return picture.Write(1.0, -1.5, 0.7);
+  return image.Write(1.0, -1.5, 0.7);
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two steps of a field of vortices in one picture: what was in the interval at any time between
-// them.
+// The region that an interval of a vortex field covers at any time between two time steps.
 
-#include "GuidePicture.h"
+#include "GuideImage.h"
 
 #include <vtkAnalyticFieldSource.h>
 #include <vtkColorTransferFunction.h>
@@ -15,8 +14,8 @@
 
 int main(int argc, char* argv[])
 {
-  GuidePicture picture(argc, argv);
-  vtkRenderer* renderer = picture.GetRenderer();
+  GuideImage image(argc, argv);
+  vtkRenderer* renderer = image.GetRenderer();
 
   vtkNew<vtkAnalyticFieldSource> vortices;
   vortices->SetFieldToVortex();
@@ -41,5 +40,5 @@ int main(int argc, char* argv[])
   volume->GetProperty()->SetScalarOpacity(extinction);
   renderer->AddVolume(volume);
 
-  return picture.Write(0.3, -1.0, 0.25);
+  return image.Write(0.3, -1.0, 0.25);
 }

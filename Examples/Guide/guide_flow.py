@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A bundle of streamlines around a hot disk, as a volume between two values on the surface that they come from."""
+"""A stream volume around a hot disk: its streamlines start between two values of an inflow mapping."""
 
-from guide_picture import GuidePicture
+from guide_image import GuideImage
 from interlume import (
     vtkFlowVolume, vtkImplicitFlowField, vtkInflowMapping, vtkTerminationPlane, vtkTimeWeightedTetrahedraMapper)
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPiecewiseFunction
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume
 
-picture = GuidePicture()
+picture = GuideImage()
 
 reader = vtkXMLUnstructuredGridReader()
 reader.SetFileName(picture.path("disk_out_ref.vtu"))

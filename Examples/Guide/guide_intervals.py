@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The region between two values of an electron's density, as a surface of its tetrahedra."""
+"""The region between two values of an electron density, as the surface of its tetrahedra."""
 
-from guide_picture import GuidePicture
+from guide_image import GuideImage
 from interlume import vtkIntervalVolume
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper
 
-picture = GuidePicture()
+picture = GuideImage()
 
 reader = vtkXMLImageDataReader()
 reader.SetFileName(picture.path("hydrogen_orbital.vti"))

@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""An icosahedron filled with tetrahedra, opened; every tetrahedron is well shaped and small enough."""
+"""An icosahedron filled with tetrahedra of bounded shape and volume, cut open."""
 
-from guide_picture import GuidePicture
+from guide_image import GuideImage
 from interlume import vtkTetrahedralMesher
 from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkDataSetMapper
 
-picture = GuidePicture()
+picture = GuideImage()
 
 surface = vtkPlatonicSolidSource()
 surface.SetSolidTypeToIcosahedron()

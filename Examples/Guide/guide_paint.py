@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A checkered sheet where a flow comes in, carried through it; another image is another picture at once."""
+"""A checkered image on the inflow, advected through the volume. A new image needs no new advection."""
 
-from guide_picture import GuidePicture
+from guide_image import GuideImage
 from interlume import (
     vtkAnalyticFlowSource, vtkImplicitFlowField, vtkImplicitFlowVolumeMapper, vtkTerminationPlane)
 from vtkmodules.vtkImagingSources import vtkImageCanvasSource2D
 from vtkmodules.vtkRenderingCore import vtkVolume
 
-picture = GuidePicture()
+picture = GuideImage()
 
 flow = vtkAnalyticFlowSource()
 flow.SetField(vtkAnalyticFlowSource.SADDLE)

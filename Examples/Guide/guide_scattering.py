@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A scanned tooth that light goes on in, from matter to matter, until it leaves."""
+"""A scanned tooth with full multiple scattering."""
 
-from guide_picture import GuidePicture
+from guide_image import GuideImage
 from interlume import vtkShadowedSliceMapper
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkLight, vtkVolume
 
-picture = GuidePicture()
+picture = GuideImage()
 
 reader = vtkXMLImageDataReader()
 reader.SetFileName(picture.path("tooth.vti"))
@@ -15,7 +15,7 @@ albedo = vtkColorTransferFunction()
 albedo.AddRGBPoint(0.0, 0.999, 0.995, 0.975)
 mapper = vtkShadowedSliceMapper()
 mapper.SetInputConnection(reader.GetOutputPort())
-mapper.SetMultipleScatteringToFull()
+mapper.SetScatteringModeToFull()
 mapper.SetPhaseFunctionToHenyeyGreenstein()
 mapper.SetAnisotropy(0.8)
 mapper.SetScatteringAlbedo(albedo)

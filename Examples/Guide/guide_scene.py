@@ -1,26 +1,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A smoke-filled ball above a floor under a lamp of some size: volume and floor share its light and shadows."""
+"""A sphere of smoke above a floor under an area light, with mutual shadows."""
 
-from guide_picture import GuidePicture
+from guide_image import GuideImage
 from interlume import vtkAreaLight, vtkShadowedScenePass, vtkShadowedSliceMapper, vtkTurbulenceSource
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkRenderingCore import vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkVolume
 
-picture = GuidePicture()
+picture = GuideImage()
 
 smoke = vtkTurbulenceSource()
 smoke.SetEnvelope(vtkTurbulenceSource.SPHERE)
 mapper = vtkShadowedSliceMapper()
 mapper.SetInputConnection(smoke.GetOutputPort())
-grey = vtkColorTransferFunction()
-grey.AddRGBPoint(0.0, 0.9, 0.9, 0.9)
+gray = vtkColorTransferFunction()
+gray.AddRGBPoint(0.0, 0.9, 0.9, 0.9)
 opacities = vtkPiecewiseFunction()
 opacities.AddPoint(0.0, 0.0)
 opacities.AddPoint(1.0, 0.9)
 volume = vtkVolume()
 volume.SetMapper(mapper)
-volume.GetProperty().SetColor(grey)
+volume.GetProperty().SetColor(gray)
 volume.GetProperty().SetScalarOpacity(opacities)
 volume.GetProperty().SetScalarOpacityUnitDistance(0.1)
 picture.renderer.AddVolume(volume)

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""An electron's density in a hydrogen atom, the ring around it in the shadow of its lobes."""
+"""The electron density in a hydrogen atom: its lobes cast shadows on the ring around it."""
 
-from guide_picture import GuidePicture
+from guide_image import GuideImage
 from interlume import vtkShadowedSliceMapper
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkIOXML import vtkXMLImageDataReader
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkLight, vtkVolume
 
-picture = GuidePicture()
+picture = GuideImage()
 
 reader = vtkXMLImageDataReader()
 reader.SetFileName(picture.path("hydrogen_orbital.vti"))

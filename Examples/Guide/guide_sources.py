@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A ball with a hole through it, made of formulas, in its own shadow."""
+"""A sphere with a hole, defined by formulas, with its shadow."""
 
-from guide_picture import GuidePicture
+from guide_image import GuideImage
 from interlume import (
     vtkConstructiveVolume, vtkShadowedSliceMapper, vtkSpatialOperation, vtkSpatialPrimitive)
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkLight, vtkVolume
 
-picture = GuidePicture()
+picture = GuideImage()
 
 ball = vtkSpatialPrimitive()
 ball.SetShapeToSphere()

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Hot gas around a spinning disk as a volume of tetrahedra, each as dense as its temperature says."""
+"""Hot gas around a spinning disk as a volume of tetrahedra whose extinction depends on temperature."""
 
-from guide_picture import GuidePicture
+from guide_image import GuideImage
 from interlume import vtkIntervalVolume, vtkTimeWeightedTetrahedraMapper
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPiecewiseFunction
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume
 
-picture = GuidePicture()
+picture = GuideImage()
 
 reader = vtkXMLUnstructuredGridReader()
 reader.SetFileName(picture.path("disk_out_ref.vtu"))

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two steps of a field of vortices in one picture: what was in the interval at any time between them."""
+"""The region that an interval of a vortex field covers at any time between two time steps."""
 
-from guide_picture import GuidePicture
+from guide_image import GuideImage
 from interlume import vtkAnalyticFieldSource, vtkTimeVaryingIntervalVolume, vtkTimeWeightedTetrahedraMapper
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkColorTransferFunction, vtkVolume
 
-picture = GuidePicture()
+picture = GuideImage()
 
 vortices = vtkAnalyticFieldSource()
 vortices.SetFieldToVortex()

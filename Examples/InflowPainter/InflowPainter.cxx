@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Paints on the inflow of a flow and shows the paint carried along, while it is painted. The paint
-// is a PNG file that any program can read, and that this one goes on with when it is there.
+// Lets the user paint on the inflow of a flow, and shows the paint advected through the volume. The
+// image is a PNG file. If it exists, it is loaded first.
 //
 //   InflowPainter post.vts Velocity paint.png
 //   InflowPainter post.vts Velocity paint.png --points 96 --record events.log
-//   InflowPainter post.vts Velocity paint.png --replay events.log --picture painter.png
+//   InflowPainter post.vts Velocity paint.png --replay events.log --image painter.png
 //
-// On the left, the left button paints; sliders and keys choose the brush (PainterWindow.h has
-// them). On the right, the left button turns the view.
+// In the left view, the left button paints; sliders and keys change the brush (see
+// PainterWindow.h). In the right view, the left button rotates the camera.
 
 #include "../MakeReader.h"
 #include "PainterWindow.h"
@@ -34,7 +34,7 @@
 
 namespace
 {
-/// As many cells along the longest edge as are asked for, as long along the others.
+/// Sets the samples: \a points along the longest edge, and the same spacing along the other edges.
 void SetImage(vtkImplicitFlowField* filter, vtkDataSet* field, int points)
 {
   double bounds[6];
@@ -54,7 +54,7 @@ void SetImage(vtkImplicitFlowField* filter, vtkDataSet* field, int points)
   filter->SetSampleDimensions(numbers[0], numbers[1], numbers[2]);
 }
 
-/// Columns and rows of a page with the proportions of a rectangle.
+/// Returns the columns and rows of an image with the aspect ratio of the plane.
 void GetPageSize(vtkTerminationPlane* plane, int size[2])
 {
   constexpr double longest = 512.0;
@@ -67,13 +67,13 @@ void GetPageSize(vtkTerminationPlane* plane, int size[2])
   size[1] = std::max(16, static_cast<int>(std::lround(scale * height)));
 }
 
-bool WritePicture(vtkRenderWindow* window, const std::string& file)
+bool WriteImage(vtkRenderWindow* window, const std::string& file)
 {
-  vtkNew<vtkWindowToImageFilter> picture;
-  picture->SetInput(window);
-  picture->ReadFrontBufferOff();
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputConnection(picture->GetOutputPort());
+  writer->SetInputConnection(image->GetOutputPort());
   writer->SetFileName(file.c_str());
   writer->Write();
   return writer->GetErrorCode() == 0;
@@ -84,14 +84,14 @@ int main(int argc, char* argv[])
 {
   std::map<std::string, std::string> options{ { "--points", "64" }, { "--record", "" },
     { "--replay", "" }, { "--picture", "" } };
-  bool isUnderstood = argc >= 4 && argc % 2 == 0;
-  for (int i = 4; isUnderstood && i < argc; i += 2)
+  bool isValid = argc >= 4 && argc % 2 == 0;
+  for (int i = 4; isValid && i < argc; i += 2)
   {
-    isUnderstood = options.count(argv[i]) > 0;
+    isValid = options.count(argv[i]) > 0;
     options[argv[i]] = argv[i + 1];
   }
   const int points = std::atoi(options["--points"].c_str());
-  if (!isUnderstood || points < 2 || points > 1000)
+  if (!isValid || points < 2 || points > 1000)
   {
     std::cerr
       << "usage: InflowPainter FLOW VECTORS PAINT.png [--points 2...1000] [--record EVENTS] "
@@ -104,10 +104,10 @@ int main(int argc, char* argv[])
   vtkDataSet* field = vtkDataSet::SafeDownCast(reader->GetOutputDataObject(0));
   if (!field)
   {
-    std::cerr << argv[1] << " has no grid\n";
+    std::cerr << argv[1] << " does not contain a dataset.\n";
     return EXIT_FAILURE;
   }
-  // The rectangle is placed where the flow comes in.
+  // This surface places itself on the inflow.
   vtkNew<vtkTerminationInflow> inflow;
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputConnection(reader->GetOutputPort());
@@ -120,14 +120,15 @@ int main(int argc, char* argv[])
   {
     return EXIT_FAILURE;
   }
-  // Errors are the mean, the one that 99 % do not exceed, and the largest.
+  // Each error in the report has three entries: the mean, the 99th percentile and the maximum.
   vtkInterlumeReport* report = filter->GetReport();
-  std::cout << "Between voxels, u is off by " << report->GetNumber("SamplingErrorU")
-            << " in the mean, v by " << report->GetNumber("SamplingErrorV")
-            << "; 99 in 100 by less than " << report->GetNumber("SamplingErrorU", 1) << " and "
-            << report->GetNumber("SamplingErrorV", 1) << "; borders go through "
+  std::cout << "Interpolation between samples: the mean error is "
+            << report->GetNumber("SamplingErrorU") << " in u and "
+            << report->GetNumber("SamplingErrorV") << " in v, the 99th percentile "
+            << report->GetNumber("SamplingErrorU", 1) << " and "
+            << report->GetNumber("SamplingErrorV", 1) << ". Surface boundaries pass through "
             << report->GetNumber("SamplingSplitCells") << " of "
-            << report->GetNumber("SamplingChecks") << " cells.\n";
+            << report->GetNumber("SamplingChecks") << " checked cells.\n";
 
   int size[2];
   GetPageSize(inflow, size);
@@ -135,7 +136,7 @@ int main(int argc, char* argv[])
   painter.SetFile(argv[3]);
   if (std::ifstream(argv[3]))
   {
-    painter.TakeKey('l');
+    painter.HandleKey('l');
   }
   painter.GetInteractor()->Initialize();
   painter.GetWindow()->Render();
@@ -156,7 +157,7 @@ int main(int argc, char* argv[])
     }
     painter.GetInteractor()->Start();
   }
-  return options["--picture"].empty() || WritePicture(painter.GetWindow(), options["--picture"])
+  return options["--picture"].empty() || WriteImage(painter.GetWindow(), options["--picture"])
     ? EXIT_SUCCESS
     : EXIT_FAILURE;
 }

@@ -28,12 +28,12 @@ unsigned char* GetPixel(vtkImageData* image, int column, int row)
   return static_cast<unsigned char*>(image->GetScalarPointer(column, row, 0));
 }
 
-unsigned char ToByte(double share)
+unsigned char ToByte(double fraction)
 {
-  return static_cast<unsigned char>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
+  return static_cast<unsigned char>(std::lround(255.0 * std::clamp(fraction, 0.0, 1.0)));
 }
 
-/// Puts a part of a brush's paint in the place of what a pixel has.
+/// Blends the brush into a pixel. \a part is the fraction of the pixel that the brush covers.
 void Mix(unsigned char* pixel, const std::array<double, 4>& brush, double part)
 {
   const double before = (1.0 - part) * pixel[3] / 255.0;
@@ -56,11 +56,11 @@ PaintCanvas::PaintCanvas(int columns, int rows)
   this->Clear();
 }
 
-void PaintCanvas::Keep()
+void PaintCanvas::SaveState()
 {
   const unsigned char* pixels = GetPixel(this->Paint, 0, 0);
   this->Steps.emplace_back(pixels, pixels + 4 * this->Paint->GetNumberOfPoints());
-  if (this->Steps.size() > MostSteps)
+  if (this->Steps.size() > MaximumSteps)
   {
     this->Steps.erase(this->Steps.begin());
   }
@@ -78,7 +78,7 @@ bool PaintCanvas::Undo()
   return true;
 }
 
-void PaintCanvas::Stroke(const Place& from, const Place& to, const Brush& brush)
+void PaintCanvas::Stroke(const Position& from, const Position& to, const Brush& brush)
 {
   std::array<int, 2> first;
   std::array<int, 2> last;
@@ -97,15 +97,15 @@ void PaintCanvas::Stroke(const Place& from, const Place& to, const Brush& brush)
   {
     for (int column = first[0]; column <= last[0]; ++column)
     {
-      const double place[3] = { static_cast<double>(column), static_cast<double>(row), 0.0 };
+      const double position[3] = { static_cast<double>(column), static_cast<double>(row), 0.0 };
       double t = 0.0;
       const double distance = isPoint
-        ? std::hypot(place[0] - begin[0], place[1] - begin[1])
-        : std::sqrt(vtkLine::DistanceToLine(place, begin, end, t, nullptr));
+        ? std::hypot(position[0] - begin[0], position[1] - begin[1])
+        : std::sqrt(vtkLine::DistanceToLine(position, begin, end, t, nullptr));
       const double part = std::clamp(brush.Radius - distance + 0.5, 0.0, 1.0);
       if (part > 0.0)
       {
-        Mix(GetPixel(this->Paint, column, row), brush.Colour, part);
+        Mix(GetPixel(this->Paint, column, row), brush.Color, part);
       }
     }
   }
@@ -122,13 +122,13 @@ std::string PaintCanvas::Load(const std::string& file)
 {
   if (!std::ifstream(file))
   {
-    return "cannot read " + file;
+    return "Cannot read " + file + ".";
   }
   const auto reader =
     vtk::TakeSmartPointer(vtkImageReader2Factory::CreateImageReader2(file.c_str()));
   if (!reader)
   {
-    return file + " is no image file that VTK knows";
+    return file + " is not an image file that VTK can read.";
   }
   reader->SetFileName(file.c_str());
   vtkNew<vtkImageResize> resize;
@@ -141,7 +141,7 @@ std::string PaintCanvas::Load(const std::string& file)
   if (image->GetNumberOfPoints() != this->Paint->GetNumberOfPoints() || components > 4 ||
     (type != VTK_UNSIGNED_CHAR && type != VTK_UNSIGNED_SHORT))
   {
-    return file + " has no picture of 8 or 16 bits and one to four channels";
+    return file + " must be an image of 8 or 16 bits with one to four channels.";
   }
   const double largest = type == VTK_UNSIGNED_CHAR ? 255.0 : 65535.0;
   for (int row = 0; row < this->Size[1]; ++row)
@@ -168,7 +168,7 @@ std::string PaintCanvas::Save(const std::string& file) const
   writer->SetInputData(this->Paint);
   writer->SetFileName(file.c_str());
   writer->Write();
-  return writer->GetErrorCode() ? "cannot write " + file : std::string();
+  return writer->GetErrorCode() ? "Cannot write " + file + "." : std::string();
 }
 
 void PaintCanvas::Touch(int firstColumn, int lastColumn, int firstRow, int lastRow)

@@ -2,7 +2,7 @@
 #ifndef PaintCanvas_h
 #define PaintCanvas_h
 
-#include <vtkImageData.h> // for conversions of its pointers
+#include <vtkImageData.h> // required by conversions of pointers to it
 #include <vtkSmartPointer.h>
 
 #include <array>
@@ -10,51 +10,53 @@
 #include <vector>
 
 /**
- * An image that is painted on with a round brush: RGBA, unsigned char, transparent at first. Places
- * are in pixels, (0, 0) in the middle of the first one.
+ * An image to paint on with a round brush: RGBA, unsigned char, initially transparent. Positions
+ * are in pixels; (0, 0) is the center of the first pixel.
  */
 class PaintCanvas
 {
 public:
-  using Place = std::array<double, 2>;
+  using Position = std::array<double, 2>;
 
   struct Brush
   {
-    /// In pixels. Where a pixel's middle is within half a pixel of the rim, paint covers a part.
+    /// Radius in pixels. Pixels whose center is within half a pixel of the brush's edge are partly
+    /// covered.
     double Radius = 14.0;
     /// Red, green, blue and opacity, 0 to 1. Opacity 0 erases.
-    std::array<double, 4> Colour{ { 0.9, 0.13, 0.13, 0.7 } };
+    std::array<double, 4> Color{ { 0.9, 0.13, 0.13, 0.7 } };
   };
 
   PaintCanvas(int columns, int rows);
 
-  /// Returns the paint, which becomes newer with each change.
+  /// Returns the painted image. Each change increases its modification time.
   vtkImageData* GetPaint() const { return this->Paint; }
-  /// Returns the paint on white paper, RGB.
+  /// Returns the painted image on a white background, RGB.
   vtkImageData* GetPage() const { return this->Page; }
 
-  /// Keeps what is there for Undo. Call it before each change that shall be undone alone.
-  void Keep();
-  /// Brings back what was kept last. Returns false where nothing is kept.
+  /// Saves the current state for Undo(). Call it before each change that can be undone.
+  void SaveState();
+  /// Restores the last saved state. Returns false if no state is saved.
   bool Undo();
-  /// Replaces the paint along a line: opacity and colour are the brush's, however often it passes.
-  void Stroke(const Place& from, const Place& to, const Brush& brush);
+  /// Paints along a line with the color and opacity of the brush. Repeated strokes do not
+  /// accumulate.
+  void Stroke(const Position& from, const Position& to, const Brush& brush);
   void Clear();
 
   ///@{
   /**
-   * Reads an image file of any format that VTK knows, fitted to the size of the canvas, or writes a
-   * PNG file. Both return what went wrong, or nothing.
+   * Load() reads an image file in any format that VTK supports and scales it to the canvas. Save()
+   * writes a PNG file. Both return an error message, or an empty string on success.
    */
   std::string Load(const std::string& file);
   std::string Save(const std::string& file) const;
   ///@}
 
 private:
-  /// The largest number of steps that can be undone.
-  static constexpr std::size_t MostSteps = 50;
+  /// Maximum number of steps that can be undone.
+  static constexpr std::size_t MaximumSteps = 50;
 
-  /// Tells that pixels of these columns and rows have changed, ends included.
+  /// Updates the page after the paint changed in the given columns and rows, inclusive.
   void Touch(int firstColumn, int lastColumn, int firstRow, int lastRow);
   void TouchAll();
 

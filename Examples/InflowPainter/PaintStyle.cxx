@@ -10,11 +10,11 @@ vtkStandardNewMacro(PaintStyle);
 
 void PaintStyle::OnLeftButtonDown()
 {
-  const int* place = this->Interactor->GetEventPosition();
+  const int* position = this->Interactor->GetEventPosition();
   this->Painter->SetCoarse(true);
-  if (this->Painter->IsOnLeft(place[0]))
+  if (this->Painter->IsOnLeft(position[0]))
   {
-    this->Painter->BeginStroke(place[0], place[1]);
+    this->Painter->BeginStroke(position[0], position[1]);
   }
   else
   {
@@ -26,8 +26,8 @@ void PaintStyle::OnMouseMove()
 {
   if (this->Painter->IsPainting())
   {
-    const int* place = this->Interactor->GetEventPosition();
-    this->Painter->ContinueStroke(place[0], place[1]);
+    const int* position = this->Interactor->GetEventPosition();
+    this->Painter->ContinueStroke(position[0], position[1]);
   }
   else
   {
@@ -50,7 +50,7 @@ void PaintStyle::OnChar()
   {
     this->Superclass::OnChar();
   }
-  else if (this->Painter->TakeKey(key))
+  else if (this->Painter->HandleKey(key))
   {
     this->Interactor->Render();
   }

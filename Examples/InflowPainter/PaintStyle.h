@@ -7,8 +7,8 @@
 class PainterWindow;
 
 /**
- * Paints where the left button is pressed on the page; elsewhere a trackball for the camera. Keys
- * are the painter's, but for q.
+ * Interactor style that paints while the left button is pressed on the page, and otherwise moves a
+ * trackball camera. All keys except q are passed to the painter.
  */
 class PaintStyle : public vtkInteractorStyleTrackballCamera
 {

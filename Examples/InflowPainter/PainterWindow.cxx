@@ -38,7 +38,7 @@ namespace
 {
 constexpr int WindowWidth = 1200;
 constexpr int WindowHeight = 600;
-/// Where the page ends and the flow begins, in parts of the window.
+/// Border between the page and the flow view, as a fraction of the window width.
 constexpr double Border = 0.46;
 constexpr double Ink[3] = { 0.2, 0.22, 0.26 };
 constexpr double SmallestBrush = 1.0;
@@ -77,7 +77,7 @@ PainterWindow::PainterWindow(
   this->PlacePage(columns, rows, surface);
   this->ShowText();
   this->ShowSlider(this->Size, "brush", 0.05, SmallestBrush, LargestBrush, this->Brush.Radius);
-  this->ShowSlider(this->Opacity, "opacity", 0.37, 0.0, 1.0, this->Brush.Colour[3]);
+  this->ShowSlider(this->Opacity, "opacity", 0.37, 0.0, 1.0, this->Brush.Color[3]);
   this->ShowSlider(this->Hue, "hue", 0.69, 0.0, 1.0, 0.0);
   this->ShowBrush(0.0);
 }
@@ -98,35 +98,36 @@ void PainterWindow::ShowPage()
 
 void PainterWindow::PlacePage(int columns, int rows, vtkTerminationSurface* surface)
 {
-  // The page is turned as its surface is seen on the right, to a quarter of a turn.
+  // Rotates the page by multiples of 90 degrees to match the orientation of its surface in the
+  // right view.
   double corners[3][3];
-  const double places[3][2] = { { 0.5, 0.5 }, { 0.51, 0.5 }, { 0.5, 0.51 } };
+  const double parameters[3][2] = { { 0.5, 0.5 }, { 0.51, 0.5 }, { 0.5, 0.51 } };
   for (int i = 0; i < 3; ++i)
   {
-    surface->EvaluatePoint(0, places[i], corners[i]);
+    surface->EvaluatePoint(0, parameters[i], corners[i]);
   }
   double up[2];
   double right[2];
-  vtkCamera* seen = this->Right->GetActiveCamera();
+  vtkCamera* rightCamera = this->Right->GetActiveCamera();
   double across[3];
-  vtkMath::Cross(seen->GetDirectionOfProjection(), seen->GetViewUp(), across);
+  vtkMath::Cross(rightCamera->GetDirectionOfProjection(), rightCamera->GetViewUp(), across);
   for (int axis = 0; axis < 2; ++axis)
   {
-    double way[3];
-    vtkMath::Subtract(corners[axis + 1], corners[0], way);
-    vtkMath::Normalize(way);
-    up[axis] = vtkMath::Dot(way, seen->GetViewUp());
-    right[axis] = vtkMath::Dot(way, across);
+    double edge[3];
+    vtkMath::Subtract(corners[axis + 1], corners[0], edge);
+    vtkMath::Normalize(edge);
+    up[axis] = vtkMath::Dot(edge, rightCamera->GetViewUp());
+    right[axis] = vtkMath::Dot(edge, across);
   }
-  const bool isTurned = std::abs(up[0]) > std::abs(up[1]);
-  const int level = isTurned ? 1 : 0;
+  const bool isRotated = std::abs(up[0]) > std::abs(up[1]);
+  const int level = isRotated ? 1 : 0;
   const double upward = up[1 - level] < 0.0 ? -1.0 : 1.0;
   const double rightward = right[level] < 0.0 ? -1.0 : 1.0;
 
-  // It is as large as fits above the sliders.
+  // Makes the page as large as possible above the sliders.
   constexpr double aspect = Border * WindowWidth / WindowHeight;
-  const double size[2] = { static_cast<double>(isTurned ? rows : columns),
-    static_cast<double>(isTurned ? columns : rows) };
+  const double size[2] = { static_cast<double>(isRotated ? rows : columns),
+    static_cast<double>(isRotated ? columns : rows) };
   const double height = std::max(1.3 * size[1], 1.08 * size[0] / aspect);
   double focus[3] = { 0.5 * (columns - 1), 0.5 * (rows - 1), 0.0 };
   focus[1 - level] -= upward * (0.46 * height - 0.5 * size[1]);
@@ -151,7 +152,7 @@ void PainterWindow::ShowFlow(vtkImageData* flow, vtkTerminationSurface* surface)
   this->Mapper->SetInflowTexture(vtkImplicitFlowVolumeMapper::ALL, this->Canvas.GetPaint());
   vtkNew<vtkVolume> volume;
   volume->SetMapper(this->Mapper);
-  // Paint of opacity 0.7 is so in a twentieth of the field.
+  // The opacity of the paint applies to a distance of a twentieth of the field's diagonal.
   volume->GetProperty()->SetScalarOpacityUnitDistance(0.05 * flow->GetLength());
   this->Right->AddVolume(volume);
 
@@ -178,10 +179,11 @@ void PainterWindow::ShowFlow(vtkImageData* flow, vtkTerminationSurface* surface)
   box->GetProperty()->SetColor(Ink[0], Ink[1], Ink[2]);
   this->Right->AddActor(box);
 
-  // From before the surface and beside, so that the page is seen and what flows away from it.
+  // Views the surface obliquely from upstream, so that both the page and the flow downstream are
+  // visible.
   double foot[3];
-  const double middle[2] = { 0.5, 0.5 };
-  surface->EvaluatePoint(0, middle, foot);
+  const double parameters[2] = { 0.5, 0.5 };
+  surface->EvaluatePoint(0, parameters, foot);
   double normal[3];
   surface->EvaluateNormal(foot, normal);
   double center[3];
@@ -209,8 +211,7 @@ void PainterWindow::ShowFlow(vtkImageData* flow, vtkTerminationSurface* surface)
 void PainterWindow::ShowText()
 {
   vtkNew<vtkTextActor> help;
-  help->SetInput(
-    "1-6 colour   k black   x eraser   [ ] brush   z undo   c clear   s save   l load");
+  help->SetInput("1-6 color   k black   x eraser   [ ] brush   z undo   c clear   s save   l load");
   help->GetTextProperty()->SetFontSize(14);
   help->GetTextProperty()->SetColor(Ink[0], Ink[1], Ink[2]);
   help->GetPositionCoordinate()->SetCoordinateSystemToNormalizedViewport();
@@ -254,13 +255,13 @@ void PainterWindow::ShowSlider(
   slider->SetRepresentation(bar);
   slider->SetAnimationModeToJump();
   slider->EnabledOn();
-  slider->AddObserver(vtkCommand::InteractionEvent, this, &PainterWindow::TakeSliders);
+  slider->AddObserver(vtkCommand::InteractionEvent, this, &PainterWindow::ReadSliders);
 }
 
-void PainterWindow::TakeSliders()
+void PainterWindow::ReadSliders()
 {
   this->Brush.Radius = GetValue(this->Size);
-  this->Brush.Colour[3] = GetValue(this->Opacity);
+  this->Brush.Color[3] = GetValue(this->Opacity);
   this->ShowBrush(GetValue(this->Hue));
 }
 
@@ -269,14 +270,14 @@ void PainterWindow::ShowBrush(double hue)
   if (hue >= 0.0)
   {
     const double hsv[3] = { hue, 0.85, 0.9 };
-    vtkMath::HSVToRGB(hsv, this->Brush.Colour.data());
+    vtkMath::HSVToRGB(hsv, this->Brush.Color.data());
     SetValue(this->Hue, hue);
   }
   SetValue(this->Size, this->Brush.Radius);
-  SetValue(this->Opacity, this->Brush.Colour[3]);
+  SetValue(this->Opacity, this->Brush.Color[3]);
   auto* bar = static_cast<vtkSliderRepresentation2D*>(this->Hue->GetRepresentation());
-  bar->GetSliderProperty()->SetColor(this->Brush.Colour.data());
-  bar->GetSelectedProperty()->SetColor(this->Brush.Colour.data());
+  bar->GetSliderProperty()->SetColor(this->Brush.Color.data());
+  bar->GetSelectedProperty()->SetColor(this->Brush.Color.data());
 }
 
 bool PainterWindow::IsOnLeft(int x) const
@@ -284,7 +285,7 @@ bool PainterWindow::IsOnLeft(int x) const
   return x < Border * this->Window->GetSize()[0];
 }
 
-PaintCanvas::Place PainterWindow::FindPlace(int x, int y) const
+PaintCanvas::Position PainterWindow::FindCanvasPosition(int x, int y) const
 {
   this->Left->SetDisplayPoint(x, y, 0.0);
   this->Left->DisplayToWorld();
@@ -294,23 +295,23 @@ PaintCanvas::Place PainterWindow::FindPlace(int x, int y) const
 
 void PainterWindow::BeginStroke(int x, int y)
 {
-  this->Canvas.Keep();
+  this->Canvas.SaveState();
   this->Painting = true;
-  this->Last = this->FindPlace(x, y);
+  this->Last = this->FindCanvasPosition(x, y);
   this->ContinueStroke(x, y);
 }
 
 void PainterWindow::ContinueStroke(int x, int y)
 {
-  const PaintCanvas::Place place = this->FindPlace(x, y);
-  this->Canvas.Stroke(this->Last, place, this->Brush);
-  this->Last = place;
+  const PaintCanvas::Position position = this->FindCanvasPosition(x, y);
+  this->Canvas.Stroke(this->Last, position, this->Brush);
+  this->Last = position;
   this->Window->Render();
 }
 
-bool PainterWindow::TakeKey(char key)
+bool PainterWindow::HandleKey(char key)
 {
-  std::string wrong;
+  std::string error;
   switch (key)
   {
     case '1':
@@ -319,15 +320,15 @@ bool PainterWindow::TakeKey(char key)
     case '4':
     case '5':
     case '6':
-      this->Brush.Colour[3] = std::max(this->Brush.Colour[3], 0.05);
+      this->Brush.Color[3] = std::max(this->Brush.Color[3], 0.05);
       this->ShowBrush((key - '1') / 6.0);
       break;
     case 'k':
-      std::fill_n(this->Brush.Colour.begin(), 3, 0.0);
+      std::fill_n(this->Brush.Color.begin(), 3, 0.0);
       this->ShowBrush(-1.0);
       break;
     case 'x':
-      this->Brush.Colour[3] = 0.0;
+      this->Brush.Color[3] = 0.0;
       this->ShowBrush(-1.0);
       break;
     case '[':
@@ -340,22 +341,22 @@ bool PainterWindow::TakeKey(char key)
       this->Canvas.Undo();
       break;
     case 'c':
-      this->Canvas.Keep();
+      this->Canvas.SaveState();
       this->Canvas.Clear();
       break;
     case 's':
-      wrong = this->Canvas.Save(this->File);
+      error = this->Canvas.Save(this->File);
       break;
     case 'l':
-      this->Canvas.Keep();
-      wrong = this->Canvas.Load(this->File);
+      this->Canvas.SaveState();
+      error = this->Canvas.Load(this->File);
       break;
     default:
       return false;
   }
-  if (!wrong.empty())
+  if (!error.empty())
   {
-    std::cerr << wrong << "\n";
+    std::cerr << error << "\n";
   }
   return true;
 }

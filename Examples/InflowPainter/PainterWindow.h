@@ -20,23 +20,23 @@ class vtkTexture;
 class vtkVolume;
 
 /**
- * A window with a page to paint on at its left, and at its right the flow that carries the paint.
+ * A window with a page to paint on (left) and the flow that carries the paint (right).
  *
- * Left button on the page: paint. Sliders: size of the brush, opacity and hue. Keys: 1 to 6
- * colours, k black, x eraser, [ and ] smaller and larger, z undo, c clear, s save to the file, l
- * load it, q quit. On the right the left button turns, the wheel zooms.
+ * Page: the left button paints. Sliders: brush size, opacity and hue. Keys: 1 to 6 select a color,
+ * k selects black, x selects the eraser, [ and ] shrink and enlarge the brush, z undoes, c clears,
+ * s saves the file, l loads it, q quits. Flow: the left button rotates, the wheel zooms.
  */
 class PainterWindow
 {
 public:
   /**
-   * \a flow is an image with the arrays of vtkImplicitFlowField; \a surface, which is up to date,
-   * is painted on. The page has \a columns and \a rows.
+   * \a flow is an image with the arrays of vtkImplicitFlowField. \a surface is the termination
+   * surface to paint on; it must be up to date. The page has \a columns x \a rows pixels.
    */
   PainterWindow(vtkImageData* flow, vtkTerminationSurface* surface, int columns, int rows);
   ~PainterWindow();
 
-  /// Sets the file that the keys s and l write and read. Default paint.png.
+  /// Sets the file for the keys s and l. Default: paint.png.
   void SetFile(const std::string& file) { this->File = file; }
 
   vtkRenderWindow* GetWindow() const { return this->Window; }
@@ -49,16 +49,16 @@ public:
 
   ///@{
   /**
-   * For the style: places are in pixels of the window.
+   * Called by the interactor style. Positions are in window pixels.
    */
   bool IsOnLeft(int x) const;
   bool IsPainting() const { return this->Painting; }
   void BeginStroke(int x, int y);
   void ContinueStroke(int x, int y);
   void EndStroke() { this->Painting = false; }
-  /// Returns whether the key means something.
-  bool TakeKey(char key);
-  /// Draws the flow with fewer pixels while something moves.
+  /// Handles a key. Returns false if the key has no function.
+  bool HandleKey(char key);
+  /// Renders the flow at reduced resolution during interaction.
   void SetCoarse(bool isCoarse);
   ///@}
 
@@ -72,9 +72,9 @@ private:
   void ShowText();
   void ShowSlider(vtkSliderWidget* slider, const char* title, double from, double lower,
     double upper, double value);
-  PaintCanvas::Place FindPlace(int x, int y) const;
-  void TakeSliders();
-  /// Gives the sliders what the brush has.
+  PaintCanvas::Position FindCanvasPosition(int x, int y) const;
+  void ReadSliders();
+  /// Updates the sliders to the state of the brush.
   void ShowBrush(double hue);
 
   vtkNew<vtkRenderer> Left;
@@ -87,7 +87,7 @@ private:
   vtkNew<vtkSliderWidget> Hue;
   PaintCanvas Canvas;
   PaintCanvas::Brush Brush;
-  PaintCanvas::Place Last{ { 0.0, 0.0 } };
+  PaintCanvas::Position Last{ { 0.0, 0.0 } };
   bool Painting = false;
   std::string File = "paint.png";
 };

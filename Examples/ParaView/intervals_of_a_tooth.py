@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Two intervals of a CT scan, dentine and enamel, drawn as volumes of their own colours.
+"""Two intervals of a CT scan, dentin and enamel, rendered as volumes with different colors.
 
-pvbatch intervals_of_a_tooth.py PLUGIN Data/tooth.vti PICTURE.png
+pvbatch intervals_of_a_tooth.py PLUGIN Data/tooth.vti IMAGE.png
 """
 
 import sys
@@ -16,7 +16,7 @@ view.Background = [0.93, 0.93, 0.94]
 
 tooth = OpenDataFile(data)
 intervals = IntervalVolume(Input=tooth, Scalars=["POINTS", "density"])
-intervals.Intervals = [110, 150, 190, 255]  # lower and upper bounds: dentine, enamel
+intervals.Intervals = [110, 150, 190, 255]  # lower and upper bounds: dentin, enamel
 
 display = Show(intervals, view)
 display.SetRepresentationType("Interval Volume")

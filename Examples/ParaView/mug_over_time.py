@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the heat in a mug has been over all time steps, and where it is at four of the times.
+"""A hot region in a mug at four times, sliced from 4-simplices over all time steps.
 
-pvbatch mug_over_time.py PLUGIN Data/mug.ex2 PICTURE.png
+pvbatch mug_over_time.py PLUGIN Data/mug.ex2 IMAGE.png
 """
 
 import sys
@@ -18,14 +18,14 @@ mug = OpenDataFile(data)
 mug.UpdatePipeline()
 over_time = TimeVaryingIntervalVolume(Input=mug, Scalars=["POINTS", "convected"])
 over_time.Intervals = [0.5, 1.0]
-over_time.GenerateSimplices = 1  # what the time slices are cut from
+over_time.GenerateSimplices = 1  # the input of the time slices
 
 start, end = mug.TimestepValues[0], mug.TimestepValues[-1]
-for index, share in enumerate((0.2, 0.4, 0.7, 1.0)):
-    at_time = SimplexTimeSlice(Input=OutputPort(over_time, 2), Time=start + share * (end - start))
-    beside = Transform(Input=at_time)
-    beside.Transform.Translate = [5 * index, 0, 0]
-    display = Show(beside, view)
+for index, fraction in enumerate((0.2, 0.4, 0.7, 1.0)):
+    at_time = SimplexTimeSlice(Input=OutputPort(over_time, 2), Time=start + fraction * (end - start))
+    moved = Transform(Input=at_time)
+    moved.Transform.Translate = [5 * index, 0, 0]
+    display = Show(moved, view)
     display.ColorArrayName = [None, ""]
     display.AmbientColor = display.DiffuseColor = [0.86 - 0.12 * index, 0.36, 0.22 + 0.12 * index]
     display.Ambient = 0.3

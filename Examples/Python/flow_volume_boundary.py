@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A flow volume with one of its two boundary surfaces (figure 4.5).
 
-python3 flow_volume_boundary.py PICTURE.png
+python3 flow_volume_boundary.py IMAGE.png
 """
 
 from interlume import vtkAnalyticFlowSource, vtkFlowVolume

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """An implicit stream surface and a stream volume of a vortex (figure 4.3).
 
-python3 implicit_stream.py PICTURE.png
+python3 implicit_stream.py IMAGE.png
 """
 
 from interlume import vtkAnalyticFlowSource, vtkFlowVolume

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The inner boundary of an interval, highlighted (figure 3.7).
 
-python3 interval_boundary.py PICTURE.png
+python3 interval_boundary.py IMAGE.png
 """
 
 from interlume import vtkIntervalVolume

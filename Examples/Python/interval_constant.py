@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Four intervals of a scanned tooth (figure 3.4); NumPy hides cells and counts tetrahedra.
+"""Four intervals of a scanned tooth (figure 3.4). NumPy hides cells and counts tetrahedra.
 
-python3 interval_constant.py PICTURE.png
+python3 interval_constant.py IMAGE.png
 """
 
 import numpy as np

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Adjacent intervals of a scanned bonsai's crown, shown in turn (figure 3.5).
 
-python3 interval_cycle.py PICTURE.png
+python3 interval_cycle.py IMAGE.png
 """
 
 from interlume import vtkIntervalVolume

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A range of one attribute, of another, and both (figure 3.10).
+"""Ranges of two attributes and their intersection (figure 3.10).
 
-python3 interval_intersection.py PICTURE.png
+python3 interval_intersection.py IMAGE.png
 """
 
 from interlume import vtkIntervalVolume

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Intervals by priority, and by its reverse (figure 3.6).
+"""Intervals drawn by priority, and in reverse order (figure 3.6).
 
-python3 interval_priority.py PICTURE.png
+python3 interval_priority.py IMAGE.png
 """
 
 from interlume import vtkIntervalVolume

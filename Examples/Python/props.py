@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the examples put on stage: data, volumes of tetrahedra and of images, surfaces, lights."""
+"""Objects of the examples: data, volumes of tetrahedra and of images, surfaces, lights."""
 
 import os
 from pathlib import Path
@@ -27,7 +27,7 @@ COLORS = [(0.220, 0.440, 0.720), (0.278, 0.655, 0.580), (0.929, 0.694, 0.263),
 
 
 def read(name):
-    """A file of the folder Data, or of the folder that INTERLUME_DATA names."""
+    """Reads a file of the directory Data, or of the directory in INTERLUME_DATA."""
     reader = vtkXMLGenericDataObjectReader()
     reader.SetFileName(str(DATA / name))
     reader.Update()
@@ -35,7 +35,7 @@ def read(name):
 
 
 def run(algorithm, data=None):
-    """What an algorithm makes of data; it stays when the algorithm runs again."""
+    """Returns the output of an algorithm, which later runs of the algorithm do not change."""
     if data is not None:
         algorithm.SetInputData(data)
     algorithm.Update()
@@ -45,7 +45,7 @@ def run(algorithm, data=None):
 
 
 def reduce(image, factor):
-    """Each axis divided by factor, each value the mean of its block."""
+    """Reduces each axis by a factor. Each value is the mean of its block."""
     shrink = vtkImageShrink3D()
     shrink.SetShrinkFactors(factor, factor, factor)
     shrink.MeanOn()
@@ -55,7 +55,7 @@ def reduce(image, factor):
 
 
 def add_gradient(data, array):
-    """The data with the gradient of a point array, which goes through an extraction as any array."""
+    """Adds the gradient of a point array, which extractions interpolate like other arrays."""
     gradient = vtkGradientFilter()
     gradient.SetInputScalars(vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
     gradient.SetResultArrayName("Gradient")
@@ -63,7 +63,7 @@ def add_gradient(data, array):
 
 
 def make_inflow(field, corners, dimensions, bounds, formula):
-    """Where the flow through points of an image came through a plane, by a formula of u and v."""
+    """Traces the points of an image to a plane and evaluates a formula of u and v there."""
     plane = vtkTerminationPlane()
     plane.SetOrigin(corners[0])
     plane.SetPoint1(corners[1])
@@ -79,7 +79,7 @@ def make_inflow(field, corners, dimensions, bounds, formula):
 
 
 def make_colors(*points):
-    """Colours of values: each point is a value, red, green and blue."""
+    """Returns a color function. Each point is a value, red, green and blue."""
     colors = vtkColorTransferFunction()
     for point in points:
         colors.AddRGBPoint(*point)
@@ -87,17 +87,17 @@ def make_colors(*points):
 
 
 def make_opacities(*points):
-    """Opacities, or extinctions, of values: each point is a value and what it has."""
+    """Returns an opacity or extinction function. Each point is a value and its opacity."""
     opacities = vtkPiecewiseFunction()
     for point in points:
         opacities.AddPoint(*point)
     return opacities
 
 
-def make_volume(tetrahedra, array, colors, extinction, of_cells=False):
+def make_volume(tetrahedra, array, colors, extinction, is_cell_array=False):
     mapper = vtkTimeWeightedTetrahedraMapper()
     mapper.SetInputData(tetrahedra)
-    if of_cells:
+    if is_cell_array:
         mapper.SetScalarModeToUseCellFieldData()
     else:
         mapper.SetScalarModeToUsePointFieldData()
@@ -112,14 +112,14 @@ def make_volume(tetrahedra, array, colors, extinction, of_cells=False):
 
 
 def make_intervals(tetrahedra, *looks):
-    """A volume with a pair of colour and extinction for each interval."""
+    """Returns a volume. Each look is the color and extinction of an interval."""
     colors = make_colors(*((i, *color) for i, (color, _) in enumerate(looks)))
     extinction = make_opacities(*((i, value) for i, (_, value) in enumerate(looks)))
-    return make_volume(tetrahedra, "IntervalId", colors, extinction, of_cells=True)
+    return make_volume(tetrahedra, "IntervalId", colors, extinction, is_cell_array=True)
 
 
 def select_triangles(triangles, array, value):
-    """The triangles whose cell array has this value, over the points of all."""
+    """Returns the triangles whose cell array has this value, with all points."""
     corners = vtk_to_numpy(triangles.GetCells().GetConnectivityArray()).reshape(-1, 3)
     chosen = corners[vtk_to_numpy(triangles.GetCellData().GetArray(array)) == value]
     cells = vtkCellArray()
@@ -134,7 +134,7 @@ def select_triangles(triangles, array, value):
 
 
 def make_boundary(interval, side):
-    """The triangles of one side of the intervals, with normals by the gradient, out of them."""
+    """Returns the boundary triangles of one side, with outward normals from the gradient."""
     chosen = select_triangles(interval.GetOutputDataObject(1), "BoundarySide", side)
     vectors = vtk_to_numpy(chosen.GetPointData().GetArray("Gradient")).astype(float)
     lengths = np.sqrt(dot(vectors, vectors.T))
@@ -148,7 +148,7 @@ def make_boundary(interval, side):
 
 
 def set_boundary(volume, triangles, color, opacity):
-    """Triangles that are drawn at their place within the volume."""
+    """Draws triangles inside the volume."""
     volume.GetMapper().SetBoundaryData(triangles)
     look = volume.GetMapper().GetBoundaryProperty()
     look.SetColor(color)
@@ -184,7 +184,7 @@ def make_actor(surface, color):
 
 
 def make_sliced_volume(image):
-    """An image that casts shadows on itself, with slices half a voxel apart."""
+    """Returns a volume with self-shadowing and a slice spacing of half a voxel."""
     mapper = vtkShadowedSliceMapper()
     mapper.SetInputData(image)
     mapper.SetSliceSpacing(0.5 * min(image.GetSpacing()))

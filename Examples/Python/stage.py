@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures as the gallery makes them: panels with a caption under each, whose cameras are fitted to
-what they show, and one legend under all. Drawn off-screen at twice the size and averaged down."""
+"""Images in the layout of the gallery: panels with captions, whose cameras are fitted to their props,
+and one legend under all. They are rendered off-screen at twice the size and averaged."""
 
 import math
 import sys
@@ -21,11 +21,11 @@ from vtkmodules.vtkRenderingOpenGL2 import (
 INK = (0.13, 0.15, 0.18)
 DARK = (0.065, 0.072, 0.085)
 SIZE = (480, 300)
-FINENESS = 2
+SUPERSAMPLING = 2
 
 
 class Panel:
-    """One view: its props, its camera, its caption."""
+    """A view with its props, camera and caption."""
 
     def __init__(self, caption):
         self.caption = caption
@@ -41,19 +41,19 @@ class Panel:
             self.renderer.AddViewProp(prop)
 
     def look_from(self, direction, up=(0.0, 0.0, 1.0)):
-        """The stage fits how far the eye is in this direction."""
+        """Sets the direction of the camera. The stage fits its distance."""
         self.camera.SetFocalPoint(0.0, 0.0, 0.0)
         self.camera.SetPosition(direction)
         self.camera.SetViewUp(up)
         self.camera.OrthogonalizeViewUp()
 
     def look_as(self, other):
-        """Both are then fitted to the props of both."""
+        """Shares the camera of another panel. It is fitted to the props of both."""
         self.camera = other.camera
         self.renderer.SetActiveCamera(self.camera)
 
     def frame(self, *bounds):
-        """Fits the camera to these bounds instead of the props'."""
+        """Fits the camera to these bounds instead of the bounds of the props."""
         self.box = bounds
 
     def set_lights(self, *lights):
@@ -77,19 +77,19 @@ class Panel:
         return draw_window(self.renderer, width, height)
 
     def fit(self, points, aspect):
-        """The extent on the screen changes with the distance; a few rounds settle."""
+        """Fits the camera iteratively, since the extent on screen depends on the distance."""
         camera = self.camera
         slope = math.tan(0.5 * camera.GetViewAngle() * math.pi / 180.0)
-        to_eye = normalized(np.subtract(camera.GetPosition(), camera.GetFocalPoint()))
-        right = normalized(np.cross(camera.GetViewUp(), to_eye))
-        up = normalized(np.cross(to_eye, right))
+        to_camera = normalized(np.subtract(camera.GetPosition(), camera.GetFocalPoint()))
+        right = normalized(np.cross(camera.GetViewUp(), to_camera))
+        up = normalized(np.cross(to_camera, right))
         box = vtkBoundingBox(np.stack([points.min(0), points.max(0)], 1).ravel())
         focus = np.zeros(3)
         box.GetCenter(focus)
         distance = 2.0 * box.GetDiagonalLength() / slope
         for _ in range(12):
             offsets = points - focus
-            depths = np.maximum(distance - dot(offsets, to_eye), 1e-3 * distance)
+            depths = np.maximum(distance - dot(offsets, to_camera), 1e-3 * distance)
             across = dot(offsets, right) / (depths * slope * aspect)
             along = dot(offsets, up) / (depths * slope)
             half = 0.5 * max(across.max() - across.min(), along.max() - along.min())
@@ -98,57 +98,58 @@ class Panel:
             distance += depths.min() * (half / 0.95 - 1.0)
         camera.SetFocalPoint(focus)
         camera.SetParallelScale(distance * slope)
-        camera.SetPosition(focus + to_eye * distance)
+        camera.SetPosition(focus + to_camera * distance)
         camera.SetViewUp(up)
 
 
 class Stage:
-    """Lays panels out in rows of so many columns, by default in one row."""
+    """Arranges panels in a grid with the given number of columns, by default in one row."""
 
     def __init__(self, columns=0):
         self.columns = columns
         self.panels = []
         self.legend = None
-        self.width, self.height = (FINENESS * length for length in SIZE)
-        self.font = max(9 * FINENESS, int(0.022 * self.height + 0.5))
+        self.width, self.height = (SUPERSAMPLING * length for length in SIZE)
+        self.font = max(9 * SUPERSAMPLING, int(0.022 * self.height + 0.5))
 
     def add_panel(self, caption=""):
         self.panels.append(Panel(caption))
         return self.panels[-1]
 
     def set_color_bar(self, title, colors, lower, upper):
-        """A legend where colour means a value."""
-        self.legend = lambda paper: self._add_bar(paper, title, colors, lower, upper)
+        """Sets a legend that maps colors to values."""
+        self.legend = lambda overlay: self._add_bar(overlay, title, colors, lower, upper)
 
     def set_color_key(self, colors, bounds):
-        """A legend of intervals from one bound to the next, each with a colour."""
+        """Sets a legend with a color for each interval between adjacent bounds."""
         words = [f"{lower:.0f} to {upper:.0f}" for lower, upper in zip(bounds, bounds[1:])]
         entries = list(zip(colors, words))
-        self.legend = lambda paper: self._add_key(paper, entries)
+        self.legend = lambda overlay: self._add_key(overlay, entries)
 
     def save(self, path=None):
-        """Draws the picture into a PNG file, by default that of the first argument."""
+        """Renders the image into a PNG file, by default the script's first argument."""
         writer = vtkPNGWriter()
         writer.SetInputData(self.draw())
         writer.SetFileName(path or sys.argv[1])
         writer.Write()
 
     def draw(self):
-        places = [self._place(number) for number in range(len(self.panels))]
+        layouts = [self._layout(number) for number in range(len(self.panels))]
         points = {}
         for panel in self.panels:
             points.setdefault(panel.camera, []).append(panel.get_points())
-        for panel, (_, _, width, height, caption) in zip(self.panels, places):
+        for panel, (_, _, width, height, caption) in zip(self.panels, layouts):
             panel.fit(np.concatenate(points[panel.camera]), width / (height - caption))
-        picture = self._draw_paper(places)
-        for panel, (left, bottom, width, height, caption) in zip(self.panels, places):
+        picture = self._draw_captions(layouts)
+        for panel, (left, bottom, width, height, caption) in zip(self.panels, layouts):
             pixels = panel.draw(width, height - caption)
             picture[bottom + caption:bottom + height, left:left + width] = pixels
-        fine = picture.reshape(SIZE[1], FINENESS, SIZE[0], FINENESS, 3).astype(int)
-        return make_image(((fine.sum((1, 3)) + FINENESS**2 // 2) // FINENESS**2).astype(np.uint8))
+        fine = picture.reshape(SIZE[1], SUPERSAMPLING, SIZE[0], SUPERSAMPLING, 3).astype(int)
+        count = SUPERSAMPLING**2
+        return make_image(((fine.sum((1, 3)) + count // 2) // count).astype(np.uint8))
 
-    def _place(self, number):
-        """Left, bottom, width and height of a panel, and the height of its caption, in pixels."""
+    def _layout(self, number):
+        """Returns left, bottom, width, height and caption height of a panel in pixels."""
         columns = self.columns or len(self.panels)
         rows = (len(self.panels) + columns - 1) // columns
         row, column = divmod(number, columns)
@@ -159,30 +160,30 @@ class Stage:
         caption = int(2.4 * self.font) if self.panels[number].caption else 0
         return left, bottom, right - left, top - bottom, caption
 
-    def _draw_paper(self, places):
-        paper = make_renderer()
-        for panel, (left, bottom, width, _, caption) in zip(self.panels, places):
-            add_text(paper, panel.caption, left + 0.5 * width, bottom + 0.5 * caption, self.font)
+    def _draw_captions(self, layouts):
+        overlay = make_renderer()
+        for panel, (left, bottom, width, _, caption) in zip(self.panels, layouts):
+            add_text(overlay, panel.caption, left + 0.5 * width, bottom + 0.5 * caption, self.font)
         if self.legend:
-            self.legend(paper)
-        return draw_window(paper, self.width, self.height)
+            self.legend(overlay)
+        return draw_window(overlay, self.width, self.height)
 
-    def _add_bar(self, paper, title, colors, lower, upper):
+    def _add_bar(self, overlay, title, colors, lower, upper):
         width, y, height = 0.42 * self.width, 1.9 * self.font, 0.75 * self.font
         left = 0.5 * self.width - 0.5 * width
         rectangles = []
         for i in range(256):
             color = colors.GetColor(lower + (upper - lower) * (i + 0.5) / 256)
             rectangles.append((left + width * i / 256, y, width / 256, height, color))
-        for share in (0.0, 0.25, 0.5, 0.75, 1.0):
-            x = left + share * width
+        for fraction in (0.0, 0.25, 0.5, 0.75, 1.0):
+            x = left + fraction * width
             rectangles.append((x - 1.0, y - 0.3 * self.font, 2.0, 0.3 * self.font, INK))
-            label = f"{lower + share * (upper - lower):.4g}"
-            add_text(paper, label, x, y - 0.9 * self.font, self.font)
-        add_rectangles(paper, rectangles)
-        add_text(paper, title, 0.5 * self.width, y + height + 0.8 * self.font, self.font)
+            label = f"{lower + fraction * (upper - lower):.4g}"
+            add_text(overlay, label, x, y - 0.9 * self.font, self.font)
+        add_rectangles(overlay, rectangles)
+        add_text(overlay, title, 0.5 * self.width, y + height + 0.8 * self.font, self.font)
 
-    def _add_key(self, paper, entries):
+    def _add_key(self, overlay, entries):
         font, y = self.font, 1.5 * self.font
         patch, gap, space = 1.1 * font, 0.5 * font, 1.6 * font
         widths = [text_width(word, font) for _, word in entries]
@@ -193,13 +194,13 @@ class Stage:
         rectangles = []
         for (color, word), width in zip(entries, widths):
             rectangles.append((left, y - 0.5 * patch, patch, patch, color))
-            add_text(paper, word, left + patch + gap, y, font, centered=False)
+            add_text(overlay, word, left + patch + gap, y, font, centered=False)
             left += patch + gap + width + space
-        add_rectangles(paper, rectangles)
+        add_rectangles(overlay, rectangles)
 
 
 def dot(vectors, axis):
-    # In this order, whatever the number of vectors: pictures are compared to the last bit.
+    # The order of the sum is fixed, because images must be bit-identical.
     return vectors[..., 0] * axis[0] + vectors[..., 1] * axis[1] + vectors[..., 2] * axis[2]
 
 
@@ -212,7 +213,7 @@ def corners_of(bounds):
 
 
 def points_of(prop):
-    """Enough points to find the prop's outline to a pixel or so."""
+    """Returns enough points to approximate the outline of the prop to about a pixel."""
     mapper = prop.GetMapper()
     mapper.Update()
     shape = mapper.GetInputDataObject(0, 0)
@@ -238,7 +239,7 @@ def make_renderer():
 
 
 def make_passes(renderer, box):
-    """Volumes after surfaces, which darken where they are near each other."""
+    """Returns passes that draw surfaces with ambient occlusion, then volumes."""
     surfaces = vtkOpaquePass()
     if any(prop.IsA("vtkActor") for prop in renderer.GetViewProps()):
         inner = vtkCameraPass()
@@ -260,7 +261,7 @@ def make_passes(renderer, box):
 
 
 def draw_window(renderer, width, height):
-    """The window's pixels: rows from below, columns, red, green and blue."""
+    """Returns the pixels of a window: rows from the bottom, columns, RGB channels."""
     window = vtkRenderWindow()
     window.OffScreenRenderingOn()
     window.SetMultiSamples(0)
@@ -300,7 +301,7 @@ def text_width(text, font):
     return box[1] - box[0]
 
 
-def add_text(paper, text, x, y, font, centered=True):
+def add_text(overlay, text, x, y, font, centered=True):
     actor = vtkTextActor()
     actor.SetTextScaleModeToNone()
     actor.SetInput(text)
@@ -308,10 +309,10 @@ def add_text(paper, text, x, y, font, centered=True):
     if centered:
         actor.GetTextProperty().SetJustificationToCentered()
     actor.SetPosition(x, y)
-    paper.AddViewProp(actor)
+    overlay.AddViewProp(actor)
 
 
-def add_rectangles(paper, rectangles):
+def add_rectangles(overlay, rectangles):
     points, cells, colors = vtkPoints(), vtkCellArray(), vtkUnsignedCharArray()
     colors.SetNumberOfComponents(3)
     for x, y, width, height, color in rectangles:
@@ -325,4 +326,4 @@ def add_rectangles(paper, rectangles):
     actor = vtkActor2D()
     actor.SetMapper(vtkPolyDataMapper2D())
     actor.GetMapper().SetInputData(data)
-    paper.AddViewProp(actor)
+    overlay.AddViewProp(actor)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One interval at two time steps and between them: slices of 4-simplices (figure 3.11).
 
-python3 time_slices.py PICTURE.png
+python3 time_slices.py IMAGE.png
 """
 
 from interlume import vtkAnalyticFieldSource, vtkSimplexTimeSlice, vtkTimeVaryingIntervalVolume

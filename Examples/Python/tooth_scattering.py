@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A scanned tooth without and with light that is scattered inside.
+"""A scanned tooth without and with scattering inside (figure 2.53).
 
-python3 tooth_scattering.py PICTURE.png
+python3 tooth_scattering.py IMAGE.png
 """
 
 import numpy as np
@@ -15,14 +15,14 @@ without = stage.add_panel("light that is reflected")
 within = stage.add_panel("light that is scattered inside")
 for panel, key, fill in ((without, 1.4, 0.45), (within, 0.6, 0.2)):
     volume = make_sliced_volume(tooth)
-    matter, mapper = volume.GetProperty(), volume.GetMapper()
-    matter.SetScalarOpacity(make_opacities((115.0, 0.0), (150.0, 0.35), (255.0, 0.45)))
-    matter.SetColor(make_colors((90.0, 0.93, 0.86, 0.72), (190.0, 0.97, 0.95, 0.90)))
-    matter.SetAmbient(0.2)
-    matter.SetDiffuse(0.8)
-    matter.SetSpecular(0.0)
+    medium, mapper = volume.GetProperty(), volume.GetMapper()
+    medium.SetScalarOpacity(make_opacities((115.0, 0.0), (150.0, 0.35), (255.0, 0.45)))
+    medium.SetColor(make_colors((90.0, 0.93, 0.86, 0.72), (190.0, 0.97, 0.95, 0.90)))
+    medium.SetAmbient(0.2)
+    medium.SetDiffuse(0.8)
+    medium.SetSpecular(0.0)
     if panel is within:
-        mapper.SetMultipleScattering(settings.FULL_SCATTERING)
+        mapper.SetScatteringMode(settings.FULL_SCATTERING)
         mapper.SetPhaseFunctionToHenyeyGreenstein()
         mapper.SetAnisotropy(0.8)
         mapper.SetScatteringGridSize(64)
@@ -33,8 +33,8 @@ for panel, key, fill in ((without, 1.4, 0.45), (within, 0.6, 0.2)):
                      make_parallel_light((-0.7, -1.0, 0.6), fill))
     panel.set_background(0.20, 0.23, 0.28)
     lower, upper = np.reshape(tooth.GetBounds(), (3, 2)).T[:, :, None]
-    shares = np.array([(0.16, 0.84), (0.45, 0.55), (0.2, 1.0)])
-    panel.frame(*(lower + shares * (upper - lower)).ravel())
+    fractions = np.array([(0.16, 0.84), (0.45, 0.55), (0.2, 1.0)])
+    panel.frame(*(lower + fractions * (upper - lower)).ravel())
 without.look_from((0.25, -1.0, 0.25))
 within.look_as(without)
 stage.save()

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A wave between two time steps, coloured by time (figure 3.20).
+"""A wave between two time steps, colored by time (figure 3.20).
 
-python3 wave_in_time.py PICTURE.png
+python3 wave_in_time.py IMAGE.png
 """
 
 from interlume import (

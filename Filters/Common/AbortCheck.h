@@ -10,12 +10,12 @@ namespace interlume
 {
 
 /**
- * Leaves an algorithm that was aborted.
+ * Ends the execution of an aborted algorithm.
  */
 namespace AbortCheck
 {
-/// Marks outputs as not up to date, so that the next update executes again. Returns what
-/// RequestData is to return.
+/// Marks the outputs as not generated, so that the next update executes again. Returns 1, the
+/// result for RequestData.
 inline int Leave(vtkInformationVector* outputs)
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)

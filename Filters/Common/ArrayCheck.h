@@ -18,27 +18,26 @@ namespace interlume
 {
 
 /**
- * Checks arrays, with the same wording of errors everywhere: which array it is, what it has, and
- * what is needed. The message of an error is a part of a sentence; MakeSentence makes it a sentence
- * of its own.
+ * Checks arrays. An error message names the array, its actual shape and the required shape. A
+ * message is a clause; MakeSentence turns it into a sentence.
  */
 namespace ArrayCheck
 {
-/// Names an array.
+/// Returns a description of the array for messages.
 inline std::string Describe(vtkAbstractArray* array)
 {
   return array->GetName() ? "array \"" + std::string(array->GetName()) + "\""
                           : "the array without a name";
 }
 
-/// Counts things, as "1 tuple" or "2 tuples".
+/// Returns a count with its noun, as "1 tuple" or "2 tuples".
 inline std::string Count(vtkIdType number, const std::string& thing)
 {
   return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");
 }
 
-/// Returns an error if an array does not have one tuple for each of \a number things, such as
-/// points.
+/// Returns an error unless the array has one tuple for each of \a number items. \a thing names an
+/// item, such as "point".
 inline Error FindLengthError(vtkAbstractArray* array, vtkIdType number, const std::string& thing)
 {
   const vtkIdType tuples = array->GetNumberOfTuples();
@@ -47,7 +46,7 @@ inline Error FindLengthError(vtkAbstractArray* array, vtkIdType number, const st
       std::to_string(number) + (number == 1 ? " is" : " are") + " needed, one for each " + thing;
 }
 
-/// Returns the same for the first such array of points or cells.
+/// Returns an error for the first point or cell array whose number of tuples is wrong.
 inline Error FindLengthError(vtkDataSet* data)
 {
   for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
@@ -66,8 +65,8 @@ inline Error FindLengthError(vtkDataSet* data)
   return {};
 }
 
-/// Returns an error if an array is not numeric, has another number of components (0: any), or does
-/// not have one tuple for each of \a number things, such as points.
+/// Returns an error if the array is not numeric, has a number of components other than \a
+/// components (0 accepts any), or does not have one tuple for each of \a number items.
 inline Error FindShapeError(
   vtkAbstractArray* array, int components, vtkIdType number, const std::string& thing)
 {
@@ -89,7 +88,8 @@ inline Error FindPointError(vtkDataSet* data, vtkAbstractArray* array, int compo
 }
 
 ///@{
-/// Return an error if a dataset has no such array of that name. \a owner names the dataset.
+/// Return an error if the dataset has no array \a name or if that array is invalid. \a owner
+/// describes the dataset in the message.
 inline Error FindPointError(
   vtkDataSet* data, const std::string& owner, const std::string& name, int components)
 {
@@ -106,7 +106,7 @@ inline Error FindCellError(
 }
 ///@}
 
-/// Returns an error if an array of an association, one of vtkDataObject's, is not a point array.
+/// Returns an error unless \a association is vtkDataObject::FIELD_ASSOCIATION_POINTS.
 inline Error FindAssociationError(vtkAbstractArray* array, int association)
 {
   if (association == vtkDataObject::FIELD_ASSOCIATION_POINTS)
@@ -120,8 +120,7 @@ inline Error FindAssociationError(vtkAbstractArray* array, int association)
 }
 
 ///@{
-/// Return a part of a sentence, which is not empty, as a sentence with a capital letter and a
-/// period.
+/// Return a non-empty clause as a sentence, with a capital letter and a period.
 inline std::string MakeSentence(std::string part)
 {
   part[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(part[0])));

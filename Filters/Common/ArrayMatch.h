@@ -11,13 +11,13 @@ namespace interlume
 {
 
 /**
- * Matches the arrays of two sets of attributes, such as those of two time steps. Arrays correspond
- * by name. Those without a name correspond by their attribute role (scalars, vectors, ...) or, if
- * they have none, by their position among the arrays with neither.
+ * Matches the arrays of two attribute sets, for example of two time steps. Arrays correspond by
+ * name. Unnamed arrays correspond by their attribute role (scalars, vectors, ...) or, without a
+ * role, by their position among the unnamed arrays without a role.
  */
 namespace ArrayMatch
 {
-/// The first character of keys that are not names.
+/// First character of the keys of unnamed arrays.
 constexpr char KeyMark = '\x1f';
 
 inline bool HasName(vtkAbstractArray* array)
@@ -25,7 +25,8 @@ inline bool HasName(vtkAbstractArray* array)
   return array->GetName() && *array->GetName();
 }
 
-/// Returns a text that corresponding arrays have in common: the name if there is one.
+/// Returns a key that corresponding arrays share: the name, or the role or position of an unnamed
+/// array.
 inline std::string GetKey(vtkDataSetAttributes* attributes, vtkAbstractArray* array)
 {
   if (HasName(array))
@@ -66,7 +67,7 @@ inline vtkAbstractArray* Find(
   return nullptr;
 }
 
-/// Removes the names of arrays that are keys.
+/// Clears the names of arrays that were named by the keys of unnamed arrays.
 inline void RemoveKeys(vtkDataSetAttributes* attributes)
 {
   for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)

@@ -18,11 +18,11 @@ namespace interlume
 
 /**
  * @class   ArrayRows
- * @brief   the numbers of an array as floats or doubles in rows, read by any thread
+ * @brief   read access to an array as contiguous float or double tuples, from any thread
  *
- * Arrays of floats and doubles that lie in rows are used as they are; others are copied, to floats
- * where those hold every number exactly (types of one or two bytes, floats in columns), else to
- * doubles.
+ * Contiguous arrays of float or double are used directly. Other arrays are copied, to float if
+ * float represents every value exactly (types of one or two bytes, and float in other memory
+ * layouts), otherwise to double.
  */
 class ArrayRows
 {
@@ -37,13 +37,13 @@ public:
     }
   }
 
-  /// Returns the numbers, which are of one of both types; null for the other.
+  /// Return the values. One of the two pointers is null, depending on the type of the values.
   const float* GetFloats() const { return this->Floats; }
   const double* GetDoubles() const { return this->Doubles; }
 
   vtkIdType GetNumber() const { return this->Array->GetNumberOfTuples(); }
 
-  /// Returns the error that rounding may have made in numbers as large as \a size; 0 for doubles.
+  /// Returns the rounding error of values of magnitude \a size, or 0 for double.
   double GetRounding(double size) const { return this->Floats ? FLT_EPSILON * size : 0.0; }
 
   /// Copies tuple \a i of an array with N components.
@@ -66,7 +66,7 @@ public:
     }
   }
 
-  /// Prefetches tuple \a i, where the compiler knows how.
+  /// Prefetches tuple \a i if the compiler supports it.
   template <int N>
   void Prefetch(vtkIdType i) const
   {
@@ -74,12 +74,12 @@ public:
                                     : reinterpret_cast<const char*>(this->Doubles + N * i);
     const std::size_t size = N * (this->Floats ? sizeof(float) : sizeof(double));
     interlume::Prefetch::Read(from);
-    // The tuple may lie across the end of a cache line.
+    // The tuple may extend across a cache line boundary.
     interlume::Prefetch::Read(from + size - 1);
   }
 
 private:
-  // GetTuple with a buffer is safe for several threads, for arrays of any layout.
+  // GetTuple with a caller-provided buffer is thread-safe for arrays of any layout.
   template <typename T>
   static vtkSmartPointer<vtkDataArray> MakeCopy(vtkDataArray* array)
   {

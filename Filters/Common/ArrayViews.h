@@ -9,11 +9,12 @@ namespace interlume
 {
 
 /**
- * Numbers of any type and layout as one class of arrays.
+ * Converts arrays to a given array class.
  */
 namespace ArrayViews
 {
-/// Returns an array as an Array, a vtkAOSDataArrayTemplate: itself, or a copy.
+/// Returns the array itself if its class is \a Array, otherwise a copy of that class. \a Array is a
+/// vtkAOSDataArrayTemplate.
 template <typename Array>
 vtkSmartPointer<Array> Get(vtkDataArray* array)
 {

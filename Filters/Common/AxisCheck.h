@@ -13,16 +13,16 @@ namespace interlume
 
 /**
  * @class   AxisCheck
- * @brief   finds where coordinates along an axis of a rectilinear grid turn back or repeat
+ * @brief   finds where coordinates along an axis of a rectilinear grid are not monotonic
  *
- * Coordinates may ascend or descend, as from the first to the last one. Coordinates that are not
- * finite are ignored.
+ * The first and the last coordinate determine whether the coordinates must ascend or descend.
+ * Coordinates that are not finite are ignored.
  */
 struct AxisCheck
 {
-  /// The number of steps from one coordinate to the next that turn back or repeat.
+  /// Number of steps between successive coordinates that reverse the direction or have zero length.
   vtkIdType Number = 0;
-  /// The coordinate at the end of the first of these steps, or -1.
+  /// Index of the coordinate at the end of the first such step, or -1.
   vtkIdType First = -1;
 
   /// Checks the first \a number coordinates, at least one.
@@ -42,13 +42,14 @@ struct AxisCheck
     return found;
   }
 
-  /// Describes the first of these steps, a part of a sentence; \a axis is 0, 1 or 2.
+  /// Describes the first step that reverses the direction or has zero length, as a clause. \a axis
+  /// is 0, 1 or 2.
   std::string Describe(int axis, vtkDataArray* coordinates) const
   {
     std::ostringstream words;
-    words << "the coordinates along "
-          << "xyz"[axis] << " turn back or repeat at number " << this->First << " ("
-          << coordinates->GetComponent(this->First, 0) << " after "
+    words << "the "
+          << "xyz"[axis] << " coordinates are not strictly monotonic at index " << this->First
+          << " (" << coordinates->GetComponent(this->First, 0) << " after "
           << coordinates->GetComponent(this->First - 1, 0) << ")";
     return words.str();
   }

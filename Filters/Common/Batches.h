@@ -12,17 +12,17 @@ namespace interlume
 {
 
 /**
- * Runs threads over numbered items, in a few batches between which progress is told.
+ * Runs parallel loops in a few batches and reports progress between batches.
  */
 namespace Batches
 {
 constexpr vtkIdType NumberOfBatches = 16;
 
 /**
- * Calls \a work(first, last) for all of [0, number) by threads; the progress of \a owner goes from
- * \a start to \a end. Returns false when its execution was aborted. Without an owner, which is
- * null, there is neither progress nor abort. Work of less than a millisecond has fewer batches than
- * the usual number, as each starts the threads anew.
+ * Calls \a work(first, last) in parallel for ranges that together cover [0, number). The progress
+ * of \a owner advances from \a start to \a end. Returns false if the execution was aborted. If \a
+ * owner is null, progress and abort are ignored. Each batch starts the threads again, so pass fewer
+ * batches if the work takes less than a millisecond.
  */
 template <typename Work>
 bool Run(vtkIdType number, vtkAlgorithm* owner, double start, double end, Work&& work,

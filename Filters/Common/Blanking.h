@@ -14,7 +14,7 @@ namespace interlume
 
 /**
  * @class   Blanking
- * @brief   which cells and points of a dataset do not count, by its ghost arrays
+ * @brief   cells and points of a dataset that its ghost arrays exclude
  */
 struct Blanking
 {
@@ -27,14 +27,14 @@ struct Blanking
     this->PointGhosts = data->GetPointGhostArray();
   }
 
-  /// Returns whether the ghost arrays say that a cell does not count.
+  /// Returns whether a cell is excluded: it is a duplicate, refined or hidden cell.
   bool IsCellBlanked(vtkIdType cell) const
   {
     return this->HasCell(cell, vtkDataSetAttributes::DUPLICATECELL | Hidden);
   }
-  /// Returns whether a cell does not count where duplicates of another piece's cells do.
+  /// Returns whether a cell is a refined or hidden cell.
   bool IsCellHidden(vtkIdType cell) const { return this->HasCell(cell, Hidden); }
-  /// Returns whether a cell is another piece's.
+  /// Returns whether a cell is a duplicate of a cell of another piece.
   bool IsCellDuplicate(vtkIdType cell) const
   {
     return this->HasCell(cell, vtkDataSetAttributes::DUPLICATECELL);
@@ -46,8 +46,7 @@ struct Blanking
   }
   bool HasBlanking() const { return this->CellGhosts || this->PointGhosts; }
 
-  /// Returns the first of the cells [\a first, \a last) that the ghost array marks at all, or
-  /// \a last.
+  /// Returns the first cell in [\a first, \a last) that has a nonzero ghost value, or \a last.
   vtkIdType FindMarkedCell(vtkIdType first, vtkIdType last) const
   {
     if (!this->CellGhosts)
@@ -55,7 +54,7 @@ struct Blanking
       return last;
     }
     const unsigned char* marks = this->CellGhosts->GetPointer(0);
-    // Most have none: eight cells at a time.
+    // Eight cells are tested at a time, since most cells have no ghost value.
     std::uint64_t eight = 0;
     constexpr vtkIdType number = sizeof(eight);
     for (; last - first >= number; first += number)

@@ -31,11 +31,10 @@ namespace interlume
 
 /**
  * @class   DataDigest
- * @brief   an MD5 digest of numbers, arrays and datasets, by which one sees whether they are the
- * same to the last bit
+ * @brief   MD5 digest of numbers, arrays and datasets
  *
- * Numbers are taken as they lie in memory, with the type, the components and the number of tuples
- * of their array.
+ * Digests are equal only for bit-identical data. Values are digested as stored in memory, with the
+ * type, the number of components and the number of tuples of the array.
  */
 class DataDigest
 {
@@ -47,7 +46,7 @@ public:
     const auto* at = static_cast<const unsigned char*>(bytes);
     while (number > 0)
     {
-      // MD5 takes an int, and ends at a zero where it is negative.
+      // vtksysMD5_Append takes an int; a negative length would mean a null-terminated string.
       const std::size_t part = std::min<std::size_t>(number, std::numeric_limits<int>::max());
       vtksysMD5_Append(this->Md5.get(), at, static_cast<int>(part));
       at += part;
@@ -57,11 +56,11 @@ public:
 
   void Add(const std::string& text)
   {
-    // With the zero at its end, so that two texts are not one.
+    // The terminating zero is included so that successive strings do not merge.
     this->Add(text.c_str(), text.size() + 1);
   }
 
-  /// Null counts as an array of its own.
+  /// Adds an array. The digest of null differs from that of every array.
   void Add(vtkDataArray* array)
   {
     const vtkIdType shape[3] = { array ? array->GetDataType() : -1,
@@ -93,7 +92,8 @@ public:
     this->Add(cells ? cells->GetConnectivityArray() : nullptr);
   }
 
-  /// Adds points, polygons, strips, lines and texture coordinates; null counts as one of its own.
+  /// Adds points, polygons, strips, lines and texture coordinates. The digest of null differs from
+  /// that of every surface.
   void Add(vtkPolyData* surface)
   {
     this->Add(surface ? surface->GetPoints() : nullptr);
@@ -103,8 +103,8 @@ public:
     this->Add(surface ? surface->GetPointData()->GetTCoords() : nullptr);
   }
 
-  /// Adds where the points and cells of a dataset are: its type, extent, points, cells of an
-  /// unstructured grid, and marks of ghost and hidden points and cells. Null adds nothing.
+  /// Adds the geometry and topology of a dataset: its type, extent, points, the cells of an
+  /// unstructured grid, and its ghost arrays. Null is ignored.
   void AddGrid(vtkDataSet* grid)
   {
     if (!grid)
@@ -143,7 +143,7 @@ public:
     this->Add(grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   }
 
-  /// Returns the digest of all that was added, 32 hexadecimal digits, and begins anew.
+  /// Returns the digest of all added data as 32 hexadecimal digits, and resets it.
   std::string Take()
   {
     std::string digest(32, '0');

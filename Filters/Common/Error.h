@@ -13,26 +13,21 @@ namespace interlume
 enum class ErrorCode
 {
   NoError,
-  InvalidInput, ///< Data or settings that cannot be used. The message explains what to do.
-  OutOfMemory,  ///< Main memory or the graphics card's memory.
-  OpenGL,       ///< The OpenGL implementation lacks a feature or failed.
+  InvalidInput, ///< Unusable data or settings. The message explains what to do.
+  OutOfMemory,  ///< Not enough main or GPU memory.
+  OpenGL,       ///< The OpenGL implementation does not support a feature or failed.
   File,         ///< A file cannot be read or written.
   Process       ///< A separate program, such as TetGen's, failed.
 };
 
 /**
  * @class   Error
- * @brief   the result of a function that can fail: a code and a message for the user, or no error
+ * @brief   the result of a function that can fail: an error code with a message, or no error
  *
- * As with std::error_code, an Error is true if there is one:
- * @code
- * if (Error error = this->ReadArrays(input))
- * {
- *   return error;
- * }
- * @endcode
- * A function returns its message, and its code if that is not InvalidInput. An empty message is no
- * error.
+ * Like std::error_code, an Error converts to true if there is an error:
+ * `if (Error error = this->ReadArrays(input)) { return error; }`.
+ * A function returns a message, with a code unless the code is InvalidInput. An empty message means
+ * no error.
  */
 class [[nodiscard]] Error
 {
@@ -54,14 +49,14 @@ public:
   const std::string& GetMessage() const& { return this->Message; }
   std::string GetMessage() && { return std::move(this->Message); }
 
-  /// Returns this error or, without one, that of the next step.
+  /// Returns this error or, if there is none, the error of the next step.
   template <typename Step>
   Error Then(Step&& step) const
   {
     return *this ? *this : Error(std::forward<Step>(step)());
   }
 
-  /// Returns an error with the same code and words around its message, or no error.
+  /// Returns this error, if any, with text added before and after its message.
   Error Within(const std::string& before, const std::string& after = {}) const
   {
     return *this ? Error(before + this->Message + after, this->Code) : Error();

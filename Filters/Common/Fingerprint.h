@@ -20,10 +20,10 @@ namespace interlume
 
 /**
  * @class   Fingerprint
- * @brief   all that a computation depends on, as texts with names, so that a file of its results
- * can tell whether it is of the same computation
+ * @brief   the named parameters that a computation depends on
  *
- * The versions of Interlume and VTK are among them: another version may give other bytes.
+ * A fingerprint is stored in a result file and compared when the file is reused. It includes the
+ * versions of Interlume and VTK, since another version may produce different bytes.
  */
 class Fingerprint
 {
@@ -39,7 +39,7 @@ public:
     this->Texts.emplace_back(name, text);
   }
 
-  /// Adds the lines "name: text" of what PrintSelf or NamedValue has printed.
+  /// Adds the lines "name: text" printed by PrintSelf or NamedValue.
   void AddLines(const std::string& printed)
   {
     std::istringstream lines(printed);
@@ -53,7 +53,7 @@ public:
     }
   }
 
-  /// Returns a stream that prints numbers to the last bit.
+  /// Returns a stream that prints doubles without loss.
   static std::ostringstream MakeExactStream()
   {
     std::ostringstream text;
@@ -61,7 +61,7 @@ public:
     return text;
   }
 
-  /// Writes the names and texts to two arrays.
+  /// Writes the names and texts to two field arrays.
   void Write(vtkFieldData* data) const
   {
     vtkNew<vtkStringArray> names;
@@ -77,8 +77,8 @@ public:
     data->AddArray(texts);
   }
 
-  /// Returns what is different in the arrays that were written, by names; nothing where all is the
-  /// same.
+  /// Compares with the arrays in \a data. Returns the names of all parameters that differ, or an
+  /// empty string if none differs.
   std::string Compare(vtkFieldData* data) const
   {
     auto* names = vtkStringArray::SafeDownCast(data->GetAbstractArray(NamesArray));
@@ -87,17 +87,18 @@ public:
     for (const auto& [name, text] : this->Texts)
     {
       const vtkIdType i = names ? names->LookupValue(name) : -1;
-      const bool isThere = i >= 0 && texts && i < texts->GetNumberOfValues();
-      const std::string there = isThere ? texts->GetValue(i) : std::string();
-      if (isThere && there == text)
+      const bool isStored = i >= 0 && texts && i < texts->GetNumberOfValues();
+      const std::string stored = isStored ? texts->GetValue(i) : std::string();
+      if (isStored && stored == text)
       {
         continue;
       }
-      // Of a digest nobody learns anything, and what objects print is long.
-      constexpr std::size_t longest = 24;
-      const bool isTold = isThere && there.size() <= longest && text.size() <= longest;
+      // Only short values are printed, since digests and printed objects are not informative.
+      constexpr std::size_t maximumLength = 24;
+      const bool isPrinted =
+        isStored && stored.size() <= maximumLength && text.size() <= maximumLength;
       differences += (differences.empty() ? "" : ", ") + name;
-      differences += isTold ? " (" + there + " there, " + text + " here)" : std::string();
+      differences += isPrinted ? " (" + stored + " stored, " + text + " now)" : std::string();
     }
     return differences;
   }

@@ -9,7 +9,7 @@ namespace interlume
 {
 
 /**
- * Checks settings that a setter takes as they are.
+ * Checks of numeric settings.
  */
 namespace FiniteNumbers
 {
@@ -18,7 +18,7 @@ inline bool AreFinite(const double* values, int number)
   return std::all_of(values, values + number, [](double value) { return std::isfinite(value); });
 }
 
-/// Returns whether a radius or a length can be used.
+/// Returns whether a value is valid as a radius or a length: finite and positive.
 inline bool IsSize(double value)
 {
   return std::isfinite(value) && value > 0.0;

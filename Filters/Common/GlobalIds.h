@@ -14,21 +14,20 @@ namespace interlume
 {
 
 /**
- * Reads the global ids of points, which may be integers of any type and layout.
+ * Access to global point ids, which may be integers of any type and layout.
  */
 namespace GlobalIds
 {
 using Array = vtkAOSDataArrayTemplate<vtkIdType>;
 
-/// Returns the global ids, copied if they are of another type, or null without global ids.
+/// Returns the global ids as vtkIdType, copied if necessary, or null if there are none.
 inline vtkSmartPointer<Array> Get(vtkPointData* points)
 {
   vtkDataArray* ids = points->GetGlobalIds();
   return ids ? ArrayViews::Get<Array>(ids) : vtkSmartPointer<Array>();
 }
 
-/// Returns an error, whose message is a part of a sentence, if global ids cannot order the points
-/// of \a data.
+/// Returns an error, as a clause, if the global ids of \a data cannot be used to order its points.
 inline Error FindError(vtkDataSet* data)
 {
   vtkDataArray* ids = data->GetPointData()->GetGlobalIds();

@@ -26,15 +26,16 @@ namespace interlume
 
 /**
  * @class   GridCells
- * @brief   gives the storage of an unstructured grid's cells as arrays in memory
+ * @brief   access to the cell storage of an unstructured grid, for all supported VTK versions
  *
- * The differences between VTK's versions are known here alone:
- * - types of cells: up to 9.5 always an array, vtkUnstructuredGrid::GetCellTypesArray; from 9.6 on
- *   GetCellTypes, which may be a formula, as SetCells makes it where all cells are of one type;
- * - offsets and point ids: up to 9.5 a vtkTypeInt32Array or vtkTypeInt64Array; later a
- *   vtkAOSDataArrayTemplate of either, any array, or for offsets of equal cells a formula;
- * - faces of polyhedra: up to 9.3 a stream of numbers, and where each cell's part begins; from 9.4
- *   on two vtkCellArray, the faces of cells and the points of faces.
+ * Handles these differences between VTK versions:
+ * - cell types: an array up to VTK 9.5 (vtkUnstructuredGrid::GetCellTypesArray); from 9.6
+ *   GetCellTypes, which may be an implicit array if all cells have one type
+ * - offsets and point ids: vtkTypeInt32Array or vtkTypeInt64Array up to 9.5; later a
+ *   vtkAOSDataArrayTemplate of either type, any other array, or an implicit array for offsets of
+ *   cells of equal size
+ * - faces of polyhedra: up to 9.3 a face stream with the start of each cell; from 9.4 two
+ *   vtkCellArray, the faces of cells and the points of faces
  */
 class GridCells
 {
@@ -43,7 +44,7 @@ public:
   using NarrowIds = vtkAOSDataArrayTemplate<vtkTypeInt32>;
   using WideIds = vtkAOSDataArrayTemplate<vtkTypeInt64>;
 
-  /// Returns the array of cell types, possibly a formula; null where there are no cells.
+  /// Returns the array of cell types, which may be implicit, or null if there are no cells.
   static vtkDataArray* GetStoredTypes(vtkUnstructuredGrid* grid)
   {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
@@ -53,14 +54,14 @@ public:
 #endif
   }
 
-  /// Returns the type of each cell: the grid's own array, or a copy where that is a formula.
+  /// Returns the cell types as a contiguous array: the grid's array, or a copy if it is implicit.
   static vtkSmartPointer<Types> GetTypes(vtkUnstructuredGrid* grid)
   {
     vtkDataArray* stored = GetStoredTypes(grid);
     return stored ? ArrayViews::Get<Types>(stored) : vtkSmartPointer<Types>::New();
   }
 
-  /// Returns the time of the last change of the faces of polyhedra.
+  /// Returns the modification time of the faces of polyhedra.
   static vtkMTimeType GetFaceTime(vtkUnstructuredGrid* grid)
   {
     vtkMTimeType time = 0;
@@ -71,8 +72,8 @@ public:
     return time;
   }
 
-  /// Returns true if the arrays of \a grid hold all faces of the polyhedron \a cell, so that
-  /// vtkUnstructuredGrid::GetFaceStream can read them.
+  /// Returns whether the arrays of \a grid contain all faces of the polyhedron \a cell, so that
+  /// vtkUnstructuredGrid::GetFaceStream does not read past their ends.
   static bool HasFaces(vtkUnstructuredGrid* grid, vtkIdType cell)
   {
     const auto [faces, locations] = GetFaceArrays(grid);
@@ -93,7 +94,7 @@ public:
     {
       return false;
     }
-    // Each face begins with the number of its points.
+    // Each face starts with its number of points.
     vtkIdType left = faces->GetValue(at++);
     for (; left > 0 && at < size && faces->GetValue(at) >= 0; --left)
     {
@@ -104,9 +105,9 @@ public:
 #endif
   }
 
-  /// Gives \a grid cells of one type. Where VTK keeps a type for each cell, \a allocate(types,
-  /// number) sets the size of their array, which several threads then fill, \a grain cells at a
-  /// time.
+  /// Sets the cells of \a grid, all of the same type. If VTK stores a type for each cell, \a
+  /// allocate(types, number) sizes the array of types, which is filled in parallel with \a grain
+  /// cells per task.
   template <class Allocate>
   static void SetCellsOfOneType(vtkUnstructuredGrid* grid, unsigned char type, vtkCellArray* cells,
     vtkIdType grain, Allocate allocate)
@@ -123,15 +124,15 @@ public:
     vtkSMPTools::For(0, number, grain,
       [values, type](vtkIdType first, vtkIdType last)
       { std::fill(values + first, values + last, type); });
-    // Without arrays of faces VTK looks for polyhedra among all types.
+    // Without face arrays VTK would search all types for polyhedra.
     grid->SetCells(types, cells, nullptr, nullptr);
 #endif
   }
 
-  /// Returns whether all of \a number cells are of one type; there is at least one.
+  /// Returns whether all \a number cells, at least one, have the same type.
   static bool AreOfOneType(const unsigned char* types, vtkIdType number)
   {
-    // Each is compared with the next one, which is done many at a time.
+    // Comparing each type with the next one vectorizes.
     return std::equal(types + 1, types + number, types);
   }
 
@@ -141,7 +142,7 @@ public:
     return NarrowIds::FastDownCast(ids) != nullptr;
   }
 
-  /// Returns the name of the class of a type of cells, such as vtkTetra.
+  /// Returns the class name of a cell type, such as vtkTetra.
   static std::string GetClassName(int type)
   {
     const auto cell = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
@@ -157,7 +158,7 @@ private:
     return { grid->GetPolyhedronFaces(), grid->GetPolyhedronFaceLocations() };
   }
 
-  /// Returns true if the ids of a cell, or face, of \a cells lie within its arrays.
+  /// Returns whether the arrays of \a cells contain all point ids of a cell or face.
   static bool IsWithin(vtkCellArray* cells, vtkIdType cell)
   {
     if (cell < 0 || cell >= cells->GetNumberOfCells())

@@ -29,16 +29,16 @@ namespace interlume
 {
 
 /**
- * Checks whether the arrays of a grid contradict each other, as those of a damaged file
- * do, before anyone follows them beyond their ends: cells that name points which are not there,
- * that have fewer points than their type, or whose offsets decrease; fewer points or coordinates
- * than the extent has; polyhedra without faces.
+ * Checks that the arrays of a grid are consistent, so that no code reads past their ends. A damaged
+ * file may contain inconsistent arrays. Finds cells with point ids out of range, with too few
+ * points for their type, or with decreasing offsets, structured grids with fewer points or
+ * coordinates than their extent requires, and polyhedra without faces.
  */
 namespace GridCheck
 {
-/// Returns the least number of points of a type of cells that may have more: the corners of types
-/// of any order, and what polygons and cells like them need. 0 for other types.
-inline int GetLeastCorners(unsigned char type)
+/// Returns the minimum number of points of cell types with a variable number of points: polygons
+/// and similar cells, and cells of arbitrary order. Returns 0 for other types.
+inline int GetMinimumCorners(unsigned char type)
 {
   switch (type)
   {
@@ -83,19 +83,19 @@ inline int GetLeastCorners(unsigned char type)
   }
 }
 
-/// Returns the least number of points that a cell of a type has. Each type is looked into when it
-/// is first asked for: to make a cell of every one takes longer than to check a small grid.
-inline vtkIdType GetLeastSize(unsigned char type)
+/// Returns the minimum number of points of a cell type. Each type is examined at its first use,
+/// since instantiating a cell of every type takes longer than checking a small grid.
+inline vtkIdType GetMinimumSize(unsigned char type)
 {
-  // One more than the size; 0 of a type that was not asked for.
+  // The minimum size plus one, or 0 if the type was not examined yet.
   static std::array<std::atomic<int>, 256> known{};
   int found = known[type].load(std::memory_order_relaxed);
   if (found == 0)
   {
-    const int corners = GetLeastCorners(type);
-    const bool isAnySize = corners > 0 || type >= VTK_CONVEX_POINT_SET;
+    const int corners = GetMinimumCorners(type);
+    const bool isVariable = corners > 0 || type >= VTK_CONVEX_POINT_SET;
     const auto cell =
-      vtkSmartPointer<vtkCell>::Take(isAnySize ? nullptr : vtkGenericCell::InstantiateCell(type));
+      vtkSmartPointer<vtkCell>::Take(isVariable ? nullptr : vtkGenericCell::InstantiateCell(type));
     found = 1 + (cell ? static_cast<int>(cell->GetNumberOfPoints()) : corners);
     known[type].store(found, std::memory_order_relaxed);
   }
@@ -104,9 +104,10 @@ inline vtkIdType GetLeastSize(unsigned char type)
 
 /**
  * @class   CheckedArrays
- * @brief   remembers the cells and points that had no error, by when their arrays were
- *          modified, so that filters of one grid, and one filter that executes again, look through
- *          them once
+ * @brief   remembers which cells and points passed a check
+ *
+ * Arrays are identified by their modification times and sizes. Filters that share a grid, and a
+ * filter that executes again, check the arrays only once.
  */
 class CheckedArrays
 {
@@ -158,22 +159,22 @@ private:
   }
 };
 
-/// Returns whether the cells first ... last - 1 can be used; \a all is the number of entries
-/// of the connectivity array. \a hasPolyhedra is set where one of them is a polyhedron.
+/// Returns whether the cells first ... last - 1 are valid. \a all is the size of the connectivity
+/// array. Sets \a hasPolyhedra if a cell is a polyhedron.
 template <typename Offset, typename Id>
-bool AreWhole(vtkIdType first, vtkIdType last, const unsigned char* types, const Offset* offsets,
+bool AreValid(vtkIdType first, vtkIdType last, const unsigned char* types, const Offset* offsets,
   const Id* ids, vtkIdType all, vtkIdType points, std::atomic<bool>& hasPolyhedra)
 {
   using Bits = std::make_unsigned_t<Id>;
-  bool isRight = offsets[first] >= 0 && offsets[last] <= all;
+  bool isValid = offsets[first] >= 0 && offsets[last] <= all;
   int type = -1;
-  std::uint64_t least = 0;
+  std::uint64_t minimum = 0;
   for (vtkIdType cell = first; cell < last; ++cell)
   {
     if (types[cell] != type)
     {
       type = types[cell];
-      least = static_cast<std::uint64_t>(GetLeastSize(types[cell]));
+      minimum = static_cast<std::uint64_t>(GetMinimumSize(types[cell]));
       if (type == VTK_POLYHEDRON)
       {
         hasPolyhedra = true;
@@ -181,28 +182,27 @@ bool AreWhole(vtkIdType first, vtkIdType last, const unsigned char* types, const
     }
     const Offset begin = offsets[cell];
     const Offset end = offsets[cell + 1];
-    isRight &= (begin <= end) &
-      (static_cast<std::uint64_t>(end) - static_cast<std::uint64_t>(begin) >= least);
+    isValid &= (begin <= end) &
+      (static_cast<std::uint64_t>(end) - static_cast<std::uint64_t>(begin) >= minimum);
   }
-  if (!isRight)
+  if (!isValid)
   {
     return false;
   }
-  // An id has the highest bit where it is negative, and its distance from the greatest one where it
-  // is larger than that: sums and unions, which are computed many at a time.
-  const Bits greatest =
+  // The highest bit is set in a negative id, and in the largest valid id minus an id that exceeds
+  // it. Combining these bits without branches vectorizes.
+  const Bits largest =
     static_cast<Bits>(std::min(points - 1, static_cast<vtkIdType>(std::numeric_limits<Id>::max())));
   Bits bits = 0;
   for (Offset i = offsets[first]; i < offsets[last]; ++i)
   {
     const Bits id = static_cast<Bits>(ids[i]);
-    bits |= id | (greatest - id);
+    bits |= id | (largest - id);
   }
   return static_cast<Id>(bits) >= 0;
 }
 
-/// Returns an error if a cell cannot be used. \a all is the number of entries of the
-/// connectivity array.
+/// Returns an error if a cell is invalid. \a all is the size of the connectivity array.
 inline Error FindCellError(vtkUnstructuredGrid* grid, vtkIdType cell, const StoredIds& offsets,
   const StoredIds& ids, vtkIdType all)
 {
@@ -217,11 +217,11 @@ inline Error FindCellError(vtkUnstructuredGrid* grid, vtkIdType cell, const Stor
     return describe("the entries " + std::to_string(first) + " to " + std::to_string(last) +
       " of " + ArrayCheck::Count(all, "point id"));
   }
-  const vtkIdType least = GetLeastSize(static_cast<unsigned char>(type));
-  if (last - first < least)
+  const vtkIdType minimum = GetMinimumSize(static_cast<unsigned char>(type));
+  if (last - first < minimum)
   {
-    return describe(ArrayCheck::Count(last - first, "point") + "; " + std::to_string(least) +
-      (least == 1 ? " is needed" : " are needed"));
+    return describe(ArrayCheck::Count(last - first, "point") + "; " + std::to_string(minimum) +
+      (minimum == 1 ? " is needed" : " are needed"));
   }
   for (vtkIdType i = first; i < last; ++i)
   {
@@ -234,10 +234,10 @@ inline Error FindCellError(vtkUnstructuredGrid* grid, vtkIdType cell, const Stor
   return {};
 }
 
-/// Returns an error if the faces of a polyhedron cannot be used.
+/// Returns an error if the faces of a polyhedron are invalid.
 inline Error FindFaceError(vtkUnstructuredGrid* grid, vtkIdType cell)
 {
-  constexpr vtkIdType leastFaces = 4;
+  constexpr vtkIdType minimumFaces = 4;
   const auto describe = [cell](const std::string& part)
   { return "cell " + std::to_string(cell) + " (vtkPolyhedron) has " + part; };
   if (!GridCells::HasFaces(grid, cell))
@@ -247,12 +247,12 @@ inline Error FindFaceError(vtkUnstructuredGrid* grid, vtkIdType cell)
   vtkNew<vtkIdList> stream;
   grid->GetFaceStream(cell, stream);
   const vtkIdType faces = stream->GetNumberOfIds() > 0 ? stream->GetId(0) : 0;
-  if (faces < leastFaces)
+  if (faces < minimumFaces)
   {
     return describe(
-      ArrayCheck::Count(faces, "face") + "; " + std::to_string(leastFaces) + " are needed");
+      ArrayCheck::Count(faces, "face") + "; " + std::to_string(minimumFaces) + " are needed");
   }
-  // After the number of faces each begins with the number of its points.
+  // The number of faces is followed, for each face, by its number of points and its points.
   for (vtkIdType i = 1; i < stream->GetNumberOfIds(); i += stream->GetId(i) + 1)
   {
     const vtkIdType end = std::min(i + 1 + stream->GetId(i), stream->GetNumberOfIds());
@@ -268,7 +268,7 @@ inline Error FindFaceError(vtkUnstructuredGrid* grid, vtkIdType cell)
   return {};
 }
 
-/// Returns an error for the first polyhedron whose faces cannot be used.
+/// Returns an error for the first polyhedron with invalid faces.
 inline Error FindPolyhedronError(vtkUnstructuredGrid* grid)
 {
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
@@ -308,22 +308,22 @@ inline Error FindUnstructuredError(vtkUnstructuredGrid* grid)
   const unsigned char* type = typesOfCells->GetPointer(0);
   const vtkIdType all = grid->GetCells()->GetConnectivityArray()->GetNumberOfValues();
   const vtkIdType points = grid->GetNumberOfPoints();
-  std::atomic<bool> areWhole(true);
+  std::atomic<bool> areValid(true);
   std::atomic<bool> hasPolyhedra(false);
   const auto check = [&](const auto* firstOffset, const auto* firstId)
   {
     vtkSMPTools::For(0, cells,
       [&](vtkIdType begin, vtkIdType end)
       {
-        if (!AreWhole(begin, end, type, firstOffset, firstId, all, points, hasPolyhedra))
+        if (!AreValid(begin, end, type, firstOffset, firstId, all, points, hasPolyhedra))
         {
-          areWhole = false;
+          areValid = false;
         }
       });
   };
   offsets.Visit([&](const auto* firstOffset)
     { ids.Visit([&](const auto* firstId) { check(firstOffset, firstId); }); });
-  for (vtkIdType cell = 0; cell < cells && !areWhole; ++cell)
+  for (vtkIdType cell = 0; cell < cells && !areValid; ++cell)
   {
     if (Error error = FindCellError(grid, cell, offsets, ids, all))
     {
@@ -341,7 +341,7 @@ inline Error FindUnstructuredError(vtkUnstructuredGrid* grid)
   return {};
 }
 
-/// Returns an error, whose message is a part of a sentence, if a dataset cannot be used.
+/// Returns an error, as a clause, if the arrays of a dataset are inconsistent.
 inline Error FindError(vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
@@ -356,7 +356,7 @@ inline Error FindError(vtkDataSet* data)
     return grid->GetNumberOfPoints() == needed
       ? Error()
       : "the grid has " + ArrayCheck::Count(grid->GetNumberOfPoints(), "point") +
-        "; its extent has " + std::to_string(needed);
+        "; its extent requires " + std::to_string(needed);
   }
   if (auto* grid = vtkRectilinearGrid::SafeDownCast(data))
   {
@@ -366,11 +366,11 @@ inline Error FindError(vtkDataSet* data)
       grid->GetZCoordinates() };
     for (int axis = 0; axis < 3; ++axis)
     {
-      const vtkIdType has = axes[axis] ? axes[axis]->GetNumberOfTuples() : 0;
-      if (has < size[axis])
+      const vtkIdType actual = axes[axis] ? axes[axis]->GetNumberOfTuples() : 0;
+      if (actual < size[axis])
       {
-        return "the grid has " + ArrayCheck::Count(has, "coordinate") + " along axis " +
-          std::to_string(axis) + "; its extent has " + std::to_string(size[axis]);
+        return "the grid has " + ArrayCheck::Count(actual, "coordinate") + " along axis " +
+          std::to_string(axis) + "; its extent requires " + std::to_string(size[axis]);
       }
     }
   }

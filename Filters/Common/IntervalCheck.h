@@ -13,7 +13,8 @@ namespace interlume
 
 namespace IntervalCheck
 {
-/// Returns an error, a sentence that begins with \a name, if lower ... upper is not an interval.
+/// Returns an error, as a sentence that starts with \a name, if lower ... upper is not a valid
+/// interval.
 inline Error FindError(const std::string& name, double lower, double upper)
 {
   std::ostringstream text;

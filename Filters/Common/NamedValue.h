@@ -15,10 +15,10 @@ namespace interlume
 
 /**
  * @class   NamedValue
- * @brief   a value with its name, as PrintSelf and reports print it: a line `Name: value`
+ * @brief   a named value that prints as a line `Name: value`, in PrintSelf and reports
  *
- * Arrays and vectors are printed with spaces between their values. It refers to the value, and so
- * is made in the call that prints it.
+ * Arrays and vectors print with spaces between their values. A NamedValue refers to its value and
+ * must not outlive it.
  */
 class NamedValue
 {

@@ -7,7 +7,7 @@ namespace interlume
 
 /**
  * @class   Prefetch
- * @brief   asks for memory that is read soon; nothing with compilers that have no word for it
+ * @brief   prefetches memory that will be read soon, if the compiler supports it
  */
 struct Prefetch
 {
@@ -15,7 +15,7 @@ struct Prefetch
   {
 #if defined(__GNUC__)
     __builtin_prefetch(address);
-    // Without this statement GCC takes functions that only prefetch for ones that do nothing.
+    // Without this statement GCC treats functions that only prefetch as having no effect.
     __asm__ volatile("");
 #endif
   }

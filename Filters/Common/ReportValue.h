@@ -21,9 +21,9 @@ namespace interlume
  * @class   ReportValue
  * @brief   writes a named value to an array of a report
  *
- * Values are numbers, texts, and C arrays, std::array and std::vector of them. A ReportValue refers
- * to its value, so it is made in the call that writes it. Arrays of the report are reused, since
- * making them would take a tenth of an update of small data.
+ * Values are numbers, text, and C arrays, std::array and std::vector of these. A ReportValue refers
+ * to its value and must not outlive it. Arrays of the report are reused, since creating them takes
+ * noticeable time if the data is small.
  */
 class ReportValue
 {
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  /// Returns whether the report has these names first. Values that were added later follow them.
+  /// Returns whether the first names in the report are those of \a values, in the same order.
   static bool BeginsWith(vtkInterlumeReport* report, std::initializer_list<ReportValue> values)
   {
     int i = 0;

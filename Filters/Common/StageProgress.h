@@ -9,16 +9,16 @@ namespace interlume
 
 /**
  * @class   StageProgress
- * @brief   a part of an algorithm's progress, told at the ends of stages, where it may be aborted
+ * @brief   a range of an algorithm's progress, reported at the end of stages
  *
- * Without an owner nothing is told, and nobody aborts. Only the thread that executes the owner may
- * use it.
+ * Without an owner, progress is not reported and the execution cannot be aborted. Use it only in
+ * the thread that executes the owner.
  */
 class StageProgress
 {
 public:
   StageProgress() = default;
-  /// Makes the progress of \a owner go from \a start to \a end.
+  /// Maps a progress from 0 to 1 to the range from \a start to \a end in the progress of \a owner.
   StageProgress(vtkAlgorithm* owner, double start, double end)
     : Owner(owner)
     , Start(start)
@@ -26,14 +26,15 @@ public:
   {
   }
 
-  /// Returns the part of this progress from \a start to \a end, 0 to 1.
+  /// Returns the subrange from \a start to \a end, where 0 is the start of this range and 1 its
+  /// end.
   StageProgress GetPart(double start, double end) const
   {
     return { this->Owner, this->Start + start * this->Length, this->Start + end * this->Length };
   }
 
-  /// Tells that this much of the work, 0 to 1, is done. Returns false when the execution was
-  /// aborted.
+  /// Reports that the fraction \a done of the work, 0 to 1, is complete. Returns false if the
+  /// execution was aborted.
   bool Reach(double done) const
   {
     if (this->Owner && !this->IsAborted())

@@ -12,12 +12,12 @@ namespace interlume
 
 /**
  * @class   StoredIds
- * @brief   reads offsets or point ids of a cell array, of 32 or 64 bits, by threads
+ * @brief   thread-safe read access to the 32-bit or 64-bit offsets or point ids of a cell array
  */
 class StoredIds
 {
 public:
-  /// Keeps \a array, or a copy where its values are not in memory.
+  /// Stores a reference to \a array, or a copy if it is implicit.
   void Build(vtkDataArray* array)
   {
     if (GridCells::IsNarrow(array))
@@ -42,7 +42,7 @@ public:
                         : static_cast<vtkIdType>(this->Wide[i]);
   }
 
-  /// Calls \a visit with the first value, in the type they are stored in.
+  /// Calls \a visit with a pointer to the first value, in the stored type.
   template <typename Visitor>
   void Visit(Visitor&& visit) const
   {

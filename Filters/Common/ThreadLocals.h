@@ -12,12 +12,11 @@ namespace interlume
 
 /**
  * @class   ThreadLocals
- * @brief   a value for each thread that asks for one
+ * @brief   thread-local values, created on first use
  *
- * vtkSMPThreadLocal makes room for all of its backends, and asks the system for its processors each
- * time: a file is read, which takes as long as some hundred cells. Here are only the values of the
- * threads that came, in a list that grows at its head; threads are few, and ask once for many
- * items.
+ * Each vtkSMPThreadLocal allocates storage for all of its backends and queries the number of
+ * processors, which reads a file. This class stores only the values of threads that called Local(),
+ * in a linked list. The list is short, and each thread calls Local() once for many items.
  */
 template <typename T>
 class ThreadLocals
@@ -30,7 +29,7 @@ class ThreadLocals
   };
 
 public:
-  /// Visits the values, in no certain order; not while threads ask for theirs.
+  /// Iterator over the values, in no particular order. Do not use it while threads call Local().
   template <typename Value>
   class IteratorOf
   {
@@ -80,7 +79,7 @@ public:
   ThreadLocals(const ThreadLocals&) = delete;
   void operator=(const ThreadLocals&) = delete;
 
-  /// Returns the value of the calling thread, made at its first call.
+  /// Returns the value of the calling thread. The thread's first call creates it.
   T& Local()
   {
     const std::thread::id self = std::this_thread::get_id();

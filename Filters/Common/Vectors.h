@@ -14,12 +14,12 @@ namespace interlume
 {
 
 /**
- * Functions that GLM does not have for the vectors of space, `glm::dvec3`. Memory of three numbers
- * becomes one by `glm::make_vec3`.
+ * Vector functions that GLM does not provide, for `glm::dvec3`. Use `glm::make_vec3` to convert
+ * pointers to three numbers.
  */
 namespace Vectors
 {
-/// Returns the infinity norm, the greatest component in amount.
+/// Returns the infinity norm, the largest absolute component.
 inline double InfinityNorm(const glm::dvec3& v)
 {
   return std::max({ std::abs(v.x), std::abs(v.y), std::abs(v.z) });
@@ -30,7 +30,7 @@ inline bool IsFinite(const glm::dvec3& v)
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// Returns the length, also where the squares of components overflow or underflow.
+/// Returns the length, even if the squares of components overflow or underflow.
 inline double SafeLength(const glm::dvec3& v)
 {
   const double square = glm::dot(v, v);
@@ -47,7 +47,8 @@ inline double SafeLength(const glm::dvec3& v)
   return largest * std::sqrt(glm::dot(scaled, scaled));
 }
 
-/// Returns the scalar product. GCC leaves a call of it in the large units of advection unless told.
+/// Returns the scalar product. Inlining is forced, since GCC does not inline it in the large
+/// functions of advection.
 [[gnu::always_inline]] inline double Dot(const double* a, const double* b)
 {
   return glm::dot(glm::make_vec3(a), glm::make_vec3(b));
@@ -58,8 +59,8 @@ inline glm::dvec3 Difference(const double* a, const double* b)
   return glm::make_vec3(a) - glm::make_vec3(b);
 }
 
-/// Six times the signed volume of the tetrahedron a, b, c, d: positive when (b-a) . (c-a) x (d-a)
-/// is.
+/// Returns six times the signed volume of the tetrahedron a, b, c, d, which is positive if (b-a) .
+/// (c-a) x (d-a) is positive.
 inline double SixVolumes(const double* a, const double* b, const double* c, const double* d)
 {
   return glm::dot(Difference(b, a), glm::cross(Difference(c, a), Difference(d, a)));

@@ -6,6 +6,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkStringArray.h"
 
+#include <cmath>
 #include <limits>
 #include <sstream>
 
@@ -25,11 +26,17 @@ double vtkInterlumeReport::GetNumber(const std::string& name, vtkIdType entry)
   vtkDataArray* values = this->GetArray(name.c_str());
   if (!values || entry < 0 || entry >= values->GetNumberOfValues())
   {
-    vtkErrorMacro("There is no number " << entry << " of the value \"" << name << "\".");
+    vtkErrorMacro("The report has no number \"" << name << "\" with an entry " << entry << ".");
     return std::numeric_limits<double>::quiet_NaN();
   }
   const int components = values->GetNumberOfComponents();
   return values->GetComponent(entry / components, static_cast<int>(entry % components));
+}
+
+vtkIdType vtkInterlumeReport::GetCount(const std::string& name, vtkIdType entry)
+{
+  const double number = this->GetNumber(name, entry);
+  return std::isfinite(number) ? static_cast<vtkIdType>(number) : -1;
 }
 
 std::string vtkInterlumeReport::GetText(const std::string& name, vtkIdType entry)
@@ -37,7 +44,8 @@ std::string vtkInterlumeReport::GetText(const std::string& name, vtkIdType entry
   auto* values = vtkStringArray::SafeDownCast(this->GetAbstractArray(name.c_str()));
   if (!values || entry < 0 || entry >= values->GetNumberOfValues())
   {
-    vtkErrorMacro("There is no text " << entry << " of the value \"" << name << "\".");
+    vtkErrorMacro(
+      "The report has no text \"" << name << "\", or the text has no entry " << entry << ".");
     return {};
   }
   return values->GetValue(entry);

@@ -32,7 +32,7 @@ vtkStandardNewMacro(vtkFlowCriticalPoints);
 
 namespace
 {
-// The system of the vectors themselves.
+// System of three equations: each vector component is 0.
 class VectorSystem : public interlume::ZeroSearch::Systems
 {
 public:
@@ -56,15 +56,15 @@ int Classify(const double eigenvalues[6])
   {
     largest = std::max(largest, std::hypot(eigenvalues[2 * i], eigenvalues[2 * i + 1]));
   }
-  const double least = 1e-9 * largest;
+  const double threshold = 1e-9 * largest;
   int outgoing = 0;
   bool isSpiral = false;
   bool isDegenerate = false;
   bool isCenter = false;
   for (int i = 0; i < 3; ++i)
   {
-    const bool isComplex = std::abs(eigenvalues[2 * i + 1]) > least;
-    const bool isZero = std::abs(eigenvalues[2 * i]) <= least;
+    const bool isComplex = std::abs(eigenvalues[2 * i + 1]) > threshold;
+    const bool isZero = std::abs(eigenvalues[2 * i]) <= threshold;
     outgoing += eigenvalues[2 * i] > 0.0 ? 1 : 0;
     isSpiral = isSpiral || isComplex;
     isDegenerate = isDegenerate || isZero;
@@ -123,11 +123,12 @@ int vtkFlowCriticalPoints::RequestData(
   SetReport(this->Report);
   if (!input || input->GetNumberOfCells() == 0)
   {
-    // Nothing at all is no error, and one piece of several may well have points alone.
+    // An empty input is not an error, and one piece of several may have points only.
     if (input && input->GetNumberOfPoints() > 0 &&
-      interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
+      interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
     {
-      vtkErrorMacro("The input has no cells, in which velocities are interpolated.");
+      vtkErrorMacro(
+        "The input has points but no cells. Pass a vtkDataSet with three-dimensional cells.");
     }
     return 1;
   }

@@ -9,34 +9,38 @@
 
 /**
  * @class   vtkFlowCriticalPoints
- * @brief   where the field vanishes, and what it does around there
+ * @brief   find and classify the zeros of a vector field
  *
- * The zeros of the interpolated vectors in each cell: on tetrahedra by solving the linear system,
- * elsewhere by subdividing the cell until the vectors' bounds exclude zero or Newton's method
- * converges. It finds all zeros, several in a cell too. A zero on a face or a point that cells
- * share is one point, with the Jacobian of the cell of least id. Cells in which the field is 0
- * throughout have none, and are counted; so are cells with lines or surfaces of zeros, as along the
- * axis of a rotation (see vtkVortexAxis), on walls, or in a plane flow. Zeros at points of such
- * cells are part of them and none either.
+ * Finds all isolated zeros of the interpolated vectors in each cell. A tetrahedron requires the
+ * solution of one linear system. Other cells are subdivided until bounds of the vectors exclude
+ * zero or Newton's method converges. A zero on a face, edge or point between cells is reported
+ * once, with the Jacobian of the cell with the lowest id. See
+ * Documentation/methods/implicit-flow.md.
  *
- * Cells that are blanked, hidden or ghosts are left out, those that are not finite too.
+ * Cells where the field is 0 throughout have no critical point, and neither do cells with lines or
+ * surfaces of zeros, as on the axis of a rotation (see vtkVortexAxis), on walls, or in plane flow.
+ * The report counts both kinds of cells. Zeros at points of such cells belong to the line or
+ * surface and are not reported. Blanked, hidden and ghost cells are skipped, and so are cells with
+ * vectors that are not finite.
  *
- * Input: as vtkImplicitFlowField's port 0: vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, or
- * vtkUnstructuredGrid of tetrahedra, voxels, hexahedra, wedges and pyramids; point vectors, by
- * default the active ones.
- * Output: vertices with the point arrays `CriticalPointType` (int), `Eigenvalues` (double, 6
- * components: three complex numbers, by descending real part), `Jacobian` (double, 9, dv_i/dx_j at
- * 3 i + j), `CellLength` (double: the cube root of the cell's volume) and `CellId`.
+ * Input: vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, or vtkUnstructuredGrid of tetrahedra,
+ * voxels, hexahedra, wedges and pyramids, with point vectors of three components; by default the
+ * active vectors.
  *
- * The same bytes for any number of threads.
+ * Output: vertices with the point arrays `CriticalPointType` (int, the active scalars),
+ * `Eigenvalues` (double, 6 components: three complex numbers by descending real part), `Jacobian`
+ * (double, 9 components: dv_i/dx_j at index 3 i + j), `CellLength` (double: cube root of the cell's
+ * volume) and `CellId`. The output is identical for any number of threads.
  *
- * Warnings (vtkWarningMacro): no critical point, with how many cells have zeros that are none;
- * cells that were skipped because vectors look like fill values (as for
- * vtkImplicitFlowField::SetMaximumError), with the value, or are NaN or infinite.
+ * Warnings (vtkWarningMacro): no critical point, with the reasons; cells that were skipped because
+ * vectors look like fill values (see vtkImplicitFlowField::SetMaximumError), or are NaN or
+ * infinite.
  *
- * Errors (vtkErrorMacro, empty output): points without cells, unless in one piece of several; no
- * vectors of that name, or not of three components; cells of other types, two-dimensional grids
- * among them.
+ * Errors (vtkErrorMacro, empty output): points without cells, unless the input is one of several
+ * pieces; missing vectors, or vectors without three components; unsupported cells, including
+ * two-dimensional grids.
+ *
+ * @sa vtkImplicitFlowField vtkVortexAxis
  */
 class INTERLUMEFLOW_EXPORT vtkFlowCriticalPoints : public vtkPolyDataAlgorithm
 {
@@ -45,19 +49,20 @@ public:
   vtkTypeMacro(vtkFlowCriticalPoints, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The type of a critical point, which follows from the signs of the eigenvalues' real parts;
-  /// spirals have a complex pair. A real or imaginary part below 1e-9 of the largest absolute value
-  /// is 0. With a real part of 0 the point is DEGENERATE, or a CENTER where the pair is imaginary.
-  /// Where the Jacobian is singular, or the cell flat, the point is DEGENERATE.
+  /// Type of a critical point, determined by the signs of the real parts of its eigenvalues.
+  /// Spirals have a complex-conjugate pair. A real or imaginary part below 1e-9 of the largest
+  /// absolute value counts as 0. A zero real part makes the point DEGENERATE, or a CENTER if the
+  /// pair is imaginary. The point is also DEGENERATE if the Jacobian is singular or the cell has no
+  /// volume.
   enum Types
   {
     DEGENERATE = 0,
     SOURCE = 1,
     SPIRAL_SOURCE = 2,
-    /// A saddle with one incoming and two outgoing directions.
+    /// Saddle with one incoming and two outgoing directions.
     SADDLE_1_IN = 3,
     SPIRAL_SADDLE_1_IN = 4,
-    /// A saddle with two incoming and one outgoing direction.
+    /// Saddle with two incoming and one outgoing direction.
     SADDLE_2_IN = 5,
     SPIRAL_SADDLE_2_IN = 6,
     SINK = 7,
@@ -68,11 +73,11 @@ public:
   static const char* GetTypeName(int type);
 
   /**
-   * Returns what the last execution did:
+   * Return the report of the last execution:
    * - ZeroCells: cells in which the field is 0 throughout,
    * - DegenerateCells: cells with zeros that are not isolated,
-   * - NonFiniteCells: cells that were skipped because they are not finite,
-   * - FillValueCells: cells that were skipped because a point has fill values.
+   * - NonFiniteCells: cells skipped because vectors are not finite,
+   * - FillValueCells: cells skipped because a point has fill values.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

@@ -34,7 +34,7 @@ vtkStandardNewMacro(vtkFlowLIC);
 
 namespace
 {
-constexpr double MostSteps = 1e6;
+constexpr double MaximumSteps = 1e6;
 constexpr double RelativeMinimumSpeed = 1e-9;
 }
 
@@ -66,7 +66,7 @@ int vtkFlowLIC::RequestUpdateExtent(
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   this->Superclass::RequestUpdateExtent(request, inputs, outputs);
-  // The whole field is asked for, since streamlines go through all of it.
+  // Requests the whole field, because streamlines may visit all of it.
   const int port = inputs[1]->GetNumberOfInformationObjects() > 0 ? 1 : 0;
   vtkInformation* field = inputs[port]->GetInformationObject(0);
   if (field->Has(Pipeline::WHOLE_EXTENT()))
@@ -92,12 +92,12 @@ interlume::Error vtkFlowLIC::FindSteps(vtkDataSet* points, interlume::FlowLICRep
   }
   report.Length = this->Length > 0.0 ? this->Length : 10.0 * report.NoiseScale;
   const double step = this->StepLength > 0.0 ? this->StepLength : 0.25 * report.NoiseScale;
-  // A number that is whole but for rounding stays as it is.
+  // The factor keeps rounding from adding a step.
   const double steps = std::max(1.0, std::ceil(report.Length / step * (1.0 - 1e-12)));
-  if (!(steps <= MostSteps))
+  if (!(steps <= MaximumSteps))
   {
     return "Length " + std::to_string(report.Length) +
-      " is more than 1,000,000 steps of StepLength.";
+      " is more than 1,000,000 steps of StepLength. Reduce Length or increase StepLength.";
   }
   report.Steps = static_cast<int>(steps);
   report.StepLength = report.Length / steps;
@@ -151,25 +151,26 @@ int vtkFlowLIC::RequestData(
     output->Initialize();
     return this->GetAbortExecute() ? interlume::AbortCheck::Leave(outputs) : 1;
   }
-  // SetScalars would remove the scalars that were active before.
+  // SetScalars would remove the previous active scalars.
   output->GetPointData()->AddArray(values);
   output->GetPointData()->SetActiveScalars(values->GetName());
-  const bool isWhole = interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0));
+  const bool isEntireOutput =
+    interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0));
   report.FillValues = fill.Number;
   report.NonFiniteVectors = nonFinite;
   report.CopyTo(this->Report);
-  if (fill.Number > 0 && isWhole)
+  if (fill.Number > 0 && isEntireOutput)
   {
     vtkWarningMacro(<< fill.Describe(vectors->GetName(),
-                      "The least speed ignores them, but streamlines in cells with such points "
-                      "follow them."));
+                      "The minimum speed ignores them, but streamlines in cells with such points "
+                      "use them."));
   }
-  if (nonFinite > 0 && isWhole)
+  if (nonFinite > 0 && isEntireOutput)
   {
     vtkWarningMacro(<< interlume::DescribeNonFinite(
                       nonFinite, vectors->GetName(), "Streamlines end at cells with such points."));
   }
-  if (report.PointsOutside == report.Points && isWhole)
+  if (report.PointsOutside == report.Points && isEntireOutput)
   {
     double bounds[6];
     field->GetBounds(bounds);
@@ -197,7 +198,8 @@ void vtkFlowLIC::Convolve(
   const double contrast = this->Contrast;
   vtkSMPThreadLocal<interlume::FlowLICReport> counts;
   double first[3];
-  // Makes the data that the dataset makes at the first call, before threads need them.
+  // Datasets may build internal data at the first call, so it must precede calls from several
+  // threads.
   points->GetPoint(0, first);
   interlume::Batches::Run(points->GetNumberOfPoints(), this, interlume::FieldDispatch::BuildingPart,
     1.0,

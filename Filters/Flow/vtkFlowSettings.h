@@ -2,21 +2,21 @@
 #ifndef vtkFlowSettings_h
 #define vtkFlowSettings_h
 
-#include <string> // for names of arrays
-#include <vector> // for several of them
+#include <string> // for array names
+#include <vector> // for lists of names
 
 /**
  * @class   vtkFlowSettings
- * @brief   what vtkImplicitFlowField can be told of its streamlines, with its defaults
+ * @brief   settings of vtkImplicitFlowField, with their defaults
  *
- * The filter is made of them, so that VTK's macros for setters serve them, and hands them on as a
- * whole. Each is documented at its setter there.
+ * The filter inherits from this struct, so that VTK's setter macros work and the settings can be
+ * passed on together. See the setters of vtkImplicitFlowField for their meaning.
  *
  * @sa vtkImplicitFlowField
  */
 struct vtkFlowSettings
 {
-  /// The directions are against the vectors and along them.
+  /// BACKWARD follows streamlines against the vectors, FORWARD along them.
   enum Directions
   {
     BACKWARD = 0,
@@ -27,11 +27,11 @@ struct vtkFlowSettings
   {
     /// DORMAND_PRINCE, and ROSENBROCK where the field is stiff.
     AUTOMATIC = 0,
-    /// The method is of order 5(4) with dense output of order 4.
+    /// Order 5(4) with dense output of order 4.
     DORMAND_PRINCE = 1,
-    /// The classical method finds its error by doubling the step.
+    /// Classical method, error estimated by step doubling.
     RUNGE_KUTTA_4 = 2,
-    /// RODAS is of order 4(3) and L-stable.
+    /// RODAS, order 4(3), L-stable.
     ROSENBROCK = 3
   };
 
@@ -48,8 +48,8 @@ struct vtkFlowSettings
   bool ComputeArcLength = false;
   bool ComputeMeanVorticity = false;
   std::vector<std::string> MeanArrays;
-  bool ShareStreamlines = false;
-  bool KeepSteps = false;
+  bool InterpolateStreamlines = false;
+  bool StoreStepCounts = false;
   int RefinementLevels = 0;
   int SamplingChecks = 1000;
 };

@@ -2,48 +2,51 @@
 #ifndef vtkFlowStatus_h
 #define vtkFlowStatus_h
 
+#include "vtkDeprecation.h"      // for VTK_DEPRECATION
 #include "InterlumeFlowModule.h" // for the export macro
 
 /**
  * @class   vtkFlowStatus
- * @brief   how the advection of a sample ended, and the names of the arrays that say so
+ * @brief   status values and array names of an implicit flow field
  *
- * Every reader of an implicit flow field asks the status first: the other arrays have a meaning for
- * REACHED_SURFACE only, but for AdvectionTime, which is the time until the end however it came.
+ * Check the status before reading any other array. The other arrays have meaning only for
+ * REACHED_SURFACE, except AdvectionTime, which is the time until the end of the streamline for any
+ * status.
  */
 class INTERLUMEFLOW_EXPORT vtkFlowStatus
 {
 public:
   enum Values
   {
-    /// The streamline reached a termination surface, or is on one (time 0), or ended at the end of
-    /// the field within a tolerance of one.
+    /// The streamline reached a termination surface, started on one (time 0), or ended at the
+    /// boundary of the field within a tolerance of a surface.
     REACHED_SURFACE = 0,
-    /// The streamline left the field's domain, or came to a blanked cell.
+    /// The streamline left the domain of the field, or reached a blanked cell.
     LEFT_DOMAIN = 1,
-    /// The streamline's speed fell below the minimum.
+    /// The speed fell below the minimum.
     STAGNATED = 2,
-    /// The streamline went on for the maximum time.
+    /// The streamline reached the maximum time.
     OUT_OF_TIME = 3,
-    /// The streamline took the maximum number of steps.
+    /// The streamline reached the maximum number of steps.
     OUT_OF_STEPS = 4,
-    /// The sample is not in the field's domain.
+    /// The sample is outside the domain of the field.
     OUTSIDE = 5,
-    /// The field is not finite at the sample or where its streamline came.
+    /// The field is not finite at the sample or on its streamline.
     NOT_FINITE = 6,
-    /// The streamline is a closed orbit, which it would follow until its steps are used up.
+    /// The streamline is a closed orbit and would never end.
     CLOSED_ORBIT = 7,
     NUMBER_OF_VALUES = 8
   };
 
-  /// Returns the name of a status in small letters, such as "reached surface"; null for a number
-  /// that is not a status.
+  /// Return the name of a status in lower case, such as "reached surface", or null for an invalid
+  /// value.
   static const char* GetName(int status);
 
   ///@{
   /**
-   * The names of the point arrays: FlowStatus (unsigned char), TerminationId (int, -1 without one),
-   * TerminationUV (double, 2 components, 0 without), AdvectionTime (double).
+   * Names of the point arrays: FlowStatus (unsigned char), TerminationId (int; -1 if no surface was
+   * reached), TerminationUV (double, 2 components; 0 if no surface was reached), AdvectionTime
+   * (double).
    */
   static const char* StatusArray() { return "FlowStatus"; }
   static const char* IdArray() { return "TerminationId"; }
@@ -51,66 +54,77 @@ public:
   static const char* TimeArray() { return "AdvectionTime"; }
   ///@}
 
-  /// The absolute values in TerminationSide, which tell whether the streamline, in the direction it
-  /// is followed, leaves the sample towards the surface, or away from it (or along it).
-  enum Ways
+  /// Absolute values of TerminationSide. TOWARD: from the sample, in the direction of advection,
+  /// the streamline approaches the surface. AWAY: it recedes from the surface or is parallel to it.
+  enum TerminationDirections
   {
-    TOWARDS = 1,
+    TOWARD = 1,
+    TOWARDS = TOWARD, ///< deprecated name
     AWAY = 2
   };
   /**
-   * The name of the point array TerminationSide (signed char), which tells on which side of the
-   * surface of its id a sample lies, above 0 where the surface's distance is, and by Ways how the
-   * streamline leaves the sample. It is set for samples that reached a surface and are a corner of
-   * a cell that this surface passes through; it is 0 for all others, for those beyond a rim of the
-   * surface or on it, and for domain faces. Where several surfaces have one id, the nearest counts.
+   * Name of the point array TerminationSide (signed char). Its sign is the side of the termination
+   * surface on which the sample lies, that is, the sign of the surface's distance. Its absolute
+   * value is one of TerminationDirections. It is set for samples that reached a surface and are a
+   * corner of a cell that this surface crosses. It is 0 for all other samples, for samples past the
+   * boundary edge of the surface or on the surface, and for domain faces. If several surfaces have
+   * the same id, the nearest one counts.
    */
   static const char* SideArray() { return "TerminationSide"; }
 
   /**
-   * The name of the field array TerminationSurfaces (int, 3 components), which has a tuple for each
-   * id in use: the id, and whether u and v are periodic with period 1 there.
+   * Name of the field array TerminationSurfaces (int, 3 components), with one tuple per id in use:
+   * the id, and a flag each for u and v, which is 1 if the parameter is periodic with period 1,
+   * otherwise 0.
    */
   static const char* SurfacesArray() { return "TerminationSurfaces"; }
   ///@{
   /**
-   * The names of the field arrays of samples in whose cells interpolation was compared with
-   * streamlines (vtkImplicitFlowField::SetSamplingChecks). SamplingChecks (vtkIdType, one tuple):
-   * Checks, SplitCells, DifferentMiddles, Compared. SamplingErrors (double, three tuples: mean, 99
-   * in 100, largest): the errors of u, v and time.
+   * Names of the field arrays with the interpolation error between samples
+   * (vtkImplicitFlowField::SetSamplingChecks). SamplingChecks (vtkIdType, one tuple): the number of
+   * checked cells (Checks), of cells whose corners differ in their results (SplitCells), of cells
+   * whose center differs from most corners (DifferentMiddles), and of cells with a measured error
+   * (Compared). SamplingErrors (double, three tuples: mean, 99th percentile, largest): the errors
+   * of u, v and time.
    */
   static const char* SamplingChecksArray() { return "SamplingChecks"; }
   static const char* SamplingErrorsArray() { return "SamplingErrors"; }
   ///@}
 
   /**
-   * The beginning of the names of field arrays that have a tuple for each sample beside a surface,
-   * where that passes through a cell of the samples which can be cut there. BeyondSampleId
-   * (vtkIdType): the point of the sample. BeyondSamplePosition (double, 3 components): the position
-   * of that point. BeyondSampleDistance (double), BeyondSampleNormal (double, 3 components): its
-   * distance from the surface, and the surface's normal there. BeyondSampleSurface (int): the
-   * number of the surface among those in use, -1 for samples that stand still on it, -2 for samples
-   * beside the boundary of what reaches a surface (below).
-   * BeyondTerminationSide: as TerminationSide, but for samples without an answer too, and 0 on the
-   * surface. BeyondTerminationId, BeyondTerminationUV, BeyondAdvectionTime and so on: what the
-   * sample would have if the answers of the surface's other side went on to it. For a sample of
-   * TOWARDS that is where the streamline comes to when it goes on through the surface, id -1 where
-   * it reaches nothing or where nothing behind has an answer. For a sample of AWAY it is where the
-   * streamline comes from, with a time below 0. A filter that changes points makes these arrays
-   * useless, which readers find out by the positions.
+   * Prefix of the field arrays with far-side values: the values that a sample near a termination
+   * surface would have if the values of the far side extended to it. vtkFlowVolume uses them to cut
+   * cells. There is one tuple for each sample at a corner of a cell that a surface crosses and that
+   * can be cut there.
+   * - BeyondSampleId (vtkIdType): the point of the sample.
+   * - BeyondSamplePosition (double, 3 components): its position. Readers compare it with the point
+   *   to detect that a filter has changed the points, which makes these arrays invalid.
+   * - BeyondSampleDistance (double), BeyondSampleNormal (double, 3 components): its distance from
+   *   the surface, and the surface normal there.
+   * - BeyondSampleSurface (int): index of the surface among the surfaces in use; -1 for samples
+   *   that stagnate on it; -2 for samples near the boundary of the reached region (below).
+   * - BeyondTerminationSide: as TerminationSide, but also for samples that reached no surface, and
+   *   0 on the surface.
+   * - BeyondTerminationId, BeyondTerminationUV, BeyondAdvectionTime and so on: the far-side values.
+   *   The streamline of a TOWARD sample continues through the surface; the id is -1 if it reaches
+   *   no surface, or if no sample behind the surface has a result. The streamline of an AWAY sample
+   *   is followed back to the surface, and the time is negative.
    *
-   * If the field has hidden cells or points, or vectors that are not finite, there are such tuples
-   * too for the corners of cells only some of which reach a surface; a sample may have one of each.
-   * Their distances are from the boundary of what reaches it, up to a factor; the normal is 0 and
-   * not known. The side is TOWARDS for samples that reach the surface, and -AWAY for others, whose
-   * other arrays have values that are extrapolated from what reaches it.
+   * If the field has hidden cells or points, or vectors that are not finite, there are also tuples
+   * for the corners of cells of which only some corners reach a surface. A sample may have one
+   * tuple of each kind. In tuples of this second kind, the distance is measured from the boundary
+   * of the reached region, up to a factor, and the normal is 0 (unknown). The side is TOWARD for
+   * samples that reach the surface. For all others it is -AWAY, and their far-side values are
+   * extrapolated from the reached region.
    */
-  static const char* BeyondPrefix() { return "Beyond"; }
-  /// The name of the point array of vtkInflowMapping (double, one component), NaN where there is no
+  static const char* FarSidePrefix() { return "Beyond"; }
+  VTK_DEPRECATION("Use FarSidePrefix.")
+  static const char* BeyondPrefix() { return FarSidePrefix(); }
+  /// Name of the point array of vtkInflowMapping (double, one component); NaN where there is no
   /// value.
   static const char* InflowArray() { return "Inflow"; }
-  /// The name of the field array of vtkInflowMapping (int, 3 components): an id, and whether its
-  /// mapping goes on over the seams of u and v.
+  /// Name of the field array of vtkInflowMapping (int, 3 components): the id, and a flag each for u
+  /// and v, which is 1 if the mapping is continuous across the parameter's seam, otherwise 0.
   static const char* InflowPeriodicArray() { return "InflowPeriodic"; }
 };
 

@@ -8,7 +8,7 @@
 #include "Common/GridCheck.h"
 #include "Common/IntervalCheck.h"
 #include "Common/NamedValue.h"
-#include "Samples/BeyondSamples.h"
+#include "Samples/FarSideSamples.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Samples/OutputPiece.h"
 #include "Volumes/FlowVolumeReport.h"
@@ -55,9 +55,9 @@ interlume::Error CheckSurfaces(const std::string& name, const std::vector<double
 {
   const auto found =
     std::find_if(values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
-  return found == values.end()
-    ? interlume::Error()
-    : name + " surface " + std::to_string(found - values.begin()) + " is not at a finite value.";
+  return found == values.end() ? interlume::Error()
+                               : name + " surface " + std::to_string(found - values.begin()) +
+      " has a value that is not finite.";
 }
 
 vtkSmartPointer<vtkIntArray> MakeIds(const char* name, vtkIntArray* items, vtkIdType number)
@@ -68,7 +68,7 @@ vtkSmartPointer<vtkIntArray> MakeIds(const char* name, vtkIntArray* items, vtkId
   return ids;
 }
 
-// Sets cell ids from items by \a get(item).
+// Adds a cell array with the values \a get(item).
 template <typename Get>
 void AddIds(vtkUnstructuredGrid* mesh, const char* name, vtkIntArray* items, const Get& get)
 {
@@ -85,7 +85,7 @@ void AddIds(vtkUnstructuredGrid* mesh, const char* name, vtkIntArray* items, con
   mesh->GetCellData()->AddArray(ids);
 }
 
-// Restores the arrays that are no numbers to interpolate between.
+// Restores the arrays whose values must not be interpolated.
 void RestorePointArrays(vtkUnstructuredGrid* mesh)
 {
   const vtkIdType number = mesh->GetNumberOfPoints();
@@ -133,7 +133,7 @@ void FillSurface(const interlume::SurfaceTriangles& triangles, const char* name,
   surface->GetCellData()->AddArray(ids);
 }
 
-// Leaves Inflow, or else the time, as the scalars to colour by.
+// Makes Inflow, or AdvectionTime without it, the active scalars.
 void ChooseScalars(vtkUnstructuredGrid* output)
 {
   vtkPointData* data = output->GetPointData();
@@ -141,8 +141,8 @@ void ChooseScalars(vtkUnstructuredGrid* output)
                                                                       : vtkFlowStatus::TimeArray());
 }
 
-// Returns the lowest and the highest time of samples that have reached a surface; lower above
-// higher where there is none.
+// Returns the range of AdvectionTime of samples that reached a surface. Without such samples, lower
+// is above upper.
 interlume::SurfaceLevels::Interval GetReachedTimes(
   vtkDataSet* input, const interlume::ImplicitFlowArrays& arrays)
 {
@@ -160,7 +160,8 @@ interlume::SurfaceLevels::Interval GetReachedTimes(
   return range;
 }
 
-// Returns the range of the finite values of a point array; lower above higher where there is none.
+// Returns the range of the finite values of a point array. Without such values, lower is above
+// upper.
 interlume::SurfaceLevels::Interval GetFiniteRange(vtkDataSet* input, const char* name)
 {
   interlume::SurfaceLevels::Interval range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
@@ -171,7 +172,8 @@ interlume::SurfaceLevels::Interval GetFiniteRange(vtkDataSet* input, const char*
   return range;
 }
 
-// Describes an interval that lies outside of a range, as "[1, 2]"; empty where it does not.
+// Returns an interval as text, such as "[1, 2]", if it lies outside a range. If they overlap,
+// returns an empty string.
 std::string DescribeOutside(const interlume::SurfaceLevels::Interval& interval,
   const interlume::SurfaceLevels::Interval& range)
 {
@@ -232,8 +234,8 @@ void vtkFlowVolume::SetSurface(std::vector<double>& values, int i, double value)
 {
   if (i < 0 || i >= vtkIntervalList::MaximumNumber)
   {
-    vtkErrorMacro(
-      "Surface index " << i << " is not in 0 to " << vtkIntervalList::MaximumNumber - 1 << ".");
+    vtkErrorMacro("Surface index " << i << " is not in the range 0 to "
+                                   << vtkIntervalList::MaximumNumber - 1 << ".");
     return;
   }
   if (i >= static_cast<int>(values.size()))
@@ -294,8 +296,8 @@ interlume::Error vtkFlowVolume::CheckParameters(vtkDataSet* input, bool usesInfl
     return MakeSentence(
       interlume::ArrayCheck::FindPointError(input, "input", vtkFlowStatus::InflowArray(), 1))
       .Within("",
-        " Intervals and stream surfaces need that of vtkInflowMapping: apply it first, or take "
-        "them out.");
+        " Intervals and stream surfaces need the Inflow of vtkInflowMapping: apply that filter "
+        "first, or remove them.");
   };
   interlume::Error error =
     interlume::ImplicitFlowArrays::CheckArray(input, vtkFlowStatus::TimeArray(), 1)
@@ -341,8 +343,8 @@ int vtkFlowVolume::RequestData(
       ? this->Intervals.GetAll()
       : std::vector<interlume::SurfaceLevels::Interval>{ Everything },
     this->StreamSurfaces, -VTK_DOUBLE_MAX);
-  // A range up to the last sample's time has later ones too: cells that are cut at a surface have
-  // corners beyond it.
+  // A range that includes the largest sample time must include later times too: cells that are cut
+  // at a surface have corners behind that surface.
   const bool hasLastTime = this->TimeRange[1] < VTK_DOUBLE_MAX &&
     this->TimeRange[1] >= GetFiniteRange(input, vtkFlowStatus::TimeArray())[1];
   const double end = hasLastTime ? VTK_DOUBLE_MAX : this->TimeRange[1];
@@ -351,8 +353,9 @@ int vtkFlowVolume::RequestData(
   const std::size_t items = std::max(byInflow.GetItems().size(), byTime.GetItems().size());
   if (items > static_cast<std::size_t>(vtkIntervalList::MaximumNumber))
   {
-    vtkErrorMacro("There are " << items << " intervals between surfaces; "
-                               << vtkIntervalList::MaximumNumber << " are the most.");
+    vtkErrorMacro("There are " << items << " intervals between surfaces, more than the maximum of "
+                               << vtkIntervalList::MaximumNumber
+                               << ". Remove intervals or surfaces.");
     return 1;
   }
   interlume::VolumeExtraction::Request request(*this);
@@ -404,12 +407,12 @@ int vtkFlowVolume::RequestData(
   for (vtkUnstructuredGrid* output : { mesh, streamSurfaces, timeSurfaces })
   {
     output->GetFieldData()->PassData(input->GetFieldData());
-    // These arrays belong to other points.
-    interlume::BeyondSamples::Remove(output->GetFieldData());
+    // Far-side arrays belong to the points of the input.
+    interlume::FarSideSamples::Remove(output->GetFieldData());
     ChooseScalars(output);
   }
   report.CopyTo(this->Report);
-  if (interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
+  if (interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
   {
     const std::string warning = this->DescribeMissing(input, arrays, mesh, report);
     if (!warning.empty())
@@ -425,12 +428,12 @@ std::string vtkFlowVolume::DescribeMissing(vtkDataSet* input,
   const interlume::FlowVolumeReport& report) const
 {
   std::ostringstream text;
-  const auto name = [&text](const std::string& what, const char* array, const auto& range)
+  const auto name = [&text](const std::string& subject, const char* array, const auto& range)
   {
-    text << what << " outside of the range of " << array << ", [" << range[0] << ", " << range[1]
+    text << subject << " outside of the range of " << array << ", [" << range[0] << ", " << range[1]
          << "]. ";
   };
-  // Inflow is NaN where no surface was reached.
+  // Inflow is NaN at samples that reached no surface.
   const interlume::SurfaceLevels::Interval inflow =
     GetFiniteRange(input, vtkFlowStatus::InflowArray());
   for (int i = 0; i < this->GetNumberOfIntervals(); ++i)
@@ -462,7 +465,7 @@ std::string vtkFlowVolume::DescribeMissing(vtkDataSet* input,
            << " samples reached a termination surface. ";
     }
     text << "None of " << report.Cells
-         << " cells has a part of the volume: " << report.CellsWithoutResult
+         << " cells contains a part of the volume: " << report.CellsWithoutResult
          << " have corners that reached no surface, " << report.CellsBetweenSurfaces
          << " lie between surfaces, " << report.CellsOnSeams << " on seams, "
          << report.CellsAcrossSurfaces << " across their surface, " << report.CellsWithTimeJumps
@@ -471,7 +474,7 @@ std::string vtkFlowVolume::DescribeMissing(vtkDataSet* input,
   if (this->GenerateStreamSurfaces && this->GetNumberOfIntervals() == 0 &&
     this->GetNumberOfStreamSurfaces() == 0)
   {
-    text << "There is no value for stream surfaces, and no interval whose bounds they are. ";
+    text << "There is no value for stream surfaces: set StreamSurfaces or an interval. ";
   }
   std::string all = text.str();
   if (!all.empty())

@@ -3,7 +3,7 @@
 #define vtkFlowVolume_h
 
 #include "InterlumeFlowModule.h"   // for the export macro
-#include "vtkFlowVolumeSettings.h" // for what is set
+#include "vtkFlowVolumeSettings.h" // for the settings
 #include "vtkInterlumeReport.h"    // for GetReport()
 #include "vtkIntervalList.h"       // for the intervals
 #include "vtkNew.h"                // for the report
@@ -26,85 +26,55 @@ struct FlowVolumeReport;
 
 /**
  * @class   vtkFlowVolume
- * @brief   stream volumes clipped by advection time, with their stream and time surfaces, in one
- * mesh
+ * @brief   extract stream volumes, clipped by advection time, with stream and time surfaces
  *
  * Extracts the region { x : lower <= Inflow(x) <= upper, start <= AdvectionTime(x) <= end } of an
- * implicit flow field (C. Zhang, dissertation, Ohio State 2006, sections 4.5 and 4.5.4, equation
- * 4.1), by the tables of vtkIntervalVolume for Inflow and again for time. Nothing is advected:
- * other intervals cost both extractions, other times alone only the second one. A bound that cuts
- * nothing costs none, but for one extraction that makes tetrahedra of the cells where nothing cuts
- * at all.
+ * implicit flow field as tetrahedra, with the tables of vtkIntervalVolume. The filter computes no
+ * streamlines. It extracts by Inflow first, then by time; a changed time range repeats only the
+ * second extraction. Documentation/methods/flow-volumes.md explains how cells are cut at
+ * termination surfaces and behind obstacles, and the errors and limits.
  *
- * **Nothing is interpolated** between samples of different status or TerminationId, or across a
- * seam that the mapping does not continue over: such cells are left out and counted (GetReport).
- * Across a seam that it does continue over (InflowPeriodic; all seams where the input has no
- * Inflow) parameters are unwrapped, so that TerminationUV goes on above 1 there, on points of their
- * own; not in polyhedra, which are left out there. A cell is taken to lie across a seam where its
- * parameters differ by more than half a period.
+ * Input: vtkImageData, vtkRectilinearGrid, vtkStructuredGrid or vtkUnstructuredGrid with the arrays
+ * of vtkFlowStatus (TerminationSide is optional), and with Inflow from vtkInflowMapping if there
+ * are intervals or stream surfaces. Without intervals, all values of Inflow are extracted.
  *
- * Time is not interpolated where it jumps on a termination surface that streamlines come back to,
- * as TerminationSide tells; where streamlines leave both sides for the surface, as where it is the
- * middle of a source, time is 0 from both sides and does not jump.
+ * Skipped cells, most of which the report counts:
+ * - Cells with corners of different FlowStatus or TerminationId, and cells on a seam where the
+ *   mapping is discontinuous. A cell is on a seam if its parameters differ by more than half a
+ *   period. On other seams (InflowPeriodic; all seams without Inflow) parameters are unwrapped on
+ *   duplicated points and exceed 1. Polyhedra on seams are skipped.
+ * - Cells in which time jumps on a termination surface. If the input has far-side samples, such
+ *   cells, and cells whose corners differ only because a surface crosses them, are cut at the
+ *   surface, and each side is extracted separately.
+ * - Cells that contain the boundary edge of a surface, two surfaces, or a separatrix. Use
+ *   vtkImplicitFlowField::SetRefinementLevels for these.
+ * - Lower-dimensional, hidden and ghost cells, and cells with NaN in a required Inflow.
  *
- * **Cells are cut at the surface** where time jumps so, and where their corners have different
- * answers, or none, only because a termination surface passes through them: each side is extracted
- * by itself up to the surface, where time is 0 or what it is behind. Values go on to the surface as
- * the streamlines do that vtkImplicitFlowField has followed for that (vtkFlowStatus::BeyondPrefix);
- * where these leave the field or just miss the surface they stay those of a corner, off by up to
- * what they change in a cell. The surface is where the distance and its gradients at the corners
- * have it, to fourth order along an edge, and flat between edges: of a ball of radius 4.3 cells 1.1
- * % of the volume are missing, beside a plane nothing. Cells that hold the rim of a surface, or two
- * surfaces, or whose corners on one side differ too, as at separatrices, are left out;
- * RefinementLevels of vtkImplicitFlowField are for these. So are all such cells where Inflow is not
- * made by vtkInflowMapping.
+ * Output port 0: tetrahedra with the input's arrays except TerminationSide, and the cell arrays
+ * `IntervalId` (int: interval of Inflow; 0 without intervals) and `TimeIntervalId` (int: the
+ * TimeSurfaceId at the lower end of the cell's times). Stream and time surfaces are faces of
+ * tetrahedra, so no cell lies on both sides of one.
  *
- * **Behind obstacles.** If the field has hidden cells or points, or vectors that are not finite,
- * cells only some of whose corners reach a surface are cut at the boundary of what reaches it,
- * which vtkImplicitFlowField has located on the edges of such cells. The boundary is flat between
- * edges. Cells whose corners reach two surfaces are left out. Inflow is linear along the edges of
- * these cells too: next to the boundary tubes narrower than two cells of samples have several
- * percent too little volume, which finer samples or RefinementLevels mend.
+ * Output port 1: triangles of stream surfaces, at the interval bounds and at StreamSurfaces. Cell
+ * arrays: `StreamSurfaceId` (int: index of the surface's value in the ascending list of all values)
+ * and `Inflow` (double: the value). Output port 2: triangles of time surfaces, at start, end and
+ * TimeSurfaces. Cell array: `TimeSurfaceId` (int: index of the surface's time in the ascending list
+ * of all times, including times outside the range). Ports 1 and 2 share the points of port 0. Each
+ * triangle occurs once and faces against the gradient of Inflow or AdvectionTime. With
+ * GenerateNormals, point normals `Normals` (float) point against that gradient too.
  *
- * Surfaces that lie between the corners of a cell without parting them, as a box thinner than a
- * cell, are not found; nor are the sheets of streamlines that just miss a surface's rim, behind
- * which others take another turn. MaximumTimeJump is for these.
+ * All ports have the input's field arrays. The active scalars are Inflow, or AdvectionTime without
+ * Inflow. The output is identical for any number of threads. Cells cut at a surface next to a piece
+ * boundary may differ slightly from those of the whole dataset. The filter retains its extractions
+ * between executions.
  *
- * Input: vtkImageData, rectilinear, structured or unstructured grids with the arrays of
- * vtkFlowStatus (TerminationSide may be missing), and of vtkInflowMapping where there are intervals
- * or stream surfaces. Without intervals all of Inflow counts (a time volume needs no mapping).
- * Cells of fewer dimensions, cells that are hidden or ghosts, and cells with NaN in Inflow, where
- * it counts, are left out too.
+ * Warnings (vtkWarningMacro, not if one of several pieces is requested): an interval or the time
+ * range outside the range of the input; an empty volume, with the reasons; GenerateStreamSurfaces
+ * without any value or interval.
  *
- * Output port 0: tetrahedra with the point arrays of the input but TerminationSide, its cell
- * arrays, and the cell arrays `IntervalId` (int), the interval of Inflow (0 without), and
- * `TimeIntervalId` (int), the TimeSurfaceId of the surface at the lower end of the cell's times.
- * Stream and time surfaces are faces of tetrahedra, so that no cell lies on both sides of one.
- * Other arrays are as vtkIntervalVolume leaves them.
- *
- * Output port 1: triangles of stream surfaces: the bounds of the intervals and StreamSurfaces. Cell
- * arrays `StreamSurfaceId` (int: the place of its value among all of these, ascending), `Inflow`
- * (double: the value). Output port 2: triangles of time surfaces: start, end and TimeSurfaces, cell
- * array `TimeSurfaceId` (int: the place of its time among all of these, ascending, those outside of
- * the range too). Both share the points of port 0, with their ids and arrays; a triangle is there
- * once, and faces against the gradient of what it is a level set of. Point normals `Normals`
- * (float) when GenerateNormals is on: against that gradient, from the tetrahedra; 0 at points of no
- * triangle. All ports have the field arrays of the input.
- *
- * Inflow, or AdvectionTime where there is none, is left as the active scalars of all ports.
- *
- * Warnings (vtkWarningMacro), but for pieces, of which others may have something: an interval or
- * the time range outside of what the input has, with that range; an empty volume, with what became
- * of the cells; stream surfaces without a value.
- *
- * The output is the same for any number of threads. In pieces, cells that are cut at a surface may
- * go on to it from other neighbours than in the whole: volumes differ by up to 0.24 % in the tests.
- * Between executions the filter holds on to the input's arrays and to the result of each
- * extraction.
- *
- * Errors (vtkErrorMacro, empty outputs): arrays that are missing or of the wrong shape, lower >
- * upper, start > end, bounds that are not finite, more than 10000 intervals between surfaces,
- * global ids that are not one integer for each point.
+ * Errors (vtkErrorMacro, empty outputs): missing arrays, or wrong numbers of components; lower >
+ * upper, start > end or non-finite bounds; more than 10000 intervals between surfaces; invalid
+ * global ids.
  *
  * @sa vtkImplicitFlowField vtkInflowMapping vtkStreamSurfaceParameters
  */
@@ -119,8 +89,8 @@ public:
 
   ///@{
   /**
-   * The intervals of Inflow: lower <= upper, both finite. Default none, which takes every cell that
-   * has an answer. Valid number: 0 to 10000.
+   * Intervals of Inflow: lower <= upper, both finite. Default: none, which selects all cells with a
+   * result. Valid number: 0 to 10000; clamped.
    */
   void SetNumberOfIntervals(int number);
   int GetNumberOfIntervals() const { return this->Intervals.GetNumber(); }
@@ -130,8 +100,9 @@ public:
 
   ///@{
   /**
-   * The times that the volume is clipped to. Default 0 to VTK_DOUBLE_MAX, which clips nothing; nor
-   * does a start below 0, or without TimeSurfaces an end from the largest time of the input on.
+   * Time range to which the volume is clipped, in units of AdvectionTime. A start of 0 or less does
+   * not clip. Without TimeSurfaces, an end at or above the largest time of the input does not clip
+   * either. Default: 0 to VTK_DOUBLE_MAX.
    */
   vtkSetVector2Macro(TimeRange, double);
   vtkGetVector2Macro(TimeRange, double);
@@ -139,8 +110,9 @@ public:
 
   ///@{
   /**
-   * The most that AdvectionTime may differ between the corners of a cell; other cells are left out.
-   * Default 0: no limit. Valid: 0 and above.
+   * Maximum difference of AdvectionTime between the corners of a cell. Cells that exceed it are
+   * skipped. Use it for surfaces that the samples do not resolve. Default: 0 (no limit). Valid: 0
+   * and above; clamped.
    */
   vtkSetClampMacro(MaximumTimeJump, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumTimeJump, double);
@@ -148,10 +120,10 @@ public:
 
   ///@{
   /**
-   * Values of Inflow and advection times of further surfaces inside the volume; values outside of
-   * it give no surface. New values are 0. Default none. Valid numbers: 0 to 10000. SetStreamSurface
-   * and SetTimeSurface add surfaces where there are fewer; the Get functions give 0 where there is
-   * none.
+   * Inflow values and advection times of additional surfaces inside the volume. Values outside the
+   * volume produce no surface. Values not yet set are 0. Default: none. Valid numbers: 0 to 10000;
+   * clamped. SetStreamSurface and SetTimeSurface add surfaces as needed. The Get functions return 0
+   * for an invalid index.
    */
   void SetNumberOfStreamSurfaces(int number);
   int GetNumberOfStreamSurfaces() const { return static_cast<int>(this->StreamSurfaces.size()); }
@@ -165,8 +137,8 @@ public:
 
   ///@{
   /**
-   * Whether port 1 carries its triangles, whether port 2 does, and whether they have normals.
-   * Default off, off, off.
+   * Create the stream surfaces (port 1), the time surfaces (port 2), and point normals on both.
+   * Default: off, off, off.
    */
   vtkSetMacro(GenerateStreamSurfaces, bool);
   vtkGetMacro(GenerateStreamSurfaces, bool);
@@ -181,8 +153,8 @@ public:
 
   ///@{
   /**
-   * Whether TerminationUV is the active texture coordinates of the outputs, which shows a texture
-   * laid on the termination surface and carried by the flow. Default off.
+   * If true, TerminationUV becomes the active texture coordinates of the outputs. A texture then
+   * appears as if painted on the termination surface and advected by the flow. Default: off.
    */
   vtkSetMacro(ParametersAsTextureCoordinates, bool);
   vtkGetMacro(ParametersAsTextureCoordinates, bool);
@@ -191,24 +163,26 @@ public:
 
   ///@{
   /**
-   * The precision of the output points, as in vtkIntervalVolume. Default DEFAULT_PRECISION: that of
-   * the input's points; float for image data.
+   * Precision of the output points, as in vtkIntervalVolume. Default: DEFAULT_PRECISION (the
+   * precision of the input's points; float for image data). Valid: SINGLE_PRECISION to
+   * DEFAULT_PRECISION; clamped.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
   ///@}
 
   /**
-   * Returns what the last execution did:
+   * Return the report of the last execution:
    * - Cells: cells of the input,
-   * - CellsWithoutResult: cells with a corner that reached no surface,
-   * - CellsBetweenSurfaces: cells with corners of different surfaces,
-   * - CellsOnSeams: cells on a seam that the mapping does not continue over,
-   * - CellsAcrossSurfaces: cells across their own termination surface, where time jumps,
-   * - CellsWithTimeJumps: other cells in which time jumps by more than MaximumTimeJump,
-   * - CellsCut: cells without a result, between surfaces or across one that were cut there,
-   * - CellsAroundPoles: cells whose parameters are wrong, since no unwrapping brings their corners
-   *   within half a period.
+   * - CellsWithoutResult: cells with a corner whose streamline reached no surface,
+   * - CellsBetweenSurfaces: cells whose corners' streamlines reached different surfaces,
+   * - CellsOnSeams: cells on a seam where the mapping is discontinuous,
+   * - CellsAcrossSurfaces: cells crossed by the surface that their streamlines reach, so that time
+   *   jumps,
+   * - CellsWithTimeJumps: other cells in which time changes by more than MaximumTimeJump,
+   * - CellsCut: cells counted as CellsWithoutResult, CellsBetweenSurfaces or CellsAcrossSurfaces
+   *   that were cut at a surface instead of skipped,
+   * - CellsAroundPoles: cells whose parameters cannot be unwrapped to within half a period.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
@@ -227,8 +201,8 @@ private:
   interlume::Error CheckParameters(vtkDataSet* input, bool usesInflow) const;
   void SetNumberOfSurfaces(std::vector<double>& values, int number);
   void SetSurface(std::vector<double>& values, int i, double value);
-  /// Returns which part of the volume is missing, and what the input has; nothing where nothing is
-  /// missing.
+  /// Returns a warning that names the missing part of the volume and the range of the input, or an
+  /// empty string if nothing is missing.
   std::string DescribeMissing(vtkDataSet* input, const interlume::ImplicitFlowArrays& arrays,
     vtkUnstructuredGrid* mesh, const interlume::FlowVolumeReport& report) const;
   /// Fills port 0 from the last extraction.

@@ -6,10 +6,10 @@
 
 /**
  * @class   vtkFlowVolumeSettings
- * @brief   what vtkFlowVolume can be told besides intervals and surfaces, with its defaults
+ * @brief   settings of vtkFlowVolume except intervals and surfaces, with their defaults
  *
- * The filter is made of them, so that VTK's macros for setters serve them, and hands them on as a
- * whole. Each is documented at its setter there.
+ * The filter inherits from this struct, so that VTK's setter macros work and the settings can be
+ * passed on together. See the setters of vtkFlowVolume for their meaning.
  *
  * @sa vtkFlowVolume
  */

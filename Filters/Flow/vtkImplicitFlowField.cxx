@@ -12,10 +12,10 @@
 #include "Numerics/SpeedScale.h"
 #include "Samples/ImplicitFlowRun.h"
 #include "Samples/OutputPiece.h"
-#include "Samples/RankSamples.h"
+#include "Samples/DistributedSamples.h"
 #include "Samples/SampleGrid.h"
 #include "Streams/FlowReport.h"
-#include "Streams/RankField.h"
+#include "Streams/DistributedField.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataArray.h"
@@ -52,7 +52,7 @@ bool IsEmpty(const double bounds[6])
   return !(bounds[0] <= bounds[1] && bounds[2] <= bounds[3] && bounds[4] <= bounds[5]);
 }
 
-/// Returns whether streamlines of a direction end by themselves at a critical point of this type.
+/// Returns true if streamlines of this direction end at a critical point of this type.
 bool IsEnd(int type, bool isBackward)
 {
   return isBackward
@@ -60,8 +60,8 @@ bool IsEnd(int type, bool isBackward)
     : type == vtkFlowCriticalPoints::SINK || type == vtkFlowCriticalPoints::SPIRAL_SINK;
 }
 
-/// Returns whether data are a grid of rows of cells.
-bool HasRows(vtkDataObject* data)
+/// Returns true for image data, and rectilinear or structured grids.
+bool IsStructured(vtkDataObject* data)
 {
   return vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data) ||
     vtkStructuredGrid::SafeDownCast(data);
@@ -130,9 +130,9 @@ int vtkImplicitFlowField::GetUsedSurfaceId(int i) const
 
 void vtkImplicitFlowField::SetSampleDimensions(int x, int y, int z)
 {
-  constexpr int most = 100000;
-  const int dimensions[3] = { std::clamp(x, 1, most), std::clamp(y, 1, most),
-    std::clamp(z, 1, most) };
+  constexpr int maximum = 100000;
+  const int dimensions[3] = { std::clamp(x, 1, maximum), std::clamp(y, 1, maximum),
+    std::clamp(z, 1, maximum) };
   if (!std::equal(dimensions, dimensions + 3, this->SampleDimensions))
   {
     std::copy_n(dimensions, 3, this->SampleDimensions);
@@ -187,10 +187,10 @@ vtkMultiProcessController* vtkImplicitFlowField::GetController() const
 
 void vtkImplicitFlowField::SetCheckpointFileName(const char* name)
 {
-  const std::string given = name ? name : "";
-  if (given != this->CheckpointFileName)
+  const std::string newName = name ? name : "";
+  if (newName != this->CheckpointFileName)
   {
-    this->CheckpointFileName = given;
+    this->CheckpointFileName = newName;
     this->Modified();
   }
 }
@@ -229,14 +229,14 @@ int vtkImplicitFlowField::RequestDataObject(
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkDataSet* output = vtkDataSet::GetData(outputs);
-  vtkSmartPointer<vtkDataSet> made = this->MakeSamples(inputs);
+  vtkSmartPointer<vtkDataSet> samples = this->MakeSamples(inputs);
   if (this->RefinementLevels > 0)
   {
-    made = vtkSmartPointer<vtkUnstructuredGrid>::New();
+    samples = vtkSmartPointer<vtkUnstructuredGrid>::New();
   }
-  if (!output || output->GetDataObjectType() != made->GetDataObjectType())
+  if (!output || output->GetDataObjectType() != samples->GetDataObjectType())
   {
-    info->Set(vtkDataObject::DATA_OBJECT(), made);
+    info->Set(vtkDataObject::DATA_OBJECT(), samples);
   }
   return 1;
 }
@@ -262,7 +262,7 @@ int vtkImplicitFlowField::RequestInformation(
   vtkInformation* info = outputs->GetInformationObject(0);
   if (this->RefinementLevels > 0)
   {
-    // Pieces are asked for, and what was asked for before is not handed on to the inputs.
+    // The output is unstructured. Extents from earlier requests must not be passed to the inputs.
     info->Remove(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT());
     info->Remove(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT());
     info->Remove(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT());
@@ -304,20 +304,22 @@ int vtkImplicitFlowField::RequestUpdateExtent(
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* field = inputs[0]->GetInformationObject(0);
   interlume::Error error;
-  const bool isInParts = this->IsInParts(inputs, outputs, error) && !this->IsPartitionErrorKnown();
-  // The pipeline splits the extent by the numbers of the piece.
+  const bool isDistributed =
+    this->IsDistributed(inputs, outputs, error) && !this->IsPartitionErrorKnown();
+  // The pipeline splits the extent by piece number and number of pieces.
   if (field->Has(Pipeline::WHOLE_EXTENT()))
   {
     field->Set(Pipeline::UPDATE_EXTENT(), field->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
-  // Samples at the field's own points may be wanted beyond the part, with their arrays.
+  // Ghost levels: samples at the field's points may be requested outside the partition, with their
+  // arrays.
   const int levels =
     outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
   field->Set(
-    Pipeline::UPDATE_PIECE_NUMBER(), isInParts ? this->Controller->GetLocalProcessId() : 0);
-  field->Set(
-    Pipeline::UPDATE_NUMBER_OF_PIECES(), isInParts ? this->Controller->GetNumberOfProcesses() : 1);
-  const bool needsLayer = isInParts && HasRows(field->Get(vtkDataObject::DATA_OBJECT()));
+    Pipeline::UPDATE_PIECE_NUMBER(), isDistributed ? this->Controller->GetLocalProcessId() : 0);
+  field->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(),
+    isDistributed ? this->Controller->GetNumberOfProcesses() : 1);
+  const bool needsLayer = isDistributed && IsStructured(field->Get(vtkDataObject::DATA_OBJECT()));
   field->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), needsLayer ? std::max(1, levels) : 0);
   if (inputs[1]->GetNumberOfInformationObjects() == 0)
   {
@@ -335,14 +337,14 @@ int vtkImplicitFlowField::RequestUpdateExtent(
   }
   else if (samples->Has(Pipeline::WHOLE_EXTENT()))
   {
-    // The update extent of the output, which the pipeline has set, need not be within the whole
-    // extent of the samples.
+    // The pipeline has set the update extent of the output, which may exceed the whole extent of
+    // the samples.
     samples->Set(Pipeline::UPDATE_EXTENT(), samples->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
   return 1;
 }
 
-bool vtkImplicitFlowField::IsInParts(
+bool vtkImplicitFlowField::IsDistributed(
   vtkInformationVector** inputs, vtkInformationVector* outputs, interlume::Error& error) const
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -356,28 +358,28 @@ bool vtkImplicitFlowField::IsInParts(
   const auto isPlacedByVectors = [](const auto& surface) { return surface->IsPlacedByVectors(); };
   if (!interlume::RankExchange::IsPossible(this->Controller))
   {
-    error = "VTK has no DIY for these processes";
+    error = "VTK has no DIY module for these processes";
   }
   else if (output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) !=
       this->Controller->GetNumberOfProcesses() ||
     output->Get(Pipeline::UPDATE_PIECE_NUMBER()) != this->Controller->GetLocalProcessId())
   {
-    error = "the pieces that are asked for are not those of the processes";
+    error = "the requested pieces do not match the processes";
   }
-  else if (HasRows(data) &&
+  else if (IsStructured(data) &&
     !(field->Has(Pipeline::WHOLE_EXTENT()) &&
-      interlume::FieldPart::HasCells(field->Get(Pipeline::WHOLE_EXTENT()))))
+      interlume::FieldPartition::HasCells(field->Get(Pipeline::WHOLE_EXTENT()))))
   {
-    error = "it has no extent of three dimensions";
+    error = "its extent is not three-dimensional";
   }
-  else if (this->CriticalPointSpheres || this->ShareStreamlines)
+  else if (this->CriticalPointSpheres || this->InterpolateStreamlines)
   {
-    error = this->CriticalPointSpheres ? "critical points are looked for in it"
-                                       : "samples may share streamlines";
+    error =
+      this->CriticalPointSpheres ? "CriticalPointSpheres is on" : "InterpolateStreamlines is on";
   }
   else if (std::any_of(this->Surfaces.begin(), this->Surfaces.end(), isPlacedByVectors))
   {
-    error = "a termination surface is placed by its vectors";
+    error = "a termination surface is placed by the vectors";
   }
   return !error;
 }
@@ -403,11 +405,11 @@ struct vtkImplicitFlowField::Execution
   interlume::AdvectionOptions Options;
 
   interlume::Error Error;
-  /// The error for which each of several processes has the whole field.
+  /// Reason why each of several processes holds the whole field.
   interlume::Error PartitionError;
-  /// Null unless processes hold parts of the field.
-  std::unique_ptr<interlume::RankField> Ranks;
-  /// The whole field, perhaps without arrays, and the data that this process has of it.
+  /// Null unless the field is distributed.
+  std::unique_ptr<interlume::DistributedField> Ranks;
+  /// The whole field, possibly without arrays, and the data that this process holds.
   vtkSmartPointer<vtkDataSet> Field;
   vtkSmartPointer<vtkDataSet> Data;
   vtkDataArray* Vectors = nullptr;
@@ -416,13 +418,13 @@ struct vtkImplicitFlowField::Execution
   interlume::FlowReport Report;
 
   vtkInformation* GetOutputInformation() const { return this->Outputs->GetInformationObject(0); }
-  /// Returns the first process's error if any process has one.
-  interlume::Error Unite(const interlume::Error& error) const
+  /// Returns the error of the first process with an error.
+  interlume::Error Combine(const interlume::Error& error) const
   {
     return this->Ranks ? this->Ranks->GetExchange().FindFirst(error) : error;
   }
-  /// Returns whether streamlines need the whole field, as is seen from its parts.
-  bool NeedsWhole() const { return this->Ranks && this->Ranks->GetPartitionError(); }
+  /// Returns true if the partitions show that the field cannot be distributed.
+  bool NeedsWholeField() const { return this->Ranks && this->Ranks->GetPartitionError(); }
   vtkIdType GetNumberOfPoints() const
   {
     return this->Ranks ? this->Ranks->GetNumberOfPoints() : this->Field->GetNumberOfPoints();
@@ -436,7 +438,7 @@ int vtkImplicitFlowField::RequestData(
   execution.Report.Executions = this->Executions;
   execution.Report.CopyTo(this->Report);
   this->UsedSurfaces.clear();
-  // Image data keep their active scalars from one execution to the next.
+  // Image data retain their active scalars between executions.
   execution.Output->Initialize();
   Outcome outcome = Outcome::COMPLETE;
   for (const auto step : { &vtkImplicitFlowField::CheckInput, &vtkImplicitFlowField::FindField,
@@ -449,60 +451,61 @@ int vtkImplicitFlowField::RequestData(
 
 vtkImplicitFlowField::Outcome vtkImplicitFlowField::CheckInput(Execution& execution)
 {
-  const bool isInParts =
-    this->IsInParts(execution.Inputs, execution.Outputs, execution.PartitionError);
-  if (isInParts && this->IsAskedForWhole(execution.Request, execution.PartitionError))
+  const bool isDistributed =
+    this->IsDistributed(execution.Inputs, execution.Outputs, execution.PartitionError);
+  if (isDistributed && this->MustRequestWholeField(execution.Request, execution.PartitionError))
   {
     return Outcome::EMPTY;
   }
   execution.Error = this->CheckBlocks(execution.Input);
-  if (isInParts && !execution.PartitionError)
+  if (isDistributed && !execution.PartitionError)
   {
     vtkInformation* info = execution.Inputs[0]->GetInformationObject(0);
-    execution.Ranks = std::make_unique<interlume::RankField>(this->Controller,
-      HasRows(info->Get(vtkDataObject::DATA_OBJECT()))
+    execution.Ranks = std::make_unique<interlume::DistributedField>(this->Controller,
+      IsStructured(info->Get(vtkDataObject::DATA_OBJECT()))
         ? info->Get(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT())
         : nullptr);
     execution.Error =
-      execution.Unite(execution.Input.HasFlatBlocks() ? interlume::Error() : execution.Error);
+      execution.Combine(execution.Input.HasFlatBlocks() ? interlume::Error() : execution.Error);
   }
   return execution.Error ? Outcome::FAILED : Outcome::COMPLETE;
 }
 
 vtkImplicitFlowField::Outcome vtkImplicitFlowField::FindField(Execution& execution)
 {
-  interlume::RankField* ranks = execution.Ranks.get();
+  interlume::DistributedField* ranks = execution.Ranks.get();
   execution.Field = ranks ? execution.Input.MakePart() : execution.Input.MakeField();
   execution.Data = execution.Field;
   if (ranks)
   {
-    execution.Error = ranks->SetData(execution.Field, interlume::SampleGrid::MostPoints,
+    execution.Error = ranks->SetData(execution.Field, interlume::SampleGrid::MaximumPoints,
       interlume::FieldInput::IsComposite(vtkDataObject::GetData(execution.Inputs[0], 0)));
-    if (execution.Error || execution.NeedsWhole())
+    if (execution.Error || execution.NeedsWholeField())
     {
-      return execution.Error ? Outcome::FAILED : Outcome::NEEDS_WHOLE;
+      return execution.Error ? Outcome::FAILED : Outcome::NEEDS_WHOLE_FIELD;
     }
-    execution.Field = ranks->GetWhole();
+    execution.Field = ranks->GetFullGrid();
     execution.Data = ranks->GetData();
   }
   if (execution.Field && execution.Field->GetNumberOfPoints() > 0)
   {
     return Outcome::COMPLETE;
   }
-  // A piece of several may have none.
-  if (interlume::OutputPiece::IsWhole(execution.GetOutputInformation()))
+  // One piece of several may be empty.
+  if (interlume::OutputPiece::IsEntireOutput(execution.GetOutputInformation()))
   {
-    vtkWarningMacro("The output is empty: the input has no points.");
+    vtkWarningMacro(
+      "The output is empty: the input has no points. Pass a vtkDataSet with vectors.");
   }
   return Outcome::EMPTY;
 }
 
 vtkImplicitFlowField::Outcome vtkImplicitFlowField::PrepareSamples(Execution& execution)
 {
-  interlume::RankField* ranks = execution.Ranks.get();
+  interlume::DistributedField* ranks = execution.Ranks.get();
   const bool isSampled = this->SampleMode == SAMPLES_OF_IMAGE ||
     (this->SampleMode == SAMPLES_AUTOMATIC &&
-      execution.GetNumberOfPoints() > interlume::SampleGrid::MostPoints);
+      execution.GetNumberOfPoints() > interlume::SampleGrid::MaximumPoints);
   execution.Options.SamplingChecks = isSampled ? this->SamplingChecks : 0;
   execution.Samples = execution.Output;
   if (this->RefinementLevels > 0)
@@ -516,14 +519,14 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::PrepareSamples(Execution& ex
     execution.Error = interlume::FieldVectors::CheckVectors(
       execution.Data, execution.Vectors, association, this->GetInputArrayInformation(0));
   }
-  execution.Error = execution.Unite(execution.Error);
+  execution.Error = execution.Combine(execution.Error);
   if (execution.Error)
   {
     return Outcome::FAILED;
   }
   execution.Error =
     this->SetSamples(execution).Then([&] { return this->PlaceSurfaces(execution); });
-  // Each process reports its own error.
+  // Each process reports its error.
   const bool hasError(execution.Error);
   return (ranks ? ranks->GetExchange().IsAnywhere(hasError) : hasError) ? Outcome::FAILED
                                                                         : Outcome::COMPLETE;
@@ -531,7 +534,7 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::PrepareSamples(Execution& ex
 
 vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& execution)
 {
-  this->SetProgressText("Following the streamline of every sample");
+  this->SetProgressText("Advecting samples");
   const bool wasAborted = this->GetAbortExecute();
   if (this->CriticalPointSpheres)
   {
@@ -546,9 +549,9 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& exe
   this->OpenCheckpoint(execution);
   run.SetCheckpoint(execution.Checkpoint.get());
   execution.Error = run.Execute(execution.Samples);
-  if (execution.NeedsWhole())
+  if (execution.NeedsWholeField())
   {
-    return Outcome::NEEDS_WHOLE;
+    return Outcome::NEEDS_WHOLE_FIELD;
   }
   execution.Report = run.GetReport();
   this->Mesh = run.GetMesh();
@@ -569,14 +572,14 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FollowSamples(Execution& exe
 
 int vtkImplicitFlowField::Finish(Execution& execution, Outcome outcome)
 {
-  if (outcome != Outcome::NEEDS_WHOLE && execution.Error)
+  if (outcome != Outcome::NEEDS_WHOLE_FIELD && execution.Error)
   {
     vtkErrorMacro(<< execution.Error);
   }
-  if (outcome == Outcome::NEEDS_WHOLE)
+  if (outcome == Outcome::NEEDS_WHOLE_FIELD)
   {
     this->UsedSurfaces.clear();
-    this->AskForWhole(execution.Request, execution.Ranks->GetPartitionError());
+    this->RequestWholeField(execution.Request, execution.Ranks->GetPartitionError());
   }
   if (outcome != Outcome::COMPLETE)
   {
@@ -592,7 +595,7 @@ int vtkImplicitFlowField::Finish(Execution& execution, Outcome outcome)
   execution.Report.CopyTo(this->Report);
   execution.Output->GetPointData()->SetActiveScalars(vtkFlowStatus::TimeArray());
   if (execution.Report.Samples > 0 &&
-    interlume::OutputPiece::IsWhole(execution.GetOutputInformation()))
+    interlume::OutputPiece::IsEntireOutput(execution.GetOutputInformation()))
   {
     this->WarnOfField(execution.Report, execution.Vectors ? execution.Vectors->GetName() : nullptr);
     this->WarnIfNoneReached(execution.Report);
@@ -602,7 +605,7 @@ int vtkImplicitFlowField::Finish(Execution& execution, Outcome outcome)
 
 bool vtkImplicitFlowField::IsPartitionErrorKnown()
 {
-  return this->IsAskingAgain ||
+  return this->IsRequestingWholeField ||
     (!this->PartitionError.empty() && this->PartitionErrorTime == this->GetInputTime());
 }
 
@@ -612,32 +615,32 @@ vtkMTimeType vtkImplicitFlowField::GetInputTime()
   return executive ? executive->GetPipelineMTime() : 0;
 }
 
-bool vtkImplicitFlowField::IsAskedForWhole(vtkInformation* request, interlume::Error& error)
+bool vtkImplicitFlowField::MustRequestWholeField(vtkInformation* request, interlume::Error& error)
 {
   request->Remove(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
-  if (this->IsAskingAgain)
+  if (this->IsRequestingWholeField)
   {
-    this->IsAskingAgain = false;
+    this->IsRequestingWholeField = false;
     error = this->PartitionError;
     return false;
   }
-  // A process whose input has changed does not have the error any more.
+  // A process whose input was modified no longer knows the error.
   const bool isKnown = this->IsPartitionErrorKnown();
   interlume::RankExchange exchange(this->Controller);
   error = exchange.FindFirst(isKnown ? this->PartitionError : std::string());
   if (error && !isKnown)
   {
-    this->AskForWhole(request, error);
+    this->RequestWholeField(request, error);
     return true;
   }
   return false;
 }
 
-void vtkImplicitFlowField::AskForWhole(vtkInformation* request, const interlume::Error& error)
+void vtkImplicitFlowField::RequestWholeField(vtkInformation* request, const interlume::Error& error)
 {
   this->PartitionError = error.GetMessage();
   this->PartitionErrorTime = this->GetInputTime();
-  this->IsAskingAgain = true;
+  this->IsRequestingWholeField = true;
   request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
 }
 
@@ -665,11 +668,11 @@ void vtkImplicitFlowField::WarnOfField(const interlume::FlowReport& report, cons
   if (report.NonconformingFaces > 0)
   {
     vtkWarningMacro("Streamlines end at " << report.NonconformingFaces
-                                          << " faces of cells with another cell beyond them, the "
-                                             "first of cell "
+                                          << " cell faces as if they left the domain, the first "
+                                             "of cell "
                                           << report.FirstNonconformingCell
-                                          << ", as if they left the domain: that cell has no face "
-                                             "with the same corners.");
+                                          << ": the cell behind such a face has no face with the "
+                                             "same points.");
   }
   if (report.FillValues > 0 && !(this->MaximumError > 0.0 && this->MinimumSpeed > 0.0))
   {
@@ -677,7 +680,7 @@ void vtkImplicitFlowField::WarnOfField(const interlume::FlowReport& report, cons
       report.SpeedScale };
     vtkWarningMacro(<< fill.Describe(vectors,
                       "The automatic MaximumError and MinimumSpeed ignore them, but streamlines in "
-                      "cells with such points follow them."));
+                      "cells with such points use them."));
   }
   if (report.NonFiniteVectors > 0)
   {
@@ -743,7 +746,7 @@ void vtkImplicitFlowField::SetImageSamples(Execution& execution)
   {
     const double length = bounds[2 * axis + 1] - bounds[2 * axis];
     const int intervals = this->SampleDimensions[axis] - 1;
-    // A single point is in the center.
+    // A single point is at the center of the bounds.
     spacing[axis] = intervals > 0 && length > 0.0 ? length / intervals : 1.0;
     origin[axis] = intervals > 0 ? bounds[2 * axis] : bounds[2 * axis] + 0.5 * length;
   }
@@ -771,18 +774,20 @@ interlume::Error vtkImplicitFlowField::SetSamples(Execution& execution)
     samples = vtkDataSet::GetData(execution.Inputs[1]);
     if (!samples)
     {
-      return "The samples are those of input port 1, and nothing is connected there.";
+      return "SampleMode is SAMPLES_OF_INPUT, but input port 1 has no connection. Call "
+             "SetSampleConnection.";
     }
   }
   else
   {
-    interlume::RankField* ranks = execution.Ranks.get();
+    interlume::DistributedField* ranks = execution.Ranks.get();
     vtkSmartPointer<vtkDataSet> points = execution.Field;
     if (this->SampleMode == SAMPLES_AUTOMATIC &&
-      execution.GetNumberOfPoints() > interlume::SampleGrid::MostPoints)
+      execution.GetNumberOfPoints() > interlume::SampleGrid::MaximumPoints)
     {
-      points = ranks && !vtkImageData::SafeDownCast(points) ? interlume::RankSamples::Make(*ranks)
-                                                            : interlume::SampleGrid::Make(points);
+      points = ranks && !vtkImageData::SafeDownCast(points)
+        ? interlume::DistributedSamples::Make(*ranks)
+        : interlume::SampleGrid::Make(points);
     }
     else if (ranks)
     {
@@ -843,14 +848,14 @@ interlume::Error vtkImplicitFlowField::PlaceSurfaces(Execution& execution)
 {
   if (this->Surfaces.empty() && !this->DomainFaces && !this->CriticalPointSpheres)
   {
-    return "There is nothing to end at: no termination surface, DomainFaces and "
-           "CriticalPointSpheres are off.";
+    return "Streamlines have no surface to end on. Add a termination surface, or turn on "
+           "DomainFaces or CriticalPointSpheres.";
   }
   for (std::size_t i = 0; i < this->Surfaces.size(); ++i)
   {
     vtkTerminationSurface* surface = this->Surfaces[i];
     interlume::Error error =
-      surface->PlaceIn(execution.Field, execution.Vectors, this->Direction == BACKWARD);
+      surface->InitializeFromField(execution.Field, execution.Vectors, this->Direction == BACKWARD);
     error = error.Then([&] { return surface->Update(); });
     if (error)
     {
@@ -858,15 +863,15 @@ interlume::Error vtkImplicitFlowField::PlaceSurfaces(Execution& execution)
         "Termination surface " + std::to_string(i) + " (" + surface->GetClassName() + "): ");
     }
   }
-  // Automatic ids are those that are free, in the order of the surfaces.
-  std::set<int> taken;
-  const auto isFree = [&taken](int first, int parts)
-  { return taken.lower_bound(first) == taken.lower_bound(first + parts); };
+  // Automatic ids are free ids, in the order of the surfaces.
+  std::set<int> usedIds;
+  const auto isFree = [&usedIds](int first, int parts)
+  { return usedIds.lower_bound(first) == usedIds.lower_bound(first + parts); };
   for (const auto& surface : this->Surfaces)
   {
     for (int part = 0; surface->GetId() >= 0 && part < surface->GetNumberOfParts(); ++part)
     {
-      taken.insert(surface->GetId() + part);
+      usedIds.insert(surface->GetId() + part);
     }
   }
   int next = 0;
@@ -900,7 +905,7 @@ void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, interlume::AdvectionOpt
   vtkNew<vtkFlowCriticalPoints> finder;
   finder->SetInputDataObject(field);
   finder->SetInputArrayToProcess(0, this->GetInputArrayInformation(0));
-  // That a field has no critical points is nothing to warn of here.
+  // A field without critical points does not need a warning here.
   vtkNew<vtkCallbackCommand> silence;
   finder->AddObserver(vtkCommand::WarningEvent, silence);
   finder->Update();
@@ -944,8 +949,8 @@ void vtkImplicitFlowField::PrintSelf(ostream& os, vtkIndent indent)
       { "ComputeMaximumSpeed", this->ComputeMaximumSpeed },
       { "ComputeArcLength", this->ComputeArcLength },
       { "ComputeMeanVorticity", this->ComputeMeanVorticity }, { "MeanArrays", this->MeanArrays },
-      { "ShareStreamlines", this->ShareStreamlines }, { "KeepSteps", this->KeepSteps },
-      { "RefinementLevels", this->RefinementLevels },
+      { "InterpolateStreamlines", this->InterpolateStreamlines },
+      { "StoreStepCounts", this->StoreStepCounts }, { "RefinementLevels", this->RefinementLevels },
       { "CheckpointFileName", this->CheckpointFileName },
       { "CheckpointInterval", this->CheckpointInterval } });
   os << indent << "Report:\n";

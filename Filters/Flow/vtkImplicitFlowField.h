@@ -3,8 +3,9 @@
 #define vtkImplicitFlowField_h
 
 #include "InterlumeFlowModule.h" // for the export macro
+#include "vtkInterlumeDeprecation.h"
 #include "vtkDataSetAlgorithm.h"
-#include "vtkFlowSettings.h"    // for what is set
+#include "vtkFlowSettings.h"    // for the settings
 #include "vtkInterlumeReport.h" // for GetReport()
 #include "vtkNew.h"             // for the report
 #include "vtkSmartPointer.h"    // for the surfaces
@@ -29,119 +30,56 @@ struct FlowReport;
 
 /**
  * @class   vtkImplicitFlowField
- * @brief   every sample of a field advected to a termination surface: which, where and when
+ * @brief   advect every sample of a vector field to a termination surface
  *
- * From each sample the streamline dx/dt = -v(x) (backward) or v(x) (forward) is followed until it
- * reaches a termination surface (C. Zhang, dissertation, Ohio State 2006, section 4.4; J. J. van
- * Wijk, "Implicit stream surfaces", IEEE Visualization 1993). The surface, the place on it and the
- * time, (f,u,v,t), are kept, which is all that stream volumes, stream surfaces, time surfaces and
- * textured flow need: see vtkInflowMapping and vtkFlowVolume.
+ * The filter follows the streamline through each sample, backward or forward, until it reaches a
+ * termination surface. It stores the surface id f, the position (u,v) on the surface and the
+ * advection time t in the arrays of vtkFlowStatus. vtkInflowMapping and vtkFlowVolume then extract
+ * stream volumes, stream surfaces and time surfaces without further advection.
+ * Documentation/methods/implicit-flow.md explains the method, error control, parallel execution and
+ * limits. See Documentation/measurements.md for measured times.
  *
- * Input port 0: the field. vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, or
- * vtkUnstructuredGrid of tetrahedra, voxels, hexahedra, wedges and pyramids; vectors in the points
- * (SetInputArrayToProcess(0,
- * ...), by default the active vectors), three components, any numbers. Between points they are
- * interpolated as in VTK's cells. Cells of fewer dimensions are not part of the field and are
- * counted; where there are no others, as in a plane, the error says how to make some. Ghost, hidden
- * and blanked cells are not part of the field, but for duplicates of pieces. Input port 1,
- * optional: the samples of SAMPLES_OF_INPUT.
+ * Input port 0: the field, as vtkImageData, vtkRectilinearGrid, vtkStructuredGrid,
+ * vtkUnstructuredGrid of tetrahedra, voxels, hexahedra, wedges and pyramids, or a composite dataset
+ * of these. The vectors are a point array with three components: SetInputArrayToProcess(0, ...), by
+ * default the active vectors. They are interpolated in cells as in VTK. Lower-dimensional cells are
+ * skipped and counted. Ghost, hidden and blanked cells are not part of the field, except ghost
+ * cells that duplicate cells of other pieces. Optional input port 1: the samples of
+ * SAMPLES_OF_INPUT.
  *
- * **Blocks.** Port 0 takes composite datasets too, as vtkMultiBlockDataSet, of any of these: one
- * field, streamlines going from block to block where faces have the same corners. Blocks are merged
- * for that to one vtkUnstructuredGrid, without hidden and duplicate cells; points in the same
- * place, to the last bit, become one, with the values of the first block. Every block needs the
- * vectors, by one name; other arrays are kept where all have them. Numbers of different types
- * become doubles. SAMPLES_OF_FIELD gives that grid. Where faces do not fit, as between levels of
- * AMR, the field ends.
+ * The blocks of composite input are merged into one field and must have the vectors under the same
+ * name. Streamlines cross block boundaries where faces have the same points. The field ends at
+ * nonconforming faces, as between AMR levels.
  *
- * **Seams.** Faces of two cells that have the same corners within a thousandth of the cell's width
- * there, and what rounding of the coordinates may be, are one face: between blocks, and where a
- * grid is closed on itself and its last angle is not quite its first. The report has how many are
- * joined so, and by how much. A sample in such a gap is OUTSIDE.
+ * Output: the samples with their point data and the arrays of vtkFlowStatus. Optional point arrays
+ * along the path: MaximumSpeed, ArcLength, MeanVorticity and Mean<name> (double; 0 for samples
+ * OUTSIDE). Field array TerminationSurfaces: the ids in use and their periodic directions. Field
+ * arrays with the prefix vtkFlowStatus::FarSidePrefix: far-side values of samples near a surface.
+ * AdvectionTime becomes the active scalars. The output type is that of the field or of port 1
+ * (vtkUnstructuredGrid for composite data), vtkImageData for SAMPLES_OF_IMAGE, and
+ * vtkUnstructuredGrid with RefinementLevels.
  *
- * Output: the samples, with the point data of their dataset, and the arrays of vtkFlowStatus. By
- * request MaximumSpeed, ArcLength, MeanVorticity and Mean<name> along the path (double; 0 for
- * samples OUTSIDE). Where streamlines come round to a surface again, time jumps on it from 0 to
- * what that takes, within one id: TerminationSide tells. What samples beside a surface would have
- * on its other side is in field arrays (vtkFlowStatus::BeyondPrefix): two short streamlines and one
- * as long as a sample's for each of them, of which there are as many as cells that surfaces pass
- * through. If the field has obstacles (hidden cells or points, vectors that are not finite), the
- * boundary of what reaches a surface is located on the edges of the samples' cells, with six
- * streamlines for each edge; the same arrays have the result. The field array TerminationSurfaces
- * tells the ids and what is periodic. Where the samples are the field's own points or port 1's, the
- * output has their type (vtkUnstructuredGrid for composite data); an image of samples is
- * vtkImageData, so the type of the output follows SampleMode, and RefinementLevels.
+ * Rules:
+ * - On a surface to which streamlines return, AdvectionTime jumps: it is 0 on one side.
+ *   TerminationSide marks the sides.
+ * - On no-slip walls samples stagnate, and streamlines close to such walls stagnate when their
+ *   speed falls below MinimumSpeed. Make the wall a termination surface to get values there.
+ * - The filter requests all of port 0 for any output piece, because streamlines may visit all of
+ *   it. If each process requests its own piece, the field stays distributed, and streamlines move
+ *   between processes (VTK's DIY). Then all processes must execute together, and an abort in one
+ *   process aborts all processes.
+ * - The output is identical for any number of threads and processes.
+ * - With CheckpointFileName, an aborted or killed execution resumes from its finished streamlines.
  *
- * **Method.** A streamline is followed from cell to cell in the cell's own coordinates, where the
- * interpolated field is smooth: the kinks at faces are never within a step, and the method keeps
- * its order. A step that goes on beyond the face is cut there by its dense output. So is a step
- * that crosses a surface. Tests with the signed distance are made only when the streamline can have
- * gone as far.
+ * Warnings (vtkWarningMacro, not if one of several pieces is requested): no points; no sample
+ * reached a surface; nonconforming faces; vectors that look like fill values, or are NaN or
+ * infinite. Also for single pieces: a checkpoint that cannot be used or written.
  *
- * **Error.** Steps are controlled so that the local error is at most MaximumError times the step,
- * in world units per unit of time. What the field damps within a cell does not add up from step to
- * step; such a part of the error, in stiff fields, counts by what is left of it.
+ * Errors (vtkErrorMacro, empty output): missing vectors, or vectors without three components; a
+ * surface rejected by vtkTerminationSurface::InitializeFromField or Update; neither surfaces nor
+ * domain faces nor critical-point spheres; unsupported cells; SAMPLES_OF_INPUT without an input.
  *
- * **Sizes.** Fields, surfaces and samples may have any size from 1e-160 to 1e160, with any speeds
- * whose times through the field are from 1e-280 to 1e280: answers are those at size 1 but for
- * rounding. Beyond that, numbers underflow, and streamlines may end too early.
- *
- * **Pieces.** A sample needs all of the field that its streamline meets: of port 0 the whole is
- * asked for, whatever the piece; samples are those of the piece.
- *
- * **Processes.** Where each process of the controller is asked for its own piece, the field stays
- * in parts: each process asks for its piece, of rows of cells with a layer around it, and
- * streamlines go from process to process (VTK's DIY). Answers have the bytes that one process gives
- * them. All processes have to execute at once; an abort in one ends all. Each holds the whole
- * field, and the report says why, with CriticalPointSpheres, ShareStreamlines, or a surface that is
- * placed by the vectors; and where VTK has no DIY.
- *
- * Of an unstructured grid and of blocks the parts are the pieces that the source gives, without
- * duplicates of others' cells, and samples at its points are those of the piece. Blocks are merged
- * in each process; where several have a point, the first one's values count. One process is one
- * that has all pieces as one grid: cells in the order of the pieces, and points of several pieces
- * that have the same coordinates, to the last bit, once. The order matters where cells lie within
- * each other, for the numbers of patches (DomainFaces), and for the points that are added to
- * refined cells other than tetrahedra. Each process holds the whole where the source gives all
- * cells to one process, or the same ones to several, where blocks of processes differ in arrays,
- * and where faces do not fit between pieces, as of tetrahedra that a filter has made in each by
- * itself. This is seen once the pieces are there: the input executes for them, then for the whole,
- * and for that alone until it is modified.
- *
- * **Checkpoints.** With CheckpointFileName the streamlines that have ended are written to a file
- * while others are followed, and at an abort. An execution that finds the file follows the others
- * alone. It has the bytes of one that was never stopped, and the numbers of its report, but for
- * those of SIMD steps, checkpoints and processes; so it is with refinement, shared streamlines,
- * further quantities and what lies beyond surfaces. When all is there the file is removed. The
- * output is whole or, after an abort, empty, never partial; the file is a table of streamlines, and
- * has the field array PartialImplicitFlow. A file is replaced by renaming the next one, so that a
- * process that is killed in writing leaves the file before, and a file that ends in .part. The file
- * is used only if field, vectors, ghost marks, samples, surfaces (what they print of themselves,
- * meshes and lines), settings and the versions of Interlume and VTK are those of the execution.
- * Otherwise, or if it is damaged, a warning says what differs, all streamlines are followed anew,
- * and the file is replaced when the next is due; one that never was a checkpoint is left as it is,
- * and none is written. For this 124 bytes a streamline are held, and 8 for each mean. Where
- * processes hold the field in parts each writes its own file, and what one refuses all do.
- *
- * The output is the same for any number of threads. AdvectionTime is left as the active scalars.
- *
- * **Walls.** Where walls do not slip, samples on them stagnate at once, and streamlines that come
- * close get ever slower and stagnate by MinimumSpeed: 39 in a hundred samples of the flow past a
- * post on a plate, against the vectors. Closer to a wall than the error that is allowed a
- * streamline may also come to a surface beside it. A wall that is a termination surface is reached.
- *
- * Warnings (vtkWarningMacro), but not for pieces: the input has no points; no sample reached a
- * surface, with how many ended in which way; faces that have a cell beyond them without a face that
- * fits, with their number; vectors that look like fill values, with the value, their number
- * and the remedy; vectors that are NaN or infinite, with their number and the remedy. For pieces
- * too: a checkpoint that is refused, and one that cannot be written.
- *
- * Errors (vtkErrorMacro, empty output): no vectors of that name or not of three components; a
- * surface that vtkTerminationSurface::PlaceIn or Update finds wrong; no surface and no domain
- * faces; cells of other types, with the block where there are several; SAMPLES_OF_INPUT without an
- * input.
- *
- * @sa vtkTerminationSurface vtkFlowStatus
+ * @sa vtkTerminationSurface vtkFlowStatus vtkInflowMapping vtkFlowVolume
  */
 class INTERLUMEFLOW_EXPORT vtkImplicitFlowField
   : public vtkDataSetAlgorithm
@@ -154,8 +92,10 @@ public:
 
   ///@{
   /**
-   * The surfaces that streamlines end on. Where a step crosses several, the first along the
-   * streamline counts, of equal ones that added first. Default none. Null adds nothing.
+   * Add, remove or get the surfaces on which streamlines end. If a step crosses several surfaces,
+   * the streamline ends on the first one; at equal positions, the surface added first takes
+   * precedence. Default: none. A null surface is ignored. GetTerminationSurface returns null for an
+   * invalid index.
    */
   void AddTerminationSurface(vtkTerminationSurface* surface);
   void RemoveTerminationSurface(vtkTerminationSurface* surface);
@@ -166,13 +106,13 @@ public:
 
   ///@{
   /**
-   * Whether the outer faces of the field are surfaces too, where streamlines leave the domain. For
-   * an image, a rectilinear or a structured grid these are six, with the ids DomainFaceId + 0 ... 5
-   * for -i, +i, -j, +j, -k, +k; (u,v) are the other two directions in parts of the grid's points.
-   * For an unstructured grid, and for several blocks, they are the patches that edges sharper than
-   * 30 degrees bound, with the ids DomainFaceId + 0, 1, ... by their first cell; (u,v) are the two
-   * of x, y, z that the patch looks along less, in parts of its bounds. TerminationSurfaces has
-   * their ids. Default off, 1000.
+   * If true, the outer faces of the field are termination surfaces too. On an image, a rectilinear
+   * or a structured grid they have the ids DomainFaceId + 0 ... 5 for -i, +i, -j, +j, -k, +k. Their
+   * (u,v) are the other two grid directions, as fractions of the grid. An unstructured grid or
+   * composite input has one surface per boundary patch. Patches are bounded by edges sharper than
+   * 30 degrees and numbered DomainFaceId + 0, 1, ... by their first cell. Their (u,v) are the two
+   * axes least aligned with the patch normal, as fractions of the patch's bounds. The field array
+   * TerminationSurfaces lists the ids. Default: off, 1000. Valid ids: 0 to 1000000000; clamped.
    */
   vtkSetMacro(DomainFaces, bool);
   vtkGetMacro(DomainFaces, bool);
@@ -183,10 +123,11 @@ public:
 
   ///@{
   /**
-   * Whether a sphere stands around each critical point of the field that streamlines of this
-   * direction end in (vtkFlowCriticalPoints: sources for BACKWARD, sinks for FORWARD, saddles
-   * never), with ids CriticalPointId + 0, 1, ...; CriticalPointRadius is in lengths of the cell
-   * that the point lies in. Default off, 2000, 1. Valid: above 0 to 1000.
+   * If true, add a sphere around each critical point where streamlines of the current Direction
+   * end: sources for BACKWARD, sinks for FORWARD, never saddles (see vtkFlowCriticalPoints). The
+   * ids are CriticalPointId + 0, 1, ...; CriticalPointRadius is in units of the size of the cell
+   * that contains the point. Default: off, 2000, 1. Valid: ids from 0 to 1000000000, radius from
+   * 1e-6 to 1000; clamped.
    */
   vtkSetMacro(CriticalPointSpheres, bool);
   vtkGetMacro(CriticalPointSpheres, bool);
@@ -206,12 +147,12 @@ public:
   };
   ///@{
   /**
-   * Which points the samples are: the field's points, those of an image over SampleBounds, or the
-   * points of port 1. SAMPLES_AUTOMATIC, for a first look in seconds: the field's points where
-   * there are no more than 32768; else every n-th point along the directions of a rectilinear or
-   * structured grid that have most, a coarser image for image data, the voxels of an image over the
-   * bounds as vtkUnstructuredGrid for unstructured grids and composite data, so that fewer than
-   * that are left. The type of the output is that of SAMPLES_OF_FIELD. Default SAMPLES_AUTOMATIC.
+   * Set the samples: the points of the field, of an image over SampleBounds, or of port 1.
+   * SAMPLES_AUTOMATIC is a fast preview. It uses the points of a field with at most 32768 points,
+   * and fewer points than the field otherwise: every n-th point of a rectilinear or structured
+   * grid, a coarser image for image data, or voxels over the bounds of unstructured and composite
+   * data. The output type is the same as for SAMPLES_OF_FIELD. Default: SAMPLES_AUTOMATIC. Valid:
+   * see SampleModes; clamped.
    */
   vtkSetClampMacro(SampleMode, int, SAMPLES_OF_FIELD, SAMPLES_AUTOMATIC);
   vtkGetMacro(SampleMode, int);
@@ -219,8 +160,9 @@ public:
 
   ///@{
   /**
-   * The number of points of the image along each axis, and its bounds in world units; empty bounds
-   * (lower above upper): those of the field. Default 64, 64, 64; empty. Valid: 1 to 100000.
+   * Number of points of the image along each axis, and its bounds in world units. Empty bounds
+   * (lower above upper) select the bounds of the field. Default: 64, 64, 64; empty. Valid
+   * dimensions: 1 to 100000; clamped.
    */
   void SetSampleDimensions(int x, int y, int z);
   vtkGetVector3Macro(SampleDimensions, int);
@@ -230,19 +172,19 @@ public:
 
   ///@{
   /**
-   * The number of cells of samples in whose middles what is interpolated between the samples is
-   * compared with a streamline from there, where the samples are made by the filter:
-   * SAMPLES_OF_IMAGE, and SAMPLES_AUTOMATIC of a field with more points. The report has the errors
-   * (SamplingErrorU and so on), and so have the field arrays SamplingChecks and SamplingErrors of
-   * vtkFlowStatus. The cells are spread over all that have a corner in the field, always the same
-   * ones. Cells that are refined are not compared. Default 1000. Valid: 0, for no comparison, to
-   * 1000000.
+   * Number of sample cells at whose centers the filter compares interpolation between the samples
+   * with a streamline. This applies to samples that the filter creates: SAMPLES_OF_IMAGE, and
+   * SAMPLES_AUTOMATIC if the field has more than 32768 points. The errors are in the report
+   * (SamplingErrorU and so on) and in the field arrays SamplingChecks and SamplingErrors of
+   * vtkFlowStatus. The cells are spread over all cells with a corner in the field and are the same
+   * in each execution. RefinementLevels above 0 turns the comparison off. Default: 1000. Valid: 0
+   * (no comparison) to 1000000; clamped.
    */
   vtkSetClampMacro(SamplingChecks, int, 0, 1000000);
   vtkGetMacro(SamplingChecks, int);
   ///@}
 
-  /// Sets the dataset of the samples, on port 1, for SAMPLES_OF_INPUT.
+  /// Set the dataset of the samples for SAMPLES_OF_INPUT, on port 1.
   void SetSampleConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetSampleData(vtkDataSet* data);
 
@@ -251,8 +193,8 @@ public:
   using vtkFlowSettings::FORWARD;
   ///@{
   /**
-   * Whether streamlines are followed against the vectors or along them. Default BACKWARD. Valid:
-   * see Directions; clamped.
+   * Follow streamlines against the vectors or along them. Default: BACKWARD. Valid: see Directions;
+   * clamped.
    */
   vtkSetClampMacro(Direction, int, BACKWARD, FORWARD);
   vtkGetMacro(Direction, int);
@@ -267,11 +209,10 @@ public:
   using vtkFlowSettings::RUNGE_KUTTA_4;
   ///@{
   /**
-   * The method of integration. DORMAND_PRINCE: order 5(4) with dense output of order 4.
-   * RUNGE_KUTTA_4: the classical method, with the error by doubling the step (C. Zhang,
-   * dissertation, Ohio State 2006). ROSENBROCK: RODAS, order 4(3), L-stable.
-   * AUTOMATIC: Dormand and Prince's where the test of Hairer and Wanner finds no stiffness,
-   * Rosenbrock's where it does. Default AUTOMATIC.
+   * Integration method. DORMAND_PRINCE: order 5(4), dense output of order 4. RUNGE_KUTTA_4: the
+   * classical method, with the error estimated by step doubling. ROSENBROCK: RODAS, order 4(3),
+   * L-stable. AUTOMATIC: Dormand-Prince, and Rosenbrock where the test of Hairer and Wanner detects
+   * stiffness. Default: AUTOMATIC. Valid: see Integrators; clamped.
    */
   vtkSetClampMacro(Integrator, int, AUTOMATIC, ROSENBROCK);
   vtkGetMacro(Integrator, int);
@@ -279,11 +220,11 @@ public:
 
   ///@{
   /**
-   * The largest local error, in world units per unit of time. 0: a millionth of the field's
-   * largest speed without fill values. These are much faster than all other points, and either at
-   * most one point in a hundred, or at most half of the points with the same number in their
-   * largest components (1e20, -9999). A number of at least 1e10 may be at nearly all points.
-   * Default 0. Valid: 0 and above.
+   * Maximum local error, in world units per unit of time. 0 selects 1e-6 times the largest speed of
+   * the field, ignoring fill values. Fill values are vectors much faster than all others, at up to
+   * 1 % of the points, or at up to half of the points if their largest components are the same
+   * number (1e20, -9999). If that number is at least 1e10, fill values may be at nearly all points.
+   * Default: 0. Valid: 0 and above; clamped.
    */
   vtkSetClampMacro(MaximumError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumError, double);
@@ -291,13 +232,12 @@ public:
 
   ///@{
   /**
-   * The time, and the number of steps, rejected ones too, after which a streamline ends. Closed
-   * orbits are found before (vtkFlowStatus::CLOSED_ORBIT), once they cannot come to a surface with
-   * the steps that are left, but not those within one cell of the field, nor those that the time
-   * ends first. Default 0 and 0: no limit of time, and automatic, 2000 steps or 20 times the cube
-   * root of the number of the field's cells, whichever is more. That is too few only where the
-   * field is stiff, for an explicit method, or for errors of a billionth of the speed. Valid: 0 and
-   * above; 0 to 1000000000.
+   * Maximum advection time, and maximum number of steps per streamline, including rejected ones.
+   * Closed orbits end earlier, with vtkFlowStatus::CLOSED_ORBIT, except within one cell of the
+   * field. For the time, 0 means no limit. For the steps, 0 selects 2000, or 20 times the cube root
+   * of the field's number of cells if that is more. More steps are needed only with an explicit
+   * method in a stiff field, or with a very small MaximumError. Default: 0, 0. Valid: 0 and above;
+   * 0 to 1000000000; clamped.
    */
   vtkSetClampMacro(MaximumTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumTime, double);
@@ -307,8 +247,8 @@ public:
 
   ///@{
   /**
-   * The speed below which a streamline ends, in world units per unit of time. 0: 1e-9 of the
-   * field's largest speed that is no fill value. Default 0. Valid: 0 and above.
+   * Speed below which a streamline ends, in world units per unit of time. 0 selects 1e-9 times the
+   * largest speed of the field, ignoring fill values. Default: 0. Valid: 0 and above; clamped.
    */
   vtkSetClampMacro(MinimumSpeed, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumSpeed, double);
@@ -316,13 +256,12 @@ public:
 
   ///@{
   /**
-   * How near to a surface a streamline has reached it that ends where the field ends, because it
-   * leaves or stagnates there, or is on the outer faces of cells to begin with: in widths of the
-   * cell there, the narrow side of its face or its height. How far the face is from flat is added
-   * (a mesh of the field's own faces has triangles where those are bilinear), and so is what
-   * rounding of coordinates that are floats may be; a surface across the face has less. Without it
-   * rounding decides whether a surface on the skin of the field is met. 0: only what is met.
-   * Default 0.01. Valid: 0 to 1.
+   * Distance within which a streamline that ends at the boundary of the field has reached a
+   * surface, in units of the cell width there. Without it, rounding would decide whether
+   * streamlines reach a surface on the boundary of the field. The deviation of the boundary face
+   * from a plane and the rounding error of single-precision coordinates are added to it. It is
+   * reduced for surfaces that cross the face. 0: streamlines must cross the surface. Default: 0.01.
+   * Valid: 0 to 1; clamped.
    */
   vtkSetClampMacro(ArrivalTolerance, double, 0.0, 1.0);
   vtkGetMacro(ArrivalTolerance, double);
@@ -330,9 +269,9 @@ public:
 
   ///@{
   /**
-   * The further quantities that are kept of a path: its largest speed (MaximumSpeed), its length
-   * (ArcLength), the mean over time of the vorticity's magnitude (MeanVorticity), and the mean over
-   * time of any point array of the field with one component (Mean and its name). Default off, none.
+   * Optional quantities along the path: its largest speed (MaximumSpeed), its length (ArcLength),
+   * the time average of the vorticity magnitude (MeanVorticity), and time averages of one-component
+   * point arrays of the field (Mean and the array's name). Default: off, none.
    */
   vtkSetMacro(ComputeMaximumSpeed, bool);
   vtkGetMacro(ComputeMaximumSpeed, bool);
@@ -351,18 +290,17 @@ public:
 
   ///@{
   /**
-   * How often cells of the samples whose corners differ in FlowStatus or TerminationId, or that lie
-   * across their surface with a jump in time (as vtkFlowVolume has it), are refined with new
-   * samples, but for those that vtkFlowVolume cuts at their surface: all their edges are halved,
-   * and cells beside them are cut so that faces fit. Only new samples are advected. What is between
-   * surfaces gets half as thick with each level, and the new samples of a level are two to four
-   * times those of the level before. Point arrays of the samples are interpolated, cell arrays
-   * copied; hidden cells, polyhedra, quadratic cells, and those of fewer dimensions stay. Above 0
-   * the output is vtkUnstructuredGrid, of voxels, hexahedra, wedges, pyramids and tetrahedra.
-   * Default 0. Valid: 0 to 6.
+   * Number of refinement levels for sample cells that cannot be interpolated: their corners differ
+   * in FlowStatus or TerminationId, or time jumps within them. Cells that vtkFlowVolume cuts at a
+   * surface are not refined. Each level bisects all edges of such cells and cuts their neighbors so
+   * that faces conform. Only new samples are advected. Each level halves the thickness of the
+   * unresolved layer and adds two to four times as many samples as the level before. Point arrays
+   * of the samples are interpolated, cell arrays copied. Hidden cells, polyhedra, quadratic and
+   * lower-dimensional cells remain unchanged. Above 0 the output is a vtkUnstructuredGrid. Default:
+   * 0. Valid: 0 to 6; clamped.
    *
-   * Pieces of the samples are refined each for itself: at their borders cells do not fit, unless
-   * the samples have a layer of ghost cells for each level.
+   * Pieces of the samples are refined separately. Their cells do not conform at piece boundaries
+   * unless the samples have one layer of ghost cells per level.
    */
   vtkSetClampMacro(RefinementLevels, int, 0, 6);
   vtkGetMacro(RefinementLevels, int);
@@ -370,40 +308,41 @@ public:
 
   ///@{
   /**
-   * Whether samples of an image, a rectilinear or a structured grid may take the answers of those
-   * around them, by interpolation of (u,v) and the time, instead of being advected. That is done
-   * in blocks in whose middle a streamline shows it to be off by no more than MaximumError allows
-   * for the time there, if at the block's corners, from samples twice as far apart, it is off by no
-   * more than four times that; never where samples that are interpolated from differ in FlowStatus
-   * or TerminationId, lie across a seam, or what is interpolated is not on the surface. Samples are
-   * to be dense for the tolerance: interpolated fields have second derivatives that jump between
-   * cells, so that at the default MaximumError hardly any are shared that are as far apart as the
-   * field's points, and nothing is gained. Thin layers between samples at which streamlines part
-   * may be missed. Errors are those of the interpolation on top of those of advection; the report
-   * has them. Samples that are refined are advected; so are all where further quantities of paths
-   * are kept. Default off.
+   * If true, samples on an image, a rectilinear or a structured grid may be interpolated from
+   * surrounding samples, where comparison with a streamline shows that MaximumError holds. Samples
+   * are never interpolated between different FlowStatus or TerminationId values, across a seam, or
+   * where the interpolated end is not on the surface. This pays off only if samples are much denser
+   * than the field's points or MaximumError is large. It may miss thin layers between samples at
+   * which streamlines separate. The interpolation error adds to the advection error; the report
+   * contains it. Samples added by refinement are always advected; with optional quantities of the
+   * path, all samples are. Default: off.
    */
-  vtkSetMacro(ShareStreamlines, bool);
-  vtkGetMacro(ShareStreamlines, bool);
-  vtkBooleanMacro(ShareStreamlines, bool);
+  vtkSetMacro(InterpolateStreamlines, bool);
+  vtkGetMacro(InterpolateStreamlines, bool);
+  vtkBooleanMacro(InterpolateStreamlines, bool);
+  interlumeDeprecatedBooleanMacro(ShareStreamlines, InterpolateStreamlines);
   ///@}
 
   ///@{
   /**
-   * Whether the numbers of all steps and of Rosenbrock's steps of each sample are kept, in the
-   * point arrays AdvectionSteps, StiffSteps (int). Default off.
+   * If true, store the number of steps and of Rosenbrock steps of each sample in the point arrays
+   * AdvectionSteps and StiffSteps (int). Default: off.
    */
-  vtkSetMacro(KeepSteps, bool);
-  vtkGetMacro(KeepSteps, bool);
-  vtkBooleanMacro(KeepSteps, bool);
+  vtkSetMacro(StoreStepCounts, bool);
+  vtkGetMacro(StoreStepCounts, bool);
+  vtkBooleanMacro(StoreStepCounts, bool);
+  interlumeDeprecatedBooleanMacro(KeepSteps, StoreStepCounts);
   ///@}
 
   ///@{
   /**
-   * The file that finished streamlines are kept in, so that an execution that was aborted or killed
-   * is resumed by the next one, in this or another process: see **Checkpoints**. The extension is
-   * that of a vtkTable in VTK's XML format, vtt; with several pieces _0, _1, ... stand before it.
-   * Null or empty: there is none, nothing is written and nothing kept for it. Default null.
+   * File of finished streamlines. After an aborted or killed execution, the next one, in this or
+   * another process, resumes from this file. It is a vtkTable in VTK's XML format (vtt). With
+   * several pieces, the piece number (_0, _1, ...) precedes the extension. The file is used only if
+   * field, surfaces, samples, settings and the versions of Interlume and VTK are the same.
+   * Otherwise a warning names the difference, and the file is replaced. A file that is not a
+   * checkpoint is never overwritten. A complete execution removes the file. Null or empty: no
+   * checkpoints. Default: null.
    */
   void SetCheckpointFileName(VTK_FILEPATH const char* name);
   VTK_FILEPATH const char* GetCheckpointFileName() const;
@@ -411,9 +350,9 @@ public:
 
   ///@{
   /**
-   * The least number of seconds between two writings of that file, or ten times what the last took
-   * where that is more. 0: after every part of the streamlines, of about a second. After an abort
-   * it is always written. Default 60. Valid: 0 and above.
+   * Minimum time between two writes of the checkpoint, in seconds, or ten times the duration of the
+   * last write, if that is longer. 0: write after each batch of streamlines, about once a second.
+   * An abort always writes. Default: 60. Valid: 0 and above; clamped.
    */
   vtkSetClampMacro(CheckpointInterval, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(CheckpointInterval, double);
@@ -421,21 +360,21 @@ public:
 
   ///@{
   /**
-   * The processes that hold a field in parts together. Default: the global controller at the time
-   * of construction; null: none.
+   * Controller of the processes that together hold a distributed field. Default: the global
+   * controller at construction. Null: this process only.
    */
   void SetController(vtkMultiProcessController* controller);
   vtkMultiProcessController* GetController() const;
   ///@}
 
-  /// Returns the time of the last change, of the surfaces too.
+  /// Return the modification time, including the surfaces.
   vtkMTimeType GetMTime() override;
 
   ///@{
   /**
-   * The surfaces of the last execution in the order in which they count, and the TerminationId of
-   * the first part of each, automatic ones too. Spheres around critical points are among them, the
-   * faces of the domain are not. Null and -1 beyond them.
+   * Return the surfaces of the last execution in order of precedence, and the TerminationId of
+   * their first part, including automatic ids. Spheres around critical points are included, domain
+   * faces are not. For an invalid index the results are null and -1.
    */
   int GetNumberOfUsedSurfaces() const { return static_cast<int>(this->UsedSurfaces.size()); }
   vtkTerminationSurface* GetUsedSurface(int i) const;
@@ -443,14 +382,15 @@ public:
   ///@}
 
   /**
-   * Returns what the last execution did:
+   * Return the report of the last execution:
    * - Samples: samples that were advected,
-   * - Statuses: samples by vtkFlowStatus,
-   * - SurfaceIds, SamplesBySurface: TerminationIds that were reached, and the samples of each,
-   * - SamplingErrorU, SamplingErrorV, SamplingErrorTime: interpolation error between samples, if
-   *   SamplingChecks compared it: the mean, the 99th percentile and the largest,
-   * - MaximumError, MinimumSpeed: the values in use, also if the settings are automatic,
-   * - WholeFieldReason: the reason why each of several processes holds the whole field, if so.
+   * - Statuses: number of samples per vtkFlowStatus value,
+   * - SurfaceIds, SamplesBySurface: TerminationIds reached, and the number of samples of each,
+   * - SamplingErrorU, SamplingErrorV, SamplingErrorTime: interpolation error between samples
+   *   (SamplingChecks): mean, 99th percentile, largest,
+   * - MaximumError, MinimumSpeed: values in use, with automatic values resolved,
+   * - WholeFieldReason: reason why each of several processes holds the whole field; empty
+   *   otherwise.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
@@ -470,63 +410,65 @@ private:
 
   /// Returns an error if a block of composite input cannot be used.
   interlume::Error CheckBlocks(const interlume::FieldInput& input);
-  /// Makes a dataset of the type that samples have before they are refined.
+  /// Creates an empty dataset of the type that samples have before refinement.
   vtkSmartPointer<vtkDataSet> MakeSamples(vtkInformationVector** inputs) const;
-  /// Returns whether the field stays in parts that processes hold. Sets \a error if several
-  /// processes cannot hold parts.
-  bool IsInParts(
+  /// Returns true if the field is distributed over the processes. If not, and there are several
+  /// processes, sets \a error to the reason.
+  bool IsDistributed(
     vtkInformationVector** inputs, vtkInformationVector* outputs, interlume::Error& error) const;
   ///@{
-  /// Only the parts may show that the field cannot be in parts. Then the pipeline requests the
-  /// whole field and executes again (AskForWhole), and does so at once as long as the input is not
-  /// modified (IsPartitionErrorKnown). IsAskedForWhole returns whether this process has to request
-  /// the whole field since another process has it. Otherwise sets \a error if this process has the
-  /// whole field. Collective except for the second execution.
+  /// Sometimes only the partitions themselves show that the field cannot be distributed. Then the
+  /// pipeline requests the whole field and executes again (RequestWholeField). Until the input is
+  /// modified, later updates request the whole field immediately (IsPartitionErrorKnown).
+  /// MustRequestWholeField returns true if this process must request the whole field because
+  /// another process already did. Otherwise, if this process holds the whole field, it sets \a
+  /// error to the reason. It is collective, except in the second execution.
   bool IsPartitionErrorKnown();
   vtkMTimeType GetInputTime();
-  bool IsAskedForWhole(vtkInformation* request, interlume::Error& error);
-  void AskForWhole(vtkInformation* request, const interlume::Error& error);
+  bool MustRequestWholeField(vtkInformation* request, interlume::Error& error);
+  void RequestWholeField(vtkInformation* request, const interlume::Error& error);
   ///@}
-  /// What an execution is given, and what its steps find. Defined where it is used.
+  /// Inputs of an execution, and the results of its steps. Defined in the source file.
   struct Execution;
-  /// How a step ended; only after COMPLETE the next one follows. NEEDS_WHOLE: streamlines need
-  /// the whole field instead of parts. EMPTY: there is nothing to follow.
+  /// Outcome of a step. The next step follows only after COMPLETE. NEEDS_WHOLE_FIELD: the field
+  /// cannot be distributed. EMPTY: there is nothing to advect in this execution.
   enum class Outcome
   {
     COMPLETE,
     EMPTY,
-    NEEDS_WHOLE,
+    NEEDS_WHOLE_FIELD,
     FAILED,
     ABORTED
   };
   ///@{
-  /// The steps of an execution, in their order. Finish cleans up after any outcome, and returns
-  /// what RequestData is to return.
+  /// Steps of an execution, in order. Finish cleans up after any outcome and returns the result of
+  /// RequestData.
   Outcome CheckInput(Execution& execution);
   Outcome FindField(Execution& execution);
   Outcome PrepareSamples(Execution& execution);
   Outcome FollowSamples(Execution& execution);
   int Finish(Execution& execution, Outcome outcome);
   ///@}
-  /// Gives the samples their geometry and point data. Returns an error if there are no samples.
+  /// Sets the geometry and the point data of the samples. Returns an error if they cannot be used.
   interlume::Error SetSamples(Execution& execution);
   void SetImageSamples(Execution& execution);
-  /// Cuts the whole field down to the piece that is asked for. \a whole is the whole extent, where
-  /// \a output is not the whole.
+  /// Reduces the samples to the requested piece. \a whole is the whole extent if \a output has only
+  /// a part of it, otherwise null.
   void CutPiece(vtkInformation* info, const int* whole, vtkDataSet* output) const;
-  /// Computes the part of a whole extent that is asked for; the piece's part where cells are
-  /// refined.
+  /// Computes the requested part of a whole extent: the update extent or, with refinement, the part
+  /// that belongs to the requested piece.
   void GetExtent(vtkInformation* info, const int whole[6], int extent[6]) const;
-  /// Places the surfaces in the field. Returns an error if a surface cannot be used.
+  /// Initializes the surfaces from the field, and assigns automatic ids. Returns an error if a
+  /// surface cannot be used.
   interlume::Error PlaceSurfaces(Execution& execution);
-  /// Makes the checkpoint and reads its file, if there is one.
+  /// Creates the checkpoint, and reads its file if it exists.
   void OpenCheckpoint(Execution& execution);
-  /// Warns of fill values, of vectors that are not finite and of open interfaces. \a vectors is the
-  /// name of the vectors.
+  /// Warns about fill values, non-finite vectors and nonconforming faces. \a vectors is the name of
+  /// the vector array.
   void WarnOfField(const interlume::FlowReport& report, const char* vectors);
   void WarnIfNoneReached(const interlume::FlowReport& report);
   void AddSpheres(vtkDataSet* field, interlume::AdvectionOptions& options);
-  /// Adds a surface to the options, and keeps it as long as they last.
+  /// Adds a surface to the options and retains it for GetUsedSurface.
   void UseSurface(vtkTerminationSurface* surface, int id, interlume::AdvectionOptions& options);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
@@ -542,12 +484,12 @@ private:
   double CheckpointInterval = 60.0;
   vtkNew<vtkInterlumeReport> Report;
   vtkIdType Executions = 0;
-  /// Message of the error for which the field could not be in parts, the time when the input was
-  /// modified then, and whether the whole is requested after the parts.
+  /// Reason why the field could not be distributed, the input's modification time in that
+  /// execution, and a flag that is true while the pipeline executes again for the whole field.
   std::string PartitionError;
   vtkMTimeType PartitionErrorTime = 0;
-  bool IsAskingAgain = false;
-  /// What was found of the last field's mesh, for the next execution.
+  bool IsRequestingWholeField = false;
+  /// Mesh topology of the last field, cached for the next execution.
   std::shared_ptr<const interlume::MeshLinks> Mesh;
 };
 

@@ -4,7 +4,7 @@
 
 /**
  * @class   vtkInflowKind
- * @brief   what a mapping of vtkInflowMapping is given by
+ * @brief   kinds of mappings of vtkInflowMapping
  *
  * @sa vtkInflowMapping
  */

@@ -5,7 +5,7 @@
 #include "Common/Batches.h"
 #include "Common/Error.h"
 #include "Common/ReportValue.h"
-#include "Samples/BeyondSamples.h"
+#include "Samples/FarSideSamples.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Samples/InflowFunction.h"
 #include "Samples/OutputPiece.h"
@@ -33,7 +33,7 @@ namespace
 {
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// The evaluators of one thread.
+// Evaluators of one thread.
 using EvaluatorMap =
   std::map<const interlume::InflowFunction*, std::shared_ptr<interlume::InflowEvaluator>>;
 
@@ -70,11 +70,11 @@ int vtkInflowMapping::FillInputPortInformation(int, vtkInformation* info)
   return 1;
 }
 
-interlume::InflowFunction* vtkInflowMapping::Take(int id, int kind)
+interlume::InflowFunction* vtkInflowMapping::GetOrCreate(int id, int kind)
 {
   if (id < ALL)
   {
-    vtkErrorMacro("The id " << id << " of a mapping is below 0.");
+    vtkErrorMacro("Mapping id " << id << " is invalid. Use ALL or an id of at least 0.");
     return nullptr;
   }
   std::shared_ptr<interlume::InflowFunction>& mapping = this->Mappings[id];
@@ -99,7 +99,7 @@ void vtkInflowMapping::SetFormula(int id, const char* formula)
   {
     return;
   }
-  if (interlume::InflowFunction* mapping = this->Take(id, FORMULA))
+  if (interlume::InflowFunction* mapping = this->GetOrCreate(id, FORMULA))
   {
     mapping->Formula = formula;
   }
@@ -110,12 +110,13 @@ void vtkInflowMapping::AddRing(
 {
   if (!(width > 0.0) || !std::isfinite(centerU + centerV + radius + width + amplitude))
   {
-    vtkErrorMacro("A ring of id " << id << " at (" << centerU << ", " << centerV << ") with radius "
-                                  << radius << ", width " << width << " and amplitude " << amplitude
-                                  << " has a width that is not above 0, or is not finite.");
+    vtkErrorMacro("The ring with id "
+      << id << " is ignored: center (" << centerU << ", " << centerV << "), radius " << radius
+      << ", width " << width << ", amplitude " << amplitude
+      << ". All values must be finite, and the width must be greater than 0.");
     return;
   }
-  if (interlume::InflowFunction* mapping = this->Take(id, RINGS))
+  if (interlume::InflowFunction* mapping = this->GetOrCreate(id, RINGS))
   {
     mapping->Rings.push_back({ { centerU, centerV }, radius, width, amplitude });
   }
@@ -129,7 +130,7 @@ void vtkInflowMapping::SetImage(int id, vtkImageData* image)
   }
   else if (this->GetImage(id) != image)
   {
-    if (interlume::InflowFunction* mapping = this->Take(id, IMAGE))
+    if (interlume::InflowFunction* mapping = this->GetOrCreate(id, IMAGE))
     {
       mapping->Image = image;
     }
@@ -207,7 +208,7 @@ interlume::Error vtkInflowMapping::Prepare()
       {
         this->PreparedError = "The mapping of " +
           (mapping.first == ALL ? std::string("all ids") : "id " + std::to_string(mapping.first)) +
-          " is wrong. " + error.GetMessage();
+          " cannot be used. " + error.GetMessage();
       }
     }
     this->PreparedTime = this->GetMTime();
@@ -228,23 +229,24 @@ double vtkInflowMapping::Evaluate(int id, double u, double v, bool isPeriodicU, 
 
 bool vtkInflowMapping::IsContinued(int id, int direction, bool isPeriodicU, bool isPeriodicV)
 {
-  constexpr int places = 33;
+  constexpr int positions = 33;
   constexpr double tolerance = 1e-6;
   if (!(direction == 0 ? isPeriodicU : isPeriodicV))
   {
     return false;
   }
-  // The rows go from one side of the seam to the other.
+  // Each row of values runs from one side of the seam, across the parameter range, to the other
+  // side.
   double lowest = VTK_DOUBLE_MAX;
   double highest = -VTK_DOUBLE_MAX;
   double largestJump = 0.0;
-  for (int i = 0; i < places; ++i)
+  for (int i = 0; i < positions; ++i)
   {
-    const double along = static_cast<double>(i) / (places - 1);
-    double values[places];
-    for (int j = 0; j < places; ++j)
+    const double along = static_cast<double>(i) / (positions - 1);
+    double values[positions];
+    for (int j = 0; j < positions; ++j)
     {
-      const double across = static_cast<double>(j) / (places - 1);
+      const double across = static_cast<double>(j) / (positions - 1);
       values[j] = direction == 0 ? this->Evaluate(id, across, along, isPeriodicU, isPeriodicV)
                                  : this->Evaluate(id, along, across, isPeriodicU, isPeriodicV);
       if (std::isfinite(values[j]))
@@ -254,12 +256,12 @@ bool vtkInflowMapping::IsContinued(int id, int direction, bool isPeriodicU, bool
       }
     }
     const bool isFinite = std::isfinite(values[0]);
-    if (isFinite != std::isfinite(values[places - 1]))
+    if (isFinite != std::isfinite(values[positions - 1]))
     {
       return false;
     }
     largestJump =
-      isFinite ? std::max(largestJump, std::abs(values[places - 1] - values[0])) : largestJump;
+      isFinite ? std::max(largestJump, std::abs(values[positions - 1] - values[0])) : largestJump;
   }
   return largestJump <= tolerance * std::max(highest - lowest, 0.0);
 }
@@ -269,7 +271,7 @@ int vtkInflowMapping::RequestData(
 {
   vtkDataSet* input = vtkDataSet::GetData(inputs[0]);
   vtkDataSet* output = vtkDataSet::GetData(outputs);
-  // Image data keep their active scalars from one execution to the next.
+  // Image data retain their active scalars between executions.
   output->Initialize();
   SetReport(this->Report);
   interlume::ImplicitFlowArrays arrays;
@@ -279,7 +281,7 @@ int vtkInflowMapping::RequestData(
     return 1;
   }
   const vtkIdType number = input->GetNumberOfPoints();
-  this->SetProgressText("Mapping the inflow to every sample");
+  this->SetProgressText("Mapping samples to the inflow");
   vtkNew<vtkDoubleArray> inflow;
   inflow->SetName(vtkFlowStatus::InflowArray());
   inflow->SetNumberOfValues(number);
@@ -330,10 +332,10 @@ int vtkInflowMapping::RequestData(
   output->GetPointData()->AddArray(inflow);
   output->GetPointData()->SetActiveScalars(vtkFlowStatus::InflowArray());
   output->GetFieldData()->AddArray(periodic);
-  this->MapBeyond(arrays, output);
+  this->MapFarSide(arrays, output);
   if (number > 0 &&
     !std::any_of(values, values + number, [](double v) { return !std::isnan(v); }) &&
-    interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
+    interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
   {
     vtkIdType reached = 0;
     for (vtkIdType p = 0; p < number; ++p)
@@ -347,19 +349,19 @@ int vtkInflowMapping::RequestData(
   return 1;
 }
 
-void vtkInflowMapping::MapBeyond(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* output)
+void vtkInflowMapping::MapFarSide(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* output)
 {
   vtkFieldData* data = output->GetFieldData();
   const auto get = [data](const char* name)
-  { return data->GetArray(interlume::BeyondSamples::GetName(name).c_str()); };
+  { return data->GetArray(interlume::FarSideSamples::GetName(name).c_str()); };
   vtkDataArray* ids = get(vtkFlowStatus::IdArray());
   vtkDataArray* parameters = get(vtkFlowStatus::ParametersArray());
-  if (interlume::BeyondSamples(output).IsEmpty())
+  if (interlume::FarSideSamples(output).IsEmpty())
   {
     return;
   }
   vtkNew<vtkDoubleArray> inflow;
-  inflow->SetName(interlume::BeyondSamples::GetName(vtkFlowStatus::InflowArray()).c_str());
+  inflow->SetName(interlume::FarSideSamples::GetName(vtkFlowStatus::InflowArray()).c_str());
   inflow->SetNumberOfValues(ids->GetNumberOfTuples());
   for (vtkIdType row = 0; row < ids->GetNumberOfTuples(); ++row)
   {

@@ -24,25 +24,24 @@ class InflowFunction;
 
 /**
  * @class   vtkInflowMapping
- * @brief   a scalar on the termination surfaces, carried to every sample of an implicit flow field
+ * @brief   map a function on the termination surfaces to every sample of an implicit flow field
  *
- * Computes Inflow(x) = Phi_f(u(x), v(x)), (f,u,v) where the streamline of x ends (C. Zhang,
- * dissertation, Ohio State 2006, section 4.5): a family of stream surfaces as its level sets, and
- * stream volumes between two of its values, without advection. Each id has a mapping of its own, or
- * the one for all others.
+ * Computes Inflow(x) = Phi_f(u(x), v(x)), where (f,u,v) is the end of the streamline through x, and
+ * Phi_f is the mapping of id f. The level sets of Inflow are stream surfaces, and the region
+ * between two values is a stream volume; no advection is needed. Each id has its own mapping or the
+ * mapping of ALL. See Documentation/methods/flow-volumes.md.
  *
- * Input: what vtkImplicitFlowField gives. Output: the same with the point array `Inflow` (double),
- * NaN where the status is not REACHED_SURFACE, the id has no mapping, or the formula is not finite.
- * The field array `InflowPeriodic` (int, 3 components) tells of each id in use whether its mapping
- * is the same on both sides of the seams of u and v: id, u, v (values at 33 places of the seam
- * agree to 1e-6 of the mapping's range). Inflow is left as the active scalars.
+ * Input: the output of vtkImplicitFlowField. Output: the input with the point array `Inflow`
+ * (double) as active scalars. Inflow is NaN where the status is not REACHED_SURFACE, the id has no
+ * mapping, or the formula is not finite. The field array `InflowPeriodic` (int, 3 components: id,
+ * u, v) marks for each id in use the seams across which the mapping is continuous: at 33 positions
+ * along the seam, the values on both sides differ by at most 1e-6 of the mapping's range. The
+ * output is identical for any number of threads.
  *
- * Warnings (vtkWarningMacro): Inflow is NaN everywhere, with how many samples reached a surface;
- * not for pieces, of which others may have values.
+ * Warnings (vtkWarningMacro, not if one of several pieces is requested): Inflow is NaN everywhere.
  *
- * Errors (vtkErrorMacro, empty output): no arrays of vtkFlowStatus; a formula that cannot be read
- * (with the parser's message) or gives a vector, an image without points or scalars or of three
- * dimensions. The output is the same for any number of threads.
+ * Errors (vtkErrorMacro, empty output): missing arrays of vtkFlowStatus; a formula that the parser
+ * rejects or whose value is a vector; an image without points or scalars, or with three dimensions.
  *
  * @sa vtkImplicitFlowField vtkFlowVolume
  */
@@ -63,27 +62,28 @@ public:
 
   enum
   {
-    /// The id of the mapping for all ids that have none of their own.
+    /// Id of the mapping for all ids without their own mapping.
     ALL = -1
   };
 
   ///@{
   /**
-   * The mapping of an id, or of ALL, as one of:
-   * - a formula of u, v and f (the id as a number) in the language of
-   * vtkExprTkFunctionParser; null removes the mapping;
-   * - Gaussian rings: sum of amplitude exp(-((r - radius) / width)^2), r the distance from
-   * (centerU, centerV) in parameters, the short way around in periodic directions; AddRing adds to
-   * the rings that the id has;
-   * - the first component of an image over u and v, 0 to 1 from its first to its last point,
-   * interpolated bilinearly, beyond it clamped, periodic directions around; colours (3 and 4
-   * components of unsigned char) as their luminance 0 to 255, 0.30 R + 0.59 G + 0.11 B. Null
-   * removes the mapping. u goes along the first axis of the image that has more than one point.
+   * Set or get the mapping of an id, or of ALL. A mapping is one of:
+   * - a formula of u, v and f (the id as a number) in the language of vtkExprTkFunctionParser; null
+   *   removes the mapping;
+   * - Gaussian rings: the sum of amplitude exp(-((r - radius) / width)^2), where r is the distance
+   *   from (centerU, centerV) in parameters, measured the short way around in periodic directions.
+   *   AddRing adds to the rings of the id;
+   * - the first component of an image over u and v, from 0 at its first to 1 at its last point. It
+   *   is interpolated bilinearly, and repeated in periodic directions or clamped in others. Colors
+   *   (3 or 4 components of unsigned char) are converted to luminance from 0 to 255, 0.30 R + 0.59
+   *   G + 0.11 B. u runs along the first image axis with more than one point. Null removes the
+   *   mapping.
    *
-   * Default: for ALL the formula "u". Valid ids: ALL, 0 and above; width above 0, all numbers of a
-   * ring finite; others are an error and change nothing. What an id had before of another kind is
-   * dropped. The Get functions return what was set for the id itself: NONE, null or 0 where nothing
-   * was.
+   * Setting one kind replaces a mapping of another kind. Default: the formula "u" for ALL. Valid
+   * ids: ALL, and 0 or above. A ring needs a width above 0 and finite numbers. Invalid arguments
+   * are errors and change nothing. The Get functions return the settings of the id itself: NONE,
+   * null or 0 if it has none.
    */
   void SetFormula(int id, const char* formula);
   void AddRing(
@@ -98,25 +98,25 @@ public:
   ///@}
 
   /**
-   * Returns Phi of an id at (u,v), as the filter evaluates it, with periodic directions as given;
-   * NaN without a mapping, or where it is wrong. Not thread-safe.
+   * Return the mapping of an id at (u,v) as the filter evaluates it; NaN if there is no mapping, or
+   * if it cannot be used. Not thread-safe.
    */
   double Evaluate(int id, double u, double v, bool isPeriodicU = false, bool isPeriodicV = false);
 
   /**
-   * Whether the mapping of an id goes on over the seam of \a direction, 0 for u and 1 for v: false
-   * where that is not periodic, else as InflowPeriodic tells. Not thread-safe.
+   * Return true if the mapping of an id is continuous across the seam of \a direction, 0 for u and
+   * 1 for v, as in InflowPeriodic; false if the direction is not periodic. Not thread-safe.
    */
   bool IsContinued(int id, int direction, bool isPeriodicU, bool isPeriodicV);
 
-  /// Returns the time of the last change, of the images too.
+  /// Return the modification time, including the images.
   vtkMTimeType GetMTime() override;
 
   /**
-   * Returns what the last execution did:
+   * Return the report of the last execution:
    * - Samples: points of the input,
    * - Ids: ids of termination surfaces in use,
-   * - ContinuedSeams: seams of u and v that the mappings continue over.
+   * - ContinuedSeams: seams of u and v across which the mappings are continuous.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
@@ -131,20 +131,20 @@ private:
   vtkInflowMapping(const vtkInflowMapping&) = delete;
   void operator=(const vtkInflowMapping&) = delete;
 
-  /// Returns the mapping that counts for an id; null without one.
+  /// Returns the mapping to use for an id, or null if no mapping applies.
   const interlume::InflowFunction* Find(int id) const;
-  /// Returns the mapping of an id itself, of \a kind, empty where it was of another kind; null for
-  /// a wrong id.
-  interlume::InflowFunction* Take(int id, int kind);
-  /// Reads what has changed. Returns an error if a mapping cannot be used.
+  /// Returns the id's own mapping of \a kind. Creates an empty one if the id has no mapping or one
+  /// of another kind. Returns null for an invalid id.
+  interlume::InflowFunction* GetOrCreate(int id, int kind);
+  /// Prepares mappings that have changed. Returns an error if a mapping cannot be used.
   interlume::Error Prepare();
-  /// Adds the field array of Inflow for samples beside surfaces, where there are such samples.
-  void MapBeyond(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* output);
+  /// Adds the field array of Inflow for far-side samples, if there are any.
+  void MapFarSide(const interlume::ImplicitFlowArrays& arrays, vtkDataSet* output);
 
   std::map<int, std::shared_ptr<interlume::InflowFunction>> Mappings;
   std::string PreparedError;
   vtkMTimeType PreparedTime = 0;
-  // The evaluators that Evaluate uses.
+  // Evaluators used by Evaluate.
   std::map<const interlume::InflowFunction*, std::shared_ptr<interlume::InflowEvaluator>>
     Evaluators;
   vtkNew<vtkInterlumeReport> Report;

@@ -39,9 +39,9 @@ vtkStandardNewMacro(vtkStreamSurfaceParameters);
 
 namespace
 {
-// The shares of the progress at which each part ends.
+// Progress at the end of each stage.
 constexpr double ContoursEnd = 0.3;
-constexpr double PlacesEnd = 0.8;
+constexpr double LocationsEnd = 0.8;
 
 void FillPoints(
   vtkPointSet* input, const interlume::StreamSurfaceTriangles::Points& made, vtkPolyData* output)
@@ -194,7 +194,7 @@ vtkTerminationSurface* vtkStreamSurfaceParameters::FindSurface(int id, int& part
 interlume::Error vtkStreamSurfaceParameters::FindContours(
   interlume::StreamSurfaceTriangles& work) const
 {
-  // Levels of one id follow each other, so that its mapping is sampled once.
+  // Levels of one id are consecutive, so that its mapping is sampled only once.
   std::vector<interlume::StreamSurfaceTriangles::Level*> order;
   for (interlume::StreamSurfaceTriangles::Level& level : work.Levels)
   {
@@ -213,7 +213,8 @@ interlume::Error vtkStreamSurfaceParameters::FindContours(
     vtkTerminationSurface* surface = this->FindSurface(level->Id, part);
     if (!surface)
     {
-      return "There is no termination surface with id " + std::to_string(level->Id) + ".";
+      return "There is no termination surface with id " + std::to_string(level->Id) +
+        ". Call AddTerminationSurface.";
     }
     if (!follower || id != level->Id)
     {
@@ -221,7 +222,7 @@ interlume::Error vtkStreamSurfaceParameters::FindContours(
       if (const interlume::Error error = surface->Update())
       {
         return error.Within(
-          "The termination surface with id " + std::to_string(id) + " is wrong: ");
+          "The termination surface with id " + std::to_string(id) + " cannot be used: ");
       }
       const std::array<bool, 2> isPeriodic = work.GetArrays().GetPeriodicity(id);
       isJoined = { { this->Mapping->IsContinued(id, 0, isPeriodic[0], isPeriodic[1]),
@@ -232,7 +233,7 @@ interlume::Error vtkStreamSurfaceParameters::FindContours(
           this->Resolution, isJoined);
     }
     level->FirstContour = static_cast<int>(work.Contours.size());
-    std::vector<interlume::ContourPlaces::Curve> curves;
+    std::vector<interlume::ContourLocator::Curve> curves;
     std::vector<glm::dvec3> startPoints;
     std::transform(this->StartPoints.begin(), this->StartPoints.end(),
       std::back_inserter(startPoints),
@@ -246,7 +247,7 @@ interlume::Error vtkStreamSurfaceParameters::FindContours(
         curves.push_back(std::move(arc.Curve));
       }
     }
-    level->Places = std::make_unique<interlume::ContourPlaces>(std::move(curves), isJoined);
+    level->Locator = std::make_unique<interlume::ContourLocator>(std::move(curves), isJoined);
   }
   return {};
 }
@@ -259,32 +260,32 @@ int vtkStreamSurfaceParameters::RequestData(
   SetReport(this->Report);
   if (input->GetNumberOfCells() == 0)
   {
-    if (interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
+    if (interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
     {
-      vtkWarningMacro("The input has no triangles. It is to be the output Stream Surfaces of a "
-                      "vtkFlowVolume with GenerateStreamSurfaces on, and with intervals or "
-                      "StreamSurfaces whose values Inflow takes.");
+      vtkWarningMacro("The input has no triangles. Connect output port 1 of a vtkFlowVolume with "
+                      "GenerateStreamSurfaces on, and with intervals or StreamSurfaces inside the "
+                      "range of Inflow.");
     }
     return 1;
   }
-  this->SetProgressText("Following the contours of the inflow");
+  this->SetProgressText("Tracing the contours of the inflow");
   interlume::StreamSurfaceTriangles work;
-  interlume::Error error = this->Mapping ? work.Read(input) : "There is no mapping.";
+  interlume::Error error =
+    this->Mapping ? work.Read(input) : "There is no mapping. Call SetMapping.";
   error = error.Then([&] { return this->FindContours(work); });
   if (error)
   {
     vtkErrorMacro(<< error);
     return 1;
   }
-  const auto findPlaces = [&](vtkIdType first, vtkIdType last)
+  const auto locate = [&](vtkIdType first, vtkIdType last)
   {
     for (vtkIdType p = first; p < last; ++p)
     {
-      work.FindPlace(p);
+      work.Locate(p);
     }
   };
-  if (!interlume::Batches::Run(
-        input->GetNumberOfPoints(), this, ContoursEnd, PlacesEnd, findPlaces))
+  if (!interlume::Batches::Run(input->GetNumberOfPoints(), this, ContoursEnd, LocationsEnd, locate))
   {
     return 1;
   }

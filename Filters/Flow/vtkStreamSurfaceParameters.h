@@ -6,7 +6,7 @@
 #include "vtkInterlumeReport.h"  // for GetReport()
 #include "vtkNew.h"              // for the report
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // for what is asked
+#include "vtkSmartPointer.h" // for the mapping and the surfaces
 
 #include <array>
 #include <vector>
@@ -23,39 +23,42 @@ class StreamSurfaceTriangles;
 
 /**
  * @class   vtkStreamSurfaceParameters
- * @brief   texture coordinates of stream surfaces: length along the inflow contour, and time
+ * @brief   compute texture coordinates of stream surfaces: length along the inflow contour, and
+ * time
  *
- * A stream surface is made of the streamlines through a contour of the mapping, Phi_f(u,v) = c, on
- * a termination surface (C. Zhang, dissertation, Ohio State 2006, section 4.5.2). s is the arc
- * length along that contour, in world units, at the place of the contour that is nearest in
- * parameters to a point's TerminationUV; t is AdvectionTime. So lines of constant s are streamlines
- * and lines of constant t are timelines.
+ * A stream surface consists of the streamlines through a contour Phi_f(u,v) = c of the mapping on a
+ * termination surface. The coordinate s of a point is the arc length along that contour, in world
+ * units, at the contour position nearest to the point's TerminationUV. The coordinate t is
+ * AdvectionTime. Lines of constant s are streamlines, and lines of constant t are timelines.
+ * Documentation/methods/flow-volumes.md explains the contours and their accuracy.
  *
- * **Contours** are followed on a grid of Resolution x Resolution squares in the parameters of each
- * termination surface in use: closed and open ones, several of a value, across the seams that the
- * mapping goes on over. Their points are exact within rounding, chords are measured between them
- * with vtkTerminationSurface::EvaluatePoint, so the length has an error of order
- * (size of a square)^2. Where EvaluatePoint has no answer a contour ends. s grows with higher
- * values of the mapping on the left in the plane of (u,v), from 0 at the contour's start.
+ * Contours are traced on a grid of Resolution x Resolution squares in the parameters of each
+ * termination surface in use. They may be open or closed, there may be several per value, and they
+ * continue across seams where the mapping is continuous. A contour ends where
+ * vtkTerminationSurface::EvaluatePoint returns false. s increases from 0 at the start of the
+ * contour, with higher values of the mapping on the left in the (u,v) plane.
  *
- * Input: triangles as port 1 of vtkFlowVolume, with the arrays of vtkFlowStatus and the cell array
- * `Inflow` with the value of each triangle. Output: vtkPolyData with the points of the input, with
- * their ids and arrays, and the triangles in the input's order. Triangles across the start of a
- * closed contour, where s jumps back to 0, have copies of points after those of the input, with s
- * beyond the contour's length, so that no triangle runs back through the whole length; so have
- * triangles whose corners are nearest to different contours, which take the contour of most.
- * Point arrays `StreamTexture` (double, 2 components s and t, the active texture coordinates),
- * `ContourId` (int; -1, and s = 0, without a contour, as where one is smaller than a square),
- * `vtkOriginalPointIds` (vtkIdType: the input's point). Field arrays, by ContourId: `ContourLength`
- * (double, world units, unscaled), `ContourClosed` (int).
+ * Input: triangles as on port 1 of vtkFlowVolume, with the arrays of vtkFlowStatus and the cell
+ * array `Inflow` with the value of each triangle.
  *
- * The output is the same for any number of threads. AdvectionTime is left as the active scalars.
+ * Output: vtkPolyData with the points of the input, their ids and arrays, and the triangles in the
+ * order of the input. Copies of points are appended to the points of the input: for triangles
+ * across the start of a closed contour, where s continues past the contour's length, and for
+ * triangles whose corners are nearest to different contours, which use the contour of the majority.
+ * Point arrays:
+ * - `StreamTexture` (double, 2 components: s and t), the active texture coordinates,
+ * - `ContourId` (int); -1, and s = 0, where no contour was found because the contour is smaller
+ *   than a square,
+ * - `vtkOriginalPointIds` (vtkIdType): the point of the input.
  *
- * Warnings (vtkWarningMacro): an input without cells, but for pieces.
+ * Field arrays by ContourId: `ContourLength` (double, world units, unscaled), `ContourClosed`
+ * (int). AdvectionTime becomes the active scalars. The output is identical for any number of
+ * threads.
  *
- * Errors (vtkErrorMacro, empty output): no mapping; arrays that are missing; a TerminationId in use
- * without a surface; a surface that vtkTerminationSurface::Update finds wrong; cells that are not
- * triangles.
+ * Warnings (vtkWarningMacro, not if one of several pieces is requested): an input without cells.
+ *
+ * Errors (vtkErrorMacro, empty output): no mapping; missing arrays; a TerminationId in use without
+ * a surface; a surface rejected by vtkTerminationSurface::Update; cells that are not triangles.
  *
  * @sa vtkFlowVolume vtkInflowMapping vtkTerminationSurface
  */
@@ -68,8 +71,8 @@ public:
 
   ///@{
   /**
-   * The mapping whose level sets the surfaces are. It is asked for values, not executed. Default
-   * none.
+   * Mapping whose level sets are the stream surfaces. The filter evaluates it, but does not execute
+   * it. Default: none.
    */
   void SetMapping(vtkInflowMapping* mapping);
   vtkInflowMapping* GetMapping() const;
@@ -77,9 +80,9 @@ public:
 
   ///@{
   /**
-   * The termination surfaces, with the TerminationId of their first part; -1 takes that from the
-   * surface. Automatic ones are vtkImplicitFlowField::GetUsedSurfaceId. Where several have an id,
-   * the first counts. Default none. Null adds nothing.
+   * Termination surfaces, with the TerminationId of their first part; -1 uses the id of the
+   * surface. For automatic ids, pass vtkImplicitFlowField::GetUsedSurfaceId. If several surfaces
+   * have the same id, the first one counts. Default: none. A null surface is ignored.
    */
   void AddTerminationSurface(vtkTerminationSurface* surface, int id = -1);
   void RemoveAllTerminationSurfaces();
@@ -89,9 +92,10 @@ public:
 
   ///@{
   /**
-   * Places in world units where contours start: a closed one at its place nearest to any of them,
-   * an open one at its end on the side of that place, running back where that is its last. Without
-   * any place, a contour starts where following it begins. Default none.
+   * Points in world units at which contours start. A closed contour starts at its position nearest
+   * to any of them. An open contour starts at whichever of its ends is closer to that position; it
+   * is reversed if that end is its last point. Without start points the start is arbitrary.
+   * Default: none.
    */
   void AddStartPoint(double x, double y, double z);
   void RemoveAllStartPoints();
@@ -100,8 +104,8 @@ public:
 
   ///@{
   /**
-   * Factors of s and t in StreamTexture, such as one over the length and the time of a texture.
-   * Default 1, 1.
+   * Factors of s and t in StreamTexture, such as the reciprocal of a texture's length and duration.
+   * Default: 1, 1.
    */
   vtkSetMacro(LengthScale, double);
   vtkGetMacro(LengthScale, double);
@@ -111,20 +115,20 @@ public:
 
   ///@{
   /**
-   * The number of squares along u and v. Default 256. Valid: 4 to 8192.
+   * Number of squares along u and v. Default: 256. Valid: 4 to 8192; clamped.
    */
   vtkSetClampMacro(Resolution, int, 4, 8192);
   vtkGetMacro(Resolution, int);
   ///@}
 
-  /// Returns the time of the last change, of the mapping and the surfaces too.
+  /// Return the modification time, including the mapping and the surfaces.
   vtkMTimeType GetMTime() override;
 
   /**
-   * Returns what the last execution did:
-   * - Contours: contours of the inflow on the termination surfaces,
-   * - ClosedContours: closed ones among them,
-   * - AddedPoints: points that were added where parameters jump.
+   * Return the report of the last execution:
+   * - Contours: contours on the termination surfaces,
+   * - ClosedContours: closed contours among them,
+   * - AddedPoints: copies of points added where parameters jump.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
@@ -145,9 +149,10 @@ private:
     int Id;
   };
 
-  /// Returns the surface that an id is a part of, and the part; null without a surface.
+  /// Returns the surface to which an id belongs, and sets \a part to the index of the part with
+  /// this id. Returns null if no surface has the id.
   vtkTerminationSurface* FindSurface(int id, int& part) const;
-  /// Follows the contours of all levels in use. Returns an error if a surface is missing or cannot
+  /// Traces the contours of all levels in use. Returns an error if a surface is missing or cannot
   /// be used.
   interlume::Error FindContours(interlume::StreamSurfaceTriangles& work) const;
   void FillTexture(const std::vector<double>& lengths, const std::vector<vtkIdType>& sources,

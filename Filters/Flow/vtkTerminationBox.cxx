@@ -82,7 +82,7 @@ void vtkTerminationBox::EvaluateNormal(const double x[3], double normal[3]) cons
 bool vtkTerminationBox::EvaluatePoint(int part, const double uv[2], double x[3]) const
 {
   double taken[2];
-  if (!this->TakeParameters(part, uv, taken))
+  if (!this->NormalizeParameters(part, uv, taken))
   {
     return false;
   }

@@ -6,14 +6,15 @@
 
 /**
  * @class   vtkTerminationBox
- * @brief   the six faces of a box along the axes
+ * @brief   axis-aligned box as a termination surface
  *
- * Parts 0 to 5 are the faces -x, +x, -y, +y, -z, +z. (u,v) of a face are the other two axes in the
- * order x, y, z, from 0 at the lower bound to 1 at the upper. Normals point outward; the distance
- * is exact everywhere and negative inside. The nearest face is the one that the point is least
- * inside of, or furthest outside.
+ * Parts 0 to 5 are the faces -x, +x, -y, +y, -z, +z. The (u,v) of a face are the other two axes in
+ * the order x, y, z, from 0 at the lower to 1 at the upper bound. Normals point outward. The
+ * distance is exact everywhere and negative inside. The nearest face of a point is the face with
+ * the largest signed distance.
  *
- * Update reports bounds that are not finite, and a lower bound that is not below its upper.
+ * Update reports bounds that are not finite, and lower bounds that are not below their upper
+ * bounds.
  */
 class INTERLUMEFLOW_EXPORT vtkTerminationBox : public vtkTerminationSurface
 {
@@ -24,8 +25,8 @@ public:
 
   ///@{
   /**
-   * The lower and upper bounds of x, y, z, in world units. Default -0.5, 0.5 for each. Valid:
-   * finite, lower < upper.
+   * Lower and upper bounds of x, y, z, in world units. Default: -0.5, 0.5 for each. Valid: finite,
+   * lower < upper.
    */
   vtkSetVector6Macro(Bounds, double);
   vtkGetVector6Macro(Bounds, double);

@@ -5,7 +5,7 @@
 #include "Common/NamedValue.h"
 #include "Common/Vectors.h"
 #include "Termination/AxialFrame.h"
-#include "Termination/DiscParameters.h"
+#include "Termination/DiskParameters.h"
 
 #include "vtkMath.h"
 #include "vtkObjectFactory.h"
@@ -31,7 +31,7 @@ std::string vtkTerminationCylinder::Update()
   }
   if (!interlume::FiniteNumbers::IsSize(this->Radius))
   {
-    return "the cylinder's radius is not finite and above 0";
+    return "the cylinder's radius must be finite and greater than 0";
   }
   const glm::dvec3 axis = interlume::Vectors::Difference(this->Point2, this->Point1);
   this->Length = interlume::Vectors::SafeLength(axis);
@@ -43,64 +43,65 @@ std::string vtkTerminationCylinder::Update()
   return {};
 }
 
-vtkTerminationCylinder::Place vtkTerminationCylinder::GetPlace(const double x[3]) const
+vtkTerminationCylinder::LocalPosition vtkTerminationCylinder::GetLocalPosition(
+  const double x[3]) const
 {
   const glm::dvec3 p = this->Frame->GetComponents(glm::make_vec3(x), glm::make_vec3(this->Point1));
-  Place place;
-  place.Offset[0] = p[0];
-  place.Offset[1] = p[1];
-  place.Along = p[2];
-  place.Wall = std::hypot(p[0], p[1]) - this->Radius;
-  place.End = std::max(-p[2], p[2] - this->Length);
-  place.Part = WALL;
-  if (this->Capped && place.End > place.Wall)
+  LocalPosition position;
+  position.Offset[0] = p[0];
+  position.Offset[1] = p[1];
+  position.Along = p[2];
+  position.Wall = std::hypot(p[0], p[1]) - this->Radius;
+  position.End = std::max(-p[2], p[2] - this->Length);
+  position.Part = WALL;
+  if (this->Capped && position.End > position.Wall)
   {
-    place.Part = p[2] < 0.5 * this->Length ? CAP_1 : CAP_2;
+    position.Part = p[2] < 0.5 * this->Length ? CAP_1 : CAP_2;
   }
-  return place;
+  return position;
 }
 
 double vtkTerminationCylinder::EvaluateDistance(const double x[3]) const
 {
-  const Place place = this->GetPlace(x);
+  const LocalPosition position = this->GetLocalPosition(x);
   if (!this->Capped)
   {
-    return place.Wall;
+    return position.Wall;
   }
-  return place.Wall > 0.0 && place.End > 0.0 ? std::hypot(place.Wall, place.End)
-                                             : std::max(place.Wall, place.End);
+  return position.Wall > 0.0 && position.End > 0.0 ? std::hypot(position.Wall, position.End)
+                                                   : std::max(position.Wall, position.End);
 }
 
 bool vtkTerminationCylinder::IsOn(const double x[3]) const
 {
-  return this->Capped || this->GetPlace(x).End <= BorderTolerance * this->Length;
+  return this->Capped || this->GetLocalPosition(x).End <= BorderTolerance * this->Length;
 }
 
 int vtkTerminationCylinder::EvaluatePart(const double x[3]) const
 {
-  return this->GetPlace(x).Part;
+  return this->GetLocalPosition(x).Part;
 }
 
 void vtkTerminationCylinder::EvaluateParameters(const double x[3], double uv[2]) const
 {
-  const Place place = this->GetPlace(x);
-  if (place.Part == WALL)
+  const LocalPosition position = this->GetLocalPosition(x);
+  if (position.Part == WALL)
   {
-    uv[0] = interlume::AxialFrame::GetTurn(place.Offset[0], place.Offset[1]);
-    uv[1] = std::max(0.0, std::min(place.Along / this->Length, 1.0));
+    uv[0] = interlume::AxialFrame::GetTurn(position.Offset[0], position.Offset[1]);
+    uv[1] = std::max(0.0, std::min(position.Along / this->Length, 1.0));
     return;
   }
-  interlume::DiscParameters::FromPoint(
-    place.Offset[0] / this->Radius, place.Offset[1] / this->Radius, uv);
+  interlume::DiskParameters::FromPoint(
+    position.Offset[0] / this->Radius, position.Offset[1] / this->Radius, uv);
 }
 
 void vtkTerminationCylinder::EvaluateNormal(const double x[3], double normal[3]) const
 {
-  const Place place = this->GetPlace(x);
-  glm::dvec3 outward = this->Frame->GetVector(0.0, 0.0, place.Part == CAP_1 ? -1.0 : 1.0);
-  if (place.Part == WALL)
+  const LocalPosition position = this->GetLocalPosition(x);
+  glm::dvec3 outward = this->Frame->GetVector(0.0, 0.0, position.Part == CAP_1 ? -1.0 : 1.0);
+  if (position.Part == WALL)
   {
-    outward = this->Frame->GetVector(place.Offset[0], place.Offset[1], 0.0);
+    outward = this->Frame->GetVector(position.Offset[0], position.Offset[1], 0.0);
     const double length = interlume::Vectors::SafeLength(outward);
     outward = length > 0.0 ? outward / length : this->Frame->X;
   }
@@ -110,14 +111,14 @@ void vtkTerminationCylinder::EvaluateNormal(const double x[3], double normal[3])
 bool vtkTerminationCylinder::EvaluatePoint(int part, const double uv[2], double x[3]) const
 {
   double taken[2];
-  if (!this->TakeParameters(part, uv, taken))
+  if (!this->NormalizeParameters(part, uv, taken))
   {
     return false;
   }
   const double angle = 2.0 * vtkMath::Pi() * taken[0];
   double a = std::cos(angle);
   double b = std::sin(angle);
-  if (part != WALL && !interlume::DiscParameters::ToPoint(taken, a, b))
+  if (part != WALL && !interlume::DiskParameters::ToPoint(taken, a, b))
   {
     return false;
   }

@@ -13,18 +13,19 @@ struct AxialFrame;
 
 /**
  * @class   vtkTerminationCylinder
- * @brief   the wall of a cylinder between two points of its axis, and its caps on request
+ * @brief   cylinder between two points, with optional caps, as a termination surface
  *
- * Part 0 is the wall: u the angle in turns, counterclockwise around the axis from Point1 to Point2
- * and periodic; v from 0 at Point1 to 1 at Point2. u = 0 is towards x for an axis along z, else
- * where the basis of T. Duff et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017,
- * has its first vector. The distance is that from the infinite wall, negative inside.
+ * Part 0 is the wall. The parameter u is the angle in turns, counterclockwise around the axis from
+ * Point1 to Point2, and periodic. The parameter v runs from 0 at Point1 to 1 at Point2. The
+ * direction u = 0 is x for an axis along z, otherwise the first direction of the basis of T. Duff
+ * et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017. The distance is measured
+ * from the wall extended to infinity, and is negative inside.
  *
- * With Capped, parts 1 and 2 are the discs at Point1 and Point2, and the distance is that of the
- * closed cylinder. In a disc u = (x / Radius + 1) / 2, v = (y / Radius + 1) / 2, x towards u = 0 of
- * the wall and y towards u = 1/4; neither is periodic. Normals point outward.
+ * With Capped, parts 1 and 2 are the disks at Point1 and Point2, and the distance refers to the
+ * closed cylinder. On a disk, u = (x / Radius + 1) / 2 and v = (y / Radius + 1) / 2, with x toward
+ * u = 0 of the wall and y toward u = 1/4; neither is periodic. Normals point outward.
  *
- * Update reports points that are not finite or are the same, and a radius that is not above 0.
+ * Update reports points that are not finite or that coincide, and a radius that is not above 0.
  */
 class INTERLUMEFLOW_EXPORT vtkTerminationCylinder : public vtkTerminationSurface
 {
@@ -35,8 +36,8 @@ public:
 
   ///@{
   /**
-   * The ends of the axis and the radius, world units. Default (0, 0, -0.5), (0, 0, 0.5), 0.5.
-   * Valid: finite, not the same; above 0.
+   * Ends of the axis and radius, in world units. Default: (0, 0, -0.5), (0, 0, 0.5), 0.5. Valid:
+   * finite and distinct; above 0.
    */
   vtkSetVector3Macro(Point1, double);
   vtkGetVector3Macro(Point1, double);
@@ -48,7 +49,7 @@ public:
 
   ///@{
   /**
-   * Whether the cylinder is closed by discs. Default off.
+   * If true, disks close the cylinder. Default: off.
    */
   vtkSetMacro(Capped, bool);
   vtkGetMacro(Capped, bool);
@@ -81,20 +82,20 @@ private:
   vtkTerminationCylinder(const vtkTerminationCylinder&) = delete;
   void operator=(const vtkTerminationCylinder&) = delete;
 
-  /// The position of a point in the cylinder's own coordinates.
-  struct Place
+  /// Position of a point in the cylinder's coordinates.
+  struct LocalPosition
   {
-    /// The offset across the axis.
+    /// Offset across the axis.
     double Offset[2];
-    /// The distance from Point1 along the axis.
+    /// Distance from Point1 along the axis.
     double Along;
-    /// The signed distances from the infinite wall and from the nearer end's plane, negative
-    /// inside.
+    /// Signed distances from the wall, extended to infinity, and from the plane of the nearer end.
+    /// Both are negative inside.
     double Wall;
     double End;
     int Part;
   };
-  Place GetPlace(const double x[3]) const;
+  LocalPosition GetLocalPosition(const double x[3]) const;
 
   const std::unique_ptr<interlume::AxialFrame> Frame;
   double Length = 1.0;

@@ -9,12 +9,13 @@
 
 vtkStandardNewMacro(vtkTerminationInflow);
 
-std::string vtkTerminationInflow::PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward)
+std::string vtkTerminationInflow::InitializeFromField(
+  vtkDataSet* field, vtkDataArray* vectors, bool isBackward)
 {
   interlume::InflowFinder finder;
   if (!finder.Find(field, vectors, !isBackward))
   {
-    return "there is no flow in the field, and so no place where it enters";
+    return "the field has no flow, so the inflow rectangle cannot be placed";
   }
   const int axes[2] = { (finder.GetAxis() + 1) % 3, (finder.GetAxis() + 2) % 3 };
   double corners[3][3];
@@ -23,14 +24,14 @@ std::string vtkTerminationInflow::PlaceIn(vtkDataSet* field, vtkDataArray* vecto
     corner[finder.GetAxis()] = finder.GetPosition();
     for (int i = 0; i < 2; ++i)
     {
-      corner[axes[i]] = finder.GetMiddle()[i] - this->Size * finder.GetHalfWidth()[i];
+      corner[axes[i]] = finder.GetCenter()[i] - this->Size * finder.GetHalfWidth()[i];
     }
   }
   for (int i = 0; i < 2; ++i)
   {
     corners[1 + i][axes[i]] += 2.0 * this->Size * finder.GetHalfWidth()[i];
   }
-  // The setters modify nothing where the rectangle is placed as before.
+  // The setters do not modify the object if the rectangle is unchanged.
   this->SetOrigin(corners[0]);
   this->SetPoint1(corners[1]);
   this->SetPoint2(corners[2]);

@@ -6,19 +6,19 @@
 
 /**
  * @class   vtkTerminationInflow
- * @brief   a rectangle where the flow enters the field, placed by itself
+ * @brief   rectangle where the flow enters the field, placed automatically
  *
- * The rectangle lies across x, y or z, whichever has the most flow through a plane across it, close
- * to where that flow enters the field: the first plane along the flow of those through which at
- * least four tenths of the most goes (interlume::InflowFinder). Where streamlines are followed
- * along the vectors it is where the flow leaves instead, so that streamlines end on it. With Size 1
- * it has all cells that this flow goes through there.
+ * The rectangle is perpendicular to the coordinate axis with the largest flow through a plane, and
+ * close to the position where that flow enters the field. Of the planes with at least 40 % of the
+ * largest flow, it is the first along the flow. For FORWARD streamlines it lies where the flow
+ * leaves the field, so that streamlines end on it. With Size 1 it covers all cells in its plane
+ * that this flow crosses.
  *
- * u goes along the axis after the normal's, v along the next one: for a normal along x along y and
- * z. The normal is along the axis, whether the flow is or not.
+ * The parameters u and v run along the next two axes in cyclic order: y and z for a normal along x.
+ * The normal points along the positive axis, regardless of the flow direction.
  *
- * Origin, Point1 and Point2 are replaced by PlaceIn, which vtkImplicitFlowField calls. It reports
- * a field without any flow.
+ * vtkImplicitFlowField calls InitializeFromField, which sets Origin, Point1 and Point2. It reports
+ * a field without flow.
  */
 class INTERLUMEFLOW_EXPORT vtkTerminationInflow : public vtkTerminationPlane
 {
@@ -29,14 +29,15 @@ public:
 
   ///@{
   /**
-   * The part of the flow's width and height that the rectangle takes, around its middle. Default 1.
-   * Valid: 0.001 to 10.
+   * Size of the rectangle around its center, as a fraction of the width and height of the area that
+   * the flow crosses. Default: 1. Valid: 0.001 to 10; clamped.
    */
   vtkSetClampMacro(Size, double, 0.001, 10.0);
   vtkGetMacro(Size, double);
   ///@}
 
-  std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
+  std::string InitializeFromField(
+    vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
   bool IsPlacedByVectors() const override { return true; }
 
 protected:

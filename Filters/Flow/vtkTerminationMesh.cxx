@@ -22,9 +22,9 @@ vtkStandardNewMacro(vtkTerminationMesh);
 
 namespace
 {
-// The share of the diagonal beyond which, away from the mesh, a change of sign is a jump and no
+// Distance from the mesh, as a fraction of its diagonal, above which a sign change is a jump, not a
 // crossing.
-constexpr double Nearness = 1e-6;
+constexpr double JumpDistance = 1e-6;
 }
 
 struct vtkTerminationMesh::Contents
@@ -33,26 +33,26 @@ struct vtkTerminationMesh::Contents
   interlume::TriangleEdges Edges;
   interlume::TriangleDistance Distance;
   interlume::TextureSearch Texture;
-  /// The error that rounding may have made in the positions of points.
+  /// Rounding error of the points' positions.
   double Rounding = 0.0;
 
-  /// What is nearest to a place, in the units of the triangles' vertices.
+  /// Nearest triangle of a position, in the scaled units of the vertices.
   struct Nearest
   {
-    glm::dvec3 Place;
-    /// -1 without any.
+    glm::dvec3 Position;
+    /// Index of the triangle; -1 if the mesh is empty.
     int Triangle;
     interlume::ClosestTrianglePoint Foot;
   };
   Nearest FindNearest(const double x[3]) const
   {
     Nearest nearest;
-    nearest.Place = this->Triangles.Scale * glm::make_vec3(x);
-    nearest.Triangle = this->Distance.FindNearest(nearest.Place, nearest.Foot);
+    nearest.Position = this->Triangles.Scale * glm::make_vec3(x);
+    nearest.Triangle = this->Distance.FindNearest(nearest.Position, nearest.Foot);
     return nearest;
   }
 
-  // Returns whether the place is not beyond an open border by more than the tolerance.
+  // Returns true if the position is not past an open boundary by more than the tolerance.
   bool IsWithinBorder(const Nearest& nearest, double tolerance) const
   {
     if (!this->Distance.IsOnBorder(nearest.Triangle, nearest.Foot))
@@ -60,14 +60,14 @@ struct vtkTerminationMesh::Contents
       return true;
     }
     const glm::dvec3& normal = this->Distance.GetNormal(nearest.Triangle, nearest.Foot);
-    const glm::dvec3 beyond = nearest.Place - nearest.Foot.Point;
-    return glm::length(beyond - glm::dot(beyond, normal) * normal) <=
+    const glm::dvec3 offset = nearest.Position - nearest.Foot.Point;
+    return glm::length(offset - glm::dot(offset, normal) * normal) <=
       tolerance * this->Triangles.Diagonal;
   }
 };
 
 vtkTerminationMesh::vtkTerminationMesh()
-  : Made(new Contents)
+  : Prepared(new Contents)
 {
 }
 
@@ -105,22 +105,22 @@ vtkMTimeType vtkTerminationMesh::GetMTime()
 
 vtkIdType vtkTerminationMesh::GetNumberOfTriangles() const
 {
-  return static_cast<vtkIdType>(this->Made->Triangles.Triangles.size());
+  return static_cast<vtkIdType>(this->Prepared->Triangles.Triangles.size());
 }
 
 vtkIdType vtkTerminationMesh::GetNumberOfDegenerateTriangles() const
 {
-  return this->Made->Triangles.NumberOfDegenerateTriangles;
+  return this->Prepared->Triangles.NumberOfDegenerateTriangles;
 }
 
 vtkIdType vtkTerminationMesh::GetNumberOfBorderEdges() const
 {
-  return this->Made->Edges.NumberOfBorderEdges;
+  return this->Prepared->Edges.NumberOfBorderEdges;
 }
 
 vtkIdType vtkTerminationMesh::GetNumberOfBranchingEdges() const
 {
-  return this->Made->Edges.NumberOfBranchingEdges;
+  return this->Prepared->Edges.NumberOfBranchingEdges;
 }
 
 std::string vtkTerminationMesh::Update()
@@ -129,66 +129,67 @@ std::string vtkTerminationMesh::Update()
   {
     return {};
   }
-  this->Made.reset(new Contents);
+  this->Prepared.reset(new Contents);
   if (!this->Mesh)
   {
     return "the mesh has no dataset";
   }
   const bool isPeriodic[2] = { this->PeriodicU, this->PeriodicV };
-  std::unique_ptr<Contents> made(new Contents);
-  if (const interlume::Error error = made->Triangles.Take(this->Mesh, this->Tolerance, isPeriodic))
+  std::unique_ptr<Contents> prepared(new Contents);
+  if (const interlume::Error error =
+        prepared->Triangles.Take(this->Mesh, this->Tolerance, isPeriodic))
   {
     return error.GetMessage();
   }
-  made->Edges.Connect(made->Triangles);
-  if (const interlume::Error error = made->Edges.Orient(made->Triangles))
+  prepared->Edges.Connect(prepared->Triangles);
+  if (const interlume::Error error = prepared->Edges.Orient(prepared->Triangles))
   {
     return error.GetMessage();
   }
-  made->Distance.Build(&made->Triangles, made->Edges);
-  made->Texture.Build(&made->Triangles, isPeriodic);
+  prepared->Distance.Build(&prepared->Triangles, prepared->Edges);
+  prepared->Texture.Build(&prepared->Triangles, isPeriodic);
   if (this->Mesh->GetPoints()->GetDataType() == VTK_FLOAT)
   {
-    for (const double bound : made->Triangles.Bounds)
+    for (const double bound : prepared->Triangles.Bounds)
     {
-      made->Rounding = std::max(made->Rounding, FLT_EPSILON * std::abs(bound));
+      prepared->Rounding = std::max(prepared->Rounding, FLT_EPSILON * std::abs(bound));
     }
   }
-  this->Made = std::move(made);
+  this->Prepared = std::move(prepared);
   this->UpdateTime.Modified();
   return {};
 }
 
 double vtkTerminationMesh::EvaluateDistance(const double x[3]) const
 {
-  const Contents::Nearest nearest = this->Made->FindNearest(x);
+  const Contents::Nearest nearest = this->Prepared->FindNearest(x);
   return nearest.Triangle < 0
     ? VTK_DOUBLE_MAX
-    : this->Made->Distance.GetSignedDistance(nearest.Triangle, nearest.Foot, nearest.Place) /
-      this->Made->Triangles.Scale;
+    : this->Prepared->Distance.GetSignedDistance(nearest.Triangle, nearest.Foot, nearest.Position) /
+      this->Prepared->Triangles.Scale;
 }
 
 bool vtkTerminationMesh::IsOn(const double x[3]) const
 {
-  const Contents::Nearest nearest = this->Made->FindNearest(x);
+  const Contents::Nearest nearest = this->Prepared->FindNearest(x);
   return nearest.Triangle >= 0 &&
-    std::sqrt(nearest.Foot.SquaredDistance) <= Nearness * this->Made->Triangles.Diagonal &&
-    this->Made->IsWithinBorder(nearest, this->Tolerance);
+    std::sqrt(nearest.Foot.SquaredDistance) <= JumpDistance * this->Prepared->Triangles.Diagonal &&
+    this->Prepared->IsWithinBorder(nearest, this->Tolerance);
 }
 
-bool vtkTerminationMesh::IsBeside(const double x[3]) const
+bool vtkTerminationMesh::ProjectsOntoSurface(const double x[3]) const
 {
-  const Contents::Nearest nearest = this->Made->FindNearest(x);
-  return nearest.Triangle >= 0 && this->Made->IsWithinBorder(nearest, this->Tolerance);
+  const Contents::Nearest nearest = this->Prepared->FindNearest(x);
+  return nearest.Triangle >= 0 && this->Prepared->IsWithinBorder(nearest, this->Tolerance);
 }
 
 void vtkTerminationMesh::EvaluateParameters(const double x[3], double uv[2]) const
 {
   std::fill_n(uv, 2, 0.0);
-  const Contents::Nearest nearest = this->Made->FindNearest(x);
+  const Contents::Nearest nearest = this->Prepared->FindNearest(x);
   for (int i = 0; i < 2 && nearest.Triangle >= 0; ++i)
   {
-    const auto& texture = this->Made->Triangles.Triangles[nearest.Triangle].Texture;
+    const auto& texture = this->Prepared->Triangles.Triangles[nearest.Triangle].Texture;
     const glm::dvec3& weights = nearest.Foot.Weights;
     uv[i] = weights[0] * texture[0][i] + weights[1] * texture[1][i] + weights[2] * texture[2][i];
     if (this->IsPeriodic(i))
@@ -201,27 +202,27 @@ void vtkTerminationMesh::EvaluateParameters(const double x[3], double uv[2]) con
 
 void vtkTerminationMesh::EvaluateNormal(const double x[3], double normal[3]) const
 {
-  const Contents::Nearest nearest = this->Made->FindNearest(x);
+  const Contents::Nearest nearest = this->Prepared->FindNearest(x);
   const glm::dvec3 outward = nearest.Triangle < 0
     ? glm::dvec3(0.0, 0.0, 1.0)
-    : this->Made->Distance.GetNormal(nearest.Triangle, nearest.Foot);
+    : this->Prepared->Distance.GetNormal(nearest.Triangle, nearest.Foot);
   std::copy_n(glm::value_ptr(outward), 3, normal);
 }
 
 bool vtkTerminationMesh::EvaluatePoint(int part, const double uv[2], double x[3]) const
 {
   double taken[2];
-  return this->TakeParameters(part, uv, taken) && this->Made->Texture.FindPoint(taken, x);
+  return this->NormalizeParameters(part, uv, taken) && this->Prepared->Texture.FindPoint(taken, x);
 }
 
 double vtkTerminationMesh::EvaluateGap(const double x[3]) const
 {
-  const Contents::Nearest nearest = this->Made->FindNearest(x);
+  const Contents::Nearest nearest = this->Prepared->FindNearest(x);
   return nearest.Triangle < 0
     ? VTK_DOUBLE_MAX
     : std::max(0.0,
-        std::sqrt(nearest.Foot.SquaredDistance) / this->Made->Triangles.Scale -
-          this->Made->Rounding);
+        std::sqrt(nearest.Foot.SquaredDistance) / this->Prepared->Triangles.Scale -
+          this->Prepared->Rounding);
 }
 
 bool vtkTerminationMesh::IsPeriodic(int direction, int) const
@@ -232,9 +233,9 @@ bool vtkTerminationMesh::IsPeriodic(int direction, int) const
 void vtkTerminationMesh::GetBounds(double bounds[6]) const
 {
   vtkMath::UninitializeBounds(bounds);
-  if (!this->Made->Triangles.Triangles.empty())
+  if (!this->Prepared->Triangles.Triangles.empty())
   {
-    std::copy_n(this->Made->Triangles.Bounds, 6, bounds);
+    std::copy_n(this->Prepared->Triangles.Bounds, 6, bounds);
   }
 }
 

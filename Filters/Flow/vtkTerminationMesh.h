@@ -11,28 +11,31 @@ class vtkPolyData;
 
 /**
  * @class   vtkTerminationMesh
- * @brief   any surface of triangles with texture coordinates as parameters
+ * @brief   triangle mesh with texture coordinates as a termination surface
  *
- * The surface consists of polygons and strips of a dataset, closed or open; polygons are cut into
- * triangles. (u,v) are the active texture coordinates of the points (two components, meant to be
- * from 0 to 1), interpolated in the triangle that holds the nearest point. Points in the same place
- * are one, so that a seam of the texture with points on both sides is no border.
+ * The surface consists of the polygons and strips of a dataset, triangulated; it may be open or
+ * closed. (u,v) are the active texture coordinates of the points (two components, usually from 0 to
+ * 1), interpolated in the triangle that contains the nearest point. Points at the same position are
+ * merged, so a texture seam with duplicated points is not a boundary.
  *
- * Triangles that share an edge are turned to agree; closed parts outward, open ones to how most of
- * their triangles are. The distance is that from the nearest triangle, its sign by angle-weighted
- * normals (J. A. Baerentzen and H. Aanaes, "Signed distance computation using the angle weighted
- * pseudonormal", IEEE TVCG 11(3), 2005), which are right at edges and vertices too; it is negative
- * inside a closed mesh. The sign jumps where an open mesh ends, halfway between parts that face the
- * same way, and may be wrong at edges of three and more triangles (GetNumberOfBranchingEdges). IsOn
- * is false at such jumps: it asks for a nearest point within 1e-6 of the mesh's diagonal, and for
- * one that is not beyond a border. The normal at an edge or a vertex is the angle-weighted one.
+ * Triangles are oriented consistently: closed components outward, open components like the majority
+ * of their triangles. The distance is measured from the nearest triangle. Its sign comes from
+ * angle-weighted pseudonormals (J. A. Baerentzen and H. Aanaes, "Signed distance computation using
+ * the angle weighted pseudonormal", IEEE TVCG 11(3), 2005), which are correct at edges and vertices
+ * too. The distance is negative inside a closed mesh. EvaluateNormal returns the pseudonormal at an
+ * edge or a vertex.
  *
- * A mesh of a field's own faces has triangles where the faces of cells are bilinear: which of both
- * a streamline meets first is left to vtkImplicitFlowField::SetArrivalTolerance, not to Tolerance.
+ * The sign jumps past the boundary of an open mesh, and halfway between components that face the
+ * same way. It may be wrong at edges of three or more triangles (GetNumberOfBranchingEdges). IsOn
+ * returns false at such jumps: the nearest point must be within 1e-6 of the mesh diagonal and not
+ * past a boundary edge.
  *
- * Update reports: no dataset, no triangle with an area, no texture coordinates or not two of them,
- * points or texture coordinates that are not finite, points that are not there, and a mesh that has
- * one side only. Triangles lower than Tolerance are left out and counted.
+ * If the mesh is made from the field's own faces, its triangles deviate from the cells' bilinear
+ * faces. vtkImplicitFlowField::SetArrivalTolerance, not Tolerance, allows for this deviation.
+ *
+ * Update reports a missing dataset, no triangle with an area, texture coordinates that are missing
+ * or do not have two components, points or texture coordinates that are not finite, invalid point
+ * ids, and a one-sided mesh. Triangles with a height below Tolerance are skipped and counted.
  */
 class INTERLUMEFLOW_EXPORT vtkTerminationMesh : public vtkTerminationSurface
 {
@@ -43,7 +46,7 @@ public:
 
   ///@{
   /**
-   * The mesh of the surface. Update reads it, and does not change it. Default null.
+   * Mesh of the surface. Update reads it without changing it. Default: null.
    */
   void SetMesh(vtkPolyData* mesh);
   vtkPolyData* GetMesh() const;
@@ -51,8 +54,9 @@ public:
 
   ///@{
   /**
-   * Whether u, or v, goes around, so that 0 and 1 are the same place. Triangles then may cross the
-   * seam: their coordinates are taken within a half of each other. Default off.
+   * If true, u (or v) is periodic: 0 and 1 are the same position. Triangles may then cross the
+   * seam; their texture coordinates are unwrapped to within half a period of each other. Default:
+   * off.
    */
   vtkSetMacro(PeriodicU, bool);
   vtkGetMacro(PeriodicU, bool);
@@ -64,9 +68,9 @@ public:
 
   ///@{
   /**
-   * The tolerance, as a part of the diagonal of the mesh's bounds: points nearer to each other are
-   * one, lower triangles are left out, and open borders are wider by it. Default 1e-9. Valid: 1e-15
-   * to 0.1, clamped; NaN is ignored.
+   * Tolerance as a fraction of the diagonal of the mesh's bounds. Closer points are merged,
+   * triangles of smaller height are skipped, and open boundaries are widened by it. Default: 1e-9.
+   * Valid: 1e-15 to 0.1; clamped. NaN is ignored.
    */
   void SetTolerance(double tolerance);
   vtkGetMacro(Tolerance, double);
@@ -74,8 +78,8 @@ public:
 
   ///@{
   /**
-   * The numbers of triangles and edges that Update found. A mesh is closed when it has neither
-   * border nor branching edges.
+   * Number of triangles and edges that Update found. A mesh without boundary edges and without
+   * branching edges is closed.
    */
   vtkIdType GetNumberOfTriangles() const;
   vtkIdType GetNumberOfDegenerateTriangles() const;
@@ -86,7 +90,7 @@ public:
   std::string Update() override;
   double EvaluateDistance(const double x[3]) const override;
   bool IsOn(const double x[3]) const override;
-  bool IsBeside(const double x[3]) const override;
+  bool ProjectsOntoSurface(const double x[3]) const override;
   void EvaluateParameters(const double x[3], double uv[2]) const override;
   void EvaluateNormal(const double x[3], double normal[3]) const override;
   bool EvaluatePoint(int part, const double uv[2], double x[3]) const override;
@@ -94,7 +98,7 @@ public:
   bool IsPeriodic(int direction, int part = 0) const override;
   void GetBounds(double bounds[6]) const override;
 
-  /// Returns the time of the last change, of the mesh too.
+  /// Return the modification time, including the mesh.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -105,9 +109,9 @@ private:
   vtkTerminationMesh(const vtkTerminationMesh&) = delete;
   void operator=(const vtkTerminationMesh&) = delete;
 
-  /// The data that Update makes; empty after an error.
+  /// Results of Update; empty after an error.
   struct Contents;
-  std::unique_ptr<Contents> Made;
+  std::unique_ptr<Contents> Prepared;
   vtkTimeStamp UpdateTime;
 
   vtkSmartPointer<vtkPolyData> Mesh;

@@ -95,7 +95,7 @@ bool vtkTerminationPlane::EvaluatePoint(int part, const double uv[2], double x[3
 {
   double taken[2] = { uv[0], uv[1] };
   const bool isThere = this->Unbounded ? part == 0 && std::isfinite(uv[0]) && std::isfinite(uv[1])
-                                       : this->TakeParameters(part, uv, taken);
+                                       : this->NormalizeParameters(part, uv, taken);
   for (int i = 0; isThere && i < 3; ++i)
   {
     x[i] = this->Origin[i] + taken[0] * (this->Point1[i] - this->Origin[i]) +

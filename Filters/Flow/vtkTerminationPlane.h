@@ -6,13 +6,14 @@
 
 /**
  * @class   vtkTerminationPlane
- * @brief   a parallelogram of a plane, or all of the plane
+ * @brief   parallelogram or infinite plane as a termination surface
  *
- * The parallelogram is given as in vtkPlaneSource: u goes from 0 at Origin to 1 at Point1, v to 1
- * at Point2. The two edges need not be perpendicular. The normal is (Point1 - Origin) x (Point2 -
- * Origin).
+ * The parallelogram is defined as in vtkPlaneSource: u runs from 0 at Origin to 1 at Point1, and v
+ * from 0 at Origin to 1 at Point2. The two edges need not be perpendicular. The normal is (Point1 -
+ * Origin) x (Point2 - Origin).
  *
- * Parameters of a point are those of its foot in the plane, clamped to 0 ... 1 unless Unbounded.
+ * The parameters of a point are those of its projection onto the plane, clamped to [0, 1] unless
+ * Unbounded is on.
  *
  * Update reports points that are not finite, an edge without length, and parallel edges (the sine
  * of their angle is below 1e-12).
@@ -26,8 +27,8 @@ public:
 
   ///@{
   /**
-   * The three corners of the parallelogram, in world units. Default (-0.5, -0.5, 0), (0.5, -0.5,
-   * 0), (-0.5, 0.5, 0). Valid: finite, not on a line.
+   * Three corners of the parallelogram, in world units. Default: (-0.5, -0.5, 0), (0.5, -0.5, 0),
+   * (-0.5, 0.5, 0). Valid: finite, not collinear.
    */
   vtkSetVector3Macro(Origin, double);
   vtkGetVector3Macro(Origin, double);
@@ -39,8 +40,8 @@ public:
 
   ///@{
   /**
-   * Whether all of the plane is the surface; parameters go on below 0 and above 1 then. Default
-   * off.
+   * If true, the surface is the infinite plane, and its parameters are not limited to [0, 1].
+   * Default: off.
    */
   vtkSetMacro(Unbounded, bool);
   vtkGetMacro(Unbounded, bool);
@@ -63,11 +64,11 @@ private:
   vtkTerminationPlane(const vtkTerminationPlane&) = delete;
   void operator=(const vtkTerminationPlane&) = delete;
 
-  /// Computes the parameters of the foot of \a x in the plane, not clamped.
+  /// Computes the parameters of the projection of \a x onto the plane, not clamped.
   void GetFoot(const double x[3], double uv[2]) const;
 
   double Normal[3] = { 0.0, 0.0, 1.0 };
-  /// The gradients of u and v.
+  /// Gradients of u and v.
   double Gradients[2][3] = { { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 } };
 
   double Origin[3] = { -0.5, -0.5, 0.0 };

@@ -25,11 +25,11 @@ std::string vtkTerminationSphere::Update()
 {
   if (!interlume::FiniteNumbers::AreFinite(this->Center, 3))
   {
-    return "the sphere's centre is not finite";
+    return "the sphere's center is not finite";
   }
   if (!interlume::FiniteNumbers::IsSize(this->Radius))
   {
-    return "the sphere's radius is not finite and above 0";
+    return "the sphere's radius must be finite and greater than 0";
   }
   if (!interlume::FiniteNumbers::IsSize(interlume::Vectors::SafeLength(glm::make_vec3(this->Axis))))
   {
@@ -63,7 +63,7 @@ void vtkTerminationSphere::EvaluateNormal(const double x[3], double normal[3]) c
 bool vtkTerminationSphere::EvaluatePoint(int part, const double uv[2], double x[3]) const
 {
   double taken[2];
-  if (!this->TakeParameters(part, uv, taken))
+  if (!this->NormalizeParameters(part, uv, taken))
   {
     return false;
   }

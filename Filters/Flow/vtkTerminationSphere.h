@@ -13,14 +13,15 @@ struct AxialFrame;
 
 /**
  * @class   vtkTerminationSphere
- * @brief   a sphere, by longitude and latitude
+ * @brief   sphere as a termination surface, with longitude and latitude as parameters
  *
- * u is the longitude in turns, counterclockwise around Axis and periodic; v the latitude, 0 at the
- * pole against Axis to 1 at the pole along it. With the axis z, u = 0 is towards x; with another
- * one it is where the basis of T. Duff et al., "Building an orthonormal basis, revisited", JCGT
- * 6(1), 2017, has its first vector. The normal points outward; the distance is negative inside.
+ * The parameter u is the longitude in turns, counterclockwise around Axis, and periodic. The
+ * parameter v is the latitude, from 0 at the pole against Axis to 1 at the pole along Axis. The
+ * direction u = 0 is x for an axis along z, otherwise the first direction of the basis of T. Duff
+ * et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017. The normal points outward.
+ * The distance is negative inside.
  *
- * Update reports a centre or an axis that is not finite, an axis of length 0, and a radius that is
+ * Update reports a center or an axis that is not finite, an axis of length 0, and a radius that is
  * not above 0.
  */
 class INTERLUMEFLOW_EXPORT vtkTerminationSphere : public vtkTerminationSurface
@@ -32,8 +33,8 @@ public:
 
   ///@{
   /**
-   * The centre and the radius of the sphere, in world units. Default (0, 0, 0), 0.5. Valid: finite;
-   * above 0.
+   * Center and radius of the sphere, in world units. Default: (0, 0, 0), 0.5. Valid: finite; above
+   * 0.
    */
   vtkSetVector3Macro(Center, double);
   vtkGetVector3Macro(Center, double);
@@ -43,7 +44,7 @@ public:
 
   ///@{
   /**
-   * The direction from pole to pole. Default (0, 0, 1). Valid: finite, any length above 0.
+   * Direction from pole to pole. Default: (0, 0, 1). Valid: finite, with any length above 0.
    */
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);

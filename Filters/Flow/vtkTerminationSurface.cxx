@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-std::string vtkTerminationSurface::PlaceIn(vtkDataSet*, vtkDataArray*, bool)
+std::string vtkTerminationSurface::InitializeFromField(vtkDataSet*, vtkDataArray*, bool)
 {
   return {};
 }
@@ -17,7 +17,7 @@ bool vtkTerminationSurface::IsOn(const double*) const
   return true;
 }
 
-bool vtkTerminationSurface::IsBeside(const double x[3]) const
+bool vtkTerminationSurface::ProjectsOntoSurface(const double x[3]) const
 {
   const double distance = this->EvaluateDistance(x);
   double foot[3];
@@ -49,7 +49,7 @@ double vtkTerminationSurface::EvaluateGap(const double x[3]) const
     : std::abs(this->EvaluateDistance(x));
 }
 
-bool vtkTerminationSurface::TakeParameters(int part, const double uv[2], double taken[2]) const
+bool vtkTerminationSurface::NormalizeParameters(int part, const double uv[2], double taken[2]) const
 {
   if (part < 0 || part >= this->GetNumberOfParts())
   {
@@ -59,7 +59,7 @@ bool vtkTerminationSurface::TakeParameters(int part, const double uv[2], double 
   {
     taken[i] =
       this->IsPeriodic(i, part) ? uv[i] - std::floor(uv[i]) : std::max(0.0, std::min(uv[i], 1.0));
-    // The condition is written so that NaN and infinity are refused.
+    // The negated condition rejects NaN and infinity.
     if (!(std::isfinite(uv[i]) &&
           (this->IsPeriodic(i, part) || std::abs(taken[i] - uv[i]) <= BorderTolerance)))
     {

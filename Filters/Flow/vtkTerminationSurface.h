@@ -2,6 +2,7 @@
 #ifndef vtkTerminationSurface_h
 #define vtkTerminationSurface_h
 
+#include "vtkDeprecation.h"      // for VTK_DEPRECATION
 #include "InterlumeFlowModule.h" // for the export macro
 #include "vtkObject.h"
 
@@ -12,20 +13,18 @@ class vtkDataSet;
 
 /**
  * @class   vtkTerminationSurface
- * @brief   where the advection of a sample ends: signed distance, parameters and normal
+ * @brief   abstract surface on which streamlines of vtkImplicitFlowField end
  *
- * Streamlines are followed until they reach this surface (C. Zhang, dissertation, Ohio State 2006,
- * section 4.4). It is the zero set of a signed distance, or the part of that set for which IsOn is
- * true where the surface ends somewhere (a rectangle of a plane, an open mesh). A streamline
- * reaches it where the distance along it changes sign, from either side.
+ * A termination surface is the zero set of a signed distance. If it has a boundary, like a
+ * rectangle or an open mesh, it is the part of the zero set for which IsOn returns true. A
+ * streamline reaches it where the distance changes sign along the streamline, from either side.
+ * Subclasses compute the distance, the parameters (u,v) and the normal.
  *
- * A surface has one or more parts; part p of a surface with id i is known as i + p in the array
- * TerminationId. Each part has parameters (u,v) of its own, from 0 to 1. Where parameters go
- * around, u = 0 and u = 1 are the same place and the direction is periodic; nothing else may jump
- * within a part.
+ * A surface has one or more parts. Part p of a surface with id i appears as i + p in the array
+ * TerminationId. Each part has its own parameters (u,v) from 0 to 1. In a periodic direction, 0 and
+ * 1 are the same position. Everywhere else, parameters must be continuous.
  *
- * The Evaluate functions may be called by several threads at once after Update, until a setter is
- * called.
+ * After Update, several threads may call the Evaluate functions at once, until a setter is called.
  *
  * @sa vtkTerminationInflow vtkTerminationPlane vtkTerminationSphere vtkTerminationCylinder
  * vtkTerminationBox vtkTerminationTube vtkTerminationMesh vtkImplicitFlowField
@@ -38,93 +37,100 @@ public:
 
   ///@{
   /**
-   * The id of the surface's first part; -1 stands for one that is free, given by the filter in the
-   * order of its surfaces. Surfaces of the same id are parts of one surface, lying in the same
-   * parameters. Default -1. Valid: -1 to 1000000000, clamped.
+   * Id of the first part of the surface. -1: the filter assigns a free id, in the order of its
+   * surfaces. Surfaces with the same id are treated as one surface and share its parameters.
+   * Default: -1. Valid: -1 to 1000000000; clamped.
    */
   vtkSetClampMacro(Id, int, -1, 1000000000);
   vtkGetMacro(Id, int);
   ///@}
 
-  /// The part of the size by which borders are wider, so that no streamline slips through between
-  /// two surfaces that touch.
+  /// Fraction of the surface's size by which its boundaries are widened, so that no streamline
+  /// passes between two surfaces that touch.
   static constexpr double BorderTolerance = 1e-9;
 
-  /// Returns how many ids the surface takes. Default 1.
+  /// Return the number of ids that the surface uses. Default: 1.
   virtual int GetNumberOfParts() const { return 1; }
 
   /**
-   * Takes the place or the size that the surface leaves open from the field that streamlines are
-   * followed in. vtkImplicitFlowField calls it before Update. \a vectors are the vectors at the
-   * points of \a field, \a isBackward says whether streamlines go against them. Returns an
-   * error message, or an empty string on success. Default: nothing is open.
+   * Set an automatic position or size from the field. vtkImplicitFlowField calls it before Update.
+   * \a vectors are the vectors at the points of \a field, and \a isBackward is true if streamlines
+   * run against them. Return an error message, or an empty string on success. Default: do nothing.
    */
-  virtual std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward);
+  virtual std::string InitializeFromField(
+    vtkDataSet* field, vtkDataArray* vectors, bool isBackward);
+  VTK_DEPRECATION("Call or override InitializeFromField.")
+  std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward)
+  {
+    return this->InitializeFromField(field, vectors, isBackward);
+  }
 
-  /// Returns whether PlaceIn reads vectors. Where it does not, and processes hold the field in
-  /// parts, its field is the whole without arrays, and \a vectors are those of a part. Default
-  /// false.
+  /// Return true if InitializeFromField reads vectors. If it returns false and the field is
+  /// distributed, InitializeFromField gets the whole field without arrays, and \a vectors belong to
+  /// the partition of this process only. Default: false.
   virtual bool IsPlacedByVectors() const { return false; }
 
   /**
-   * Prepares the data that the Evaluate functions need. Returns an error message ("the radius is
-   * not above 0"), or an empty string on success.
+   * Prepare the data of the Evaluate functions. Return an error message ("the radius is not above
+   * 0"), or an empty string on success.
    */
   virtual std::string Update() { return {}; }
 
   /**
-   * Returns the signed distance in world units, positive where the normal points to. Between two
-   * points it never changes by more than their distance, but for jumps of sign beyond the end of an
-   * open mesh.
+   * Return the signed distance in world units, positive on the side of the normal. Between two
+   * points it never changes by more than their distance, except for sign jumps past the boundary of
+   * an open mesh.
    */
   virtual double EvaluateDistance(const double x[3]) const = 0;
 
-  /// Returns whether a point at distance 0 is on the surface. Default true.
+  /// Return true if a point at distance 0 is on the surface. Default: true.
   virtual bool IsOn(const double x[3]) const;
 
-  /// Returns whether \a x, anywhere, is straight above or below the surface and not beyond its rim.
-  /// Default: IsOn of the point as far from \a x as the distance says, along the normal.
-  virtual bool IsBeside(const double x[3]) const;
+  /// Return true if \a x projects onto the surface along the normal, not past its boundary.
+  /// Default: IsOn of the projected point.
+  virtual bool ProjectsOntoSurface(const double x[3]) const;
+  VTK_DEPRECATION("Call or override ProjectsOntoSurface.")
+  bool IsBeside(const double x[3]) const { return this->ProjectsOntoSurface(x); }
 
-  /// Returns the part that is nearest to \a x. Default 0.
+  /// Return the part nearest to \a x. Default: 0.
   virtual int EvaluatePart(const double x[3]) const;
 
-  /// Computes the parameters of the point of the surface nearest to \a x, 0 to 1; in a periodic
-  /// direction below 1.
+  /// Compute the parameters of the surface point nearest to \a x. They are in [0, 1], or in [0, 1)
+  /// in a periodic direction.
   virtual void EvaluateParameters(const double x[3], double uv[2]) const = 0;
 
-  /// Computes the unit normal at the point of the surface nearest to \a x.
+  /// Compute the unit normal at the surface point nearest to \a x.
   virtual void EvaluateNormal(const double x[3], double normal[3]) const = 0;
 
   /**
-   * Computes the point of a part with these parameters. Returns false where there is none, as in
-   * the gaps between the triangles of a mesh's texture.
+   * Compute the point of a part with these parameters. Return false if no such point exists, as in
+   * gaps between a mesh's triangles in texture space.
    */
   virtual bool EvaluatePoint(int part, const double uv[2], double x[3]) const = 0;
 
-  /// Returns whether \a direction of a part, 0 for u and 1 for v, is periodic with period 1.
-  /// Default false.
+  /// Return true if \a direction of a part, 0 for u and 1 for v, is periodic with period 1.
+  /// Default: false.
   virtual bool IsPeriodic(int direction, int part = 0) const;
 
   /**
-   * Returns how far the nearest point of the surface is, its rim counted, less what rounding of the
-   * surface's own numbers may be. Default: the distance from the point that EvaluateParameters
-   * finds.
+   * Return the distance from \a x to the nearest surface point, including points on the boundary,
+   * less the rounding error of the surface's own data. Default: the distance to the point with the
+   * parameters from EvaluateParameters.
    */
   virtual double EvaluateGap(const double x[3]) const;
 
-  /// Returns the lower and upper bounds of x, y, z; empty (lower above upper) for a surface without
-  /// bounds.
+  /// Return the lower and upper bounds of x, y, z; empty bounds (lower above upper) for an
+  /// unbounded surface.
   virtual void GetBounds(double bounds[6]) const = 0;
 
 protected:
   vtkTerminationSurface() = default;
   ~vtkTerminationSurface() override = default;
 
-  /// Brings the parameters that EvaluatePoint is asked for into 0 ... 1: periodic directions go
-  /// around, others are clamped to 0 ... 1 when they are beyond by BorderTolerance at most. Returns
-  /// false for others and without the part.
-  bool TakeParameters(int part, const double uv[2], double taken[2]) const;
+  /// Maps the parameters of EvaluatePoint into [0, 1]: wraps periodic parameters, and clamps others
+  /// that exceed the range by at most BorderTolerance. Returns false if a parameter exceeds the
+  /// range by more, or if the part is invalid.
+  bool NormalizeParameters(int part, const double uv[2], double taken[2]) const;
 
 private:
   vtkTerminationSurface(const vtkTerminationSurface&) = delete;

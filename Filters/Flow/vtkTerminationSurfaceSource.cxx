@@ -68,7 +68,7 @@ int vtkTerminationSurfaceSource::RequestData(
 {
   SetReport(this->Report);
   if (const interlume::Error error =
-        this->Surface ? this->Surface->Update() : "there is none; call SetSurface")
+        this->Surface ? this->Surface->Update() : "it is null; call SetSurface")
   {
     vtkErrorMacro("The termination surface cannot be drawn: " << error << ".");
     return 1;

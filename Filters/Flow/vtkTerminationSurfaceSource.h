@@ -12,19 +12,20 @@ class vtkTerminationSurface;
 
 /**
  * @class   vtkTerminationSurfaceSource
- * @brief   a termination surface as triangles, to be drawn
+ * @brief   create triangles of a termination surface for display
  *
- * Each part is drawn as a grid over (u,v), 0 to 1. Where the part has no point for some parameters
- * (vtkTerminationSurface::EvaluatePoint) the grid is cut at the border, found by bisection. At the
- * seam of a periodic direction there are points at 0 and at 1. An unbounded plane is drawn as its
- * parallelogram.
+ * Creates a grid over (u,v), 0 to 1, for each part of the surface. Where
+ * vtkTerminationSurface::EvaluatePoint returns false, the grid is trimmed at the boundary, found by
+ * bisection. A periodic direction has points at both 0 and 1. An unbounded plane is displayed as
+ * its parallelogram.
  *
- * Output: triangles with the point arrays `TerminationUV` (double, 2 components), also the active
- * texture coordinates and scalars, and `Normals` (double), those of the surface, also the active
- * normals, and the cell array `TerminationId` (int): the surface's id, 0 for -1, plus the part.
- * Triangles are counterclockwise seen from where the normals point.
+ * Output: triangles with the point arrays `TerminationUV` (double, 2 components; active texture
+ * coordinates and scalars) and `Normals` (double; active normals), and the cell array
+ * `TerminationId` (int: the surface's id, 0 for -1, plus the part). Triangles are counterclockwise
+ * as seen from the side of the normal.
  *
- * Errors (vtkErrorMacro, empty output): no surface; what vtkTerminationSurface::Update reports.
+ * Errors (vtkErrorMacro, empty output): no surface; a surface rejected by
+ * vtkTerminationSurface::Update.
  */
 class INTERLUMEFLOW_EXPORT vtkTerminationSurfaceSource : public vtkPolyDataAlgorithm
 {
@@ -35,7 +36,7 @@ public:
 
   ///@{
   /**
-   * The surface that is drawn. Default null.
+   * Surface to triangulate. Default: null.
    */
   void SetSurface(vtkTerminationSurface* surface);
   vtkTerminationSurface* GetSurface() const;
@@ -43,7 +44,7 @@ public:
 
   ///@{
   /**
-   * The number of cells of the grid along u and v. Default 32, 32. Valid: 1 to 10000, clamped.
+   * Number of grid cells along u and v. Default: 32, 32. Valid: 1 to 10000; clamped.
    */
   vtkSetClampMacro(ResolutionU, int, 1, 10000);
   vtkGetMacro(ResolutionU, int);
@@ -51,18 +52,16 @@ public:
   vtkGetMacro(ResolutionV, int);
   ///@}
 
-  /// Returns the time of the last change, of the surface too.
+  /// Return the modification time, including the surface.
   vtkMTimeType GetMTime() override;
 
   /**
-   * Returns what the last execution drew:
+   * Return the report of the last execution, all 0 if it failed or was aborted:
    * - Parts: parts of the surface,
    * - Points: points of the output,
-   * - BorderPoints: those among them that were found on the border of a part, between grid nodes,
+   * - BorderPoints: points on the boundary of a part, between grid nodes,
    * - Triangles: triangles of the output,
-   * - FlatTriangles: triangles without area that were left out, as at the poles of a sphere.
-   *
-   * Every number is 0 after an execution that failed or was aborted.
+   * - FlatTriangles: skipped triangles without area, as at the poles of a sphere.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

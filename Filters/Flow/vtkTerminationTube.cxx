@@ -4,7 +4,7 @@
 #include "Common/FiniteNumbers.h"
 #include "Common/NamedValue.h"
 #include "Common/Vectors.h"
-#include "Termination/DiscParameters.h"
+#include "Termination/DiskParameters.h"
 #include "Termination/TubeAxis.h"
 
 #include "vtkCellArray.h"
@@ -77,7 +77,7 @@ std::string vtkTerminationTube::Update()
 {
   if (!interlume::FiniteNumbers::IsSize(this->Radius))
   {
-    return "the tube's radius is not finite and above 0";
+    return "the tube's radius must be finite and greater than 0";
   }
   if (!this->Line)
   {
@@ -100,7 +100,7 @@ std::string vtkTerminationTube::Update()
   {
     if (ids[i] < 0 || ids[i] >= this->Line->GetNumberOfPoints())
     {
-      return "the tube's line has point " + std::to_string(ids[i]) + ", which is not there";
+      return "the tube's line has point " + std::to_string(ids[i]) + ", which does not exist";
     }
     this->Line->GetPoint(ids[i], glm::value_ptr(points[i]));
   }
@@ -113,22 +113,24 @@ double vtkTerminationTube::EvaluateDistance(const double x[3]) const
   {
     return VTK_DOUBLE_MAX;
   }
-  const glm::dvec3 place = glm::make_vec3(x);
-  return interlume::Vectors::SafeLength(place - this->Axis->GetFoot(place).Nearest) - this->Radius;
+  const glm::dvec3 position = glm::make_vec3(x);
+  return interlume::Vectors::SafeLength(position - this->Axis->GetFoot(position).Nearest) -
+    this->Radius;
 }
 
 bool vtkTerminationTube::IsOn(const double x[3]) const
 {
   return !this->Axis->IsEmpty() &&
     (this->Capped ||
-      std::abs(this->Axis->GetFoot(glm::make_vec3(x)).Beyond) <=
+      std::abs(this->Axis->GetFoot(glm::make_vec3(x)).DistancePastEnd) <=
         BorderTolerance * this->Axis->GetLength());
 }
 
 int vtkTerminationTube::EvaluatePart(const double x[3]) const
 {
-  const double beyond =
-    this->Capped && !this->Axis->IsEmpty() ? this->Axis->GetFoot(glm::make_vec3(x)).Beyond : 0.0;
+  const double beyond = this->Capped && !this->Axis->IsEmpty()
+    ? this->Axis->GetFoot(glm::make_vec3(x)).DistancePastEnd
+    : 0.0;
   return beyond < 0.0 ? CAP_1 : (beyond > 0.0 ? CAP_2 : TUBE);
 }
 
@@ -144,7 +146,7 @@ void vtkTerminationTube::EvaluateParameters(const double x[3], double uv[2]) con
     const double across = std::hypot(p[0], p[1]);
     const double angle = std::atan2(across, std::abs(p[2]));
     const double scale = across > 0.0 ? 2.0 * angle / (vtkMath::Pi() * across) : 0.0;
-    interlume::DiscParameters::FromPoint(scale * p[0], scale * p[1], uv);
+    interlume::DiskParameters::FromPoint(scale * p[0], scale * p[1], uv);
   }
   else if (!this->Axis->IsEmpty())
   {
@@ -157,8 +159,8 @@ void vtkTerminationTube::EvaluateNormal(const double x[3], double normal[3]) con
   glm::dvec3 outward = interlume::AxialFrame().X;
   if (!this->Axis->IsEmpty())
   {
-    const glm::dvec3 place = glm::make_vec3(x);
-    const glm::dvec3 away = place - this->Axis->GetFoot(place).Nearest;
+    const glm::dvec3 position = glm::make_vec3(x);
+    const glm::dvec3 away = position - this->Axis->GetFoot(position).Nearest;
     const double length = interlume::Vectors::SafeLength(away);
     outward = length > 0.0 ? away / length : outward;
   }
@@ -168,7 +170,7 @@ void vtkTerminationTube::EvaluateNormal(const double x[3], double normal[3]) con
 bool vtkTerminationTube::EvaluatePoint(int part, const double uv[2], double x[3]) const
 {
   double taken[2];
-  if (this->Axis->IsEmpty() || !this->TakeParameters(part, uv, taken))
+  if (this->Axis->IsEmpty() || !this->NormalizeParameters(part, uv, taken))
   {
     return false;
   }
@@ -179,7 +181,7 @@ bool vtkTerminationTube::EvaluatePoint(int part, const double uv[2], double x[3]
   }
   double a;
   double b;
-  if (!interlume::DiscParameters::ToPoint(taken, a, b))
+  if (!interlume::DiskParameters::ToPoint(taken, a, b))
   {
     return false;
   }

@@ -18,29 +18,32 @@ class TubeAxis;
 
 /**
  * @class   vtkTerminationTube
- * @brief   the tube around a line, such as the axis of a vortex
+ * @brief   tube around a polyline, such as a vortex axis, as a termination surface
  *
- * The tube is the set of points at Radius from a polyline; its distance is the distance from the
- * line less the radius, negative inside.
+ * The tube is the set of points at distance Radius from a polyline. The signed distance is the
+ * distance from the line less the radius, negative inside.
  *
- * Part 0 is the tube: u is the angle around the line in turns, periodic, counterclockwise along the
- * line in a frame that does not turn around it (the rotation-minimising frame); u = 0 at the start
- * is where the basis of T. Duff et al., "Building an orthonormal basis, revisited", JCGT 6(1),
- * 2017, has its first vector. v goes from 0 at the first to 1 at the last point by length: at a
- * bend the parts meet in the plane that bisects it, and between two such planes v is linear along
- * the line.
+ * Part 0 is the tube. The parameter u is the angle around the line in turns, periodic,
+ * counterclockwise along the line in a rotation-minimizing frame. At the start of the line, u = 0
+ * is the first direction of the basis of T. Duff et al., "Building an orthonormal basis,
+ * revisited", JCGT 6(1), 2017. The parameter v is the fraction of the length, from 0 at the first
+ * to 1 at the last point. At a bend, the segments meet in the bisecting plane, and v is linear
+ * between two such planes.
  *
- * A line whose last point is its first is closed: v is periodic, and the rotation that the frame
- * has made after one round is spread over the length.
+ * A line whose first and last points coincide is closed. Then v is periodic, and the rotation of
+ * the frame after one round is distributed over the length.
  *
- * Beyond the ends is a half sphere around each. It is not on the surface unless Capped; then it is
- * part 1 at the first point and part 2 at the last. In these (u,v) = (1 + r d) / 2, d the direction
- * across the line in the frame and r the angle from the line over pi / 2; not periodic.
+ * Hemispheres close the ends of an open line. They belong to the surface only with Capped, as part
+ * 1 at the first and part 2 at the last point. There (u,v) = (1 + r d) / 2, where d is the
+ * direction across the line in the frame, and r is the angle from the line divided by pi / 2; not
+ * periodic.
  *
- * Where the radius is more than the bends' the tube meets itself, and parameters jump there.
+ * If the radius exceeds the bend radius of the line, the tube intersects itself, and parameters
+ * jump.
  *
- * Update reports a radius that is not above 0, a point that is not finite, fewer than two places, a
- * line that turns back on itself, and a dataset that has not one line.
+ * Update reports a radius that is not above 0, points that are not finite, fewer than two distinct
+ * points, a line that reverses its direction at a point, and a dataset that does not have exactly
+ * one line.
  */
 class INTERLUMEFLOW_EXPORT vtkTerminationTube : public vtkTerminationSurface
 {
@@ -51,9 +54,8 @@ public:
 
   ///@{
   /**
-   * The points of the line, in world units. Default none. Valid: finite. Points in the same place
-   * as the one before count once. GetPoint leaves its argument as it is where there is no such
-   * point.
+   * Points of the line, in world units. Default: none. Valid: finite. Consecutive points at the
+   * same position count once. GetPoint does not change its argument if the index is invalid.
    */
   void AddPoint(double x, double y, double z);
   void RemoveAllPoints();
@@ -63,7 +65,7 @@ public:
 
   ///@{
   /**
-   * A dataset with one line cell, which is taken instead of the points. Default null.
+   * Dataset with one line cell, used instead of the points. Default: null.
    */
   void SetLine(vtkPolyData* line);
   vtkPolyData* GetLine() const;
@@ -71,7 +73,7 @@ public:
 
   ///@{
   /**
-   * The radius of the tube, in world units. Default 0.5. Valid: finite, above 0.
+   * Radius of the tube, in world units. Default: 0.5. Valid: finite, above 0.
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
@@ -79,7 +81,8 @@ public:
 
   ///@{
   /**
-   * Whether the round ends are part of the surface. A closed line has none. Default off.
+   * If true, the hemispheres at the ends are part of the surface. Closed lines have no ends.
+   * Default: off.
    */
   vtkSetMacro(Capped, bool);
   vtkGetMacro(Capped, bool);
@@ -104,7 +107,7 @@ public:
   bool IsPeriodic(int direction, int part = 0) const override;
   void GetBounds(double bounds[6]) const override;
 
-  /// Returns the time of the last change, of the line too.
+  /// Return the modification time, including the line.
   vtkMTimeType GetMTime() override;
 
 protected:

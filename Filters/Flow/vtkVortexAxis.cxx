@@ -35,7 +35,7 @@ namespace
 {
 using Vortex = interlume::CrossFlow::Vortex;
 
-// Holds the vortices of all planes, those of one plane together.
+// Connects the vortices of consecutive planes.
 class Tracker
 {
 public:
@@ -55,7 +55,7 @@ public:
     }
   }
 
-  // Returns the strongest vortex; null without a vortex.
+  // Returns the strongest vortex, or null without vortices.
   const Vortex* FindStrongest() const
   {
     const Vortex* strongest = nullptr;
@@ -74,7 +74,7 @@ public:
   {
     const double height = this->Flow.GetHeight(seed);
     const Vortex* nearest = nullptr;
-    std::pair<double, double> least;
+    std::pair<double, double> smallest;
     for (const auto& plane : this->Planes)
     {
       for (const Vortex& vortex : plane)
@@ -82,17 +82,18 @@ public:
         const std::pair<double, double> distances = { std::abs(
                                                         this->Flow.GetPlane(vortex.Plane) - height),
           this->Flow.GetDistance(vortex.Position, seed) };
-        if (!nearest || distances < least)
+        if (!nearest || distances < smallest)
         {
           nearest = &vortex;
-          least = distances;
+          smallest = distances;
         }
       }
     }
     return nearest;
   }
 
-  // Returns a vortex for each plane by ascending plane; not all planes have one.
+  // Returns the vortices connected to \a start, at most one per plane, in ascending order of
+  // planes.
   std::vector<const Vortex*> Follow(const Vortex* start) const
   {
     std::vector<const Vortex*> axis = { start };
@@ -118,17 +119,17 @@ private:
   const Vortex* FindNext(const Vortex& last, int plane) const
   {
     const Vortex* next = nullptr;
-    double least = this->Radius > 0.0 ? this->Radius * std::abs(plane - last.Plane)
-                                      : 2.0 *
+    double smallest = this->Radius > 0.0 ? this->Radius * std::abs(plane - last.Plane)
+                                         : 2.0 *
         (std::abs(this->Flow.GetPlane(plane) - this->Flow.GetPlane(last.Plane)) + last.CellLength);
     for (const Vortex& vortex : this->Planes[plane])
     {
       const double distance = this->Flow.GetDistance(vortex.Position, last.Position);
       if (vortex.IsCounterclockwise == last.IsCounterclockwise &&
-        (next ? distance < least : distance <= least))
+        (next ? distance < smallest : distance <= smallest))
       {
         next = &vortex;
-        least = distance;
+        smallest = distance;
       }
     }
     return next;
@@ -182,7 +183,7 @@ interlume::Error CheckVector(const char* name, const double v[3], bool isDirecti
   if (!isFinite || (isDirection && isZero))
   {
     what << name << " " << v[0] << " " << v[1] << " " << v[2]
-         << (isFinite ? " is no direction." : " is not finite.");
+         << (isFinite ? " has length 0; set a direction." : " is not finite.");
   }
   return what.str();
 }
@@ -219,11 +220,12 @@ int vtkVortexAxis::RequestData(
   SetReport(this->Report);
   if (!input || input->GetNumberOfCells() == 0)
   {
-    // Nothing at all is no error, and one piece of several may well have points alone.
+    // An empty input is not an error, and one piece of several may have points only.
     if (input && input->GetNumberOfPoints() > 0 &&
-      interlume::OutputPiece::IsWhole(outputs->GetInformationObject(0)))
+      interlume::OutputPiece::IsEntireOutput(outputs->GetInformationObject(0)))
     {
-      vtkErrorMacro("The input has no cells, in which velocities are interpolated.");
+      vtkErrorMacro(
+        "The input has points but no cells. Pass a vtkDataSet with three-dimensional cells.");
     }
     return 1;
   }
@@ -266,10 +268,10 @@ int vtkVortexAxis::RequestData(
   else
   {
     vtkWarningMacro("No plane across the axis ("
-      << this->Axis[0] << ", " << this->Axis[1] << ", " << this->Axis[2] << ") has a vortex: of "
-      << search.GetZeros().size() << " places in " << flow.GetNumberOfPlanes()
-      << " planes where the velocity across the axis is "
-         "0 none turns around it"
+      << this->Axis[0] << ", " << this->Axis[1] << ", " << this->Axis[2]
+      << ") has a vortex: the velocity across the axis is 0 at " << search.GetZeros().size()
+      << " points in " << flow.GetNumberOfPlanes()
+      << " planes, but the flow rotates around none of them"
       << (this->MinimumSwirlStrength > 0.0 ? " as strongly as MinimumSwirlStrength." : "."));
   }
   SetReport(this->Report, flow.GetNumberOfPlanes(),

@@ -9,34 +9,31 @@
 
 /**
  * @class   vtkVortexAxis
- * @brief   the axis of a vortex, as the eye of a hurricane: the line of vanishing cross-flow speed
+ * @brief   find the axis of a vortex, such as the eye of a hurricane
  *
- * C. Zhang, dissertation, Ohio State 2006, section 4.6 takes "the path of the zero-velocity points"
- * for a hurricane's eye. On planes across Axis, the places are found where the velocity in the
- * plane is 0 and turns around there: where its Jacobian in the plane has complex eigenvalues. One
- * of them is followed from plane to plane, from the one nearest to Seed or the strongest one, up
- * and down.
- *
- * The places are the zeros of the interpolated velocity in the plane, solved for in each cell as in
- * vtkFlowCriticalPoints: exact on any grid, for any axis. Nothing is sampled.
+ * Finds points with rotating flow on planes perpendicular to Axis: the velocity in the plane is 0,
+ * and its Jacobian in the plane has complex eigenvalues. The filter connects such points from plane
+ * to plane, in both directions from the strongest one or from the one nearest to Seed. The zeros
+ * are solved for in each cell, as in vtkFlowCriticalPoints, for any grid and axis; the field is not
+ * resampled. See Documentation/methods/implicit-flow.md.
  *
  * Input: as for vtkFlowCriticalPoints.
  *
- * Output: a polyline along Axis, with the point arrays `CrossFlowSpeed` (double: the speed in the
- * plane, 0 to rounding), `SwirlStrength` (double: the imaginary part of the eigenvalues, radians in
- * a unit of time) and `AxialVelocity` (double: the velocity along Axis), both velocities less
- * FrameVelocity. Where no plane's place is near enough the polyline ends, and another begins where
- * there is one again; a place alone is a vertex. SwirlStrength is the active scalars. Without a
- * vortex the output is empty, and a warning (vtkWarningMacro) says how many places were looked at.
- * Cells with vectors that look like fill values (as for vtkImplicitFlowField::SetMaximumError), or
- * that are NaN or infinite, are skipped, with a warning.
+ * Output: polylines along Axis with the point arrays `CrossFlowSpeed` (double: speed in the plane,
+ * 0 up to rounding error), `SwirlStrength` (double: imaginary part of the eigenvalues, radians per
+ * unit of time; the active scalars) and `AxialVelocity` (double: velocity along Axis). Both
+ * velocities are relative to FrameVelocity. A polyline ends at a plane without a nearby point, and
+ * another one starts at the next plane with a nearby point. A point without neighbors becomes a
+ * vertex. The output is identical for any number of threads.
  *
- * The same bytes for any number of threads.
+ * Warnings (vtkWarningMacro): no vortex, with the number of zeros that were tested (empty output);
+ * cells skipped because vectors look like fill values (see vtkImplicitFlowField::SetMaximumError),
+ * or are NaN or infinite.
  *
- * Errors (vtkErrorMacro, empty output): those of vtkFlowCriticalPoints; an Axis that is 0; values
+ * Errors (vtkErrorMacro, empty output): as for vtkFlowCriticalPoints; an Axis of length 0; settings
  * that are not finite.
  *
- * @sa vtkFlowCriticalPoints
+ * @sa vtkFlowCriticalPoints vtkTerminationTube
  */
 class INTERLUMEFLOW_EXPORT vtkVortexAxis : public vtkPolyDataAlgorithm
 {
@@ -47,8 +44,7 @@ public:
 
   ///@{
   /**
-   * The direction that the planes are perpendicular to; its length does not matter. Default (0, 0,
-   * 1).
+   * Normal direction of the planes, of any length above 0. Default: (0, 0, 1).
    */
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);
@@ -56,11 +52,11 @@ public:
 
   ///@{
   /**
-   * The number of evenly spaced planes from the first to the last point along Axis; one plane is in
-   * the middle. 0: one for each layer of points, in images and rectilinear grids along one of whose
-   * directions Axis is. In other grids with an order there are as many planes as points in the
-   * direction nearest to Axis, elsewhere as the cube root of the number of points. Default 0.
-   * Valid: 0 to 100000.
+   * Number of evenly spaced planes from the first to the last point along Axis; a single plane is
+   * at the midpoint. 0 selects one plane per layer of points in images and rectilinear grids whose
+   * directions include Axis, as many planes as points in the direction closest to Axis in other
+   * structured grids, and the cube root of the number of points elsewhere. Default: 0. Valid: 0 to
+   * 100000; clamped.
    */
   vtkSetClampMacro(NumberOfPlanes, int, 0, 100000);
   vtkGetMacro(NumberOfPlanes, int);
@@ -68,8 +64,8 @@ public:
 
   ///@{
   /**
-   * Whether the vortex is the one nearest to Seed, in the plane nearest to it that has one, rather
-   * than the one with the largest SwirlStrength. Default off, (0, 0, 0).
+   * If true, select the vortex nearest to Seed, in the nearest plane with a vortex, instead of the
+   * vortex with the largest SwirlStrength. Seed is in world units. Default: off, (0, 0, 0).
    */
   vtkSetMacro(UseSeed, bool);
   vtkGetMacro(UseSeed, bool);
@@ -80,8 +76,8 @@ public:
 
   ///@{
   /**
-   * The velocity that is subtracted from all velocities, such as that of a vortex that travels.
-   * Default (0, 0, 0).
+   * Velocity subtracted from all vectors, such as the velocity of a traveling vortex. Default: (0,
+   * 0, 0).
    */
   vtkSetVector3Macro(FrameVelocity, double);
   vtkGetVector3Macro(FrameVelocity, double);
@@ -89,9 +85,9 @@ public:
 
   ///@{
   /**
-   * The largest distance across Axis to the place in the next plane, in units of length; n times as
-   * much for a place n planes on. 0: two distances of the planes, and two lengths of the cell. It
-   * also has to turn in the same sense. Default 0. Valid: 0 and above.
+   * Maximum distance across Axis to the vortex in the next plane, in world units; for a vortex n
+   * planes away, n times as much. The sense of rotation must agree too. 0 selects twice the sum of
+   * plane spacing and cell size. Default: 0. Valid: 0 and above; clamped.
    */
   vtkSetClampMacro(SearchRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SearchRadius, double);
@@ -99,20 +95,20 @@ public:
 
   ///@{
   /**
-   * The least SwirlStrength of a vortex, in radians in a unit of time; weaker places are no
-   * vortices. Default 0. Valid: 0 and above.
+   * Minimum SwirlStrength of a vortex, in radians per unit of time. Default: 0. Valid: 0 and above;
+   * clamped.
    */
   vtkSetClampMacro(MinimumSwirlStrength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumSwirlStrength, double);
   ///@}
 
   /**
-   * Returns what the last execution did:
-   * - Planes: planes across Axis,
-   * - CrossFlowZeros: places in the planes where the velocity across Axis is 0,
-   * - PointsOnAxis: those among them that belong to one vortex, which are the points of the line,
-   * - NonFiniteCells: cells that were skipped because they are not finite,
-   * - FillValueCells: cells that were skipped because a point has fill values.
+   * Return the report of the last execution:
+   * - Planes: planes perpendicular to Axis,
+   * - CrossFlowZeros: points in the planes where the velocity across Axis is 0,
+   * - PointsOnAxis: points of the output,
+   * - NonFiniteCells: cells skipped because vectors are not finite,
+   * - FillValueCells: cells skipped because a point has fill values.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

@@ -6,13 +6,13 @@
 #include "vtkIntervalList.h"          // for the intervals
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <string> // for why an output is empty
+#include <string> // for messages
 
 /**
  * @class   vtkIntervalAlgorithm
- * @brief   what filters of intervals of a scalar have in common: the intervals, and how they answer
+ * @brief   common superclass of filters that process intervals of a scalar
  *
- * The scalar is SetInputArrayToProcess(0, ...), by default the active point scalars.
+ * Select the scalar with SetInputArrayToProcess(0, ...). The default is the active point scalars.
  *
  * @sa vtkIntervalVolume vtkTimeVaryingIntervalVolume
  */
@@ -24,9 +24,10 @@ public:
 
   ///@{
   /**
-   * The intervals, in the units of the scalar: lower <= upper, both finite. They may touch, overlap
-   * or leave gaps. Default none, which gives an empty output. Valid number: 0 to 10000. SetInterval
-   * adds intervals where there are fewer; GetInterval leaves its arguments where there is none.
+   * Set/get the intervals, in the units of the scalar: lower <= upper, both finite. Intervals may
+   * touch, overlap or leave gaps. Default: no intervals, so the output is empty. Valid number of
+   * intervals: 0 to 10000. SetInterval extends the list if needed. GetInterval leaves its arguments
+   * unchanged if \a i is out of range.
    */
   void SetNumberOfIntervals(int number);
   int GetNumberOfIntervals() const { return this->Intervals.GetNumber(); }
@@ -36,8 +37,9 @@ public:
 
   ///@{
   /**
-   * Precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input's points;
-   * float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default DEFAULT_PRECISION.
+   * Set/get the precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (the precision of
+   * the input's points; float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default
+   * DEFAULT_PRECISION.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -45,10 +47,10 @@ public:
 
   ///@{
   /**
-   * Whether an execution that gives nothing warns, and says what is wrong and what the data have:
-   * no interval, an interval outside the scalar's range, no three-dimensional cell, no points, and
-   * what else a filter names. Said once for all datasets of a composite input. Of one piece of
-   * several nothing is said that other pieces may have. Default on.
+   * If true, an execution with an empty output warns and reports the reason: no interval is set,
+   * the intervals are outside the scalar range, or the input has no points or no three-dimensional
+   * cells. The warning is issued once for all datasets of a composite input. If one of several
+   * pieces is requested, reasons that may not apply to other pieces are not reported. Default on.
    */
   vtkSetMacro(WarnOnEmptyOutput, bool);
   vtkGetMacro(WarnOnEmptyOutput, bool);
@@ -57,12 +59,12 @@ public:
 
   ///@{
   /**
-   * If true, the processes of the global controller exchange the numbers of cells that gave output
-   * at the end of an execution. They are in the field array `CellsOfProcesses` of the first output,
-   * and their largest over their mean is in `LoadBalance`. Then all processes have to execute, each
-   * asked for its piece; an empty piece, an error in here or an abort does not keep the others
-   * waiting, an error of a filter before this one in some of them does. With one process, or other
-   * pieces, nothing is done. Default off.
+   * If true, the processes of the global controller exchange their numbers of cells with output at
+   * the end of an execution. The first output gets the field arrays `CellsOfProcesses`, with these
+   * numbers, and `LoadBalance`, their maximum divided by their mean. All processes must then
+   * execute, each for its own piece. An empty piece, an error in this filter or an abort does not
+   * block the other processes, but an upstream error in only some processes does. Ignored if there
+   * is one process, or if the processes do not request one piece each. Default off.
    */
   vtkSetMacro(ReportBalance, bool);
   vtkGetMacro(ReportBalance, bool);
@@ -79,12 +81,12 @@ protected:
   }
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  /// Creates outputs that are unstructured grids or composite datasets, as the input is.
+  /// Creates unstructured grids for a dataset, or composite datasets for a composite input.
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
-  /// Requests a layer of ghost cells where one of several pieces is requested.
+  /// Requests a layer of ghost cells if one of several pieces is requested.
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  /// Warns that the output is empty, where there is a reason, and a warning is wanted.
+  /// Warns that the output is empty, unless \a why is empty or WarnOnEmptyOutput is off.
   void WarnOfEmptyOutput(const std::string& why);
 
 private:

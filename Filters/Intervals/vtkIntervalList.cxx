@@ -19,7 +19,7 @@ std::string vtkIntervalList::Set(int i, double lower, double upper, vtkObject* o
 {
   if (i < 0 || i >= MaximumNumber)
   {
-    return "Interval index " + std::to_string(i) + " is not in 0 to " +
+    return "Interval index " + std::to_string(i) + " is not in the range 0 to " +
       std::to_string(MaximumNumber - 1) + ".";
   }
   if (i >= this->GetNumber())

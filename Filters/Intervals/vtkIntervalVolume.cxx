@@ -3,8 +3,8 @@
 
 #include "Arrays/ExtractionArrays.h"
 #include "Common/IntervalCheck.h"
-#include "Grid/WholeCells.h"
-#include "Output/KeptMemory.h"
+#include "Grid/InteriorCellFilter.h"
+#include "Output/BlockPool.h"
 #include "Pass/ExtractionIndex.h"
 #include "Static/DataSetLeaves.h"
 #include "Static/Extraction.h"
@@ -29,7 +29,7 @@ vtkStandardNewMacro(vtkIntervalVolume);
 
 namespace
 {
-// Reads a whole text as a number; NaN where it is none.
+// Parses a text as a number. Returns NaN if the text is anything else.
 double ReadNumber(const std::string& text)
 {
   std::istringstream stream(text);
@@ -62,7 +62,7 @@ void vtkIntervalVolume::AddCriterionAsText(
   {
     if (invalid.empty() && (!text || std::isnan(ReadNumber(text))))
     {
-      invalid = text && *text ? std::string("\"") + text + "\"" : "nothing";
+      invalid = text && *text ? std::string("\"") + text + "\"" : "(empty)";
     }
   }
   this->AddCriterion(
@@ -106,7 +106,8 @@ interlume::Error vtkIntervalVolume::CheckParameters(vtkDataSet* input) const
       "point array \"" + criterion.ArrayName + "\" of a criterion");
     if (!error && !criterion.InvalidBound.empty())
     {
-      error = name + " has " + criterion.InvalidBound + " for a bound, which is no number.";
+      error = name + " has the bound " + criterion.InvalidBound +
+        ", which is not a number. Enter a number.";
     }
     error = error.Then(
       [&] { return interlume::IntervalCheck::FindError(name, criterion.Lower, criterion.Upper); });
@@ -126,8 +127,9 @@ int vtkIntervalVolume::RequestData(
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
     { this->ExtractFrom(input, run, grids[0], grids[1]); });
   this->EndMemory(run.GetReport());
-  run.Finish({ this->GetIntervals(), interlume::EmptyResult::Describe(this->GetIntervals()),
-               this->GetNumberOfIntervals() == 0 ? "no interval is set." : "" },
+  run.Finish(
+    { this->GetIntervals(), interlume::EmptyOutputDiagnosis::Describe(this->GetIntervals()),
+      this->GetNumberOfIntervals() == 0 ? "no interval is set." : "" },
     this->GetReportBalance(), this->GetWarnOnEmptyOutput(), this->Report);
   return 1;
 }
@@ -144,21 +146,21 @@ void vtkIntervalVolume::ExtractFrom(vtkDataSet* input, interlume::ExtractionRun&
   {
     return;
   }
-  const interlume::KeptMemory::Use use(this->Memory.get());
+  const interlume::BlockPool::Use use(this->Memory.get());
   const int passes = 1 + this->GetNumberOfCriteria();
   const double begin = this->GetProgressShift();
-  const double share = this->GetProgressScale() / passes;
-  this->SetProgressShiftScale(begin, share);
+  const double scale = this->GetProgressScale() / passes;
+  this->SetProgressShiftScale(begin, scale);
   this->SetProgressText("Extracting the intervals");
-  interlume::WholePass wholePass;
-  interlume::WholePass* const whole = this->KeepWholeCells ? &wholePass : nullptr;
+  interlume::InteriorCellPass interiorPass;
+  interlume::InteriorCellPass* const whole = this->KeepInteriorCells ? &interiorPass : nullptr;
   bool completed = this->ExtractIntervals(input, scalars, run, whole, output, boundary);
   run.GetEmptyResult().Add(input, scalars, output->GetNumberOfCells());
   for (int pass = 1; completed && pass < passes; ++pass)
   {
     this->SetProgressText(
       ("Cutting to the criterion on " + this->Criteria[pass - 1].ArrayName).c_str());
-    this->SetProgressShiftScale(begin + pass * share, share);
+    this->SetProgressShiftScale(begin + pass * scale, scale);
     completed = this->ApplyCriterion(pass - 1, run, whole, output, boundary);
   }
   for (vtkUnstructuredGrid* grid : { output, boundary })
@@ -171,7 +173,7 @@ void vtkIntervalVolume::ExtractFrom(vtkDataSet* input, interlume::ExtractionRun&
     {
       grid->Initialize();
     }
-    // The outputs had the field data, which criteria and an abort clear.
+    // Criteria and an abort clear the field data of the outputs.
     grid->GetFieldData()->ShallowCopy(input->GetFieldData());
   }
   if (completed)
@@ -182,14 +184,14 @@ void vtkIntervalVolume::ExtractFrom(vtkDataSet* input, interlume::ExtractionRun&
 
 void vtkIntervalVolume::BeginMemory()
 {
-  if (!this->KeepMemory)
+  if (!this->ReuseMemory)
   {
     this->Memory.reset();
     return;
   }
   if (!this->Memory)
   {
-    this->Memory = std::make_unique<interlume::KeptMemory>();
+    this->Memory = std::make_unique<interlume::BlockPool>();
   }
   this->Memory->BeginExecution();
 }
@@ -205,7 +207,7 @@ void vtkIntervalVolume::EndMemory(interlume::ExtractionReport& report)
 }
 
 bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalars,
-  interlume::ExtractionRun& run, interlume::WholePass* whole, vtkUnstructuredGrid* output,
+  interlume::ExtractionRun& run, interlume::InteriorCellPass* whole, vtkUnstructuredGrid* output,
   vtkUnstructuredGrid* boundary)
 {
   for (const Criterion& criterion : this->Criteria)
@@ -226,15 +228,15 @@ bool vtkIntervalVolume::ExtractIntervals(vtkDataSet* input, vtkDataArray* scalar
   extraction.IdName = "IntervalId";
   extraction.OutputPointsPrecision = this->GetOutputPointsPrecision();
   extraction.GenerateBoundaries = this->GenerateBoundaries;
-  extraction.KeepOrigins = this->KeepOrigins && this->Criteria.empty();
-  extraction.Whole = whole;
+  extraction.GenerateOriginArrays = this->GenerateOriginArrays && this->Criteria.empty();
+  extraction.InteriorPass = whole;
   const bool completed = extraction.Execute(input, scalars, output, boundary, report);
   run.Add(input, this->GetOutputPointsPrecision(), report);
   return completed;
 }
 
 bool vtkIntervalVolume::ApplyCriterion(int number, interlume::ExtractionRun& run,
-  interlume::WholePass* whole, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary)
+  interlume::InteriorCellPass* whole, vtkUnstructuredGrid* grid, vtkUnstructuredGrid* boundary)
 {
   const Criterion& criterion = this->Criteria[number];
   vtkNew<vtkUnstructuredGrid> before;
@@ -250,15 +252,15 @@ bool vtkIntervalVolume::ApplyCriterion(int number, interlume::ExtractionRun& run
   extraction.Owner = this;
   extraction.Values = &values;
   extraction.KeepOrientation = true;
-  extraction.Whole = whole;
+  extraction.InteriorPass = whole;
   extraction.InputBoundary = this->GenerateBoundaries ? boundaryBefore.GetPointer() : nullptr;
   vtkDataArray* array = before->GetPointData()->GetArray(criterion.ArrayName.c_str());
   const bool completed = extraction.Execute(before, array, grid, boundary, report);
-  std::ostringstream words;
-  words << "the criterion on \"" << criterion.ArrayName << "\" from " << criterion.Lower << " to "
-        << criterion.Upper;
+  std::ostringstream description;
+  description << "the criterion on \"" << criterion.ArrayName << "\" from " << criterion.Lower
+              << " to " << criterion.Upper;
   run.GetEmptyResult().AddCriterion(
-    number, words.str(), array, before->GetNumberOfCells(), grid->GetNumberOfCells());
+    number, description.str(), array, before->GetNumberOfCells(), grid->GetNumberOfCells());
   interlume::ExtractionReport& sum = run.GetReport();
   sum.CollapsedSimplices += report.CollapsedSimplices;
   sum.WorkingBytes = std::max(sum.WorkingBytes,
@@ -276,10 +278,10 @@ void vtkIntervalVolume::PrintSelf(ostream& os, vtkIndent indent)
        << criterion.Upper << "\n";
   }
   os << indent << "GenerateBoundaries: " << this->GenerateBoundaries << "\n";
-  os << indent << "KeepWholeCells: " << this->KeepWholeCells << "\n";
-  os << indent << "KeepOrigins: " << this->KeepOrigins << "\n";
+  os << indent << "KeepInteriorCells: " << this->KeepInteriorCells << "\n";
+  os << indent << "GenerateOriginArrays: " << this->GenerateOriginArrays << "\n";
   os << indent << "UseValueIndex: " << this->UseValueIndex << "\n";
-  os << indent << "KeepMemory: " << this->KeepMemory << "\n";
+  os << indent << "ReuseMemory: " << this->ReuseMemory << "\n";
   os << indent << "Report:\n";
   this->Report->PrintSelf(os, indent.GetNextIndent());
 }

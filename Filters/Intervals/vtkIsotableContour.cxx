@@ -49,7 +49,7 @@ void vtkIsotableContour::SetValue(int i, double value)
   if (i < 0 || i >= MaximumNumberOfContours)
   {
     vtkErrorMacro(
-      "Contour index " << i << " is not in 0 to " << MaximumNumberOfContours - 1 << ".");
+      "Contour index " << i << " is not in the range 0 to " << MaximumNumberOfContours - 1 << ".");
     return;
   }
   if (i >= this->GetNumberOfContours())
@@ -111,7 +111,7 @@ int vtkIsotableContour::RequestData(
   {
     surfaces.push_back({ { value, value } });
   }
-  run.Finish({ surfaces, interlume::EmptyResult::Describe(this->Values),
+  run.Finish({ surfaces, interlume::EmptyOutputDiagnosis::Describe(this->Values),
                this->Values.empty() ? "no value is set." : "" },
     this->ReportBalance, this->WarnOnEmptyOutput, this->Report);
   return 1;

@@ -21,40 +21,37 @@ class ExtractionRun;
 
 /**
  * @class   vtkIsotableContour
- * @brief   isosurfaces of any dataset from convex-hull case tables
+ * @brief   extract isosurfaces of any dataset with convex-hull case tables
  *
- * The isosurface f = v of a scalar point array is made cell by cell from an isotable: the facets of
- * the convex hull of a cell's positive vertices and the midpoints of its edges that change sign
- * (P. Bhaniramka, R. Wenger, R. Crawfis, "Isosurface construction in any dimension using convex
- * hulls", IEEE TVCG 10(2), 2004). A vertex is positive when f >= v. Facets with more than three
- * points are cut in one global order of the grid's point ids, so that any two cells agree on the
- * edge they share: the surface has no cracks, in mixed meshes too. No triangle is there turned over
- * as well: a face of two cells that equals v throughout, lower values on both sides, has none. In a
- * face of the domain it has.
+ * Extracts the isosurfaces f = v of a scalar point array, cell by cell, with isotables (P.
+ * Bhaniramka, R. Wenger, R. Crawfis, "Isosurface construction in any dimension using convex hulls",
+ * IEEE TVCG 10(2), 2004). For the method, see Documentation/methods/isotables.md; for timings, see
+ * Documentation/measurements.md.
  *
- * Input: any dataset or composite dataset, and pieces of them, as in vtkIntervalVolume.
- * The scalar: SetInputArrayToProcess(0, ...), by default the active point scalars, one component.
+ * Triangles of adjacent cells conform, even if the cells have different types, so the surface has
+ * no cracks. A vertex is positive if f >= v. A face between two cells that equals v everywhere,
+ * with lower values on both sides, has no triangles. On the boundary of the domain such a face has
+ * triangles.
  *
- * Output: VTK_TRIANGLE cells in a vtkUnstructuredGrid. A triangle's normal points to the
- * side of lower values.
- * - every point array, interpolated along the grid edge; integers come out as float (8 and 16 bits)
- *   or double; the scalar is the active one;
- * - every cell array, copied from the cell a triangle comes from;
- * - cell array `ContourId` (int): the index of the value.
+ * Input: datasets, composite datasets and pieces as in vtkIntervalVolume. Select the scalar, a
+ * one-component point array, with SetInputArrayToProcess(0, ...). The default is the active point
+ * scalars.
  *
- * A composite input gives a composite output of the same structure. The same input gives the same
- * bytes whatever the number of threads.
+ * Output: VTK_TRIANGLE cells in a vtkUnstructuredGrid, whose normals point toward lower values. A
+ * composite input produces a composite output of the same structure. Arrays:
+ * - every point array, interpolated linearly along grid edges. Integers become float (8 and 16
+ *   bits) or double. The processed array is the active scalars.
+ * - every cell array, copied from the input cell
+ * - cell array `ContourId` (int): the index of the value
  *
- * Errors (vtkErrorMacro, empty output) and warnings for each dataset: as in vtkIntervalVolume.
- * Warning (vtkWarningMacro, once for a composite input): an empty output and why, see
- * WarnOnEmptyOutput.
+ * The result does not depend on the number of threads.
  *
- * The cells' ids are stored in 32 bits where they fit (vtkCellArray::IsStorage64Bit tells).
+ * Errors and per-dataset warnings are the same as in vtkIntervalVolume. An empty output causes a
+ * warning, see WarnOnEmptyOutput.
  *
- * When to use which: vtkFlyingEdges3D is the faster one on image data when only the surface is
- * wanted. On linear cells vtkContour3DLinearGrid is the slower one when triangles share points;
- * where they need not, MergePoints off is the way here too. This filter gives the surfaces that
- * bound the intervals of vtkIntervalVolume, carries all arrays, and takes every grid.
+ * Alternatives: for a surface of image data without interval volumes, vtkFlyingEdges3D is faster.
+ * vtkContour3DLinearGrid handles linear cells. This filter accepts all grids, interpolates all
+ * arrays, and produces the exact boundary surfaces of the intervals of vtkIntervalVolume.
  *
  * @sa vtkIntervalVolume vtkIsotable
  */
@@ -67,8 +64,8 @@ public:
 
   ///@{
   /**
-   * The values, in the units of the scalar. Default none. Valid: finite, at most 20000 values.
-   * SetValue adds values where there are fewer; GetValue is 0 where there is none.
+   * Set/get the isovalues, in the units of the scalar. Default: none. Valid: at most 20000 finite
+   * values. SetValue extends the list if needed. GetValue returns 0 if \a i is out of range.
    */
   void SetNumberOfContours(int number);
   int GetNumberOfContours() const { return static_cast<int>(this->Values.size()); }
@@ -78,8 +75,9 @@ public:
 
   ///@{
   /**
-   * The precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (that of the input's
-   * points; float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default DEFAULT_PRECISION.
+   * Set/get the precision of the output points: vtkAlgorithm::DEFAULT_PRECISION (the precision of
+   * the input's points; float for image data), SINGLE_PRECISION or DOUBLE_PRECISION. Default
+   * DEFAULT_PRECISION.
    */
   vtkSetClampMacro(OutputPointsPrecision, int, SINGLE_PRECISION, DEFAULT_PRECISION);
   vtkGetMacro(OutputPointsPrecision, int);
@@ -87,10 +85,10 @@ public:
 
   ///@{
   /**
-   * Whether triangles share points. Where it is off, each has three points of its own, 3 t to
-   * 3 t + 2 those of triangle t: the same triangles in the same order, with three to six times the
-   * points. That is the faster way on unstructured grids, for pictures or for what takes triangles
-   * one by one; elsewhere it takes more time than sharing. Default on.
+   * If true, triangles share points. If false, triangle t has the points 3 t to 3 t + 2. The
+   * triangles and their order are the same, with three to six times as many points. Turning this
+   * off is faster on unstructured grids, for rendering or for consumers that process triangles one
+   * by one. On other grids it is slower. Default on.
    */
   vtkSetMacro(MergePoints, bool);
   vtkGetMacro(MergePoints, bool);
@@ -99,9 +97,9 @@ public:
 
   ///@{
   /**
-   * Whether an index of value ranges is kept between executions, so that changed values visit only
-   * the cells near them. It is built when the values change for the first time over the same input.
-   * Default on.
+   * If true, keep an index of value ranges between executions, so that after the isovalues change,
+   * only cells with scalars near them are visited. The index is built when the isovalues change for
+   * the first time while the input stays the same. Default on.
    */
   vtkSetMacro(UseValueIndex, bool);
   vtkGetMacro(UseValueIndex, bool);
@@ -110,8 +108,8 @@ public:
 
   ///@{
   /**
-   * Whether an execution that gives nothing warns, and says what is wrong and what the data have,
-   * as in vtkIntervalVolume. Default on.
+   * If true, an execution with an empty output warns and reports the reason, as in
+   * vtkIntervalVolume. Default on.
    */
   vtkSetMacro(WarnOnEmptyOutput, bool);
   vtkGetMacro(WarnOnEmptyOutput, bool);
@@ -120,8 +118,8 @@ public:
 
   ///@{
   /**
-   * Whether the processes of the global controller tell each other at the end of an execution how
-   * many cells gave output, as in vtkIntervalVolume. Default off.
+   * If true, the processes of the global controller exchange their numbers of cells with output at
+   * the end of an execution, as in vtkIntervalVolume. Default off.
    */
   vtkSetMacro(ReportBalance, bool);
   vtkGetMacro(ReportBalance, bool);
@@ -129,14 +127,15 @@ public:
   ///@}
 
   /**
-   * Returns the report of the last execution:
-   * - Cells, CellsWithOutput: cells of the input, and those of them that give a simplex
-   * - BlankedCells: cells skipped because they or a point are blanked, hidden or a ghost
+   * Return the report of the last execution:
+   * - Cells, CellsWithOutput: number of input cells, and of cells with output
+   * - BlankedCells: cells skipped because the cell or one of its points is blanked, hidden or a
+   *   ghost
    * - NonFiniteCells: cells skipped because a value or a coordinate is NaN or infinite
    * - LowerDimensionalCells, UnsupportedCells: cells skipped because of their type
-   * - LinearizedCells: quadratic and higher cells treated as linear
-   * - ConcavePolyhedra: polyhedra whose parts overlap
-   * - FoldedCells: cells with output that cross themselves
+   * - LinearizedCells: quadratic and higher-order cells treated as linear
+   * - ConcavePolyhedra: polyhedra whose tetrahedra overlap
+   * - FoldedCells: cells with output that intersect themselves
    * - LevelFaces: faces between two levels of an AMR input where the surface has gaps
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
@@ -147,7 +146,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  /// Creates an output that is an unstructured grid or a composite dataset, as the input is.
+  /// Creates an unstructured grid for a dataset, or a composite dataset for a composite input.
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -8,7 +8,7 @@
 #include "Scalars/ExtractionDispatch.h"
 #include "Scalars/ExtractionScalars.h"
 #include "Static/DataSetLeaves.h"
-#include "Static/EmptyResult.h"
+#include "Static/EmptyOutputDiagnosis.h"
 #include "Static/ExtractionInput.h"
 #include "TimeVarying/SimplexSlicer.h"
 
@@ -40,7 +40,7 @@ vtkStandardNewMacro(vtkSimplexTimeSlice);
 
 namespace interlume
 {
-/// The values of vtkSimplexTimeSlice::GetReport().
+/// Values of vtkSimplexTimeSlice::GetReport().
 struct SimplexTimeSliceReport
 {
   double Time = 0.0;
@@ -61,18 +61,19 @@ namespace
 {
 constexpr const char* TimeName = "Time";
 
-// Sets the exact time: interpolated times would be off by a rounding, and float could not hold it.
+// Sets the exact time. Interpolated times would have rounding errors, and a float array might not
+// represent the time.
 void FillTime(vtkPointData* points, vtkIdType number, double time)
 {
   vtkNew<vtkDoubleArray> times;
   times->SetName(TimeName);
   times->SetNumberOfValues(number);
   vtkSMPTools::Fill(times->GetPointer(0), times->GetPointer(0) + number, time);
-  // The array goes in the place of the one of that name, whatever role it has.
+  // AddArray replaces the interpolated array of that name and keeps its attribute role.
   points->AddArray(times);
 }
 
-// Marks an output as that of the requested time, if there is a request.
+// Marks an output with the requested time, if there is a request.
 void SetRequestedTime(vtkInformation* request, vtkDataObject* output)
 {
   vtkInformationDoubleKey* key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
@@ -82,8 +83,8 @@ void SetRequestedTime(vtkInformation* request, vtkDataObject* output)
   }
 }
 
-// Finds the first and the last time of all datasets of an input; the first is above the last where
-// there is none.
+// Finds the time range of all datasets of an input. If there are no times, sets range[0] >
+// range[1].
 void FindTimes(vtkDataObject* input, double range[2])
 {
   range[0] = std::numeric_limits<double>::infinity();
@@ -93,10 +94,10 @@ void FindTimes(vtkDataObject* input, double range[2])
     vtkDataArray* times = leaf ? leaf->GetPointData()->GetArray(TimeName) : nullptr;
     if (times && times->GetNumberOfComponents() == 1 && times->GetNumberOfTuples() > 0)
     {
-      double own[2];
-      times->GetFiniteRange(own, 0);
-      range[0] = std::min(range[0], own[0]);
-      range[1] = std::max(range[1], own[1]);
+      double leafRange[2];
+      times->GetFiniteRange(leafRange, 0);
+      range[0] = std::min(range[0], leafRange[0]);
+      range[1] = std::max(range[1], leafRange[1]);
     }
   }
 }
@@ -111,9 +112,9 @@ interlume::Error CheckTimes(vtkUnstructuredGrid* input, double time)
   {
     return error;
   }
-  std::ostringstream words;
-  words << "The time of the slice is " << time << "; it has to be finite.";
-  return words.str();
+  std::ostringstream message;
+  message << "The time of the slice is " << time << ", which is not finite. Set a finite Time.";
+  return message.str();
 }
 }
 
@@ -152,7 +153,7 @@ int vtkSimplexTimeSlice::RequestInformation(
   output->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
   if (this->FollowTime)
   {
-    // Without a range the pipeline would not execute for another time.
+    // Without a range the pipeline would not execute again for another time.
     double range[2];
     FindTimes(vtkDataObject::GetData(inputs[0]), range);
     if (range[0] > range[1])
@@ -167,12 +168,12 @@ int vtkSimplexTimeSlice::RequestInformation(
 
 double vtkSimplexTimeSlice::GetTimeOfSlice(vtkInformation* output) const
 {
-  vtkInformationDoubleKey* asked = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
-  if (!this->FollowTime || !output->Has(asked) || this->InputRange[0] > this->InputRange[1])
+  vtkInformationDoubleKey* requested = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+  if (!this->FollowTime || !output->Has(requested) || this->InputRange[0] > this->InputRange[1])
   {
     return this->Time;
   }
-  return std::max(this->InputRange[0], std::min(output->Get(asked), this->InputRange[1]));
+  return std::max(this->InputRange[0], std::min(output->Get(requested), this->InputRange[1]));
 }
 
 int vtkSimplexTimeSlice::RequestData(
@@ -184,7 +185,7 @@ int vtkSimplexTimeSlice::RequestData(
   report.Time = this->GetTimeOfSlice(info);
   this->SetProgressText("Cutting the 4-simplices");
   vtkInformation* request = this->FollowTime ? info : nullptr;
-  interlume::EmptyResult empty;
+  interlume::EmptyOutputDiagnosis empty;
   interlume::DataSetLeaves::ForEach(this, inputs, outputs,
     [&](vtkDataSet* input, const std::vector<vtkUnstructuredGrid*>& grids)
     { this->Slice(input, request, grids[0], empty, report); });
@@ -201,7 +202,7 @@ int vtkSimplexTimeSlice::RequestData(
 }
 
 void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
-  vtkUnstructuredGrid* output, interlume::EmptyResult& empty,
+  vtkUnstructuredGrid* output, interlume::EmptyOutputDiagnosis& empty,
   interlume::SimplexTimeSliceReport& report)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::SafeDownCast(dataset);
@@ -231,7 +232,7 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   context.NonFinitePoints = nonFinite.GetMarks();
   vtkNew<vtkCellData> cellData;
   cellData->ShallowCopy(input->GetCellData());
-  // It tells of 4-simplices, not of tetrahedra.
+  // AtStep describes 4-simplices, not tetrahedra.
   cellData->RemoveArray("AtStep");
   context.KeepCellIds = cellData->GetNumberOfArrays() > 0;
   context.CellGhosts = input->GetCellGhostArray();
@@ -243,11 +244,10 @@ void vtkSimplexTimeSlice::Slice(vtkDataSet* dataset, vtkInformation* request,
   }
   if (slice.InvalidCell >= 0)
   {
-    vtkErrorMacro(
-      "Cell " << slice.InvalidCell
-              << " is no 4-simplex, which is a VTK_POLY_VERTEX of five points: it has type "
-              << input->GetCellType(slice.InvalidCell) << " and "
-              << input->GetCells()->GetCellSize(slice.InvalidCell) << " points.");
+    vtkErrorMacro("Cell " << slice.InvalidCell
+                          << " is not a 4-simplex, a VTK_POLY_VERTEX of five points: it has type "
+                          << input->GetCellType(slice.InvalidCell) << " and "
+                          << input->GetCells()->GetCellSize(slice.InvalidCell) << " points.");
     empty.NoteMessage();
     return;
   }
@@ -277,13 +277,12 @@ std::string vtkSimplexTimeSlice::ExplainEmpty(double time) const
   std::ostringstream why;
   if (this->InputRange[0] > this->InputRange[1])
   {
-    why << "the input has no 4-simplices with times. (A time-varying interval volume makes them "
-           "where "
-           "GenerateSimplices is on.)";
+    why << "the input has no 4-simplices with times. Turn on GenerateSimplices of the time-varying "
+           "interval volume, and connect its third output.";
   }
   else
   {
-    why << "no 4-simplex has an extent in space at the time " << time << "; their times go from "
+    why << "no 4-simplex has an extent in space at the time " << time << "; their times range from "
         << this->InputRange[0] << " to " << this->InputRange[1] << ".";
   }
   return why.str();

@@ -13,55 +13,51 @@ class vtkDataSet;
 
 namespace interlume
 {
-class EmptyResult;
+class EmptyOutputDiagnosis;
 class Error;
 struct SimplexTimeSliceReport;
 }
 
 /**
  * @class   vtkSimplexTimeSlice
- * @brief   4-simplices in space and time at one time: tetrahedra
+ * @brief   slice 4-simplices in space-time at one time, giving tetrahedra
  *
- * Takes the part of each 4-simplex at time t: nothing, a tetrahedron, or a prism over a triangle
- * that is cut into three tetrahedra. The cut of a face that two 4-simplices share depends on its
- * points' ids alone (the global ids where the point data has them), so no cracks appear.
+ * Cuts each 4-simplex at a time t. The result is empty, a tetrahedron, or a triangular prism that
+ * is split into three tetrahedra. The split of a face depends only on the ids of its points (the
+ * global ids, if available), so tetrahedra of adjacent 4-simplices conform.
  *
  * Input: a vtkUnstructuredGrid with VTK_POLY_VERTEX cells of five points and a point array `Time`
- * (one component, any numeric type), as port 2 of vtkTimeVaryingIntervalVolume gives them, or as
- * they were read back from a file; or a composite dataset of such, which gives a composite output
- * of the same structure.
+ * (one component, any numeric type), as on port 2 of vtkTimeVaryingIntervalVolume, or a composite
+ * dataset of such grids.
  *
- * Output: VTK_TETRA cells, points in the precision of the input's, with
- * - point array `Time` (double): the time of the slice;
- * - every other point array, interpolated linearly; integers come out as float (8 and 16 bits) or
- *   double;
- * - every cell array, copied from the 4-simplex.
+ * Output: VTK_TETRA cells, with points in the precision of the input's points. A composite input
+ * produces a composite output of the same structure. Arrays:
+ * - point array `Time` (double): the time of the slice
+ * - every other point array, interpolated linearly. Integers become float (8 and 16 bits) or
+ *   double.
+ * - every cell array except `AtStep`, copied from the 4-simplex
  *
- * A tetrahedron has the orientation of its 4-simplex: positive volume where that is positively
- * oriented in (x,y,z,t), det(p1-p0, p2-p0, p3-p0, p4-p0) > 0.
+ * A tetrahedron has the orientation of its 4-simplex: its volume is positive if det(p1-p0, p2-p0,
+ * p3-p0, p4-p0) > 0 in (x,y,z,t).
  *
- * At the time of a time step the slice is the faces of 4-simplices that lie in it, each once for
- * each interval (the cell array `IntervalId`, where there is one), whether 4-simplices end there,
- * begin there, or both. A 4-simplex that lies in the slice as a whole gives nothing. Where there is
- * the cell array `AtStep` (see vtkTimeVaryingIntervalVolume::PartsAtStep) it tells of 4-simplices
- * whose faces do not count, and of tetrahedra at a step, that are in the slice as they are. So of
- * vtkTimeVaryingIntervalVolume the slice at a step is the interval volume of that step, tetrahedron
- * by tetrahedron, whatever values equal bounds. The same input gives the same bytes whatever the
- * number of threads.
+ * At the time of a time step, the slice consists of the faces of 4-simplices that lie at that time.
+ * A face that several 4-simplices of one interval (cell array `IntervalId`) share is added once. A
+ * 4-simplex that lies entirely at that time is ignored. The optional cell array `AtStep` (see
+ * vtkTimeVaryingSettings::PartsAtStep) marks 4-simplices whose faces are ignored, and cells that
+ * are themselves tetrahedra at a step. With it, the slice at a step is exactly the interval volume
+ * of that step. The result does not depend on the number of threads.
  *
- * 4-simplices with a time or, with a warning, a coordinate that is NaN or infinite are skipped and
- * counted in GetReport(). Ghost, hidden and blanked 4-simplices are skipped too.
+ * 4-simplices are skipped if they are ghost, hidden or blanked, or if a time or a coordinate is NaN
+ * or infinite. A non-finite coordinate also causes a warning.
  *
- * In a pipeline with time: where a time is asked for downstream, the slice is at that time, see
- * FollowTime. The output's information then has a range of times (TIME_RANGE): that of the array
- * `Time` where the input is there already, else any time.
+ * Time: if FollowTime is on, the output has a TIME_RANGE: the range of the array `Time`, or
+ * unlimited until the input has been updated.
  *
- * Warning (vtkWarningMacro, once for a composite input): an empty output, and why; a time outside
- * of all 4-simplices is one reason. One piece of several gives no warning.
+ * Errors (vtkErrorMacro, empty output): an invalid or missing point array `Time`, a cell that is
+ * not a VTK_POLY_VERTEX of five points, or a slice time that is not finite.
  *
- * Errors (vtkErrorMacro, empty output): no point array `Time` with one component and a value for
- * each point, a cell that is not a VTK_POLY_VERTEX of five points (the message names the first), a
- * time of the slice that is not finite.
+ * Warning (vtkWarningMacro, once for a composite input): an empty output, with the reason. No
+ * warning is issued for one of several pieces.
  *
  * @sa vtkTimeVaryingIntervalVolume
  */
@@ -74,8 +70,8 @@ public:
 
   ///@{
   /**
-   * The time of the slice, in the units of the array `Time`, unless FollowTime finds another.
-   * Default 0. Any finite value.
+   * Set/get the time of the slice, in the units of the array `Time`. Used unless FollowTime is on
+   * and a time is requested. Default 0. Valid: any finite value.
    */
   vtkSetMacro(Time, double);
   vtkGetMacro(Time, double);
@@ -83,9 +79,8 @@ public:
 
   ///@{
   /**
-   * Whether the slice is at the time that is asked for downstream (UPDATE_TIME_STEP), as in an
-   * animation, where one is asked for. A time before the first or after the last of the array
-   * `Time` is taken as that one. Default on.
+   * If true, slice at the time requested downstream (UPDATE_TIME_STEP), as in an animation. The
+   * time is clamped to the range of the array `Time`. Default on.
    */
   vtkSetMacro(FollowTime, bool);
   vtkGetMacro(FollowTime, bool);
@@ -94,7 +89,7 @@ public:
 
   ///@{
   /**
-   * Whether an execution that gives nothing warns, and says why. Default on.
+   * If true, an execution with an empty output warns and reports the reason. Default on.
    */
   vtkSetMacro(WarnOnEmptyOutput, bool);
   vtkGetMacro(WarnOnEmptyOutput, bool);
@@ -102,10 +97,10 @@ public:
   ///@}
 
   /**
-   * Returns the report of the last execution, over all datasets of a composite input:
-   * - Time: the time of the slice
-   * - Simplices: cells of the input
-   * - Tetrahedra: cells of the output
+   * Return the report of the last execution, for all datasets of a composite input:
+   * - Time: time of the slice
+   * - Simplices: number of input cells
+   * - Tetrahedra: number of output cells
    * - NonFiniteSimplices: cells skipped because a time or a coordinate is NaN or infinite
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
@@ -116,18 +111,18 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
-  /// Creates an output that is an unstructured grid or a composite dataset, as the input is.
+  /// Creates an unstructured grid for a dataset, or a composite dataset for a composite input.
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Returns the time to cut at for what is asked of the output.
+  /// Returns the time at which to slice for the request in \a output.
   double GetTimeOfSlice(vtkInformation* output) const;
-  /// Slices one dataset. \a request may have the time requested of the output; null for none.
+  /// Slices one dataset. \a request contains the requested time, or is null.
   void Slice(vtkDataSet* dataset, vtkInformation* request, vtkUnstructuredGrid* output,
-    interlume::EmptyResult& empty, interlume::SimplexTimeSliceReport& report);
-  /// Returns why there is no output at a time.
+    interlume::EmptyOutputDiagnosis& empty, interlume::SimplexTimeSliceReport& report);
+  /// Returns the reason for an empty output at \a time.
   std::string ExplainEmpty(double time) const;
 
 private:
@@ -137,7 +132,7 @@ private:
   double Time = 0.0;
   bool FollowTime = true;
   bool WarnOnEmptyOutput = true;
-  /// The first and last time of the input; the first is above the last where the input has none.
+  /// Time range of the input. InputRange[0] > InputRange[1] if there are no times.
   double InputRange[2] = { 0.0, -1.0 };
   vtkNew<vtkInterlumeReport> Report;
 };

@@ -4,7 +4,7 @@
 #include "Common/DataDigest.h"
 #include "Common/Error.h"
 #include "Common/Fingerprint.h"
-#include "Common/WholeFiles.h"
+#include "Common/AtomicFiles.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
@@ -31,7 +31,7 @@ namespace
 {
 using namespace interlume;
 
-/// Returns a digest of all that is taken of a time step.
+/// Returns a digest of all data of a time step that the extraction uses.
 std::string GetDigest(vtkDataSet* step)
 {
   DataDigest digest;
@@ -58,7 +58,7 @@ std::string WriteOut(const double* numbers, int number)
   return text.str();
 }
 
-/// Slabs are numbered among themselves when each is extracted alone.
+/// Sets the slab number. The extraction of a single slab numbers it 0.
 void SetSlabNumber(vtkUnstructuredGrid* grid, std::size_t slab)
 {
   if (auto* numbers = vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray("TimeSlab")))
@@ -74,10 +74,10 @@ vtkTimeSlabWriter::~vtkTimeSlabWriter() = default;
 
 void vtkTimeSlabWriter::SetFileName(const char* name)
 {
-  const std::string given = name ? name : "";
-  if (given != this->FileName)
+  const std::string newName = name ? name : "";
+  if (newName != this->FileName)
   {
-    this->FileName = given;
+    this->FileName = newName;
     this->Modified();
   }
 }
@@ -101,7 +101,7 @@ int vtkTimeSlabWriter::RequestData(
 
 std::vector<vtkTimeSlabWriter::Port> vtkTimeSlabWriter::GetPorts(const std::vector<bool>& kinds)
 {
-  const std::string stem = WholeFiles::GetPath(this->FileName).stem().u8string();
+  const std::string stem = AtomicFiles::GetPath(this->FileName).stem().u8string();
   std::vector<Port> ports;
   if (this->GetGenerateTetrahedra())
   {
@@ -120,9 +120,9 @@ std::vector<vtkTimeSlabWriter::Port> vtkTimeSlabWriter::GetPorts(const std::vect
 
 std::string vtkTimeSlabWriter::GetSlabName(const Port& port, std::size_t slab, bool isInIndex) const
 {
-  const std::filesystem::path index = WholeFiles::GetPath(this->FileName);
+  const std::filesystem::path index = AtomicFiles::GetPath(this->FileName);
   const std::string name = port.Stem + "_" + std::to_string(slab) + ".vtu";
-  const std::filesystem::path inIndex = index.stem() / WholeFiles::GetPath(name);
+  const std::filesystem::path inIndex = index.stem() / AtomicFiles::GetPath(name);
   return isInIndex ? inIndex.generic_u8string() : (index.parent_path() / inIndex).u8string();
 }
 
@@ -132,25 +132,25 @@ bool vtkTimeSlabWriter::Write()
   this->ResumedSlabs = 0;
   if (this->FileName.empty())
   {
-    vtkErrorMacro("There is no FileName.");
+    vtkErrorMacro("FileName is not set. Set the name of the index file, such as \"vortex.vtm\".");
     return false;
   }
   if (this->GetNumberOfInputConnections(0) == 0)
   {
-    vtkErrorMacro("There is no input.");
+    vtkErrorMacro("No input is connected. Call SetInputConnection.");
     return false;
   }
   this->UpdateInformation();
-  const std::vector<double> times = this->GetTimesTaken();
+  const std::vector<double> times = this->GetSelectedTimes();
   if (const Error error = this->CheckTimes(times))
   {
     vtkErrorMacro(<< error);
     return false;
   }
-  // What is set for each slab is taken back in the end.
+  // Writing a slab changes these settings; they are restored below.
   int range[2];
   this->GetTimeStepRange(range);
-  const bool warns = this->GetWarnOnEmptyOutput();
+  const bool warnOnEmptyOutput = this->GetWarnOnEmptyOutput();
   std::vector<bool> kinds;
   for (int kind = 0; kind < NUMBER_OF_BOUNDARY_KINDS; ++kind)
   {
@@ -158,7 +158,7 @@ bool vtkTimeSlabWriter::Write()
   }
   this->SetWarnOnEmptyOutput(false);
   const Error error = this->WriteSlabs(times, kinds);
-  this->SetWarnOnEmptyOutput(warns);
+  this->SetWarnOnEmptyOutput(warnOnEmptyOutput);
   this->SetTimeStepRange(range);
   for (int kind = 0; kind < NUMBER_OF_BOUNDARY_KINDS; ++kind)
   {
@@ -179,34 +179,34 @@ Error vtkTimeSlabWriter::WriteSlabs(
   const int firstStep = this->GetFirstStep();
   std::error_code failure;
   std::filesystem::create_directories(
-    WholeFiles::GetPath(this->GetSlabName({ 0, "" }, 0, false)).parent_path(), failure);
+    AtomicFiles::GetPath(this->GetSlabName({ 0, "" }, 0, false)).parent_path(), failure);
   for (const Port& port : ports)
   {
-    WholeFiles::Remove(this->GetIndexName(port));
+    AtomicFiles::Remove(this->GetIndexName(port));
   }
-  int refused = 0;
+  int replaced = 0;
   std::string firstDifference;
   for (std::size_t slab = 0; slab + 1 < times.size() && !this->GetAbortExecute(); ++slab)
   {
-    const double* own = &times[slab];
+    const double* slabTimes = &times[slab];
     this->SetSlab(slab, times.size() - 2, firstStep, kinds);
-    std::string different;
-    if (this->IsWritten(ports, slab, own, different))
+    std::string difference;
+    if (this->IsWritten(ports, slab, slabTimes, difference))
     {
       ++this->ResumedSlabs;
       continue;
     }
-    refused += different.empty() ? 0 : 1;
-    firstDifference = firstDifference.empty() ? different : firstDifference;
-    if (Error error = this->WriteSlab(ports, slab, own))
+    replaced += difference.empty() ? 0 : 1;
+    firstDifference = firstDifference.empty() ? difference : firstDifference;
+    if (Error error = this->WriteSlab(ports, slab, slabTimes))
     {
       return error;
     }
   }
-  if (refused > 0)
+  if (replaced > 0)
   {
-    vtkWarningMacro("Slabs that were there and are not used, but written anew: "
-      << refused << ". The first: " << firstDifference);
+    vtkWarningMacro("Number of existing slabs that did not match and were replaced: "
+      << replaced << ". The first: " << firstDifference);
   }
   for (const Port& port : ports)
   {
@@ -289,33 +289,33 @@ void vtkTimeSlabWriter::FindDigest(double time)
 }
 
 bool vtkTimeSlabWriter::IsWritten(
-  const std::vector<Port>& ports, std::size_t slab, const double* times, std::string& different)
+  const std::vector<Port>& ports, std::size_t slab, const double* times, std::string& difference)
 {
   Fingerprint fingerprint = this->MakeFingerprint(slab, times);
   bool hasSteps = false;
   for (const Port& port : ports)
   {
     const std::string name = this->GetSlabName(port, slab, false);
-    if (!WholeFiles::IsThere(name))
+    if (!AtomicFiles::IsThere(name))
     {
       return false;
     }
     vtkNew<vtkXMLUnstructuredGridReader> reader;
-    const bool isWhole = WholeFiles::Read(reader, name);
+    const bool isIntact = AtomicFiles::Read(reader, name);
     vtkFieldData* data = reader->GetOutput()->GetFieldData();
-    different = isWhole ? fingerprint.Compare(data) : "it is damaged or not whole";
-    if (different.empty() && !hasSteps)
+    difference = isIntact ? fingerprint.Compare(data) : "it is damaged or incomplete";
+    if (difference.empty() && !hasSteps)
     {
       this->StepDigests.erase(this->StepDigests.begin(), this->StepDigests.lower_bound(times[0]));
       this->FindDigest(times[0]);
       this->FindDigest(times[1]);
       this->AddSteps(fingerprint, times);
       hasSteps = true;
-      different = fingerprint.Compare(data);
+      difference = fingerprint.Compare(data);
     }
-    if (!different.empty())
+    if (!difference.empty())
     {
-      different = name + (isWhole ? ": these differ: " : ": ") + different + ".";
+      difference = name + (isIntact ? ": these differ: " : ": ") + difference + ".";
       return false;
     }
   }
@@ -326,7 +326,7 @@ Error vtkTimeSlabWriter::WriteSlab(
   const std::vector<Port>& ports, std::size_t slab, const double* times)
 {
   this->StepDigests.clear();
-  // Outputs were released after the slab before.
+  // The outputs of the previous slab were released, so the filter must execute again.
   this->Modified();
   this->Update();
   if (this->GetAbortExecute())
@@ -335,7 +335,8 @@ Error vtkTimeSlabWriter::WriteSlab(
   }
   if (!this->HasFilledOutputs())
   {
-    return "Slab " + std::to_string(slab) + " was not made, and the slabs after it.";
+    return "Slab " + std::to_string(slab) +
+      " and the slabs after it were not extracted. See the errors above.";
   }
   Fingerprint fingerprint = this->MakeFingerprint(slab, times);
   this->AddSteps(fingerprint, times);
@@ -345,14 +346,14 @@ Error vtkTimeSlabWriter::WriteSlab(
     auto* output = vtkUnstructuredGrid::SafeDownCast(this->GetOutputDataObject(port.Number));
     if (!output)
     {
-      return "Blocks of composite data are not written: extract one first.";
+      return "Composite input cannot be written. Extract one block first.";
     }
     SetSlabNumber(output, slab);
     fingerprint.Write(output->GetFieldData());
     const std::string name = this->GetSlabName(port, slab, false);
     vtkNew<vtkXMLUnstructuredGridWriter> writer;
     writer->SetInputData(output);
-    if (!WholeFiles::Write(writer, name))
+    if (!AtomicFiles::Write(writer, name))
     {
       error = Error("The file " + name + " could not be written.", ErrorCode::File);
     }
@@ -367,8 +368,8 @@ Error vtkTimeSlabWriter::WriteSlab(
 
 std::string vtkTimeSlabWriter::GetIndexName(const Port& port) const
 {
-  const std::filesystem::path index = WholeFiles::GetPath(this->FileName);
-  const std::filesystem::path name = WholeFiles::GetPath(port.Stem + index.extension().u8string());
+  const std::filesystem::path index = AtomicFiles::GetPath(this->FileName);
+  const std::filesystem::path name = AtomicFiles::GetPath(port.Stem + index.extension().u8string());
   return (index.parent_path() / name).u8string();
 }
 
@@ -392,10 +393,10 @@ bool vtkTimeSlabWriter::WriteIndex(const Port& port, const std::vector<double>& 
   }
   file->AddNestedElement(blocks);
   const std::string name = this->GetIndexName(port);
-  std::ofstream stream(WholeFiles::GetPath(WholeFiles::GetTemporaryName(name)));
+  std::ofstream stream(AtomicFiles::GetPath(AtomicFiles::GetTemporaryName(name)));
   file->PrintXML(stream, vtkIndent());
   stream.close();
-  return WholeFiles::Finish(name, static_cast<bool>(stream));
+  return AtomicFiles::Finish(name, static_cast<bool>(stream));
 }
 
 void vtkTimeSlabWriter::PrintSelf(ostream& os, vtkIndent indent)

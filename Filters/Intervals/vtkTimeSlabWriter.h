@@ -6,8 +6,8 @@
 #include "vtkTimeVaryingIntervalVolume.h"
 
 #include <map>    // for digests of steps
-#include <string> // for names
-#include <vector> // for several of them
+#include <string> // for file names
+#include <vector> // for the output ports
 
 namespace interlume
 {
@@ -17,33 +17,32 @@ class Fingerprint;
 
 /**
  * @class   vtkTimeSlabWriter
- * @brief   writes the interval volume of many time steps slab by slab, in the memory of one slab
+ * @brief   write a time-varying interval volume slab by slab
  *
- * A vtkTimeVaryingIntervalVolume, with its input and settings, that holds two time steps and what
- * lies between them at a time. Write extracts one slab after the other and writes each to a file of
- * its own; all slabs together are the tetrahedra, boundaries and 4-simplices of the extraction of
- * all steps, with the same numbers in TimeSlab. Points at a step are there in the slabs before and
- * after it. Where values equal bounds at a step, each slab has what it has there by itself, in
- * boundaries and in the cells AtStep.
+ * Writes the output of vtkTimeVaryingIntervalVolume for many time steps with the memory of one
+ * slab, the space-time region between two time steps. Set the input and the settings as for that
+ * filter and call Write(). All slabs together contain the tetrahedra, boundaries and 4-simplices of
+ * a single extraction of all steps, with the same values of `TimeSlab`. Points at a step are stored
+ * in both adjacent slabs. If values at a step equal a bound, boundaries and cells of `AtStep` at
+ * that step are computed from each slab separately.
  *
- * Files, for FileName vortex.vtm: vortex/vortex_0.vtu, vortex/vortex_1.vtu, ..., a slab each, in
- * VTK's XML format, and the index vortex.vtm, a vtkMultiBlockDataSet that has them for blocks,
- * named by their times. Boundaries, where any are asked for, and 4-simplices come likewise in
- * vortex_boundaries.vtm and vortex_simplices.vtm.
+ * Files, for FileName vortex.vtm: one file per slab in VTK's XML format, vortex/vortex_0.vtu,
+ * vortex/vortex_1.vtu, ..., and the index vortex.vtm, a vtkMultiBlockDataSet whose blocks are named
+ * by their times. Selected boundaries and 4-simplices are indexed by vortex_boundaries.vtm and
+ * vortex_simplices.vtm.
  *
- * **Stopped, and resumed.** The indices are removed first and written last, so that there is one if
- * and only if all slabs are there. A slab is written beside its file and renamed, so that files of
- * slabs are whole. Write takes over those that are there if they are whole and of the same input,
- * settings, times and versions of Interlume and VTK: their field data has a digest of both time
- * steps, with all point arrays. For that the steps are read, but nothing is extracted. Others are
- * written anew, with one warning that says how many, and what differs in the first.
+ * Resuming: an index exists only if all slabs are complete. Slabs are written to a temporary file
+ * and renamed. Write() reuses intact slab files whose field data records the same digest of the
+ * input and the same settings, times and versions of Interlume and VTK. The steps are still read to
+ * compute the digest, but not extracted. Other files are replaced, with one warning that reports
+ * their number and the first difference.
  *
- * One process writes: the whole input is asked for. Each time step is read twice, for the slabs
- * before and after it. Progress is that of each slab; its text names the step. An abort ends after
- * the slab at hand, without an index.
+ * The writer runs in one process and requests the full input. Each interior time step is read
+ * twice. Progress events refer to the current slab. An abort stops after the current slab and
+ * writes no index.
  *
- * Errors (vtkErrorMacro, Write returns false): no FileName, no input, composite input, a file that
- * cannot be written, and those of vtkTimeVaryingIntervalVolume.
+ * Errors (vtkErrorMacro, Write() returns false): no FileName, no input, composite input, a file
+ * that cannot be written, and the errors of vtkTimeVaryingIntervalVolume.
  *
  * @sa vtkTimeVaryingIntervalVolume
  */
@@ -56,19 +55,20 @@ public:
 
   ///@{
   /**
-   * The name of the index of the tetrahedra, by which the others are named too. Default null, an
-   * error.
+   * Set/get the file name of the tetrahedra's index; the names of all other files derive from it.
+   * Default null, which is an error in Write().
    */
   void SetFileName(VTK_FILEPATH const char* name);
   VTK_FILEPATH const char* GetFileName() const;
   ///@}
 
-  /// Extracts and writes all slabs. Returns whether all are there. The outputs are empty then.
+  /// Extract and write all slabs. Returns true if all slabs are complete. Afterward, the output
+  /// ports are empty.
   bool Write();
 
   ///@{
   /**
-   * Return how many slabs the last Write has made, and how many it found there.
+   * Return the number of slabs that the last Write() wrote, and of existing slabs that it reused.
    */
   int GetNumberOfWrittenSlabs() const { return this->WrittenSlabs; }
   int GetNumberOfResumedSlabs() const { return this->ResumedSlabs; }
@@ -84,36 +84,36 @@ private:
   vtkTimeSlabWriter(const vtkTimeSlabWriter&) = delete;
   void operator=(const vtkTimeSlabWriter&) = delete;
 
-  /// An output that is written, and the first part of its files' names.
+  /// An output port that is written, and the stem of its file names.
   struct Port
   {
     int Number;
     std::string Stem;
   };
   std::vector<Port> GetPorts(const std::vector<bool>& kinds);
-  /// Returns the name of the file of a slab, in the folder of the index or as the index has it.
+  /// Returns the path of a slab's file, relative to the index file if \a isInIndex is true.
   std::string GetSlabName(const Port& port, std::size_t slab, bool isInIndex) const;
   std::string GetIndexName(const Port& port) const;
-  /// Extracts and writes the slabs, but for those that are there.
+  /// Extracts and writes the slabs that have no valid files yet.
   interlume::Error WriteSlabs(const std::vector<double>& times, const std::vector<bool>& kinds);
-  /// Sets the step range and the kinds of boundaries for a slab.
+  /// Sets the step range and the boundary kinds for a slab.
   void SetSlab(std::size_t slab, std::size_t last, int firstStep, const std::vector<bool>& kinds);
-  /// Returns what the files of a slab depend on, but for the input.
+  /// Returns the settings that the files of a slab depend on, without the input.
   interlume::Fingerprint MakeFingerprint(std::size_t slab, const double* times);
   void AddSteps(interlume::Fingerprint& fingerprint, const double* times) const;
-  /// Returns whether the files of a slab are there and this one's; \a different says what differs,
-  /// where they are there and are not.
+  /// Returns whether valid files of a slab exist. If files exist but are not valid, \a difference
+  /// describes the first difference.
   bool IsWritten(
-    const std::vector<Port>& ports, std::size_t slab, const double* times, std::string& different);
+    const std::vector<Port>& ports, std::size_t slab, const double* times, std::string& difference);
   interlume::Error WriteSlab(const std::vector<Port>& ports, std::size_t slab, const double* times);
   bool WriteIndex(const Port& port, const std::vector<double>& times) const;
-  /// Reads a time step for its digest, if that is not known.
+  /// Reads a time step and stores its digest, unless it is known.
   void FindDigest(double time);
 
   std::string FileName;
   int WrittenSlabs = 0;
   int ResumedSlabs = 0;
-  /// The digests of the time steps of the slab at hand.
+  /// Digests of the current time steps, by time.
   std::map<double, std::string> StepDigests;
 };
 

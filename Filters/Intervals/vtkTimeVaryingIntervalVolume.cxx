@@ -3,7 +3,7 @@
 
 #include "Common/Error.h"
 #include "Output/ProcessBalance.h"
-#include "Static/EmptyResult.h"
+#include "Static/EmptyOutputDiagnosis.h"
 #include "Static/ExtractionInput.h"
 #include "TimeVarying/TimeVaryingRun.h"
 
@@ -37,8 +37,8 @@ void vtkTimeVaryingIntervalVolume::SetGenerateBoundary(int kind, bool on)
 {
   if (kind < 0 || kind >= NUMBER_OF_BOUNDARY_KINDS)
   {
-    vtkErrorMacro(
-      "Boundary kind " << kind << " is not in 0 to " << NUMBER_OF_BOUNDARY_KINDS - 1 << ".");
+    vtkErrorMacro("Boundary kind " << kind << " is not in the range 0 to "
+                                   << NUMBER_OF_BOUNDARY_KINDS - 1 << ".");
     return;
   }
   if (this->GenerateBoundary[kind] != on)
@@ -71,14 +71,14 @@ int vtkTimeVaryingIntervalVolume::RequestInformation(
   {
     this->TimeSteps.assign(input->Get(key), input->Get(key) + input->Length(key));
   }
-  // The input has changed while its steps were taken, or an execution broke off in the middle of
-  // them: begin anew, but once, since some readers say so at every step.
+  // The input changed between time steps, or an execution was interrupted: restart. Restart only
+  // once, since some readers are modified at every step.
   if (this->Run && !this->IsRestarted)
   {
     this->Run.reset();
     this->IsRestarted = true;
   }
-  // One output stands for all times.
+  // The output covers all times.
   for (int port = 0; port < NumberOfPorts; ++port)
   {
     outputs->GetInformationObject(port)->Remove(key);
@@ -89,27 +89,27 @@ int vtkTimeVaryingIntervalVolume::RequestInformation(
 
 interlume::Error vtkTimeVaryingIntervalVolume::CheckTimes(const std::vector<double>& times) const
 {
-  std::ostringstream what;
+  std::ostringstream message;
   if (times.size() < 2)
   {
-    what << "At least two time steps are needed; the input has " << this->TimeSteps.size()
-         << ", of which " << times.size() << " are in the range " << this->TimeStepRange[0]
-         << " to " << this->TimeStepRange[1] << ".";
-    return what.str();
+    message << "At least two time steps are needed; the input has " << this->TimeSteps.size()
+            << ", of which " << times.size() << " are in the range " << this->TimeStepRange[0]
+            << " to " << this->TimeStepRange[1] << ".";
+    return message.str();
   }
   for (std::size_t i = 0; i < times.size(); ++i)
   {
     const std::size_t step = this->GetFirstStep() + i;
     if (!std::isfinite(times[i]))
     {
-      what << "Time step " << step << " has the time " << times[i] << ".";
-      return what.str();
+      message << "Time step " << step << " has the time " << times[i] << ", which is not finite.";
+      return message.str();
     }
     if (i > 0 && times[i] < times[i - 1])
     {
-      what << "Time step " << step << " (time " << times[i] << ") is before time step " << step - 1
-           << " (time " << times[i - 1] << ").";
-      return what.str();
+      message << "Time step " << step << " (time " << times[i] << ") is before time step "
+              << step - 1 << " (time " << times[i - 1] << ").";
+      return message.str();
     }
   }
   return {};
@@ -123,10 +123,10 @@ interlume::Error vtkTimeVaryingIntervalVolume::CheckDirection() const
   {
     return {};
   }
-  std::ostringstream what;
-  what << "The direction of projection (" << d[0] << ", " << d[1] << ", " << d[2] << ", " << d[3]
-       << ") is " << (isFinite ? "zero." : "not finite.");
-  return what.str();
+  std::ostringstream message;
+  message << "The direction of projection (" << d[0] << ", " << d[1] << ", " << d[2] << ", " << d[3]
+          << ") is " << (isFinite ? "zero." : "not finite.");
+  return message.str();
 }
 
 int vtkTimeVaryingIntervalVolume::GetFirstStep() const
@@ -134,7 +134,7 @@ int vtkTimeVaryingIntervalVolume::GetFirstStep() const
   return std::max(this->TimeStepRange[0], 0);
 }
 
-std::vector<double> vtkTimeVaryingIntervalVolume::GetTimesTaken() const
+std::vector<double> vtkTimeVaryingIntervalVolume::GetSelectedTimes() const
 {
   const int number = static_cast<int>(this->TimeSteps.size());
   const int first = this->GetFirstStep();
@@ -148,7 +148,7 @@ int vtkTimeVaryingIntervalVolume::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   this->Superclass::RequestUpdateExtent(request, inputs, outputs);
-  const std::vector<double> times = this->GetTimesTaken();
+  const std::vector<double> times = this->GetSelectedTimes();
   if (this->Run || !times.empty())
   {
     inputs[0]->GetInformationObject(0)->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(),
@@ -159,7 +159,7 @@ int vtkTimeVaryingIntervalVolume::RequestUpdateExtent(
 
 bool vtkTimeVaryingIntervalVolume::Begin(bool copiesSteps)
 {
-  const std::vector<double> times = this->GetTimesTaken();
+  const std::vector<double> times = this->GetSelectedTimes();
   for (const interlume::Error& error : { this->CheckTimes(times), this->CheckDirection(),
          interlume::ExtractionInput::CheckIntervals(this->GetIntervals()) })
   {
@@ -182,8 +182,8 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   interlume::TimeVaryingReport report;
-  this->TakeStep(request, inputs, outputs, report);
-  // However many steps a process takes, each comes to one end.
+  this->ProcessStep(request, inputs, outputs, report);
+  // All processes reach this point, however many steps each one processes.
   const bool isEnd = !request->Has(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING());
   if (isEnd && this->GetReportBalance())
   {
@@ -193,19 +193,21 @@ int vtkTimeVaryingIntervalVolume::RequestData(
   return 1;
 }
 
-void vtkTimeVaryingIntervalVolume::TakeStep(vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, interlume::TimeVaryingReport& report)
+void vtkTimeVaryingIntervalVolume::ProcessStep(vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs,
+  interlume::TimeVaryingReport& report)
 {
   vtkDataObject* input = vtkDataObject::GetData(inputs[0]);
-  vtkDataObject* made[NumberOfPorts];
+  vtkDataObject* filled[NumberOfPorts];
   for (int port = 0; port < NumberOfPorts; ++port)
   {
-    made[port] = vtkDataObject::GetData(outputs, port);
+    filled[port] = vtkDataObject::GetData(outputs, port);
   }
   this->IsFilled = false;
   if (!this->Run && this->GetNumberOfIntervals() == 0)
   {
-    this->WarnOfEmptyOutput(interlume::EmptyResult().Explain(this, "no interval is set.", ""));
+    this->WarnOfEmptyOutput(
+      interlume::EmptyOutputDiagnosis().Explain(this, "no interval is set.", ""));
     return;
   }
   if (!this->Run && !this->Begin(false))
@@ -216,7 +218,7 @@ void vtkTimeVaryingIntervalVolume::TakeStep(vtkInformation* request, vtkInformat
   const interlume::Error error = this->Run->AddStep(input, result);
   if (result == interlume::TimeVaryingRun::OVERWRITTEN)
   {
-    // The values of the step before are lost: its time is asked for again.
+    // The values of the previous step are lost: request its time again.
     this->Begin(true);
     request->Set(vtkStreamingDemandDrivenPipeline::CONTINUE_EXECUTING(), 1);
     return;
@@ -237,15 +239,15 @@ void vtkTimeVaryingIntervalVolume::TakeStep(vtkInformation* request, vtkInformat
   }
   else if (result == interlume::TimeVaryingRun::DONE && run->IsFinished())
   {
-    for (vtkDataObject* output : made)
+    for (vtkDataObject* output : filled)
     {
       interlume::TimeVaryingRun::CopyStructure(input, output);
     }
-    this->IsFilled = run->FillOutputs(made[0], made[1], made[2]);
+    this->IsFilled = run->FillOutputs(filled[0], filled[1], filled[2]);
     if (!this->IsFilled)
     {
       std::for_each(
-        made, made + NumberOfPorts, [](vtkDataObject* output) { output->Initialize(); });
+        filled, filled + NumberOfPorts, [](vtkDataObject* output) { output->Initialize(); });
     }
   }
   this->SetProgressShiftScale(0.0, 1.0);
@@ -266,20 +268,22 @@ std::string vtkTimeVaryingIntervalVolume::ExplainEmpty(interlume::TimeVaryingRun
   const interlume::TimeVaryingReport& report = run.GetReport();
   if (report.Slabs == 0)
   {
-    // Another warning says that there is no time between the steps.
+    // Another warning reports slabs of zero duration.
     return std::string();
   }
   const auto& kinds = this->GenerateBoundary;
   const bool hasBoundary = std::find(kinds.begin(), kinds.end(), true) != kinds.end();
-  const bool isAsked = this->GenerateTetrahedra || this->GenerateSimplices || hasBoundary;
+  const bool isSelected = this->GenerateTetrahedra || this->GenerateSimplices || hasBoundary;
   const std::string why = run.GetEmptyResult().Explain(this,
-    isAsked ? "" : "neither tetrahedra, nor boundaries, nor 4-simplices are asked for.",
-    interlume::EmptyResult::Describe(this->GetIntervals()) + " at any time");
+    isSelected
+      ? ""
+      : "no output is selected. Turn on GenerateTetrahedra, GenerateSimplices or a boundary.",
+    interlume::EmptyOutputDiagnosis::Describe(this->GetIntervals()) + " at any time");
   if (why.empty() && this->GenerateTetrahedra && report.Simplices > 0 &&
     report.FlatSimplices == report.Simplices)
   {
     return "all " + std::to_string(report.Simplices) +
-      " 4-simplices are flat along the direction of projection.";
+      " 4-simplices have zero extent along ProjectionDirection.";
   }
   return why;
 }

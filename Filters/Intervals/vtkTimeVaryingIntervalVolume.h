@@ -6,7 +6,7 @@
 #include "vtkInterlumeReport.h"       // for GetReport()
 #include "vtkIntervalAlgorithm.h"
 #include "vtkNew.h"                 // for the report
-#include "vtkTimeVaryingSettings.h" // for what is set
+#include "vtkTimeVaryingSettings.h" // for the settings
 
 #include <memory> // for the state between time steps
 #include <string> // for messages
@@ -21,83 +21,56 @@ struct TimeVaryingReport;
 
 /**
  * @class   vtkTimeVaryingIntervalVolume
- * @brief   the region between two isovalues of a field in space and time, projected to space
+ * @brief   extract the space-time region between two isovalues, projected to space
  *
- * The set { (x,t) : lower <= f(x,t) <= upper } of a scalar point array that changes in time is four
- * dimensional. It is made slab by slab, between two time steps at a time: each cell times the slab
- * is lifted to five dimensions, F(x,t,w) = f(x,t) - (lower (1-w) + upper w), the isosurface F = 0
- * there is taken from an isotable that is filled at run time, and projected back along w. This
- * gives 4-simplices. Each is projected along the time axis (or another direction) to space, where
- * it is cut into at most six tetrahedra around the one point where it is thickest (C. Zhang,
- * dissertation, Ohio State 2006, chapter 3.5; here the cut is that of the Radon partition of the
- * five points, which has the six classes of figure 3.15 as its sign patterns).
+ * Extracts the set { (x,t) : lower <= f(x,t) <= upper } of a time-varying scalar as 4-simplices and
+ * projects them along the time axis, or along ProjectionDirection, to tetrahedra that store their
+ * duration. The field is linear between time steps on every edge. For the method, see
+ * Documentation/methods/time-varying-intervals.md; for timings, see Documentation/measurements.md.
  *
- * Input: a temporal source with at least two time steps, of vtkImageData, vtkRectilinearGrid,
- * vtkStructuredGrid, vtkUnstructuredGrid with tetrahedra, voxels, hexahedra, wedges, pyramids and
- * convex polyhedra, and composite datasets of them, which give composite outputs of the same
- * structure. All time steps are requested through the pipeline, one after the other; two are held.
- * Points may move from step to step, cells may not change. The scalar: SetInputArrayToProcess(0,
- * ...), by default the active point scalars, one component. It is taken to be linear between steps
- * on every edge.
+ * Input: a temporal source with at least two time steps. For dataset types, cell types, the scalar
+ * and skipped cells, see vtkIntervalVolume. All time steps are requested through the pipeline, one
+ * after another; two are held in memory. Points may move between steps, but the cells must not
+ * change.
  *
- * Output port 0, made unless GenerateTetrahedra is off: VTK_TETRA cells with
- * - point array `DeltaT` (double, units of time): how long the 4-simplex lasts there; zero at all
- *   points of a tetrahedron but one, linear in between. Tetrahedra overlap: over all of them the
- * sum of DeltaT at a point of space is the time that f is in the interval there.
- * - point array `Time` (double): the time of a point; at the thick point the mean over DeltaT;
- * - every point array that all steps have, interpolated; at the thick point its mean over DeltaT.
- *   Integers come out as float (8 and 16 bits) or double. An array that a step lacks, or that is
- *   named as one of the two above, is left out with a warning. Arrays without a name correspond by
- *   their role (scalars, vectors, ...), or else by their order;
- * - cell arrays `SimplexClass` (unsigned char, see SimplexClasses), `IntervalId` (int), `TimeSlab`
- *   (int; slab i lies between steps i and i+1 of those that are taken). The input's cell arrays
- * belong to one step each, and are not carried.
+ * Output port 0, unless GenerateTetrahedra is off: VTK_TETRA cells with
+ * - point array `DeltaT` (double, units of time): the duration of the 4-simplex at the point. It is
+ *   nonzero at one point of each tetrahedron. The tetrahedra overlap: the sum of DeltaT at a
+ *   position is the time that f spends in the interval there.
+ * - point array `Time` (double): the time of the point; at a point with nonzero DeltaT, the mean
+ *   over the duration
+ * - every point array that all steps have, interpolated linearly. Integers become float (8 and 16
+ *   bits) or double. Arrays without a name correspond by attribute role or position.
+ * - cell arrays `SimplexClass` (unsigned char, see SimplexClasses), `IntervalId` (int) and
+ *   `TimeSlab` (int; slab i lies between selected steps i and i + 1). Cell arrays of the input are
+ *   not copied.
  *
- * The integral of DeltaT over a tetrahedron is a quarter of its volume times its one DeltaT, and
- * the sum over the tetrahedra of a 4-simplex is its hypervolume. On cells with arbitrary values a
- * few 4-simplices come out inverted, as in vtkIntervalVolume; their tetrahedra are inverted too, so
- * that signed sums are right.
+ * Output port 1: the selected boundaries as triangles and tetrahedra in space, with `Time` and the
+ * other point arrays, and cell arrays `BoundaryKind` (int, see BoundaryKinds), `IntervalId` and
+ * `TimeSlab`. Start and end are the first and last selected time step.
  *
- * Output port 1: the boundaries that are asked for, triangles and tetrahedra in space, with the
- * points, `Time` and other point arrays of port 2, and cell arrays `BoundaryKind` (int, see
- * BoundaryKinds), `IntervalId`, `TimeSlab`. Start and end are the first and the last of the time
- * steps taken.
+ * Output port 2, if GenerateSimplices is on: the 4-simplices as VTK_POLY_VERTEX cells of five
+ * points, positively oriented in (x,y,z,t), with `Time` and the other point arrays, and cell arrays
+ * `IntervalId`, `TimeSlab` and `AtStep` (unsigned char, see PartsAtStep). This is the input of
+ * vtkSimplexTimeSlice. Adjacent slabs share their points.
  *
- * Output port 2, made only when GenerateSimplices is on: the 4-simplices as VTK_POLY_VERTEX cells
- * of five points, positively oriented in (x,y,z,t), with point array `Time` and all other point
- * arrays, cell arrays `IntervalId`, `TimeSlab`, `AtStep` (unsigned char, see PartsAtStep). Ready
- * for a writer, and for vtkSimplexTimeSlice. Points that two slabs share are one point. Where
- * values equal bounds, faces of 4-simplices are not all of the interval volume at a step, nor all
- * in it: it is there as cells of its own, without hypervolume.
+ * Values equal to a bound and distributed grids are treated as in vtkIntervalVolume. The active
+ * scalars of each output are the processed array. The result does not depend on the number of
+ * threads.
  *
- * Values equal to a bound, and the identity of points: as in vtkIntervalVolume, one dimension up.
- * [a, a] is the cells whose corners are all equal to a at both steps of a slab. Counted with their
- * orientation the faces of an interval's 4-simplices cancel over all slabs, but for the surfaces in
- * time and the volumes at start and end of port 1, and those in side walls of the domain. Surfaces
- * in time are such faces, each once, never turned over as well; volumes and surfaces at start and
- * end are the outputs of vtkIntervalVolume at that step, of parts too that are in the interval at
- * that step only. The same input gives the same bytes whatever the number of threads.
+ * A source that writes each step into the memory of the previous one is detected. The execution
+ * then restarts and copies every step.
  *
- * Pieces of a distributed grid: as in vtkIntervalVolume, with a layer of ghost cells at each step.
+ * Errors (vtkErrorMacro, empty output): fewer than two time steps, times that decrease or are not
+ * finite, a zero projection direction, and the errors of vtkIntervalVolume. A step without the
+ * scalar is an error, and so is a step whose grid type, number of points or cells, or connectivity
+ * differs from the previous step.
  *
- * Cells with NaN or infinity in the scalar or, with a warning, in a coordinate of a corner at one
- * of the two steps, ghost, hidden and blanked cells are left out of that slab and counted in
- * GetReport(). A slab of no duration (two steps of equal time) is left out with a warning.
+ * Warnings (vtkWarningMacro): a skipped array, which is missing in a step or named `DeltaT` or
+ * `Time`, a skipped slab of zero duration, an empty output (see WarnOnEmptyOutput), and the
+ * warnings of vtkIntervalVolume except for quadratic cells.
  *
- * A source that writes each step into the memory of the one before is found out by that memory and
- * the time of its change (of the scalars by the memory alone); the execution then begins anew and
- * copies every step.
- *
- * Errors (vtkErrorMacro, empty output): fewer than two time steps, steps whose times decrease or
- * are not finite, a step without the scalar array or of another type of grid, number of points or
- * cells, or connectivity than the step before (the message names the step), and those of
- * vtkIntervalVolume. Warning (vtkWarningMacro, once for a composite input): empty outputs and why,
- * see WarnOnEmptyOutput, also when no output is asked for or all 4-simplices are flat; what
- * vtkIntervalVolume warns of for each dataset, except quadratic cells.
- *
- * The scalar is the active one on each output.
- *
- * @sa vtkIntervalVolume vtkSimplexTimeSlice vtkTimeWeightedTetrahedraMapper
+ * @sa vtkIntervalVolume vtkSimplexTimeSlice vtkTimeWeightedTetrahedraMapper vtkTimeSlabWriter
  */
 class INTERLUMEINTERVALS_EXPORT vtkTimeVaryingIntervalVolume
   : public vtkIntervalAlgorithm
@@ -110,7 +83,7 @@ public:
 
   ///@{
   /**
-   * The kinds and classes, as vtkTimeVaryingSettings has them.
+   * Enumerations of vtkTimeVaryingSettings.
    */
   using vtkTimeVaryingSettings::BoundaryKinds;
   using vtkTimeVaryingSettings::CLASS_1;
@@ -137,8 +110,8 @@ public:
 
   ///@{
   /**
-   * The first and last time step taken, by index. A last step beyond the last one of the input
-   * stands for that. Default 0, VTK_INT_MAX. Valid: 0 <= first < last.
+   * Set/get the indices of the first and the last time step to use. A last index past the end
+   * selects the last step of the input. Default (0, VTK_INT_MAX). Valid: 0 <= first < last.
    */
   vtkSetVector2Macro(TimeStepRange, int);
   vtkGetVector2Macro(TimeStepRange, int);
@@ -146,11 +119,11 @@ public:
 
   ///@{
   /**
-   * The direction (x,y,z,t) along which 4-simplices are projected, of any length but zero. Along
-   * time, the default (0,0,0,1), the result is in space. Along any other direction d it is in the
-   * space orthogonal to it, whose axes are those of x, y, z turned by the smallest rotation that
-   * takes t to d (or to -d, where that is nearer); DeltaT is then the extent along d, in the length
-   * of (x,y,z,t).
+   * Set/get the direction (x,y,z,t) along which 4-simplices are projected, with any nonzero length.
+   * For the default (0,0,0,1), the time axis, the result lies in space. For another direction d, it
+   * lies in the space orthogonal to d. The axes of that space are x, y, z rotated by the smallest
+   * rotation that takes the time axis to d, or to -d if that is closer. DeltaT is then the extent
+   * along d, in the metric of (x,y,z,t).
    */
   vtkSetVector4Macro(ProjectionDirection, double);
   vtkGetVector4Macro(ProjectionDirection, double);
@@ -158,7 +131,7 @@ public:
 
   ///@{
   /**
-   * Whether port 0 is made. Default on.
+   * If true, generate the tetrahedra on port 0. Default on.
    */
   vtkSetMacro(GenerateTetrahedra, bool);
   vtkGetMacro(GenerateTetrahedra, bool);
@@ -167,7 +140,7 @@ public:
 
   ///@{
   /**
-   * Whether port 2 carries the 4-simplices. Default off.
+   * If true, generate the 4-simplices on port 2. Default off.
    */
   vtkSetMacro(GenerateSimplices, bool);
   vtkGetMacro(GenerateSimplices, bool);
@@ -176,8 +149,8 @@ public:
 
   ///@{
   /**
-   * Whether port 1 carries the boundaries of a kind, or of all kinds. Default off. A kind that is
-   * not in BoundaryKinds is an error.
+   * If true, port 1 contains the boundaries of kind \a kind. SetGenerateBoundaries sets the flag of
+   * every kind. Default off. A kind that is not in BoundaryKinds is an error.
    */
   void SetGenerateBoundary(int kind, bool on);
   bool GetGenerateBoundary(int kind) const;
@@ -188,15 +161,16 @@ public:
   ///@}
 
   /**
-   * Returns the report of the last execution, summed over the slabs:
-   * - TimeSteps, Slabs: time steps requested, and slabs between them that were not skipped
-   * - CellsWithOutput: cells that give at least one simplex
-   * - BlankedCells: cells skipped because they or a point are blanked, hidden or a ghost
+   * Return the report of the last execution, summed over the slabs:
+   * - TimeSteps, Slabs: number of requested time steps, and of slabs that were not skipped
+   * - CellsWithOutput: cells with at least one simplex
+   * - BlankedCells: cells skipped because the cell or one of its points is blanked, hidden or a
+   *   ghost
    * - NonFiniteCells: cells skipped because a value or a coordinate is NaN or infinite
    * - UnsupportedCells: cells skipped because of their type
-   * - ConcavePolyhedra: polyhedra whose parts overlap
-   * - Simplices, FlatSimplices, InvertedSimplices: all 4-simplices, those without tetrahedra, and
-   *   those with inverted tetrahedra
+   * - ConcavePolyhedra: polyhedra whose simplices overlap
+   * - Simplices, FlatSimplices, InvertedSimplices: number of all 4-simplices, of 4-simplices
+   *   without tetrahedra, and of 4-simplices with inverted tetrahedra
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
@@ -207,22 +181,23 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  /// Takes one time step, requests the next, or fills the outputs. Sets the report so far.
-  void TakeStep(vtkInformation*, vtkInformationVector**, vtkInformationVector*,
+  /// Processes one time step, then requests the next one or fills the outputs. Sets the report of
+  /// the steps so far.
+  void ProcessStep(vtkInformation*, vtkInformationVector**, vtkInformationVector*,
     interlume::TimeVaryingReport& report);
 
-  /// Returns an error if times cannot be used.
+  /// Returns an error if there are fewer than two \a times, or if times decrease or are not finite.
   interlume::Error CheckTimes(const std::vector<double>& times) const;
   interlume::Error CheckDirection() const;
   int GetFirstStep() const;
-  /// Returns the times of the steps in the range.
-  std::vector<double> GetTimesTaken() const;
-  /// Begins an execution, which copies steps if \a copiesSteps. Returns false, after an error,
-  /// where parameters do not allow it.
+  /// Returns the times of the selected steps.
+  std::vector<double> GetSelectedTimes() const;
+  /// Starts an execution, which copies the time steps if \a copiesSteps is true. Reports an error
+  /// and returns false if a parameter is invalid.
   bool Begin(bool copiesSteps);
-  /// Returns whether the last execution took all steps and filled its outputs.
+  /// Returns whether the last execution processed all steps and filled its outputs.
   bool HasFilledOutputs() const { return this->IsFilled; }
-  /// Returns why there is no output after all steps, or nothing.
+  /// Returns the reason for an empty output after all steps, or an empty string.
   std::string ExplainEmpty(interlume::TimeVaryingRun& run);
 
 private:
@@ -230,12 +205,12 @@ private:
   void operator=(const vtkTimeVaryingIntervalVolume&) = delete;
 
   vtkNew<vtkInterlumeReport> Report;
-  /// The times of the input's steps.
+  /// Times of the steps of the input.
   std::vector<double> TimeSteps;
-  /// The state that is kept from one time step to the next; null between executions.
+  /// State between time steps; null between executions.
   std::unique_ptr<interlume::TimeVaryingRun> Run;
   bool IsFilled = false;
-  /// Whether an execution was begun anew because the input changed meanwhile.
+  /// Whether the execution was restarted because the input changed meanwhile.
   bool IsRestarted = false;
 };
 

@@ -7,18 +7,19 @@
 
 /**
  * @class   vtkTimeVaryingSettings
- * @brief   what vtkTimeVaryingIntervalVolume can be told besides intervals, with its defaults
+ * @brief   settings of vtkTimeVaryingIntervalVolume, without the intervals
  *
- * The filter is made of them, so that VTK's macros for setters serve them, and hands them on as a
- * whole. Each is documented at its setter there.
+ * The filter derives from this struct so that VTK's setter macros apply to its members and all
+ * settings can be passed to an execution together. Each setting is documented at its setter in the
+ * filter.
  *
  * @sa vtkTimeVaryingIntervalVolume
  */
 struct vtkTimeVaryingSettings
 {
-  /// What a cell of port 1 is a part of: f equals the lower or upper bound at the start or the end
-  /// (triangles) or at any time (tetrahedra); f is in the interval at the start or the end
-  /// (tetrahedra).
+  /// Kind of boundary to which a cell of port 1 belongs. On a surface, f equals the lower or upper
+  /// bound, at the start or the end (triangles) or at any time (tetrahedra). In a volume, f is in
+  /// the interval at the start or the end (tetrahedra).
   enum BoundaryKinds
   {
     LOWER_SURFACE_AT_START = 0,
@@ -32,10 +33,11 @@ struct vtkTimeVaryingSettings
     NUMBER_OF_BOUNDARY_KINDS = 8
   };
 
-  /// How the five projected points of a 4-simplex lie (figures 3.12 and 3.15 of the source), and in
-  /// how many tetrahedra: no point inside the hull (6), one inside (4), four in a plane, the thick
-  /// point within (4), or one of them inside the triangle of the others (3), three in a line (2),
-  /// two in one place (1).
+  /// Configuration of the five projected points of a 4-simplex, as in C. Zhang, dissertation, Ohio
+  /// State 2006, figures 3.12 and 3.15. The classes, with their numbers of tetrahedra in
+  /// parentheses, are: no point inside the hull (6), one inside (4), four coplanar points with the
+  /// diagonals crossing (4) or with one point inside the triangle of the others (3), three
+  /// collinear points (2), two coincident points (1).
   enum SimplexClasses
   {
     CLASS_1 = 10,
@@ -46,8 +48,9 @@ struct vtkTimeVaryingSettings
     CLASS_5 = 50
   };
 
-  /// What a cell of port 2 is of the interval volume at a time step: its faces there, nothing, or
-  /// all that it is, a tetrahedron there whose last point it has twice.
+  /// Contribution of a cell of port 2 to the interval volume at a time step: its faces there,
+  /// nothing, or the cell itself. In the last case, the cell is a tetrahedron whose last point is
+  /// repeated.
   enum PartsAtStep
   {
     FACES_AT_STEP = 0,

@@ -26,7 +26,7 @@ std::array<Slot, MaximumNumberOfVertices> GetAscendingRanks()
   return ranks;
 }
 
-// Returns the cell, or one without vertices if it has too many of them or too many slots.
+// Returns the cell, or a cell without vertices if it has too many vertices or slots.
 Polytope MakeCell(vtkIsotable::Kinds kind, const std::vector<std::array<int, 3>>& vertices)
 {
   std::vector<Polytope::Point> points;
@@ -53,23 +53,24 @@ int CountCases(vtkIsotable::Kinds kind, std::size_t numberOfVertices)
 }
 }
 
-class vtkIsotable::Maker
+class vtkIsotable::Builder
 {
 public:
-  Maker(Kinds kind, const Polytope& cell)
+  Builder(Kinds kind, const Polytope& cell)
     : Kind(kind)
     , Cell(cell)
     , Lifted(kind == INTERVAL ? cell.Prism() : cell)
   {
   }
 
-  // Makes the slots and pieces. In the table of an interval, one of the cases that symmetries of
-  // the cell take into each other is made from its hull, and the others by moving that one.
-  void Make(const vtkIsotable& table, int key, Case& made)
+  // Computes the slots and pieces of a case. In an interval table, one case of each class of
+  // symmetric cases is computed from its hull. The other cases of the class are transformed from
+  // it.
+  void Make(const vtkIsotable& table, int key, Case& result)
   {
     if (this->Kind == CONTOUR)
     {
-      this->MakeFromHull(key, made);
+      this->MakeFromHull(key, result);
       return;
     }
     std::call_once(
@@ -78,22 +79,22 @@ public:
     const int first = static_cast<int>(origin.Key);
     if (first == key)
     {
-      this->MakeFromHull(key, made);
+      this->MakeFromHull(key, result);
       return;
     }
     const Case& from = table.GetCase(first);
     const auto& symmetry = this->Symmetries->Get()[origin.Symmetry];
-    made.Pieces = MovedPieces::Move(
+    result.Pieces = MovedPieces::Move(
       from.Pieces, symmetry, table.GetNumberOfVertices(), table.GetNumberOfEdges());
     for (const Slot slot : from.Slots)
     {
-      made.Slots.push_back(symmetry.Slots[slot]);
+      result.Slots.push_back(symmetry.Slots[slot]);
     }
-    std::sort(made.Slots.begin(), made.Slots.end());
+    std::sort(result.Slots.begin(), result.Slots.end());
   }
 
 private:
-  void MakeFromHull(int key, Case& made) const
+  void MakeFromHull(int key, Case& result) const
   {
     const CasePatch patch(this->Lifted,
       CasePatch::GetSigns(static_cast<int>(this->Cell.Vertices.size()), this->Kind == INTERVAL,
@@ -102,26 +103,26 @@ private:
     {
       for (int edge : facet.Points)
       {
-        made.Slots.push_back(this->GetSlot(edge));
+        result.Slots.push_back(this->GetSlot(edge));
       }
       if (this->Kind == CONTOUR)
       {
-        this->Append(patch.GetPolygon(facet), made);
+        this->Append(patch.GetPolygon(facet), result);
       }
       else
       {
-        this->Append(facet.Points, made);
-        this->AppendFaces(patch.GetFaces(facet), made);
+        this->Append(facet.Points, result);
+        this->AppendFaces(patch.GetFaces(facet), result);
       }
     }
-    std::sort(made.Slots.begin(), made.Slots.end());
-    made.Slots.erase(std::unique(made.Slots.begin(), made.Slots.end()), made.Slots.end());
+    std::sort(result.Slots.begin(), result.Slots.end());
+    result.Slots.erase(std::unique(result.Slots.begin(), result.Slots.end()), result.Slots.end());
   }
 
-  void AppendFaces(const std::vector<CasePatch::PointList>& faces, Case& made) const
+  void AppendFaces(const std::vector<CasePatch::PointList>& faces, Case& result) const
   {
     const int m = static_cast<int>(this->Cell.Edges.size());
-    made.Pieces.push_back(static_cast<Slot>(faces.size()));
+    result.Pieces.push_back(static_cast<Slot>(faces.size()));
     for (const CasePatch::PointList& face : faces)
     {
       const auto all = [&face](int from, int to)
@@ -129,17 +130,17 @@ private:
         return std::all_of(
           face.begin(), face.end(), [=](int edge) { return edge >= from && edge < to; });
       };
-      made.Pieces.push_back(all(0, m) ? Slot(0) : all(m, 2 * m) ? Slot(1) : NoSide);
-      this->Append(face, made);
+      result.Pieces.push_back(all(0, m) ? Slot(0) : all(m, 2 * m) ? Slot(1) : NoSide);
+      this->Append(face, result);
     }
   }
 
-  void Append(const CasePatch::PointList& points, Case& made) const
+  void Append(const CasePatch::PointList& points, Case& result) const
   {
-    made.Pieces.push_back(static_cast<Slot>(points.size()));
+    result.Pieces.push_back(static_cast<Slot>(points.size()));
     for (int edge : points)
     {
-      made.Pieces.push_back(this->GetSlot(edge));
+      result.Pieces.push_back(this->GetSlot(edge));
     }
   }
 
@@ -166,7 +167,7 @@ vtkIsotable::vtkIsotable(Kinds kind, const Polytope& cell)
   , NumberOfVertices(static_cast<int>(cell.Vertices.size()))
   , NumberOfEdges(static_cast<int>(cell.Edges.size()))
   , Edges(cell.GetSortedEdges())
-  , Pieces(new Maker(kind, cell))
+  , Pieces(new Builder(kind, cell))
   , Cases(CountCases(kind, cell.Vertices.size()))
 {
 }
@@ -206,17 +207,17 @@ vtkIsotable::RankArray vtkIsotable::GetSlotRanks(const Slot* vertexRanks) const
 
 const vtkIsotable::Case& vtkIsotable::MakeCase(int key) const
 {
-  std::unique_ptr<Case> made(new Case);
-  this->Pieces->Make(*this, key, *made);
+  std::unique_ptr<Case> result(new Case);
+  this->Pieces->Make(*this, key, *result);
   this->Cut(
-    *made, this->GetSlotRanks(GetAscendingRanks().data()),
-    [&made](const Simplex& simplex) { made->Simplices.push_back(simplex); },
-    [&made](const Triangle& triangle) { made->Boundary.push_back(triangle); });
-  // If two threads make the same case, the first one's is used.
+    *result, this->GetSlotRanks(GetAscendingRanks().data()),
+    [&result](const Simplex& simplex) { result->Simplices.push_back(simplex); },
+    [&result](const Triangle& triangle) { result->Boundary.push_back(triangle); });
+  // If two threads compute the same case, the first result is used.
   const Case* expected = nullptr;
-  if (this->Cases[key].compare_exchange_strong(expected, made.get(), std::memory_order_acq_rel))
+  if (this->Cases[key].compare_exchange_strong(expected, result.get(), std::memory_order_acq_rel))
   {
-    return *made.release();
+    return *result.release();
   }
   return *expected;
 }

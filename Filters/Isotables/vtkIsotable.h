@@ -7,7 +7,7 @@
 #include <array>   // for the simplices
 #include <atomic>  // for the cases
 #include <cstdint> // for the slots
-#include <memory>  // for the maker
+#include <memory>  // for the case builder
 #include <vector>  // for the lists
 
 namespace interlume
@@ -17,32 +17,32 @@ class Polytope;
 
 /**
  * @class   vtkIsotable
- * @brief   the case table of a three-dimensional cell, for isosurfaces or interval volumes
+ * @brief   case table of a three-dimensional cell, for isosurfaces or interval volumes
  *
- * Get() returns the table of a VTK cell; the constructor makes the table of any other convex cell.
+ * Get() returns the table of a VTK cell. The constructor creates the table of any other convex
+ * cell. Cases are computed from convex hulls in integer arithmetic at their first use (P.
+ * Bhaniramka, R. Wenger, R. Crawfis, "Isosurface construction in any dimension using convex hulls",
+ * IEEE TVCG 10(2), 2004). Any thread may request a case. A reference to a case remains valid as
+ * long as the table exists. See Documentation/methods/isotables.md.
  *
- * A case is keyed by one digit for each vertex, vertex 0 the least: in base 2 for a contour
- * (0: f < v, 1: f >= v), in base 3 for an interval (0: below, 1: inside, 2: above). A case is made
- * from convex hulls in integer arithmetic (P. Bhaniramka, R. Wenger, R. Crawfis, "Isosurface
- * construction in any dimension using convex hulls", IEEE TVCG 10(2), 2004), at its first use, by
- * the thread that requests it first. A reference to a case remains valid as long as the table.
+ * The key of a case has one digit per vertex; the digit of vertex 0 is the least significant.
+ * Contours use base 2 (0: f < v, 1: f >= v). Intervals use base 3 (0: below, 1: inside, 2: above).
  *
- * A point of a case is a slot: with n vertices and m edges, slot i < n is vertex i of the cell;
- * slot n + e is the isovalue (the lower one of an interval) on edge e; slot n + m + e is the upper
- * one on edge e. In an interval, a vertex that is inside is a point itself; a contour has none of
- * the first kind.
+ * The points of a case are numbered as slots. With n vertices and m edges, slot i < n is vertex i
+ * of the cell. Slot n + e is the isovalue on edge e, or the lower isovalue of an interval. Slot n +
+ * m + e is the upper isovalue on edge e. In an interval, a vertex that is inside is itself a point.
+ * Contours use no vertex slots. To interpolate the point of slot n + e, use the ends GetEdge(e).
  *
- * Convex pieces are cut by pulling in an order of the slots: vertices first, then lower, then upper
- * crossings, each by the ranks of the edge's ends, the smaller rank first. When ranks come from
- * global point ids, any two cells cut the face they share alike. Simplices holds the cut for
- * ascending ranks, as structured grids have it; Cut() does any other.
+ * Convex pieces are split into simplices by a pulling triangulation. The slots are ordered with
+ * vertices first, then lower, then upper edge points. Edge points are ordered by the ranks of their
+ * edge's ends, smaller rank first. If ranks come from global point ids, any two cells split a
+ * shared face identically. Case::Simplices is the triangulation for ascending ranks, as on
+ * structured grids. Cut() computes the triangulation for other ranks.
  *
- * Each simplex is four slots, or three in a contour. To interpolate the point of slot n + e, use
- * the ends GetEdge(e).
- *
- * Vertex order: VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, and VTK_VOXEL for the hexahedron. Tetrahedra
- * have positive volume in a right-handed cell; triangles of a contour have their normal towards
- * lower values; boundary triangles of an interval have it outward.
+ * A simplex has four slots, or three in a contour. The vertex order is that of VTK_TETRA,
+ * VTK_PYRAMID, VTK_WEDGE, and VTK_VOXEL for the hexahedron. In a right-handed cell, tetrahedra have
+ * positive volume. Normals of contour triangles point toward lower values. Normals of boundary
+ * triangles point out of the interval.
  *
  * @sa vtkIsotableContour vtkIntervalVolume
  */
@@ -66,9 +66,9 @@ public:
   static constexpr int MaximumNumberOfSlots = 32;
 
   using Slot = std::uint8_t;
-  /// The four slots of a tetrahedron, or the three of a contour's triangle (the last is unused).
+  /// Slots of a tetrahedron, or of a contour triangle (the fourth entry is unused).
   using Simplex = std::array<Slot, 4>;
-  /// A boundary triangle of an interval, as three slots, and 0 at the lower side or 1 at the upper.
+  /// Boundary triangle of an interval: three slots, then 0 for the lower or 1 for the upper side.
   using Triangle = std::array<Slot, 4>;
   using RankArray = std::array<Slot, MaximumNumberOfSlots>;
 
@@ -76,26 +76,27 @@ public:
   {
     std::vector<Simplex> Simplices;
     std::vector<Triangle> Boundary;
-    /// The slots in use, increasing.
+    /// Slots in use, in increasing order.
     std::vector<Slot> Slots;
-    /// The convex pieces, each as its number of points, points, number of faces, then for each face
-    /// its side (0, 1 or NoSide), number of points, points in cyclic order. In a contour a piece is
-    /// one face.
+    /// Convex pieces. A piece of an interval is stored as its number of points, its points, its
+    /// number of faces, and for each face its side (0, 1 or NoSide), its number of points, and its
+    /// points in cyclic order. A piece of a contour is one face: its number of points and its
+    /// points.
     std::vector<Slot> Pieces;
   };
   static constexpr Slot NoSide = 255;
 
-  /// Returns the table shared by all users in the process.
+  /// Return the table of a VTK cell, shared by all users in the process.
   static const vtkIsotable& Get(Kinds kind, Shapes shape);
 
   /**
-   * Makes the table of the convex hull of \a vertices. Its edges are in lexicographic order of
-   * their vertices. The table is empty, with 0 cases, if a point is not a vertex of the hull, a
-   * coordinate is odd or outside -128 ... 128, or there are more than 8 vertices or 32 slots.
+   * Create the table of the convex hull of \a vertices. Edges are in lexicographic order of their
+   * vertices. The table is empty (0 cases) if a point is not a vertex of the hull, if a coordinate
+   * is odd or outside -128 ... 128, or if there are more than 8 vertices or 32 slots.
    */
   vtkIsotable(Kinds kind, const std::vector<std::array<int, 3>>& vertices);
 
-  /// Makes the table of a cell. For internal use.
+  /// Create the table of a cell. For internal use.
   vtkIsotable(Kinds kind, const interlume::Polytope& cell);
   ~vtkIsotable();
   vtkIsotable(const vtkIsotable&) = delete;
@@ -107,55 +108,55 @@ public:
   int GetNumberOfCases() const { return static_cast<int>(this->Cases.size()); }
   const std::array<Slot, 2>& GetEdge(int edge) const { return this->Edges[edge]; }
 
-  /// Returns the case of \a key, 0 <= key < GetNumberOfCases().
+  /// Return the case of \a key, 0 <= key < GetNumberOfCases().
   const Case& GetCase(int key) const
   {
     const Case* known = this->Cases[key].load(std::memory_order_acquire);
     return known ? *known : this->MakeCase(key);
   }
 
-  /// Returns how many cases have been made so far.
+  /// Return the number of cases computed so far.
   int GetNumberOfCasesMade() const;
 
   /**
-   * Returns the order of slots for vertex ranks 0 ... n-1.
+   * Return the ranks of the slots. \a vertexRanks is a permutation of 0 ... n-1.
    */
   RankArray GetSlotRanks(const Slot* vertexRanks) const;
 
   /**
-   * Cuts a case in the order given, calling simplex(const Simplex&) and boundary(const Triangle&).
-   * \a ranks has a number for each slot of the case, as a RankArray has, which alone matters in its
-   * order.
+   * Triangulate a case in a given order. Calls simplex(const Simplex&) and boundary(const
+   * Triangle&). \a ranks, for example a RankArray, has a number for each slot of the case; only the
+   * order of the numbers matters.
    */
   template <typename Ranks, typename SimplexVisitor, typename BoundaryVisitor>
-  void Cut(const Case& what, const Ranks& ranks, SimplexVisitor&& simplex,
+  void Cut(const Case& source, const Ranks& ranks, SimplexVisitor&& simplex,
     BoundaryVisitor&& boundary) const
   {
     this->CutNamed(
-      what, ranks, [](Slot slot) { return slot; }, simplex, boundary);
+      source, ranks, [](Slot slot) { return slot; }, simplex, boundary);
   }
 
   /**
-   * Cuts a case in which slots are one point: \a same has for each slot the one that it goes by.
-   * Slots are made one before anything is cut, so that a piece without volume leaves less; a
-   * visited simplex may still have a slot twice.
+   * Triangulate a case in which some slots coincide. \a same contains the representative of each
+   * slot. Coincident slots are merged before the triangulation, so that a piece without volume
+   * produces fewer simplices. A visited simplex may still contain a slot twice.
    */
   template <typename SimplexVisitor, typename BoundaryVisitor>
-  void CutMerged(const Case& what, const RankArray& ranks, const Slot* same,
+  void CutMerged(const Case& source, const RankArray& ranks, const Slot* same,
     SimplexVisitor&& simplex, BoundaryVisitor&& boundary) const
   {
     this->CutNamed(
-      what, ranks, [same](Slot slot) { return same[slot]; }, simplex, boundary);
+      source, ranks, [same](Slot slot) { return same[slot]; }, simplex, boundary);
   }
 
   /**
-   * Cuts the faces of the pieces of an interval's case alone: calls triangle(a, b, c, slots,
-   * number) for each triangle, outward, with the slots of the face that it is a part of.
+   * Triangulate only the faces of the pieces of an interval case. Calls triangle(a, b, c, slots,
+   * number) for each outward triangle, with the slots of the face that contains it.
    */
   template <typename Visitor>
-  void CutSides(const Case& what, const RankArray& ranks, Visitor&& triangle) const
+  void CutSides(const Case& source, const RankArray& ranks, Visitor&& triangle) const
   {
-    this->ForEachSide(what,
+    this->ForEachSide(source,
       [&](const Slot* slots, int number)
       {
         PullPolygon(
@@ -164,11 +165,11 @@ public:
       });
   }
 
-  /// Calls face(slots, number) for the faces of the pieces of an interval's case.
+  /// Call face(slots, number) for each face of the pieces of an interval case.
   template <typename Visitor>
-  void ForEachSide(const Case& what, Visitor&& face) const
+  void ForEachSide(const Case& source, Visitor&& face) const
   {
-    for (const Slot* at = what.Pieces.data(); at != what.Pieces.data() + what.Pieces.size();)
+    for (const Slot* at = source.Pieces.data(); at != source.Pieces.data() + source.Pieces.size();)
     {
       at += 1 + at[0];
       for (int faces = *at++; faces > 0; --faces)
@@ -183,10 +184,10 @@ public:
 
 private:
   template <typename Ranks, typename Name, typename SimplexVisitor, typename BoundaryVisitor>
-  void CutNamed(const Case& what, const Ranks& ranks, const Name& name, SimplexVisitor&& simplex,
+  void CutNamed(const Case& source, const Ranks& ranks, const Name& name, SimplexVisitor&& simplex,
     BoundaryVisitor&& boundary) const
   {
-    for (const Slot* at = what.Pieces.data(); at != what.Pieces.data() + what.Pieces.size();)
+    for (const Slot* at = source.Pieces.data(); at != source.Pieces.data() + source.Pieces.size();)
     {
       at = this->Kind == CONTOUR ? CutPolygon(at, ranks, name, simplex)
                                  : CutSolid(at, ranks, name, simplex, boundary);
@@ -205,7 +206,7 @@ private:
     return first;
   }
 
-  // Calls fan(a, b, c) for the triangles of a polygon coned from its first point.
+  // Calls fan(a, b, c) for each triangle of the fan of a polygon from its point of lowest rank.
   template <typename Ranks, typename Name, typename Fan>
   static void PullPolygon(
     const Slot* slots, int number, const Ranks& ranks, const Name& name, Fan&& fan)
@@ -274,8 +275,8 @@ private:
     return at;
   }
 
-  // Makes the pieces of cases from hulls.
-  class Maker;
+  // Computes the pieces of cases from convex hulls.
+  class Builder;
 
   const Case& MakeCase(int key) const;
 
@@ -283,7 +284,7 @@ private:
   int NumberOfVertices;
   int NumberOfEdges;
   std::vector<std::array<Slot, 2>> Edges;
-  std::unique_ptr<Maker> Pieces;
+  std::unique_ptr<Builder> Pieces;
   mutable std::vector<std::atomic<const Case*>> Cases;
 };
 

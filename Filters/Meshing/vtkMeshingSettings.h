@@ -6,10 +6,10 @@
 
 /**
  * @class   vtkMeshingSettings
- * @brief   what vtkTetrahedralMesher can be told of the mesh, with its defaults
+ * @brief   settings of vtkTetrahedralMesher
  *
- * The filter is made of them, so that VTK's macros for setters serve them, and hands them on as a
- * whole. Each is documented at its setter there.
+ * vtkTetrahedralMesher inherits the settings so that VTK's set/get macros apply, and passes them to
+ * each MeshingJob. The setters of the filter document them.
  *
  * @sa vtkTetrahedralMesher
  */

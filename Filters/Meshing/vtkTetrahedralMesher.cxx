@@ -34,14 +34,14 @@ vtkStandardNewMacro(vtkTetrahedralMesher);
 
 namespace
 {
-constexpr double LeastQualityBound = 1.0;
-constexpr double LargestQualityBound = 1000.0;
+constexpr double MinimumQualityBound = 1.0;
+constexpr double MaximumQualityBound = 1000.0;
 
 void Measure(interlume::MeshingJob& job)
 {
   interlume::TetrahedralMesherReport& report = job.Report;
   interlume::MeshMeasures measures;
-  // Cells are not refined.
+  // Decomposed cells are not refined.
   measures.QualityBound = job.Mesh.Cells.empty() ? job.QualityBound : 0.0;
   measures.MaximumVolume = job.Mesh.Cells.empty() ? job.MaximumVolume : 0.0;
   measures.Add(job.Mesh.Points, job.Mesh.Tetrahedra);
@@ -65,7 +65,7 @@ vtkTetrahedralMesher::~vtkTetrahedralMesher() = default;
 
 void vtkTetrahedralMesher::SetQualityBound(double bound)
 {
-  bound = bound > 0.0 ? std::max(LeastQualityBound, std::min(bound, LargestQualityBound)) : 0.0;
+  bound = bound > 0.0 ? std::max(MinimumQualityBound, std::min(bound, MaximumQualityBound)) : 0.0;
   if (this->QualityBound != bound)
   {
     this->QualityBound = bound;
@@ -89,7 +89,7 @@ int vtkTetrahedralMesher::RequestData(
   {
     return 1;
   }
-  this->SetProgressText("Making tetrahedra");
+  this->SetProgressText("Generating tetrahedra");
   interlume::MeshingJob job(*this, input);
   double progress = 0.0;
   job.SetProgress = [this, &progress](double value)
@@ -97,9 +97,9 @@ int vtkTetrahedralMesher::RequestData(
     progress = value;
     this->UpdateProgress(value);
   };
-  job.IsCancelled = [this]() { return this->GetAbortExecute() != 0; };
-  // Observers of progress are asked while TetGen works: one of them may abort.
-  job.TetGen.IsCancelled = [this, &progress]()
+  job.IsCanceled = [this]() { return this->GetAbortExecute() != 0; };
+  // A progress observer may abort while TetGen runs.
+  job.TetGen.IsCanceled = [this, &progress]()
   {
     this->UpdateProgress(progress);
     return this->GetAbortExecute() != 0;
@@ -108,16 +108,16 @@ int vtkTetrahedralMesher::RequestData(
   try
   {
     error = this->Mesh(job);
-    if (!error && !job.IsCancelled())
+    if (!error && !job.IsCanceled())
     {
-      this->TakeOutput(job, output);
+      this->FillOutput(job, output);
     }
   }
   catch (const std::bad_alloc&)
   {
     output->Initialize();
-    error = interlume::Error(
-      "There is not enough memory for the mesh.", interlume::ErrorCode::OutOfMemory);
+    error = interlume::Error("Not enough memory for the mesh. Relax QualityBound or MaximumVolume.",
+      interlume::ErrorCode::OutOfMemory);
   }
   if (error)
   {
@@ -151,7 +151,7 @@ interlume::Error vtkTetrahedralMesher::Mesh(interlume::MeshingJob& job)
                         : interlume::Meshers::MeshPoints(job);
 }
 
-void vtkTetrahedralMesher::TakeOutput(interlume::MeshingJob& job, vtkUnstructuredGrid* output)
+void vtkTetrahedralMesher::FillOutput(interlume::MeshingJob& job, vtkUnstructuredGrid* output)
 {
   const interlume::Tetrahedra& mesh = job.Mesh;
   const auto tetrahedra = static_cast<vtkIdType>(mesh.Tetrahedra.size() / 4);
@@ -180,7 +180,7 @@ void vtkTetrahedralMesher::TakeOutput(interlume::MeshingJob& job, vtkUnstructure
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   grid->SetCells(VTK_TETRA, cells);
-  if (!interlume::MeshedArrays::InterpolatePointData(job.Input, mesh, job.IsCancelled, grid))
+  if (!interlume::MeshedArrays::InterpolatePointData(job.Input, mesh, job.IsCanceled, grid))
   {
     return;
   }
@@ -210,19 +210,20 @@ void vtkTetrahedralMesher::Warn(const interlume::MeshingJob& job)
   if (report.UnsupportedCells > 0)
   {
     vtkWarningMacro(<< report.UnsupportedCells
-                    << " cells are not linear, or of a type that is not taken, and are left out.");
+                    << " cells of unsupported types were skipped. Convert them to linear cells.");
   }
   if (report.TetrahedraAboveQualityBound > 0)
   {
     vtkWarningMacro(<< report.TetrahedraAboveQualityBound << " of " << report.Tetrahedra
-                    << " tetrahedra exceed the quality bound " << this->QualityBound
-                    << ", the worst with " << report.LargestRadiusEdgeRatio << ".");
+                    << " tetrahedra exceed QualityBound " << this->QualityBound
+                    << ". The largest radius-edge ratio is " << report.LargestRadiusEdgeRatio
+                    << ".");
   }
   if (report.TetrahedraAboveMaximumVolume > 0)
   {
     vtkWarningMacro(<< report.TetrahedraAboveMaximumVolume << " of " << report.Tetrahedra
-                    << " tetrahedra exceed the maximum volume " << this->MaximumVolume
-                    << ", the largest with " << report.LargestVolume << ".");
+                    << " tetrahedra exceed MaximumVolume " << this->MaximumVolume
+                    << ". The largest volume is " << report.LargestVolume << ".");
   }
 }
 
@@ -241,17 +242,17 @@ void vtkTetrahedralMesher::WarnIfEmpty()
     return;
   }
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  vtkInformation* asked = this->GetOutputInformation(0);
-  const bool isPiece = asked->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
-    asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
+  vtkInformation* information = this->GetOutputInformation(0);
+  const bool isPiece = information->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) &&
+    information->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
   if (this->WarnOnEmptyOutput && this->IsEmpty && !isPiece && !this->GetAbortExecute())
   {
-    const double leftOut =
+    const double skippedCells =
       this->Report->GetNumber("SkippedCells") + this->Report->GetNumber("UnsupportedCells");
-    vtkWarningMacro("The output is empty: "
-      << (leftOut > 0 ? "all " + std::to_string(static_cast<vtkIdType>(leftOut)) +
-               " cells that might be cut are ghosts, hidden or of a type that is not taken."
-                      : "the input has no points, or cells without volume only."));
+    vtkWarningMacro("The output is empty: " << (skippedCells > 0
+                        ? "all " + std::to_string(static_cast<vtkIdType>(skippedCells)) +
+                          " three-dimensional cells are ghosts, hidden or of an unsupported type."
+                        : "the input has no points or only cells without volume."));
   }
 }
 

@@ -4,7 +4,7 @@
 
 #include "InterlumeMeshingModule.h" // for the export macro
 #include "vtkInterlumeReport.h"     // for GetReport()
-#include "vtkMeshingSettings.h"     // for what is set
+#include "vtkMeshingSettings.h"     // settings
 #include "vtkNew.h"                 // for the report
 #include "vtkUnstructuredGridAlgorithm.h"
 
@@ -18,57 +18,52 @@ struct MeshingJob;
 
 /**
  * @class   vtkTetrahedralMesher
- * @brief   tetrahedra of closed surfaces, of point sets, and of the cells of a grid, by TetGen
+ * @brief   generate tetrahedra from closed surfaces, point sets or cells, using TetGen
  *
- * The mesh that is made depends on the cells of the input:
+ * The cells of the input determine the kind of mesh:
  *
- * - Cells of three dimensions (a vtkUnstructuredGrid with polyhedra, any other grid): every cell is
- *   decomposed. Polyhedra may be concave and their faces may be concave or not planar. The mesh is
- *   conforming: a face is cut into triangles by a rule that depends on its own points alone, so two
- *   cells agree on the face they share, whatever their types, and no face or edge gets a new point.
- *   (The order of the points is that of the point data's global ids, integers of any type, if there
- *   are some, otherwise of the point ids.) A cell that is not convex may get new points inside. The
- * bounds below do not apply. Tetrahedra, voxels, hexahedra, wedges, pyramids, pentagonal and
- * hexagonal prisms and polyhedra are taken; other cells, ghosts and hidden cells are left out and
- * counted in GetReport().
- * - Polygons, and no such cells (vtkPolyData; triangles, quads, polygons, pixels and strips): the
- *   space within the closed surface is filled. Several shells may lie beside and within each other;
- *   see FillNestedShells, and touch, see SplitContacts. Points in the same place count as one.
- * Vertices and lines are not used.
- * - Points alone (any vtkPointSet without polygons): the Delaunay tetrahedra of their convex hull.
- *   With a bound set, this mesh is refined.
+ * - Three-dimensional cells: each cell is decomposed into tetrahedra. Polyhedra may be concave, and
+ *   their faces may be concave or non-planar. The mesh is conforming: adjacent cells split their
+ *   common face into the same triangles, and faces and edges get no new points. A cell that is not
+ *   convex may get new points inside. Tetrahedra, voxels, hexahedra, wedges, pyramids, pentagonal
+ *   and hexagonal prisms and polyhedra are supported. Other cells, ghost cells and hidden cells are
+ *   skipped and counted in GetReport(). The quality and volume bounds do not apply.
+ * - Polygons and no three-dimensional cells (triangles, quads, polygons, pixels, strips): the
+ *   volume inside the closed surface is filled. Several shells may be disjoint or nested (see
+ *   FillNestedShells) or touch (see SplitContacts). Coincident points are merged. Vertices and
+ *   lines are ignored.
+ * - Points only (any vtkPointSet without polygons): the Delaunay tetrahedra of their convex hull,
+ *   refined if a bound is set.
  *
- * Output: VTK_TETRA cells of positive volume, points in double. The input's points that are used
- * keep their places and order, new points follow. Arrays:
+ * The output has VTK_TETRA cells of positive volume and points of type double. Used input points
+ * come first, in their order, followed by new points. Equal inputs give bit-identical outputs.
+ * Arrays:
  *
- * - every numeric point array. Points of the input keep their values. A new point on a polygon has
- *   the linear interpolation on its triangle; one that refines a point set has that of the Delaunay
- *   tetrahedron of the input's points that it lies in; one inside a surface or a cell has the value
- *   of the discrete harmonic function on the mesh: the smoothest continuation, linear on each
- *   tetrahedron, that has the given values at all other points. Each of them reproduces linear
- *   functions. Integers come out as float (8 and 16 bits) or double. Global ids, pedigree ids,
- * ghosts and strings are left out.
- * - from cells: every cell array, copied from the cell a tetrahedron comes from.
- * - from surfaces: cell array `RegionId` (int), see FillNestedShells.
- *
- * The same input gives the same bytes.
+ * - Numeric point arrays are interpolated: input points keep their values, and linear functions are
+ *   reproduced at new points. 8-bit and 16-bit integers become float, other integers become double.
+ *   Global ids, pedigree ids, ghost arrays and string arrays are not copied.
+ * - For cells, each tetrahedron gets the cell array values of its input cell.
+ * - For surfaces, cell array `RegionId` (int), see FillNestedShells.
  *
  * TetGen (H. Si, "TetGen, a Delaunay-based quality tetrahedral mesh generator", ACM TOMS 41(2),
- * 2015) runs in a process of its own: whatever it does there, it throws, exits, crashes or never
- * ends, comes back as an error. Abort is honoured at any time; while TetGen works, progress stands
- * still.
+ * 2015) runs in a separate process. If it throws, exits, crashes or exceeds TimeLimit, the filter
+ * reports an error. Abort works at any time. Progress does not advance while TetGen runs.
  *
- * Errors (vtkErrorMacro, empty output), with the number of the cell or point: a coordinate that is
- * not finite; a cell with fewer points than its type needs, or with points that do not exist; a
- * surface that is open or intersects itself; a polygon that meets itself or has no area; points in
- * one plane; a cell without volume, with faces that are not closed, or that cannot be decomposed;
- * global ids that are not one integer for each point; TetGen's own failures. Warnings: tetrahedra
- * that exceed a bound, next to small angles of the input or where PreserveBoundary or
- * MaximumNumberOfAddedPoints leaves no choice; cells of a type that is not taken; an output without
- * tetrahedra and why, once for a composite input, unless WarnOnEmptyOutput is off or it is one
- * piece of several.
+ * Errors (vtkErrorMacro, empty output) name the cell or point:
+ * - coordinates that are not finite, or coplanar points
+ * - cells with too few points or with point ids that do not exist
+ * - open or self-intersecting surfaces
+ * - polygons that intersect themselves or have no area
+ * - cells that have no volume or open faces, or that cannot be decomposed
+ * - global ids that are not one integer per point
+ * - failures of TetGen
  *
- * TetGen is under the AGPL: this module is optional (INTERLUME_ENABLE_TETGEN).
+ * Warnings: tetrahedra that exceed a bound, next to small angles of the input or because of
+ * PreserveBoundary or MaximumNumberOfAddedPoints; unsupported cell types; an empty output, see
+ * WarnOnEmptyOutput.
+ *
+ * TetGen is licensed under the AGPL. Therefore this module is optional (INTERLUME_ENABLE_TETGEN).
+ * Documentation/methods/meshing.md describes the method.
  *
  * @sa vtkIntervalVolume vtkDelaunay3D
  */
@@ -83,12 +78,12 @@ public:
 
   ///@{
   /**
-   * The largest ratio of a tetrahedron's circumscribed radius to its shortest edge, for surfaces
-   * and point sets. 0: no bound, and no new point but those that the surface needs. Smaller is
-   * better shaped; a regular tetrahedron has 0.612. The bound is held where no angle between edges
-   * or faces of the surface is below some 60 degrees, and best from 1.2 on; elsewhere a warning
-   * counts what exceeds it, or TetGen does not end, see TimeLimit. Default 0; valid 0, and 1 to
-   * 1000 (less than 1 becomes 1).
+   * Set/Get the maximum ratio of a tetrahedron's circumradius to its shortest edge, for surfaces
+   * and point sets. Smaller values give better shapes; a regular tetrahedron has 0.612. 0 sets no
+   * bound and adds only points that the surface requires. The bound is reached if edges and faces
+   * of the surface form no angle below about 60 degrees, most reliably at 1.2 or more. Otherwise,
+   * a warning counts the tetrahedra that exceed it, or TetGen does not terminate (see TimeLimit).
+   * Default: 0. Valid: 0, or 1 to 1000; values between 0 and 1 become 1.
    */
   void SetQualityBound(double bound);
   vtkGetMacro(QualityBound, double);
@@ -96,9 +91,9 @@ public:
 
   ///@{
   /**
-   * The dihedral angle, in degrees, that TetGen tries to reach in every tetrahedron, on top of
-   * QualityBound; without that it does not apply. It may be missed, unlike a bound. Default 0;
-   * valid 0 to 30.
+   * Set/Get the dihedral angle, in degrees, that TetGen aims for in every tetrahedron. It has no
+   * effect unless QualityBound is set. It is a target, not a bound: no warning reports smaller
+   * angles. Default: 0. Valid: 0 to 30.
    */
   vtkSetClampMacro(MinimumDihedralAngle, double, 0.0, 30.0);
   vtkGetMacro(MinimumDihedralAngle, double);
@@ -106,11 +101,11 @@ public:
 
   ///@{
   /**
-   * The largest volume of a tetrahedron, in cubes of the unit of length, for surfaces and point
-   * sets; 0 for none. Without QualityBound TetGen keeps to a bound of 2 while it refines. The bound
-   * is held: what TetGen leaves above it is bisected at longest edges, until
-   * MaximumNumberOfAddedPoints. It may be as small as the model requires: the mesh does not depend
-   * on the unit of length. Default 0; valid 0 and more.
+   * Set/Get the maximum volume of a tetrahedron, in cubic length units, for surfaces and point
+   * sets. 0 sets no bound. Without QualityBound, TetGen uses a quality bound of 2 while it refines.
+   * Tetrahedra that TetGen leaves too large are bisected at their longest edges until the bound is
+   * met or MaximumNumberOfAddedPoints is reached. The mesh does not depend on the unit of length,
+   * so the bound may be arbitrarily small. Default: 0. Valid: at least 0.
    */
   vtkSetClampMacro(MaximumVolume, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumVolume, double);
@@ -118,9 +113,8 @@ public:
 
   ///@{
   /**
-   * The largest number of points that a bound may add, which ends a refinement that would not end
-   * otherwise. Default 2000000; valid 0 to 100000000. (A tetrahedron mesh has five to six times as
-   * many tetrahedra as points; TetGen needs about a kilobyte a point.)
+   * Set/Get the maximum number of points that refinement may add. It stops refinements that would
+   * not terminate. Default: 2000000. Valid: 0 to 100000000.
    */
   vtkSetClampMacro(MaximumNumberOfAddedPoints, int, 0, 100000000);
   vtkGetMacro(MaximumNumberOfAddedPoints, int);
@@ -128,9 +122,9 @@ public:
 
   ///@{
   /**
-   * Whether the triangles of a surface, or of the convex hull of a point set, stay as they are.
-   * Then the bounds cannot be held near them. Off, they may be divided; their shape does not
-   * change. Default off.
+   * Turn on/off preservation of the triangles of the surface, or of the convex hull of a point
+   * set. If on, tetrahedra next to them may exceed QualityBound or MaximumVolume. If off, triangles
+   * may be subdivided without changing the shape of the surface. Default: off.
    */
   vtkSetMacro(PreserveBoundary, bool);
   vtkGetMacro(PreserveBoundary, bool);
@@ -139,12 +133,12 @@ public:
 
   ///@{
   /**
-   * Whether shells within a shell are filled too. Off: a shell within a shell bounds a cavity, a
-   * shell within that a solid again, and so on; the orientation of the polygons does not matter.
-   * On: everything within is filled. In both cases each region between the shells has its own
-   * `RegionId`, counted from 0 in the order of the first input cell that bounds the region, of two
-   * with the same cell the outer one first. A wall that two parts share belongs to both, and counts
-   * as a cell of the later one: a part between others is no cavity. Default off.
+   * Turn on/off filling of nested shells. If off, a shell inside a shell bounds a cavity, a shell
+   * inside the cavity bounds a solid, and so on; the orientation of the polygons does not matter.
+   * If on, everything inside the outer shells is filled. In both cases each region between shells
+   * has its own `RegionId`. Regions are numbered from 0 by the first input cell on their boundary;
+   * of two regions with the same cell, the outer region is first. A wall shared by two parts
+   * belongs to both. Therefore a part enclosed by other parts is not a cavity. Default: off.
    */
   vtkSetMacro(FillNestedShells, bool);
   vtkGetMacro(FillNestedShells, bool);
@@ -153,11 +147,12 @@ public:
 
   ///@{
   /**
-   * If true, triangles of a surface are split where they touch others without common points or
-   * edges: parts that stand on each other, cross along edges or share a wall with other diagonals.
-   * The parts then share points and triangles there, and each keeps its region. Touching is meant
-   * within the rounding of the coordinates. GetReport() has the number of triangles that were
-   * split. If false, such a contact is an error that names the two cells. Default on.
+   * Turn on/off splitting of surface triangles that touch other triangles without common points or
+   * edges: parts that stand on each other, that cross along edges, or that share a wall with
+   * different diagonals. The parts then share points and triangles at the contact, and each part
+   * keeps its region. Triangles touch if their distance is within the rounding error of the
+   * coordinates. GetReport() has the number of split triangles. If off, a contact is an error that
+   * names the two cells. Default: on.
    */
   vtkSetMacro(SplitContacts, bool);
   vtkGetMacro(SplitContacts, bool);
@@ -166,8 +161,9 @@ public:
 
   ///@{
   /**
-   * The longest time that TetGen may take for one surface, point set or cell, in seconds; 0 for no
-   * limit. Beyond it TetGen is ended, with an error. Default 600; valid 0 and more.
+   * Set/Get the maximum time that TetGen may take for one surface, point set or cell, in seconds. 0
+   * sets no limit. When the limit is exceeded, TetGen is stopped and an error is reported. Default:
+   * 600. Valid: at least 0.
    */
   vtkSetClampMacro(TimeLimit, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TimeLimit, double);
@@ -175,8 +171,9 @@ public:
 
   ///@{
   /**
-   * The program that runs TetGen; empty for the one installed beside this module's library. Needed
-   * only where the modules are linked statically or moved apart. Default empty.
+   * Set/Get the path of the program that runs TetGen. If empty, the program next to this module's
+   * library is used. Set it if the module is linked statically or was moved away from the program.
+   * Default: empty.
    */
   vtkSetMacro(WorkerFileName, std::string);
   vtkGetMacro(WorkerFileName, std::string);
@@ -184,7 +181,8 @@ public:
 
   ///@{
   /**
-   * Whether an execution that gives nothing warns, and says why. Default on.
+   * Turn on/off the warning about an output without tetrahedra. A composite input causes at most
+   * one warning. A piece of a partitioned dataset causes no warning. Default: on.
    */
   vtkSetMacro(WarnOnEmptyOutput, bool);
   vtkGetMacro(WarnOnEmptyOutput, bool);
@@ -193,14 +191,15 @@ public:
 
   /**
    * Returns the report of the last execution:
-   * - Tetrahedra, Regions: numbers of the output's cells and of its values of `RegionId`
-   * - AddedPoints: points of the output that the input does not have
-   * - SkippedCells: cells skipped because they are ghosts, hidden or of fewer dimensions
-   * - UnsupportedCells: cells skipped because of their type
-   * - MergedPoints: points of a surface or point set merged with one at the same position
-   * - SplitTriangles: triangles of a surface split by SplitContacts
-   * - TetrahedraAboveQualityBound, TetrahedraAboveMaximumVolume: tetrahedra that exceed a bound
-   * - LargestRadiusEdgeRatio: the largest ratio that QualityBound limits
+   * - Tetrahedra, Regions: number of output cells and of `RegionId` values
+   * - AddedPoints: number of output points that are not input points
+   * - SkippedCells: number of ghost, hidden or lower-dimensional cells
+   * - UnsupportedCells: number of cells of unsupported type
+   * - MergedPoints: number of points of a surface or point set merged with a coincident point
+   * - SplitTriangles: number of surface triangles split by SplitContacts
+   * - TetrahedraAboveQualityBound, TetrahedraAboveMaximumVolume: number of tetrahedra that exceed a
+   *   bound
+   * - LargestRadiusEdgeRatio: largest ratio of circumradius to shortest edge
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
@@ -211,14 +210,14 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Runs the mesher that the input asks for.
+  /// Runs the mesher for the kind of cells in the input.
   interlume::Error Mesh(interlume::MeshingJob& job);
-  /// Turns the mesh of \a job into \a output.
-  void TakeOutput(interlume::MeshingJob& job, vtkUnstructuredGrid* output);
+  /// Copies the mesh of \a job to \a output and computes its arrays.
+  void FillOutput(interlume::MeshingJob& job, vtkUnstructuredGrid* output);
   void Warn(const interlume::MeshingJob& job);
   ///@{
-  /// Begins and ends an execution, over one dataset or over all: the pipeline sends a pair of
-  /// events for each dataset of a composite input, within a pair for the whole.
+  /// Called at the start and the end of an execution. For composite input, the pipeline sends start
+  /// and end events for each dataset, between those for the whole input.
   void BeginExecution();
   void WarnIfEmpty();
   ///@}
@@ -229,7 +228,7 @@ private:
 
   bool WarnOnEmptyOutput = true;
   vtkNew<vtkInterlumeReport> Report;
-  /// Whether the execution has made no tetrahedron so far, and no error has said why.
+  /// True if the current execution has generated no tetrahedron and reported no error.
   bool IsEmpty = true;
   int Depth = 0;
 };

@@ -59,7 +59,7 @@ interlume::FieldSampler::Field vtkAnalyticFieldSource::GetFieldAtTime(double t) 
       return [t, constant = this->Constant, gradient = glm::make_vec3(this->Gradient),
                rate = this->Rate](const double x[3])
       { return constant + glm::dot(gradient, glm::make_vec3(x)) + rate * t; };
-    case BALL:
+    case SPHERE_DISTANCE:
       return [center = Advance(this->Center, this->Velocity, t),
                radius = this->Radius + this->Growth * t](const double x[3])
       { return glm::distance(glm::make_vec3(x), center) - radius; };
@@ -123,8 +123,8 @@ int vtkAnalyticFieldSource::RequestData(
   }
   double origin[3];
   double spacing[3];
-  this->GetLattice(origin, spacing);
-  this->Place(image, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+  this->GetOriginAndSpacing(origin, spacing);
+  this->SetGeometry(image, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   const auto positions = [&origin, &spacing](const int ijk[3], vtkIdType, double x[3])
   {
     for (int axis = 0; axis < 3; ++axis)

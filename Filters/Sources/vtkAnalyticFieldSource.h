@@ -2,6 +2,7 @@
 #ifndef vtkAnalyticFieldSource_h
 #define vtkAnalyticFieldSource_h
 
+#include "vtkDeprecation.h"         // for VTK_DEPRECATION
 #include "InterlumeSourcesModule.h" // for the export macro
 #include "vtkBoundedImageSource.h"
 
@@ -15,35 +16,25 @@ struct FieldSampler;
 
 /**
  * @class   vtkAnalyticFieldSource
- * @brief   scalar fields of space and time with known answers, on an image
+ * @brief   generate analytic scalar fields of space and time on an image
  *
- * The fields f(x,t), x = (x,y,z) in units of length:
- *
- * - WAVE: f = z - 0.4 cos(pi (x + y/4 - t/2)). This is a travelling wave; the sheet -0.15 <= f <=
- * 0.15 moves a quarter of its wavelength in a unit of time. The region l <= f <= u has u - l of
- * every column within the bounds. It stands for the test function of C. Zhang, dissertation, Ohio
- * State 2006, figure 3.20: bounds -2 to 2, -1 to 1, -1 to 1, 40 x 20 x 20 points, times 0 and 1.
- * - VORTEX: the sum of eleven vortex tubes, each
- *     S(t) exp(-d^2 / r^2) exp(-(s/h)^4),  S(t) = exp(-((t-p)/q)^2),
- *   where s is the coordinate along the tube's straight line through c + v t and d the distance, to
- *   first order in curvature, from the axis
- *     B sin(k s + a + w t) e1 + (B/2) cos(1.6 (k s + a + w t)) e2
- *   around that line; e1, e2 are vtkMath::Perpendiculars of its direction at angle 0. It stands for
- * the vorticity magnitude of turbulence (ibid., figures 3.23 and 3.25), for bounds -1 to 1 and
- *   times 0 to 2; the constants are in the table of Vortices/VortexTubes.cxx. On 128^3 points the
- * interval 0.5 to 0.8 gives 78,000, 62,000 and 72,000 tetrahedra at times 0, 1 and 2. Six tubes
- * stay, three fade, two appear. In a unit of time they go four points, of five across a tube.
+ * Let x = (x,y,z) be the position and t the time. The fields f(x,t) are
+ * - WAVE: the traveling wave f = z - 0.4 cos(pi (x + y/4 - t/2)).
+ * - VORTEX: eleven vortex tubes that drift, bend, grow and fade.
  * - LINEAR: f = Constant + Gradient . x + Rate t.
- * - BALL: f = |x - Center - Velocity t| - (Radius + Growth t). The region l <= f <= u is a
- *   spherical shell.
- * - GYROID: f = sin X cos Y + sin Y cos Z + sin Z cos X, (X,Y,Z) = 2 pi (x - Center - Velocity t):
- *   period 1 in each direction, half of the space has f <= 0.
+ * - SPHERE_DISTANCE: f = |x - Center - Velocity t| - (Radius + Growth t). The region l <= f <= u is
+ *   a spherical shell.
+ * - GYROID: f = sin X cos Y + sin Y cos Z + sin Z cos X, (X,Y,Z) = 2 pi (x - Center - Velocity t).
+ *   It has period 1 in each direction, and f <= 0 in half of space.
+ *
+ * WAVE and VORTEX replace two data sets of C. Zhang's dissertation, Ohio State 2006, figures 3.20
+ * and 3.23; see Documentation/methods/sources.md for their formulas and suitable bounds.
  *
  * The output has one point array, the active scalars, and the time in DATA_TIME_STEP. The field is
- * evaluated at the requested time, whether it is one of the time steps, between them or outside
- * their range; without one, at the first time step.
+ * evaluated at the requested time, which need not be a time step or lie within the time range.
+ * Without a request, the first time step is used.
  *
- * Errors (vtkErrorMacro, empty output): a time that is not finite.
+ * Errors (vtkErrorMacro, empty output): the requested time is not finite.
  *
  * @sa vtkTaperedCylinderSource vtkDeltaWingSource
  */
@@ -59,32 +50,35 @@ public:
     WAVE = 0,
     VORTEX = 1,
     LINEAR = 2,
-    BALL = 3,
+    SPHERE_DISTANCE = 3,
+    BALL = SPHERE_DISTANCE, ///< deprecated name
     GYROID = 4,
     NUMBER_OF_FIELDS = 5
   };
 
-  /// Returns the field's name in small letters; null for a number that is not a field.
+  /// Returns the lowercase name of a field, or null if the number is not a field.
   static const char* GetFieldName(int field);
 
   ///@{
   /**
-   * The field that is computed. Default VORTEX. Valid: see Fields; clamped.
+   * Set/Get the field. Default VORTEX. Valid: see Fields; clamped.
    */
   vtkSetClampMacro(Field, int, WAVE, GYROID);
   vtkGetMacro(Field, int);
   void SetFieldToWave() { this->SetField(WAVE); }
   void SetFieldToVortex() { this->SetField(VORTEX); }
   void SetFieldToLinear() { this->SetField(LINEAR); }
-  void SetFieldToBall() { this->SetField(BALL); }
+  void SetFieldToSphereDistance() { this->SetField(SPHERE_DISTANCE); }
+  VTK_DEPRECATION("Use SetFieldToSphereDistance.")
+  void SetFieldToBall() { this->SetFieldToSphereDistance(); }
   void SetFieldToGyroid() { this->SetField(GYROID); }
   ///@}
 
   ///@{
   /**
-   * The coefficients of LINEAR: the value at the origin at time 0, the gradient per unit of length,
-   * the rate per unit of time. Default 0, (1, 0, 0), 1. These and the values below are valid from
-   * -1e6 to 1e6 and clamped; NaN changes nothing.
+   * Set/Get the coefficients of LINEAR: the value at the origin at time 0, the gradient per unit of
+   * length, and the rate per unit of time. Default 0, (1, 0, 0), 1. These parameters, Center,
+   * Velocity, Radius and Growth are clamped to -1e6 ... 1e6; NaN is ignored.
    */
   void SetConstant(double value) { this->SetNumber(this->Constant, value); }
   vtkGetMacro(Constant, double);
@@ -96,8 +90,8 @@ public:
 
   ///@{
   /**
-   * The positions of BALL and GYROID at time 0, and their velocity in units of length per unit of
-   * time. Default (0, 0, 0), (0.1, 0, 0).
+   * Set/Get the position of SPHERE_DISTANCE and GYROID at time 0, and its velocity in units of
+   * length per unit of time. Default (0, 0, 0), (0.1, 0, 0).
    */
   void SetCenter(double x, double y, double z) { this->SetVector(this->Center, x, y, z); }
   vtkGetVector3Macro(Center, double);
@@ -107,8 +101,8 @@ public:
 
   ///@{
   /**
-   * The radius of BALL at time 0 in units of length, and its growth in a unit of time; a negative
-   * radius is a field that is positive everywhere. Default 0.4, 0.1.
+   * Set/Get the radius of SPHERE_DISTANCE at time 0 in units of length, and its growth per unit of
+   * time. While the radius is negative, the field is positive everywhere. Default 0.4, 0.1.
    */
   void SetRadius(double value) { this->SetNumber(this->Radius, value); }
   vtkGetMacro(Radius, double);
@@ -123,8 +117,9 @@ public:
 
   ///@{
   /**
-   * The number of time steps, evenly spaced over the time range. One step is at its start, and
-   * there is one if the range has no length. Default 3. Valid: 1 to 100000; clamped.
+   * Set/Get the number of time steps, evenly spaced over the time range. A single step is at the
+   * start of the range. A range of zero length has a single step. Default 3. Valid: 1 to 100000;
+   * clamped.
    */
   vtkSetClampMacro(NumberOfTimeSteps, int, 1, 100000);
   int GetNumberOfTimeSteps() const { return this->NumberOfTimeSteps; }
@@ -132,8 +127,8 @@ public:
 
   ///@{
   /**
-   * The times of the first and the last time step, in units of time. Default 0, 2. Valid: finite,
-   * else an error; put in order.
+   * Set/Get the times of the first and last time step, in units of time. The two values are sorted.
+   * Default 0, 2. Valid: finite; other values are an error and are ignored.
    */
   void SetTimeRange(double first, double last);
   const double* GetTimeRange() const VTK_SIZEHINT(2) { return this->TimeRange; }
@@ -141,7 +136,7 @@ public:
 
   ///@{
   /**
-   * The type of the array: VTK_FLOAT or VTK_DOUBLE; any other type becomes VTK_FLOAT. Default
+   * Set/Get the type of the array: VTK_FLOAT or VTK_DOUBLE. Other types become VTK_FLOAT. Default
    * VTK_FLOAT.
    */
   void SetOutputScalarType(int type);
@@ -150,7 +145,7 @@ public:
 
   ///@{
   /**
-   * The name of the point array. Default "f", which a null or empty name sets too.
+   * Set/Get the name of the point array. A null or empty name restores the default, "f".
    */
   void SetArrayName(const char* name);
   const char* GetArrayName() const { return this->ArrayName.c_str(); }
@@ -167,7 +162,7 @@ private:
   vtkAnalyticFieldSource(const vtkAnalyticFieldSource&) = delete;
   void operator=(const vtkAnalyticFieldSource&) = delete;
 
-  /// Returns the field at time \a t, for many positions. Several threads call the result.
+  /// Returns the field at time \a t. Several threads may call the result at once.
   std::function<double(const double x[3])> GetFieldAtTime(double t) const;
   interlume::FieldSampler GetSampler() const;
   void SetNumber(double& member, double value);

@@ -30,24 +30,24 @@ vtkStandardNewMacro(vtkAnalyticFlowSource);
 namespace
 {
 constexpr double Limit = 1e12;
-constexpr double LeastLength = 1e-12;
+constexpr double MinimumLength = 1e-12;
 
-// Returns the direction of a vector. Sums of squares of numbers up to the limit are finite, but
-// those of very small ones may be 0.
+// Returns the normalized vector. It is scaled first, because the squared length of a very small
+// vector may be 0.
 glm::dvec3 GetDirection(const glm::dvec3& v)
 {
   return glm::normalize(v / interlume::Vectors::InfinityNorm(v));
 }
 
-// Return the parts of a vector along a direction and across it.
-glm::dvec3 GetPartAlong(const glm::dvec3& direction, const glm::dvec3& v)
+// Return the components of a vector parallel and perpendicular to a direction.
+glm::dvec3 GetParallel(const glm::dvec3& direction, const glm::dvec3& v)
 {
   return glm::dot(direction, v) * direction;
 }
 
-glm::dvec3 GetPartAcross(const glm::dvec3& direction, const glm::dvec3& v)
+glm::dvec3 GetPerpendicular(const glm::dvec3& direction, const glm::dvec3& v)
 {
-  return v - GetPartAlong(direction, v);
+  return v - GetParallel(direction, v);
 }
 }
 
@@ -72,7 +72,7 @@ void vtkAnalyticFlowSource::SetNumber(double& member, double value)
 
 void vtkAnalyticFlowSource::SetLength(double& member, double value)
 {
-  interlume::ClampedValue::Set(this, member, value, LeastLength, Limit);
+  interlume::ClampedValue::Set(this, member, value, MinimumLength, Limit);
 }
 
 void vtkAnalyticFlowSource::SetVector(double (&member)[3], double x, double y, double z)
@@ -90,7 +90,8 @@ void vtkAnalyticFlowSource::SetAxis(double x, double y, double z)
   const double largest = std::max({ std::abs(x), std::abs(y), std::abs(z) });
   if (!std::isfinite(x + y + z) || largest == 0.0)
   {
-    vtkErrorMacro("Axis " << x << " " << y << " " << z << " is no direction.");
+    vtkErrorMacro("Axis " << x << " " << y << " " << z << " is zero or not finite. "
+                          << "Pass a finite vector with a nonzero component.");
     return;
   }
   this->SetVector(this->Axis, x, y, z);
@@ -132,13 +133,13 @@ void vtkAnalyticFlowSource::Visit(const Visitor& visit) const
     case SPHERE:
       return visit(Sphere{ velocity, this->Radius });
     case CYLINDER:
-      return visit(Cylinder{ GetPartAcross(axis, velocity),
-        GetPartAlong(axis, velocity) + this->SpanwiseVelocity * axis, axis, this->Radius });
+      return visit(Cylinder{ GetPerpendicular(axis, velocity),
+        GetParallel(axis, velocity) + this->SpanwiseVelocity * axis, axis, this->Radius });
     case ABC:
       return visit(Beltrami{ glm::make_vec3(this->Amplitudes),
         2.0 * interlume::VortexFlows::BentAxis::Pi / this->Period });
     case SHEAR:
-      return visit(Shear{ GetPartAcross(axis, velocity), axis, this->Thickness });
+      return visit(Shear{ GetPerpendicular(axis, velocity), axis, this->Thickness });
     case HURRICANE:
       return visit(interlume::VortexFlows::Hurricane{
         bentAxis, this->MaximumWind, this->EyeRadius, this->Updraft });
@@ -200,7 +201,7 @@ int vtkAnalyticFlowSource::RequestData(
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
   interlume::SourceReport().CopyTo(this->GetReport());
-  this->Place(image, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+  this->SetGeometry(image, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   auto values = vtk::TakeSmartPointer(vtkDataArray::CreateDataArray(this->OutputScalarType));
   values->SetName("Velocity");
   values->SetNumberOfComponents(3);

@@ -7,50 +7,37 @@
 
 /**
  * @class   vtkAnalyticFlowSource
- * @brief   steady velocity fields with known formulas, on an image
+ * @brief   generate steady analytic velocity fields on an image
  *
  * The output has one point array, the active vectors: `Velocity`, three components, in units of
- * length per unit of time. In the formulas x is relative to Center, and a = Axis / |Axis|:
- *
+ * length per unit of time. In the formulas, x is relative to Center, and a = Axis / |Axis|.
  * - UNIFORM: v = Velocity.
- * - ROTATION: v = AngularVelocity a x x, as of a rigid body.
+ * - ROTATION: rigid rotation, v = AngularVelocity cross(a, x).
  * - SADDLE: v = (SaddleRates[0] x, SaddleRates[1] y, SaddleRates[2] z).
- * - NODE: v = (NodeRates[0] x, NodeRates[1] y, NodeRates[2] z) + Swirl a x x. A source, a sink with
- *   rates below 0, and spirals with a Swirl.
- * - SOURCE_SINK: a source at -Separation/2 and a sink at +Separation/2, each with
- *   v = Strength d / (4 pi |d|^3), d the way from it, and inside CoreRadius R from it
- *   v = Strength d / (4 pi R^3). Through a surface around the source goes the volume Strength in a
- *   unit of time. Free of divergence outside of both cores.
- * - COUPLED_CHARGE: the field of two charges of opposite sign there, with cores that are softened
- *   all over, Strength d / (|d|^2 + CoreRadius^2)^(3/2). A stand-in for the data of C. Zhang,
- *   dissertation, Ohio State 2006, figure 4.9.
- * - SPHERE: potential flow of far velocity U = Velocity around a sphere of Radius R:
- *   v = U (1 + R^3 / (2 r^3)) - 3 R^3 / (2 r^5) (U . x) x.
- * - CYLINDER: potential flow around a cylinder of Radius R along Axis: with U the part of Velocity
- *   across the axis, y that of x, v = U (1 + R^2 / r^2) - 2 R^2 / r^4 (U . y) y, and along the axis
- *   that of Velocity + SpanwiseVelocity.
- * - ABC: v = (A sin kz + C cos ky, B sin kx + A cos kz, C sin ky + B cos kx) with (A, B, C) =
+ * - NODE: v = (NodeRates[0] x, NodeRates[1] y, NodeRates[2] z) + Swirl cross(a, x). This is a
+ *   source, a sink if the rates are negative, and a spiral if Swirl is not 0.
+ * - SOURCE_SINK: a source at -Separation/2 and a sink at +Separation/2, with volume flow rate
+ *   Strength and cores of CoreRadius.
+ * - COUPLED_CHARGE: the field of opposite charges at -Separation/2 and +Separation/2, with softened
+ *   cores.
+ * - SPHERE: potential flow around a sphere of Radius, with velocity Velocity far away.
+ * - CYLINDER: potential flow around a cylinder of Radius along Axis, plus SpanwiseVelocity along
+ *   the axis.
+ * - ABC: v = (A sin kz + C cos ky, B sin kx + A cos kz, C sin ky + B cos kx), with (A, B, C) =
  *   Amplitudes and k = 2 pi / Period (Arnold, Beltrami and Childress). Its curl is k v.
- * - SHEAR: v = U tanh(a . x / Thickness), U the part of Velocity across Axis.
- * - HURRICANE: a stand-in for the data of hurricane Isabel (ibid., figures 4.10 and 4.17). The
- *   ground is at z = -Height/2, h = 0 there and 1 at the top. The axis passes AxisTilt (h - 1/2) +
- *   AxisBend sin(pi h) in (x,y). With r the distance from it in its plane z = const, R = EyeRadius
- *   and s = (r/R)^2:
- *     swirl  2 MaximumWind (r/R) / ((1 + s) (1 + h^2)): largest at r = R on the ground,
- *     rise   (1/r) dpsi/dr,  inflow  -(1/r) dpsi/dz, of the stream function
- *     psi = Updraft R^2 / (2 q) sin(pi h) s (s - 0.2) / (2 + s)^2.
- *   q = 0.14174... is such that Updraft is the largest rise: a ring at r = 1.07 R. Inside 0.31 R,
- *   the eye, air sinks by up to 0.35 Updraft. Wind flows in below the middle and out above. The
- *   rise goes along the axis: where it leans, a part of it is horizontal.
- * - TORNADO: Burgers' vortex around an axis that bends like the hurricane's, with r, h, and Height
- *   as there: swirl Circulation / (2 pi r) (1 - exp(-r^2 / CoreRadius^2)), inflow -Strain r / 2,
- *   rise Strain Height h, which is 0 on the ground.
+ * - SHEAR: v = U tanh(a . x / Thickness), with U the component of Velocity perpendicular to Axis.
+ * - HURRICANE: a vortex with an eye, around a tilted and bent axis. The ground is at z = -Height/2
+ *   relative to Center.
+ * - TORNADO: Burgers' vortex around the same axis, rising from the ground.
  *
- * All but NODE, SOURCE_SINK and COUPLED_CHARGE are free of divergence with the defaults, SADDLE if
- * its rates have the sum 0.
+ * COUPLED_CHARGE and HURRICANE stand in for data sets of C. Zhang's dissertation, Ohio State 2006,
+ * figures 4.9 and 4.10. See Documentation/methods/sources.md for the formulas.
  *
- * The bytes do not depend on the number of threads. Any part of the whole extent is made alone,
- * with the same values as in the whole.
+ * With the default parameters, all fields except NODE, SOURCE_SINK and COUPLED_CHARGE are free of
+ * divergence. SOURCE_SINK has divergence only in its cores. SADDLE is free of divergence if the sum
+ * of its rates is 0.
+ *
+ * The output does not depend on the number of threads or on the requested extent.
  *
  * @sa vtkAnalyticFieldSource
  */
@@ -78,26 +65,27 @@ public:
     NUMBER_OF_FIELDS = 12
   };
 
+  /// Values at points inside the obstacle of SPHERE and CYLINDER.
   enum Insides
   {
     /// The velocity is 0.
     ZERO = 0,
     /// The velocity is NaN.
     NOT_A_NUMBER = 1,
-    /// The velocity is 0, and the points are hidden: the output has an array vtkGhostType.
+    /// The velocity is 0, and the points are marked as hidden in the array vtkGhostType.
     HIDDEN = 2,
     NUMBER_OF_INSIDES = 3
   };
 
   ///@{
-  /// Returns the name of a field in small letters; null for a number that is not a field.
+  /// Returns the lowercase name of a field or inside mode, or null if the number is invalid.
   static const char* GetFieldName(int field);
   static const char* GetInsideName(int inside);
   ///@}
 
   ///@{
   /**
-   * The field that is computed. Default HURRICANE. Valid: see Fields; clamped.
+   * Set/Get the field. Default HURRICANE. Valid: see Fields; clamped.
    */
   vtkSetClampMacro(Field, int, UNIFORM, TORNADO);
   vtkGetMacro(Field, int);
@@ -105,24 +93,24 @@ public:
 
   ///@{
   /**
-   * The type of the array: VTK_FLOAT or VTK_DOUBLE; anything else is taken as double. Default
+   * Set/Get the type of the array: VTK_FLOAT or VTK_DOUBLE. Other types become VTK_DOUBLE. Default
    * VTK_DOUBLE.
    */
   void SetOutputScalarType(int type);
   vtkGetMacro(OutputScalarType, int);
   ///@}
 
-  /// Computes the velocity at any point.
+  /// Computes the velocity at a point.
   void Evaluate(const double x[3], double velocity[3]) const;
 
-  /// Computes the derivatives of the velocity, dv[i]/dx[j] at [3 i + j], exact to rounding. At the
-  /// edge of a core they are those outside of it.
+  /// Computes the Jacobian of the velocity, dv[i]/dx[j] at [3 i + j], exact up to rounding error.
+  /// On the boundary of a core, the result is the Jacobian on the outer side.
   void EvaluateJacobian(const double x[3], double jacobian[9]) const;
 
   ///@{
   /**
-   * The centre of a field. Default (0, 0, 0). For this and all values below, NaN changes nothing,
-   * and other values are clamped, to -1e12 ... 1e12 where nothing else is said.
+   * Set/Get the center of the field. Default (0, 0, 0). This and all parameters below are clamped
+   * to -1e12 ... 1e12 unless stated otherwise; NaN is ignored.
    */
   void SetCenter(double x, double y, double z) { this->SetVector(this->Center, x, y, z); }
   vtkGetVector3Macro(Center, double);
@@ -130,8 +118,8 @@ public:
 
   ///@{
   /**
-   * The velocity of UNIFORM, far from SPHERE and CYLINDER, and on one side of SHEAR. Default (1, 0,
-   * 0).
+   * Set/Get the velocity of UNIFORM, the velocity far from SPHERE and CYLINDER, and the velocity on
+   * one side of SHEAR. Default (1, 0, 0).
    */
   void SetVelocity(double x, double y, double z) { this->SetVector(this->Velocity, x, y, z); }
   vtkGetVector3Macro(Velocity, double);
@@ -139,8 +127,9 @@ public:
 
   ///@{
   /**
-   * The axis of ROTATION, of NODE's swirl, of CYLINDER, and SHEAR's normal; its length does not
-   * matter. Default (0, 0, 1). Valid: finite and not 0; else an error, and nothing changes.
+   * Set/Get the axis of ROTATION and CYLINDER, of the swirl of NODE, and the normal of SHEAR. Its
+   * length is irrelevant. Default (0, 0, 1). Valid: finite and not 0; other values are an error and
+   * are ignored.
    */
   void SetAxis(double x, double y, double z);
   vtkGetVector3Macro(Axis, double);
@@ -148,7 +137,7 @@ public:
 
   ///@{
   /**
-   * The angular velocity of ROTATION, in radians in a unit of time. Default 1.
+   * Set/Get the angular velocity of ROTATION, in radians per unit of time. Default 1.
    */
   void SetAngularVelocity(double value) { this->SetNumber(this->AngularVelocity, value); }
   vtkGetMacro(AngularVelocity, double);
@@ -156,7 +145,7 @@ public:
 
   ///@{
   /**
-   * The rates of SADDLE, in one over units of time. Default (1, 1, -2).
+   * Set/Get the rates of SADDLE, per unit of time. Default (1, 1, -2).
    */
   void SetSaddleRates(double x, double y, double z) { this->SetVector(this->SaddleRates, x, y, z); }
   vtkGetVector3Macro(SaddleRates, double);
@@ -164,7 +153,7 @@ public:
 
   ///@{
   /**
-   * The rates of NODE, in one over units of time, and its rotation in radians in a unit of time.
+   * Set/Get the rates of NODE, per unit of time, and its rotation in radians per unit of time.
    * Default (1, 1, 1), 0.
    */
   void SetNodeRates(double x, double y, double z) { this->SetVector(this->NodeRates, x, y, z); }
@@ -175,8 +164,8 @@ public:
 
   ///@{
   /**
-   * The strength of the source of SOURCE_SINK and COUPLED_CHARGE, and the way from it to the sink.
-   * Default 1, (1, 0, 0).
+   * Set/Get the strength of the source of SOURCE_SINK and COUPLED_CHARGE, and the vector from the
+   * source to the sink. Default 1, (1, 0, 0).
    */
   void SetStrength(double value) { this->SetNumber(this->Strength, value); }
   vtkGetMacro(Strength, double);
@@ -186,8 +175,8 @@ public:
 
   ///@{
   /**
-   * The radius of the cores of SOURCE_SINK, COUPLED_CHARGE and TORNADO. Default 0.1. Valid: 1e-12
-   * to 1e12.
+   * Set/Get the core radius of SOURCE_SINK, COUPLED_CHARGE and TORNADO. Default 0.1. Valid: 1e-12
+   * to 1e12; clamped.
    */
   void SetCoreRadius(double value) { this->SetLength(this->CoreRadius, value); }
   vtkGetMacro(CoreRadius, double);
@@ -195,7 +184,7 @@ public:
 
   ///@{
   /**
-   * The radius of SPHERE and CYLINDER. Default 0.25. Valid: 1e-12 to 1e12.
+   * Set/Get the radius of SPHERE and CYLINDER. Default 0.25. Valid: 1e-12 to 1e12; clamped.
    */
   void SetRadius(double value) { this->SetLength(this->Radius, value); }
   vtkGetMacro(Radius, double);
@@ -203,7 +192,8 @@ public:
 
   ///@{
   /**
-   * What points inside SPHERE and CYLINDER get. Default ZERO. Valid: see Insides; clamped.
+   * Set/Get the value at points inside SPHERE and CYLINDER. Default ZERO. Valid: see Insides;
+   * clamped.
    */
   vtkSetClampMacro(Inside, int, ZERO, HIDDEN);
   vtkGetMacro(Inside, int);
@@ -211,7 +201,7 @@ public:
 
   ///@{
   /**
-   * The velocity that CYLINDER adds along its axis. Default 0.1.
+   * Set/Get the velocity that CYLINDER adds along its axis. Default 0.1.
    */
   void SetSpanwiseVelocity(double value) { this->SetNumber(this->SpanwiseVelocity, value); }
   vtkGetMacro(SpanwiseVelocity, double);
@@ -219,8 +209,8 @@ public:
 
   ///@{
   /**
-   * The amplitudes A, B, C of ABC, and its period in units of length. Default (1, 1, 1), 2. Valid
-   * period: 1e-12 to 1e12.
+   * Set/Get the amplitudes A, B, C of ABC, and its period in units of length. Default (1, 1, 1), 2.
+   * Valid period: 1e-12 to 1e12; clamped.
    */
   void SetAmplitudes(double a, double b, double c) { this->SetVector(this->Amplitudes, a, b, c); }
   vtkGetVector3Macro(Amplitudes, double);
@@ -230,7 +220,7 @@ public:
 
   ///@{
   /**
-   * The thickness of SHEAR's layer. Default 0.1. Valid: 1e-12 to 1e12.
+   * Set/Get the thickness of the shear layer of SHEAR. Default 0.1. Valid: 1e-12 to 1e12; clamped.
    */
   void SetThickness(double value) { this->SetLength(this->Thickness, value); }
   vtkGetMacro(Thickness, double);
@@ -238,9 +228,9 @@ public:
 
   ///@{
   /**
-   * The height of HURRICANE and TORNADO from the ground to the top, how far their axis leans in x
-   * and y over that height, and how far it bends aside in the middle. Default 2, (0.2, 0.1), (0.1,
-   * -0.05). Valid height: 1e-12 to 1e12.
+   * Set/Get the height of HURRICANE and TORNADO, the horizontal distance (x, y) from the lower to
+   * the upper end of their axis, and the deflection (x, y) of the axis at half the height. Default
+   * 2, (0.2, 0.1), (0.1, -0.05). Valid height: 1e-12 to 1e12; clamped.
    */
   void SetHeight(double value) { this->SetLength(this->Height, value); }
   vtkGetMacro(Height, double);
@@ -252,8 +242,8 @@ public:
 
   ///@{
   /**
-   * The largest swirl of HURRICANE, the radius where it is, and the largest rise. Default 1, 0.2,
-   * 0.3. Valid radius: 1e-12 to 1e12.
+   * Set/Get the maximum tangential velocity of HURRICANE, the radius where it occurs, and the
+   * maximum vertical velocity. Default 1, 0.2, 0.3. Valid radius: 1e-12 to 1e12; clamped.
    */
   void SetMaximumWind(double value) { this->SetNumber(this->MaximumWind, value); }
   vtkGetMacro(MaximumWind, double);
@@ -265,7 +255,7 @@ public:
 
   ///@{
   /**
-   * The circulation and the strain of TORNADO. Default 1, 0.5.
+   * Set/Get the circulation and the strain rate of TORNADO. Default 1, 0.5.
    */
   void SetCirculation(double value) { this->SetNumber(this->Circulation, value); }
   vtkGetMacro(Circulation, double);
@@ -288,11 +278,11 @@ private:
   void SetVector(double (&member)[3], double x, double y, double z);
   void SetVector(double (&member)[2], double x, double y);
 
-  /// Calls \a visit with the formula of the field.
+  /// Calls \a visit with the selected flow of ElementaryFlows or VortexFlows.
   template <typename Visitor>
   void Visit(const Visitor& visit) const;
 
-  /// Whether x is inside the sphere or the cylinder.
+  /// Returns whether \a x is inside the sphere or cylinder.
   bool IsInside(const double x[3]) const;
 
   int Field = HURRICANE;

@@ -49,7 +49,7 @@ void vtkBoundedImageSource::SetWholeExtent(const int extent[6])
 
 void vtkBoundedImageSource::SetDimensions(int x, int y, int z)
 {
-  // Numbers are clamped first, since the least integer less one is none.
+  // Clamp before subtracting, to avoid an integer overflow.
   this->SetWholeExtent(0, std::max(x, 1) - 1, 0, std::max(y, 1) - 1, 0, std::max(z, 1) - 1);
 }
 
@@ -79,7 +79,7 @@ void vtkBoundedImageSource::SetBounds(const double bounds[6])
   }
 }
 
-void vtkBoundedImageSource::GetLattice(double origin[3], double spacing[3]) const
+void vtkBoundedImageSource::GetOriginAndSpacing(double origin[3], double spacing[3]) const
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -91,11 +91,11 @@ void vtkBoundedImageSource::GetLattice(double origin[3], double spacing[3]) cons
   }
 }
 
-void vtkBoundedImageSource::Place(vtkImageData* image, const int extent[6]) const
+void vtkBoundedImageSource::SetGeometry(vtkImageData* image, const int extent[6]) const
 {
   double origin[3];
   double spacing[3];
-  this->GetLattice(origin, spacing);
+  this->GetOriginAndSpacing(origin, spacing);
   image->SetExtent(extent[0], extent[1], extent[2], extent[3], extent[4], extent[5]);
   image->SetOrigin(origin);
   image->SetSpacing(spacing);
@@ -107,7 +107,7 @@ int vtkBoundedImageSource::RequestInformation(
   vtkInformation* info = outputs->GetInformationObject(0);
   double origin[3];
   double spacing[3];
-  this->GetLattice(origin, spacing);
+  this->GetOriginAndSpacing(origin, spacing);
   info->Set(vtkDataObject::ORIGIN(), origin, 3);
   info->Set(vtkDataObject::SPACING(), spacing, 3);
   info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), this->WholeExtent, 6);

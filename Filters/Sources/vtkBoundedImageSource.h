@@ -9,10 +9,10 @@
 
 /**
  * @class   vtkBoundedImageSource
- * @brief   the lattice of sources of images: an extent of points, spread over bounds
+ * @brief   base class of image sources whose whole extent spans given bounds
  *
- * Each kind of source makes any part of the whole extent alone, with the same values as in the
- * whole.
+ * Subclasses can produce any part of the whole extent. The values do not depend on the requested
+ * extent.
  *
  * @sa vtkAnalyticFieldSource vtkConstructiveVolume vtkTurbulenceSource
  */
@@ -24,8 +24,8 @@ public:
 
   ///@{
   /**
-   * The extent of the whole image, in point indices. Default 0 to 63 in each direction. Valid:
-   * -32768 to 32767, the upper index not below the lower; clamped.
+   * Set/Get the extent of the whole image, in point indices. Default 0 to 63 in each direction.
+   * Valid: -32768 to 32767, with the upper index at least the lower index; clamped.
    */
   void SetWholeExtent(int x0, int x1, int y0, int y1, int z0, int z1);
   void SetWholeExtent(const int extent[6]);
@@ -33,23 +33,24 @@ public:
   ///@}
 
   /**
-   * Makes the whole extent start at 0 with so many points in each direction.
+   * Set the whole extent to start at 0, with the given number of points in each direction.
    */
   void SetDimensions(int x, int y, int z);
 
   ///@{
   /**
-   * The positions of the first and the last points of the whole extent in each direction, in units
-   * of length. Default -1 to 1. Valid: finite, the upper one above the lower; other values are an
-   * error and change nothing. With one point in a direction the point is at the lower one.
+   * Set/Get the positions of the first and last points of the whole extent in each direction, in
+   * units of length. In a direction with one point, the point is at the lower bound. Default -1 to
+   * 1. Valid: finite, the lower bound less than the upper bound; other values are an error and are
+   * ignored.
    */
   void SetBounds(double x0, double x1, double y0, double y1, double z0, double z1);
   void SetBounds(const double bounds[6]);
   vtkGetVector6Macro(Bounds, double);
   ///@}
 
-  /// Returns the report of the last execution: Points, Evaluations (positions where the field was
-  /// evaluated), Bytes (of the output) and Time. After an error or an abort all are 0.
+  /// Returns the report of the last execution: Points, Evaluations (number of positions where the
+  /// field was evaluated), Bytes (size of the output) and Time. All are 0 after an error or abort.
   vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
@@ -59,14 +60,14 @@ protected:
   double GetLowerBound(int axis) const { return this->Bounds[2 * axis]; }
   double GetUpperBound(int axis) const { return this->Bounds[2 * axis + 1]; }
 
-  /// Tells the pipeline where the image is, and that any part of it can be made.
+  /// Reports the geometry of the image, and that any sub-extent can be produced.
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// Computes the position of the point of index 0 and the distance of points.
-  void GetLattice(double origin[3], double spacing[3]) const;
+  /// Computes the position of index (0, 0, 0) and the spacing.
+  void GetOriginAndSpacing(double origin[3], double spacing[3]) const;
 
-  /// Gives an image the extent, and the lattice's origin and spacing.
-  void Place(vtkImageData* image, const int extent[6]) const;
+  /// Sets the extent, origin and spacing of an image.
+  void SetGeometry(vtkImageData* image, const int extent[6]) const;
 
 private:
   vtkBoundedImageSource(const vtkBoundedImageSource&) = delete;

@@ -47,7 +47,7 @@ Primitive MakeSphere(const glm::dvec3& center, double radius, const glm::dvec3& 
   return sphere;
 }
 
-// Makes a box from its lower to its upper corner.
+// Returns a box with the given lower and upper corners.
 Primitive MakeBox(const glm::dvec3& lower, const glm::dvec3& upper, const glm::dvec3& color)
 {
   Primitive box = MakePrimitive(vtkSpatialPrimitive::BOX, 0.5 * (lower + upper), color);
@@ -55,7 +55,7 @@ Primitive MakeBox(const glm::dvec3& lower, const glm::dvec3& upper, const glm::d
   return box;
 }
 
-// Makes an ellipsoid from its half axes, with an edge as a share of them.
+// Returns an ellipsoid with the given half axes. The edge width is relative to the half axes.
 Primitive MakeEllipsoid(
   const glm::dvec3& center, const glm::dvec3& halfAxes, double edge, const glm::dvec3& color)
 {
@@ -68,7 +68,7 @@ Primitive MakeEllipsoid(
   return sphere;
 }
 
-// Adds four legs, under a rectangle around the z axis, from the floor up.
+// Adds four legs that stand on the floor, at the corners of a rectangle around the z axis.
 void AddLegs(vtkSpatialOperation* parts, double halfX, double halfY, double width, double height)
 {
   for (double x : { -halfX, halfX - width })
@@ -144,7 +144,8 @@ Object MakeHypertextureSphere()
   turbulence->SetFrequency(4.0);
   turbulence->SetAmplitude(0.18);
   turbulence->SetSeed(3);
-  // Nothing reaches the box; the bounds of displacement alone would be wider.
+  // The displaced sphere stays inside this box. The bounds computed for the displacement are larger
+  // than necessary.
   constexpr double reach = 0.75;
   auto trimmed = vtkSmartPointer<vtkSpatialOperation>::New();
   trimmed->SetOperationToTrim();

@@ -24,8 +24,8 @@ vtkStandardNewMacro(vtkConstructiveVolume);
 
 namespace
 {
-// The share of the progress that is left for the colours of points without density.
-constexpr double DilationShare = 0.1;
+// Fraction of the progress reserved for the colors of points without density.
+constexpr double DilationFraction = 0.1;
 
 void Store(double value, float& stored)
 {
@@ -47,9 +47,9 @@ void Store(const vtkSpatialObject::Sample& sample, int numberOfComponents, Value
   }
 }
 
-// Gives the points without density in rows first ... last - 1 of an extent the mean color of those
-// of their 26 neighbors that have density. It reads only densities and the colors of points with
-// density, and writes neither, so that rows can be treated in any order.
+// In rows first ... last - 1 of an extent, sets the color of points without density to the mean
+// color of their 26 neighbors with density. It reads densities and the colors of points with
+// density, and writes neither. Therefore the rows can be processed in any order.
 template <typename Value>
 void DilateRows(Value* values, const int extent[6], vtkIdType first, vtkIdType last)
 {
@@ -59,7 +59,7 @@ void DilateRows(Value* values, const int extent[6], vtkIdType first, vtkIdType l
   {
     const int y = static_cast<int>(row % size[1]);
     const int z = static_cast<int>(row / size[1]);
-    // The row itself and those around it, as far as there are any.
+    // The row and its neighbors inside the extent.
     const Value* rows[9];
     int number = 0;
     for (int k = std::max(z - 1, 0); k <= std::min(z + 1, size[2] - 1); ++k)
@@ -100,7 +100,7 @@ void DilateRows(Value* values, const int extent[6], vtkIdType first, vtkIdType l
   }
 }
 
-// Computes the values of all rows of an extent, in parallel.
+// Computes the values of all rows of an extent in parallel.
 template <typename Value>
 bool SampleRows(const interlume::SpatialSampler& sampler, const int extent[6],
   int numberOfComponents, Value* values, vtkAlgorithm* owner)
@@ -122,7 +122,7 @@ bool SampleRows(const interlume::SpatialSampler& sampler, const int extent[6],
   };
   const bool isColored = numberOfComponents > 1;
   if (!interlume::ExtentRows::Run(
-        extent, owner, 0.0, isColored ? 1.0 - DilationShare : 1.0, makeRow))
+        extent, owner, 0.0, isColored ? 1.0 - DilationFraction : 1.0, makeRow))
   {
     return false;
   }
@@ -130,7 +130,7 @@ bool SampleRows(const interlume::SpatialSampler& sampler, const int extent[6],
     static_cast<vtkIdType>(extent[3] - extent[2] + 1) * (extent[5] - extent[4] + 1);
   const auto dilate = [&](vtkIdType first, vtkIdType last)
   { DilateRows(values, extent, first, last); };
-  return !isColored || interlume::Batches::Run(rows, owner, 1.0 - DilationShare, 1.0, dilate);
+  return !isColored || interlume::Batches::Run(rows, owner, 1.0 - DilationFraction, 1.0, dilate);
 }
 }
 
@@ -170,7 +170,8 @@ void vtkConstructiveVolume::FitRoot(int resolution, double margin)
   double box[6];
   if (!this->Root || !this->Root->GetBounds(box))
   {
-    vtkErrorMacro("There is no root whose bounds could be taken.");
+    vtkErrorMacro("FitRoot: there is no root, or its bounds are not available. Call SetRoot with a "
+                  "valid vtkSpatialObject first.");
     return;
   }
   double lengths[3];
@@ -182,8 +183,8 @@ void vtkConstructiveVolume::FitRoot(int resolution, double margin)
   if (!(*std::min_element(lengths, lengths + 3) >= 0.0) || !(longest > 0.0) ||
     !std::isfinite(longest) || !std::isfinite(margin) || !(margin > 0.0))
   {
-    vtkErrorMacro(
-      "The root is empty or has no end, or the margin " << margin << " is not above 0.");
+    vtkErrorMacro("FitRoot: the bounds of the root are empty or infinite, or the margin "
+      << margin << " is not finite and above 0.");
     return;
   }
   int dimensions[3];
@@ -209,7 +210,7 @@ double vtkConstructiveVolume::Evaluate(const double x[3], double color[3])
   }
   else
   {
-    vtkErrorMacro("There is no root to evaluate.");
+    vtkErrorMacro("Evaluate: there is no root. Call SetRoot first.");
   }
   if (color)
   {
@@ -232,7 +233,7 @@ bool vtkConstructiveVolume::Sample(const int extent[6], vtkDataArray* values)
 {
   double origin[3];
   double spacing[3];
-  this->GetLattice(origin, spacing);
+  this->GetOriginAndSpacing(origin, spacing);
   const interlume::SpatialSampler sampler(this->Root, origin, spacing, this->NumberOfSubsamples);
   const int components = values->GetNumberOfComponents();
   if (auto* bytes = vtkUnsignedCharArray::SafeDownCast(values))
@@ -249,24 +250,26 @@ int vtkConstructiveVolume::RequestData(
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
   interlume::SourceReport().CopyTo(this->GetReport());
-  if (const interlume::Error error =
-        this->Root ? this->Root->Update() : "There is no root to sample.")
+  if (const interlume::Error error = this->Root
+      ? this->Root->Update()
+      : "The vtkConstructiveVolume has no root to sample. Call SetRoot.")
   {
     vtkErrorMacro(<< error);
     image->Initialize();
     return 1;
   }
-  // A point without density takes its colour from all neighbours, also those outside of the part.
-  int part[6];
-  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), part);
+  // Colors of points without density depend on neighbors outside the requested extent.
+  int requested[6];
+  info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT(), requested);
   int extent[6];
-  std::copy_n(part, 6, extent);
+  std::copy_n(requested, 6, extent);
   for (int axis = 0; axis < 3 && this->OutputMode != DENSITY; ++axis)
   {
-    extent[2 * axis] = std::max(part[2 * axis] - 1, this->GetWholeExtent()[2 * axis]);
-    extent[2 * axis + 1] = std::min(part[2 * axis + 1] + 1, this->GetWholeExtent()[2 * axis + 1]);
+    extent[2 * axis] = std::max(requested[2 * axis] - 1, this->GetWholeExtent()[2 * axis]);
+    extent[2 * axis + 1] =
+      std::min(requested[2 * axis + 1] + 1, this->GetWholeExtent()[2 * axis + 1]);
   }
-  this->Place(image, extent);
+  this->SetGeometry(image, extent);
   vtkSmartPointer<vtkDataArray> values = vtk::TakeSmartPointer(
     vtkDataArray::CreateDataArray(this->OutputMode == COLOR_BYTES ? VTK_UNSIGNED_CHAR : VTK_FLOAT));
   values->SetName(this->OutputMode == DENSITY ? "Density" : "Color");
@@ -279,7 +282,7 @@ int vtkConstructiveVolume::RequestData(
   }
   image->GetPointData()->SetScalars(values);
   const vtkIdType samples = image->GetNumberOfPoints();
-  image->Crop(part);
+  image->Crop(requested);
   const int n = this->NumberOfSubsamples;
   interlume::SourceReport::Of(image, samples * n * n * n).CopyTo(this->GetReport());
   this->UpdateProgress(1.0);

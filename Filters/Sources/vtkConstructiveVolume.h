@@ -11,21 +11,20 @@ class vtkSpatialObject;
 
 /**
  * @class   vtkConstructiveVolume
- * @brief   samples a spatial object of constructive volume geometry on an image
+ * @brief   sample a spatial object of constructive volume geometry on an image
  *
  * The output has one point array, the active scalars:
- * - DENSITY: float, `Density`, 0 to 1;
- * - COLOR_BYTES: unsigned char with four components, `Color`: red, green, blue and the density, 0
- *   to 255, to draw with vtkVolumeProperty::IndependentComponentsOff;
- * - COLOR_FLOATS: float with four components, `Color`, 0 to 1.
+ * - DENSITY: `Density`, float, 0 to 1;
+ * - COLOR_BYTES: `Color`, unsigned char with four components, 0 to 255: red, green, blue and the
+ *   density. Render it with vtkVolumeProperty::IndependentComponentsOff;
+ * - COLOR_FLOATS: `Color`, float with four components, 0 to 1.
  *
- * A point of density 0 has no colour of its own. It gets the mean of those of its 26 neighbours
- * that have density, else black, so that interpolation brings no foreign colour to an edge.
+ * A point of density 0 has no color. It is set to the mean color of its 26 neighbors with nonzero
+ * density, or to black if there are none. Interpolation at an edge therefore adds no other color.
  *
- * The bytes do not depend on the number of threads. Any part of the whole extent is made alone,
- * with the same values as in the whole.
+ * The output does not depend on the number of threads or on the requested extent.
  *
- * Errors (vtkErrorMacro, empty output): no root; what is wrong with a part of it.
+ * Errors (vtkErrorMacro, empty output): no Root is set, or a spatial object reports an error.
  *
  * @sa vtkSpatialObject vtkConstructiveModelSource
  */
@@ -44,12 +43,12 @@ public:
     NUMBER_OF_OUTPUT_MODES = 3
   };
 
-  /// Returns "density", "color bytes" or "color floats"; null for a number that is not a mode.
+  /// Returns "density", "color bytes" or "color floats", or null if the number is not a mode.
   static const char* GetOutputModeName(int mode);
 
   ///@{
   /**
-   * The object that is sampled. Default null, which is an error when the output is made.
+   * Set/Get the object that is sampled. Default null; executing without a root is an error.
    */
   void SetRoot(vtkSpatialObject* root);
   vtkSpatialObject* GetRoot() const;
@@ -57,7 +56,7 @@ public:
 
   ///@{
   /**
-   * The array that is made. Default DENSITY. Valid: see OutputModes; clamped.
+   * Set/Get the array of the output. Default DENSITY. Valid: see OutputModes; clamped.
    */
   vtkSetClampMacro(OutputMode, int, DENSITY, COLOR_FLOATS);
   vtkGetMacro(OutputMode, int);
@@ -68,9 +67,9 @@ public:
 
   ///@{
   /**
-   * The number n of samples in each direction that make a value: the mean density over n^3 samples
-   * of the cell around the point, and the mean colour weighted by density. Sharp edges become
-   * smooth ones. Default 1, the sample at the point. Valid: 1 to 8; clamped.
+   * Set/Get the number n of subsamples in each direction. A value is the mean density of n^3
+   * samples in the cell around the point, and their mean color weighted by density. More subsamples
+   * smooth sharp edges. Default 1, a single sample at the point. Valid: 1 to 8; clamped.
    */
   vtkSetClampMacro(NumberOfSubsamples, int, 1, MaximumNumberOfSubsamples);
   vtkGetMacro(NumberOfSubsamples, int);
@@ -78,16 +77,16 @@ public:
   ///@}
 
   /**
-   * Sets the bounds to those of the root, each moved outward by \a margin of the longest side, and
-   * the dimensions so that the longest side has \a resolution points and the spacings are as equal
-   * as they can be. Gives an error, and changes nothing, without a root or when it is empty or has
-   * no end.
+   * Sets the bounds and dimensions from the root. The root's bounds are extended on each side by \a
+   * margin times the longest side. The longest side gets \a resolution points, and the spacings are
+   * as equal as possible. Reports an error and does nothing if there is no root or if its bounds
+   * are empty or infinite.
    */
   void FitRoot(int resolution, double margin = 0.05);
 
   /**
-   * Returns the density of the root at \a x, in the root's parent coordinates, which are those of
-   * the image, and computes the colour where it is asked for.
+   * Returns the density of the root at \a x, in the coordinates of the image. Computes the color if
+   * \a color is not null.
    */
   double Evaluate(const double x[3], double color[3] = nullptr);
 
@@ -104,7 +103,7 @@ private:
   vtkConstructiveVolume(const vtkConstructiveVolume&) = delete;
   void operator=(const vtkConstructiveVolume&) = delete;
 
-  /// Computes the values of an extent. Returns false when the execution was aborted.
+  /// Computes the values of an extent. Returns false if the execution was aborted.
   bool Sample(const int extent[6], vtkDataArray* values);
 
   vtkSmartPointer<vtkSpatialObject> Root;

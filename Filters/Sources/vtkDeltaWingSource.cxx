@@ -14,7 +14,8 @@ vtkStandardNewMacro(vtkDeltaWingSource);
 
 namespace
 {
-// The constants of the formula. Lengths are in half spans, those along the wing in its length.
+// Constants of the formula. Lengths across the wing are in half spans, lengths along it in units of
+// x.
 constexpr double AxisAcross = 0.62;
 constexpr double AxisAbove = 0.42;
 constexpr double CoreRadius = 0.12;
@@ -24,31 +25,32 @@ constexpr double SpiralRadius = 0.14;
 constexpr double SpiralPitch = 0.34;
 constexpr double BreakdownWidth = 0.06;
 
-// A leading-edge vortex that swells along a delta wing and breaks down into a spiral, at one time.
+// A leading-edge vortex that widens along a delta wing and breaks down into a spiral, at one time.
 struct BreakdownVortex
 {
   double Side;      // 1 or -1: the sign of y
   double Slope;     // half span per unit of length along the wing
   double Breakdown; // x of the breakdown
-  double Phase;     // of the spiral at the breakdown, in radians
+  double Phase;     // angle of the spiral at the breakdown, in radians
 
   double operator()(const double x[3]) const
   {
     const double halfSpan = this->Slope * x[0];
-    const double beyond = x[0] - this->Breakdown;
-    // The step is 0 upstream of the breakdown, 1 downstream; its derivative follows.
-    const double tanh = std::tanh(beyond / BreakdownWidth);
+    const double downstream = x[0] - this->Breakdown;
+    // A smooth step, 0 upstream and 1 downstream of the breakdown, and its derivative.
+    const double tanh = std::tanh(downstream / BreakdownWidth);
     const double broken = 0.5 * (1.0 + tanh);
     const double breaking = 0.5 * (1.0 - tanh * tanh) / BreakdownWidth;
-    const double turn = 2.0 * vtkMath::Pi() / SpiralPitch;
-    const double angle = turn * beyond - this->Phase;
+    const double waveNumber = 2.0 * vtkMath::Pi() / SpiralPitch;
+    const double angle = waveNumber * downstream - this->Phase;
     const double radius = SpiralRadius * halfSpan * broken;
     const double radiusSlope = SpiralRadius * (this->Slope * broken + halfSpan * breaking);
     const double offset[2] = { this->Side * x[1] - AxisAcross * halfSpan - radius * std::cos(angle),
       x[2] - AxisAbove * halfSpan - radius * std::sin(angle) };
     const double slope[2] = { AxisAcross * this->Slope + radiusSlope * std::cos(angle) -
-        radius * turn * std::sin(angle),
-      AxisAbove * this->Slope + radiusSlope * std::sin(angle) + radius * turn * std::cos(angle) };
+        radius * waveNumber * std::sin(angle),
+      AxisAbove * this->Slope + radiusSlope * std::sin(angle) +
+        radius * waveNumber * std::cos(angle) };
     const double core = CoreRadius * halfSpan * (1.0 + CoreSwelling * broken);
     return (1.0 - CoreFading * broken) *
       std::exp(-interlume::BentAxis::SquaredDistance(offset, slope) / (core * core));
@@ -93,15 +95,15 @@ double vtkDeltaWingSource::GetHalfSpan() const
 
 void vtkDeltaWingSource::GetPosition(const int ijk[3], double x[3]) const
 {
-  double way[3];
+  double fraction[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    way[axis] = static_cast<double>(ijk[axis]) / (this->GetDimension(axis) - 1);
+    fraction[axis] = static_cast<double>(ijk[axis]) / (this->GetDimension(axis) - 1);
   }
-  x[0] = 0.1 + 1.1 * way[0];
+  x[0] = 0.1 + 1.1 * fraction[0];
   const double halfSpan = this->GetHalfSpan() * x[0];
-  x[1] = 1.5 * halfSpan * (2.0 * way[1] - 1.0);
-  x[2] = 0.7 * halfSpan * way[2] * (1.0 + way[2]);
+  x[1] = 1.5 * halfSpan * (2.0 * fraction[1] - 1.0);
+  x[2] = 0.7 * halfSpan * fraction[2] * (1.0 + fraction[2]);
 }
 
 vtkDeltaWingSource::Field vtkDeltaWingSource::GetFieldAtTime(double t) const

@@ -20,10 +20,10 @@ vtkStandardNewMacro(vtkSpatialImage);
 
 namespace
 {
-// The density that infinite scalars get, so that they have a weight.
+// Maximum absolute value of stored densities, so that interpolation of infinite scalars is finite.
 constexpr double LargestDensity = 1e30;
 
-// The distance, in cells, by which a point on the image's side may be outside.
+// Distance from the image, in cells, up to which a point outside is treated as inside.
 constexpr double SideTolerance = 1e-9;
 }
 
@@ -49,7 +49,8 @@ void vtkSpatialImage::SetScalarRange(double a, double b)
 {
   if (!std::isfinite(b - a) || a == b)
   {
-    vtkErrorMacro("The scalar range " << a << " to " << b << " is not finite or empty.");
+    vtkErrorMacro("The scalar range " << a << " to " << b << " is empty or not finite. "
+                                      << "Pass two different finite values.");
     return;
   }
   if (a != this->ScalarRange[0] || b != this->ScalarRange[1])
@@ -81,7 +82,8 @@ interlume::Error vtkSpatialImage::CopyValues()
   vtkDataArray* scalars = this->Image ? this->Image->GetPointData()->GetScalars() : nullptr;
   if (!scalars || scalars->GetNumberOfTuples() < 1)
   {
-    return "A spatial object of an image has no image with point scalars.";
+    return "A vtkSpatialImage has no image with point scalars. Call SetImage with an image that "
+           "has active point scalars.";
   }
   const double scale = 1.0 / (this->ScalarRange[1] - this->ScalarRange[0]);
   this->Densities.resize(scalars->GetNumberOfTuples());

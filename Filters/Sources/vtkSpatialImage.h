@@ -16,15 +16,14 @@ class Error;
 
 /**
  * @class   vtkSpatialImage
- * @brief   an image's point scalars as a spatial object
+ * @brief   a spatial object defined by the point scalars of an image
  *
- * The first component of the active point scalars, interpolated trilinearly, gives the density
- * (value - a) / (b - a), clamped to 0 ... 1, times Density, with ScalarRange (a, b). Outside the
- * image the density is 0. A scalar that is NaN counts as a. The values are copied when the object
- * is made ready.
+ * The first component of the active point scalars is interpolated trilinearly. With ScalarRange (a,
+ * b), the density is (value - a) / (b - a), clamped to 0 ... 1, times Density. Outside the image
+ * the density is 0. NaN scalars are treated as a. Update copies the values.
  *
- * Errors (vtkErrorMacro, density 0) besides those of vtkSpatialObject: no image, or one without
- * point scalars; a colour array that is not there or has fewer than three components.
+ * Errors (vtkErrorMacro, density 0), in addition to those of vtkSpatialObject: there is no image,
+ * it has no point scalars, or the color array is missing or has fewer than three components.
  */
 class INTERLUMESOURCES_EXPORT vtkSpatialImage : public vtkSpatialLeaf
 {
@@ -35,7 +34,7 @@ public:
 
   ///@{
   /**
-   * The image. Default null, which is an error when the object is evaluated.
+   * Set/Get the image. Default null; evaluating without an image is an error.
    */
   void SetImage(vtkImageData* image);
   vtkImageData* GetImage() const;
@@ -43,8 +42,8 @@ public:
 
   ///@{
   /**
-   * The scalars a and b with density 0 and 1; b may be below a. Default 0, 1. Valid: finite and
-   * different; other values are an error and change nothing.
+   * Set/Get the scalars a and b that have density 0 and 1. b may be less than a. Default 0, 1.
+   * Valid: finite and different; other values are an error and are ignored.
    */
   void SetScalarRange(double a, double b);
   vtkGetVector2Macro(ScalarRange, double);
@@ -52,8 +51,8 @@ public:
 
   ///@{
   /**
-   * The name of a point array with red, green, blue: 0 to 255 for unsigned char, else 0 to 1.
-   * Empty, the default, or null: Color everywhere.
+   * Set/Get the name of a point array with red, green and blue: 0 to 255 for unsigned char, 0 to 1
+   * for other types. If the name is null or empty, all points have the color Color. Default: empty.
    */
   void SetColorArrayName(const char* name);
   const char* GetColorArrayName() const { return this->ColorArrayName.c_str(); }
@@ -74,12 +73,12 @@ private:
 
   interlume::Error CopyValues();
   interlume::Error CopyColors();
-  /// Finds the cell's corners with their weights. Returns false outside the image.
+  /// Finds the corners of the cell at \a x and their weights. Returns false outside the image.
   bool Locate(const double x[3], vtkIdType corners[8], double weights[8]) const;
 
   int Extent[6];
   double PhysicalToIndex[16];
-  /// The densities before they are clamped, and the colours, for each point.
+  /// Densities before clamping, and colors, per point.
   std::vector<float> Densities;
   std::vector<float> Colors;
 

@@ -7,7 +7,7 @@
 
 /**
  * @class   vtkSpatialLeaf
- * @brief   a spatial object that is not made of others: its density inside and its colour
+ * @brief   base class of spatial objects without operands: a density and a color
  *
  * @sa vtkSpatialPrimitive vtkSpatialImage
  */
@@ -19,7 +19,8 @@ public:
 
   ///@{
   /**
-   * The factor of the density. Default 1. Valid: 0 to 1; clamped, NaN changes nothing.
+   * Set/Get the factor that multiplies the density. Default 1. Valid: 0 to 1; clamped, NaN is
+   * ignored.
    */
   void SetDensity(double density);
   double GetDensity() const { return this->Density; }
@@ -27,7 +28,8 @@ public:
 
   ///@{
   /**
-   * The colour, as red, green, blue. Default 1, 1, 1. Valid: 0 to 1; clamped, NaN changes nothing.
+   * Set/Get the color as red, green, blue. Default (1, 1, 1). Valid: 0 to 1; clamped, NaN is
+   * ignored.
    */
   void SetColor(double red, double green, double blue);
   vtkGetVector3Macro(Color, double);

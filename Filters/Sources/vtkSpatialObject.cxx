@@ -14,17 +14,17 @@
 
 namespace
 {
-// The part of the size and distance of the bounds by which they are made larger.
+// Enlargement of the bounds, relative to their size and distance from the origin.
 constexpr double CullingTolerance = 1e-9;
 
 constexpr double RotationTolerance = 1e-14;
 
-// The smallest product of the matrix' column lengths that a determinant is compared with.
+// Minimum determinant of an invertible matrix, relative to the product of its column lengths.
 constexpr double SingularTolerance = 1e-12;
 
-// Returns how far a side of a box reaches along an axis. An element that is the rounding of a
-// rotation by a right angle, in a matrix with elements up to a size, does not make an infinite side
-// reach anywhere.
+// Returns the contribution of a side of a box to the bounds along an axis. \a size is the largest
+// element of the matrix. An infinite side contributes nothing if \a element is so small that it is
+// only the rounding error of a rotation by a right angle.
 double GetReach(double element, double side, double size)
 {
   const bool isNothing = std::isinf(side) && std::fabs(element) < RotationTolerance * size;
@@ -75,7 +75,7 @@ std::string vtkSpatialObject::Update()
   if (!this->PrepareTransform(matrix))
   {
     return std::string("The transform of a ") + this->GetClassName() +
-      " is not finite, or has no inverse, or is no affine one.";
+      " is not finite, has no inverse, or is not affine. Pass an invertible affine transform.";
   }
   double local[6];
   std::string error = this->Prepare(local);

@@ -12,20 +12,19 @@ class vtkLinearTransform;
 
 /**
  * @class   vtkSpatialObject
- * @brief   a density and a colour at every point of space: a node of constructive volume geometry
+ * @brief   base class of constructive volume geometry: a density and a color at every point
  *
- * M. Chen and J. V. Tucker, "Constructive volume geometry", Computer Graphics Forum 19(4), 2000: a
- * spatial object is a tuple of scalar fields. Here they are the density, 0 to 1, which stands for
- * opacity, and red, green, blue, 0 to 1. Leaves are vtkSpatialPrimitive and
- * vtkSpatialImage; vtkSpatialOperation and vtkSpatialTurbulence make objects of objects. An object
- * may be an operand of several others.
+ * In constructive volume geometry (M. Chen and J. V. Tucker, Computer Graphics Forum 19(4), 2000),
+ * a spatial object is a tuple of scalar fields. Here they are the density, which represents
+ * opacity, and red, green and blue, all from 0 to 1. The leaves are vtkSpatialPrimitive and
+ * vtkSpatialImage; vtkSpatialOperation and vtkSpatialTurbulence combine or modify other objects. An
+ * object can be an operand of several others.
  *
- * Positions are in units of length of the parent. An object is made in coordinates of its own and
- * placed by its transform. Outside its bounds the density is 0. Where the density is 0 there is no
- * colour, and black is returned.
+ * An object is defined in local coordinates, which Transform maps to the coordinates of its parent.
+ * Outside its bounds the density is 0. The color is black where the density is 0.
  *
- * Errors (vtkErrorMacro, density 0): a transform that is not finite or has no inverse; what the
- * derived classes name.
+ * Errors (vtkErrorMacro, density 0): the transform is not finite, not affine or not invertible;
+ * errors of subclasses.
  *
  * @sa vtkConstructiveVolume vtkConstructiveModelSource
  */
@@ -35,53 +34,53 @@ public:
   vtkAbstractTypeMacro(vtkSpatialObject, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The density and the colour at a point.
+  /// Density and color at a point.
   struct Sample
   {
     double Density = 0.0;
     double Color[3] = { 0.0, 0.0, 0.0 };
   };
 
-  /// The largest number of points at which an object is evaluated at once.
+  /// Maximum number of points per call of EvaluateSpan.
   static constexpr int SpanLength = 32;
 
   ///@{
   /**
-   * The transform from the object's own coordinates to those of its parent. Null, the default, is
-   * the identity. vtkMatrixToLinearTransform makes one of a vtkMatrix4x4. Valid: finite,
-   * invertible, affine.
+   * Set/Get the transform from local coordinates to the parent's coordinates. Use
+   * vtkMatrixToLinearTransform for a vtkMatrix4x4. Default null, the identity. Valid: finite,
+   * affine and invertible.
    */
   void SetTransform(vtkLinearTransform* transform);
   vtkLinearTransform* GetTransform() const;
   ///@}
 
   /**
-   * Computes the sample at \a x. The object is made ready before, so threads that share an object
-   * call EvaluateSpan instead.
+   * Computes the density and color at \a x. This calls Update, so threads that share an object must
+   * use EvaluateSpan instead.
    */
   void Evaluate(const double x[3], Sample& sample);
 
   /**
-   * Computes the box that the object is in, in the parent's coordinates: lower and upper x, y, z;
-   * infinite for objects without an end, the lower above the upper for nothing. Returns false, with
-   * an error, when the object cannot be evaluated.
+   * Computes the bounds of the object in the parent's coordinates. They may be infinite. If the
+   * object is empty, lower bounds exceed upper bounds. Reports an error and returns false if the
+   * object cannot be evaluated.
    */
   bool GetBounds(double bounds[6]);
 
   /**
-   * Makes the object and all it consists of ready for EvaluateSpan. Returns an error
-   * message, or an empty string on success.
+   * Prepares the object and its operands for EvaluateSpan. Returns an error message, or an empty
+   * string on success.
    */
   std::string Update();
 
   /**
-   * Computes the samples at up to SpanLength points, fast when they are close to each other.
-   * Returns false when the density is 0 at all of them, and then \a samples may be left as they
-   * are. Update is called before; after it threads may call this at once.
+   * Computes the samples at up to SpanLength points. This is efficient if the points are close
+   * together. Returns false if the density is 0 at all of them; \a samples may then be left
+   * unchanged. Call Update first. Several threads may call this at once.
    */
   bool EvaluateSpan(const double (*points)[3], int number, Sample* samples) const;
 
-  /// Returns whether \a object is this one or a part of it.
+  /// Returns whether \a object is this object or one of its operands, at any depth.
   virtual bool Contains(const vtkSpatialObject* object) const { return object == this; }
 
   vtkMTimeType GetMTime() override;
@@ -90,29 +89,30 @@ protected:
   vtkSpatialObject();
   ~vtkSpatialObject() override;
 
-  /// Does what Update does for a derived class, and computes its bounds in its own coordinates.
+  /// Prepares a subclass for EvaluateLocally, and computes its bounds in local coordinates.
   /// Returns an error message, or an empty string on success.
   virtual std::string Prepare(double bounds[6]) = 0;
 
-  /// Does what EvaluateSpan does for a derived class, at points of its own coordinates.
+  /// Evaluates a subclass as in EvaluateSpan, at points in local coordinates.
   virtual bool EvaluateLocally(const double (*points)[3], int number, Sample* samples) const = 0;
 
 private:
   vtkSpatialObject(const vtkSpatialObject&) = delete;
   void operator=(const vtkSpatialObject&) = delete;
 
-  /// Takes over the transform's inverse. Returns false when it has none.
+  /// Computes the transform's matrix and its inverse. Returns false if it is not invertible.
   bool PrepareTransform(double matrix[12]);
-  /// Computes the bounds in the parent's coordinates from the box in the object's own.
+  /// Computes the bounds in the parent's coordinates from the bounds in local coordinates.
   void PrepareBounds(const double local[6], const double matrix[12]);
+  /// Returns whether all points lie outside the bounds, on the same side of the box.
   bool Misses(const double (*points)[3], int number) const;
 
   vtkSmartPointer<vtkLinearTransform> Transform;
   vtkTimeStamp UpdateTime;
-  /// The rows of the affine map to the object's own coordinates.
+  /// Rows of the affine map from the parent's coordinates to local coordinates.
   double Inverse[12];
   double Bounds[6];
-  /// The bounds, made a little larger, so that no rounding cuts anything off.
+  /// Bounds, slightly enlarged so that rounding errors exclude no point.
   double CullingBounds[6];
 };
 

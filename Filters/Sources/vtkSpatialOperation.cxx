@@ -18,12 +18,13 @@ void vtkSpatialOperation::AddOperand(vtkSpatialObject* operand)
 {
   if (!operand)
   {
-    vtkErrorMacro("An operand is null.");
+    vtkErrorMacro("AddOperand: the operand is null and was ignored. Pass a vtkSpatialObject.");
     return;
   }
   if (operand->Contains(this))
   {
-    vtkErrorMacro("An operand has the operation among its own parts.");
+    vtkErrorMacro("AddOperand: the operand contains this vtkSpatialOperation and was ignored. Pass "
+                  "an object that does not contain it.");
     return;
   }
   this->Operands.emplace_back(operand);
@@ -65,8 +66,8 @@ std::string vtkSpatialOperation::Prepare(double bounds[6])
 {
   if (this->Operands.empty())
   {
-    return std::string("A spatial operation (") + GetOperationName(this->Operation) +
-      ") has no operand.";
+    return std::string("A vtkSpatialOperation (") + GetOperationName(this->Operation) +
+      ") has no operand. Call AddOperand.";
   }
   for (std::size_t i = 0; i < this->Operands.size(); ++i)
   {

@@ -9,23 +9,23 @@
 
 /**
  * @class   vtkSpatialOperation
- * @brief   union, intersection, difference, blend, cap or trim of spatial objects
+ * @brief   combine spatial objects: union, intersection, difference, blend, cap or trim
  *
- * Combines operands as in constructive volume geometry (M. Chen and J. V. Tucker, Computer Graphics
- * Forum 19(4), 2000). For the operands' densities a, b and colours A, B the density and the colour
- * are
- * - UNION: max(a, b); A if a >= b, else B;
- * - INTERSECTION: min(a, b); A if a >= b, else B;
+ * The operations are from constructive volume geometry (M. Chen and J. V. Tucker, Computer Graphics
+ * Forum 19(4), 2000). Operands with densities a, b and colors A, B have the following density and
+ * color:
+ * - UNION: max(a, b); A if a >= b, otherwise B;
+ * - INTERSECTION: min(a, b); A if a >= b, otherwise B;
  * - DIFFERENCE: max(0, a - b); A;
  * - BLEND: min(1, a + b); (a A + b B) / (a + b);
- * - CAP: a where b < a, else 0; A. A solid b cuts a away inside it;
- * - TRIM: a where b >= a, else 0; A. A solid b cuts a away outside it.
+ * - CAP: a if b < a, otherwise 0; A. A solid b removes its interior from a;
+ * - TRIM: a if b >= a, otherwise 0; A. A solid b removes its exterior from a.
  *
- * So cap and trim share a between them, and leave its density as it is. More than two operands are
- * taken from left to right; a single operand stays as it is.
+ * Cap and trim divide a into two parts without changing its density. More than two operands are
+ * combined from left to right. A single operand is unchanged.
  *
- * Errors (vtkErrorMacro): null, or an operand that has this object among its parts, which is not
- * added; no operand (density 0).
+ * Errors (vtkErrorMacro): an operand is null or contains this object, and is not added; there is no
+ * operand when the object is evaluated (density 0).
  */
 class INTERLUMESOURCES_EXPORT vtkSpatialOperation : public vtkSpatialObject
 {
@@ -45,12 +45,12 @@ public:
     NUMBER_OF_OPERATIONS = 6
   };
 
-  /// Returns the operation's name in small letters; null for a number that is not an operation.
+  /// Returns the lowercase name of an operation, or null if the number is not an operation.
   static const char* GetOperationName(int operation);
 
   ///@{
   /**
-   * The operation that combines the operands. Default UNION. Valid: see Operations; clamped.
+   * Set/Get the operation. Default UNION. Valid: see Operations; clamped.
    */
   vtkSetClampMacro(Operation, int, UNION, TRIM);
   vtkGetMacro(Operation, int);
@@ -64,7 +64,7 @@ public:
 
   ///@{
   /**
-   * The operands, in order. GetOperand returns null for an index without an operand.
+   * Manage the ordered operands. GetOperand returns null if the index is invalid.
    */
   void AddOperand(vtkSpatialObject* operand);
   void RemoveAllOperands();
@@ -86,7 +86,7 @@ private:
   vtkSpatialOperation(const vtkSpatialOperation&) = delete;
   void operator=(const vtkSpatialOperation&) = delete;
 
-  /// Makes \a a the combination of both.
+  /// Replaces \a a by the combination of \a a and \a b.
   void Combine(Sample& a, const Sample& b) const;
 
   std::vector<vtkSmartPointer<vtkSpatialObject>> Operands;

@@ -20,8 +20,8 @@ double Hypotenuse(double x, double y)
   return std::sqrt(x * x + y * y);
 }
 
-// Returns the signed distance from a product of intervals, from the signed distances from each of
-// them.
+// Returns the signed distance from a Cartesian product of intervals, given the signed distance from
+// each interval.
 template <int Size>
 double GetProductDistance(const double (&distances)[Size])
 {
@@ -58,7 +58,7 @@ void vtkSpatialPrimitive::SetCenter(double x, double y, double z)
   const double center[3] = { x, y, z };
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z))
   {
-    vtkErrorMacro("The centre " << x << " " << y << " " << z << " is not finite.");
+    vtkErrorMacro("The center " << x << " " << y << " " << z << " is not finite.");
     return;
   }
   if (!std::equal(center, center + 3, this->Center))
@@ -120,7 +120,7 @@ void vtkSpatialPrimitive::SetLimits(const double limits[6])
     if (!(limits[2 * axis] <= limits[2 * axis + 1]))
     {
       vtkErrorMacro("The limits " << limits[2 * axis] << " and " << limits[2 * axis + 1]
-                                  << " of axis " << axis << " are not in order.");
+                                  << " of axis " << axis << " are not in ascending order.");
       return;
     }
   }
@@ -141,12 +141,15 @@ std::string vtkSpatialPrimitive::Prepare(double bounds[6])
 {
   if (this->Shape == FUZZY_SPHERE && !(this->InnerRadius < this->Radius))
   {
-    return "The inner radius of a fuzzy sphere is not below its radius.";
+    return "The inner radius of a fuzzy sphere is not less than its radius. Reduce InnerRadius or "
+           "increase Radius.";
   }
   if (this->Shape == IMPLICIT_FUNCTION)
   {
     std::copy_n(this->Limits, 6, bounds);
-    return this->Function ? "" : "A spatial object of an implicit function has no function.";
+    return this->Function ? ""
+                          : "A vtkSpatialPrimitive with an implicit function has no function. "
+                            "Call SetFunction.";
   }
   double half[3] = { this->Radius, this->Radius, this->Radius };
   switch (this->Shape)
@@ -229,7 +232,7 @@ double vtkSpatialPrimitive::GetProfileOfFunction(const double x[3]) const
   double position[3] = { x[0], x[1], x[2] };
   this->Function->FunctionGradient(position, gradient);
   const double steepness = vtkMath::Norm(gradient);
-  // Without a gradient only the sign is known.
+  // Without a gradient, only the sign of the distance is available.
   return this->GetEdgeProfile(
     steepness > 0.0 ? value / steepness : std::copysign(this->EdgeWidth, value));
 }

@@ -9,31 +9,31 @@ class vtkImplicitFunction;
 
 /**
  * @class   vtkSpatialPrimitive
- * @brief   sphere, box, cylinder, torus, half-space, fuzzy sphere or implicit function, with a
- * sharp or a soft edge
+ * @brief   a sphere, box, cylinder, torus, half-space, fuzzy sphere or implicit function, with a
+ * sharp or soft edge
  *
  * With p = x - Center, the shapes are
  * - SPHERE: |p| <= Radius;
  * - BOX: |p_i| <= Lengths_i / 2;
  * - CYLINDER: sqrt(p_x^2 + p_y^2) <= Radius, |p_z| <= Height / 2;
- * - TORUS: the points within TubeRadius of the circle of Radius around the z axis, in p_z = 0;
+ * - TORUS: all points within TubeRadius of the circle with radius Radius around the z axis, in the
+ *   plane p_z = 0;
  * - HALF_SPACE: p_z <= 0;
- * - FUZZY_SPHERE: no edge, but the density 1 for r = |p| <= r1, 0 for r >= r0 and
- *   (r0^2 - r^2) / (r0^2 - r1^2) between, r0 = Radius, r1 = InnerRadius (C. Zhang, dissertation,
- *   Ohio State 2006, equation 2.7).
- * - IMPLICIT_FUNCTION: f(x) <= 0 for the implicit function f, within Limits. The distance from the
- *   edge is f / |grad f|, which is right to first order, so that an edge has its width for any f
- *   with a gradient there. Threads evaluate f at once, which VTK's analytic functions allow and
- *   those that search a data set do not.
+ * - FUZZY_SPHERE: density 1 for r = |p| <= r1, 0 for r >= r0, and (r0^2 - r^2) / (r0^2 - r1^2) in
+ *   between, with r0 = Radius and r1 = InnerRadius (C. Zhang, dissertation, Ohio State 2006,
+ *   equation 2.7). EdgeWidth is ignored;
+ * - IMPLICIT_FUNCTION: f(x) <= 0 for the implicit function f, inside the box Limits. The distance
+ *   from the edge is approximated by f / |grad f|. Several threads evaluate f at once. VTK's
+ *   analytic functions allow this; functions that search a data set do not.
  *
- * With s the distance from the edge, negative inside, and w = EdgeWidth, the density is 1 for
- * s <= -w/2, 0 for s >= w/2, and between them e^2 (3 - 2 e), e = 1/2 - s/w, times Density: 1/2 on
- * the edge, with a continuous derivative. With w = 0 it is 1 for s <= 0, else 0. The distance from
- * the edge of a shape is Euclidean. The transform gives a shape another direction; one that
- * scales makes an ellipsoid of a sphere.
+ * Let s be the signed distance from the edge, negative inside, and w = EdgeWidth. The density is
+ * Density times 1 for s <= -w/2, 0 for s >= w/2, and e^2 (3 - 2 e) in between, with e = 1/2 - s/w.
+ * It is 1/2 on the edge and has a continuous derivative. If w = 0, it is 1 for s <= 0, otherwise 0.
+ * Distances are Euclidean distances before the transform. Use the transform to rotate a shape, or
+ * to scale a sphere to an ellipsoid.
  *
- * Errors (vtkErrorMacro, density 0) besides those of vtkSpatialObject: InnerRadius not below Radius
- * for a fuzzy sphere; no function for an implicit function.
+ * Errors (vtkErrorMacro, density 0), in addition to those of vtkSpatialObject: InnerRadius is not
+ * less than Radius for FUZZY_SPHERE; IMPLICIT_FUNCTION has no function.
  */
 class INTERLUMESOURCES_EXPORT vtkSpatialPrimitive : public vtkSpatialLeaf
 {
@@ -54,12 +54,12 @@ public:
     NUMBER_OF_SHAPES = 7
   };
 
-  /// Returns the shape's name in small letters; null for a number that is not a shape.
+  /// Returns the lowercase name of a shape, or null if the number is not a shape.
   static const char* GetShapeName(int shape);
 
   ///@{
   /**
-   * The shape of the object. Default SPHERE. Valid: see Shapes; clamped.
+   * Set/Get the shape. Default SPHERE. Valid: see Shapes; clamped.
    */
   vtkSetClampMacro(Shape, int, SPHERE, IMPLICIT_FUNCTION);
   vtkGetMacro(Shape, int);
@@ -74,8 +74,8 @@ public:
 
   ///@{
   /**
-   * The distance over which the density falls, in units of length before the transform. Default 0.
-   * Valid: finite, 0 or more; other values are an error and change nothing.
+   * Set/Get the distance over which the density falls, in units of length before the transform.
+   * Default 0. Valid: finite, 0 or more; other values are an error and are ignored.
    */
   void SetEdgeWidth(double width) { this->SetSize(this->EdgeWidth, width, "edge width", true); }
   double GetEdgeWidth() const { return this->EdgeWidth; }
@@ -83,8 +83,8 @@ public:
 
   ///@{
   /**
-   * The centre of the shape, for a half-space a point of its plane. Default (0, 0, 0). Valid:
-   * finite; other values are an error and change nothing.
+   * Set/Get the center of the shape, or a point on the plane of HALF_SPACE. Default (0, 0, 0).
+   * Valid: finite; other values are an error and are ignored.
    */
   void SetCenter(double x, double y, double z);
   vtkGetVector3Macro(Center, double);
@@ -92,9 +92,9 @@ public:
 
   ///@{
   /**
-   * The sizes of the shape, in units of length. Default 0.5 for Radius, 0.25 for InnerRadius, 0.1
-   * for TubeRadius, 1 for the others. Valid: finite, above 0, InnerRadius 0 or more; other values
-   * are an error and change nothing.
+   * Set/Get the sizes of the shape, in units of length. Default 0.5 for Radius, 0.25 for
+   * InnerRadius, 0.1 for TubeRadius, 1 for Height and Lengths. Valid: finite and above 0, for
+   * InnerRadius 0 or more; other values are an error and are ignored.
    */
   void SetRadius(double radius) { this->SetSize(this->Radius, radius, "radius"); }
   vtkGetMacro(Radius, double);
@@ -113,7 +113,7 @@ public:
 
   ///@{
   /**
-   * The function f of IMPLICIT_FUNCTION. Default null.
+   * Set/Get the function of IMPLICIT_FUNCTION. Default null.
    */
   void SetFunction(vtkImplicitFunction* function);
   vtkImplicitFunction* GetFunction() const;
@@ -121,9 +121,9 @@ public:
 
   ///@{
   /**
-   * A box outside of which the density of IMPLICIT_FUNCTION is 0: lower and upper x, y, z before
-   * the transform. Default without end. Valid: no NaN, the lower not above the upper; other values
-   * are an error and change nothing. A close box makes sampling fast.
+   * Set/Get a box outside which the density of IMPLICIT_FUNCTION is 0: lower and upper x, y, z
+   * before the transform. A tight box speeds up sampling. Default infinite. Valid: not NaN, the
+   * lower limit at most the upper limit; other values are an error and are ignored.
    */
   void SetLimits(const double limits[6]);
   vtkGetVector6Macro(Limits, double);
@@ -143,10 +143,10 @@ private:
   void operator=(const vtkSpatialPrimitive&) = delete;
 
   void SetSize(double& member, double size, const char* name, bool canBeZero = false);
-  /// Returns the density, before it is multiplied, at a point of the object's own coordinates.
+  /// Returns the density at a point in local coordinates, before it is multiplied by Density.
   double GetProfile(const double x[3]) const;
   double GetProfileOfFunction(const double x[3]) const;
-  /// Returns the density for a distance from the edge, before it is multiplied.
+  /// Returns the density at a distance from the edge, before it is multiplied by Density.
   double GetEdgeProfile(double distance) const;
 
   vtkSmartPointer<vtkImplicitFunction> Function;

@@ -36,7 +36,9 @@ void vtkSpatialTurbulence::SetOperand(vtkSpatialObject* operand)
 {
   if (operand && operand->Contains(this))
   {
-    vtkErrorMacro("The operand has the turbulence among its own parts.");
+    vtkErrorMacro(
+      "SetOperand: the operand contains this vtkSpatialTurbulence and was ignored. Pass "
+      "an object that does not contain it.");
     return;
   }
   if (this->Operand != operand)
@@ -78,8 +80,8 @@ void vtkSpatialTurbulence::SetSeed(int seed)
 
 void vtkSpatialTurbulence::MakeNoises()
 {
-  // The distance of the seeds, which is far from the seeds that users take: these are small
-  // numbers.
+  // Difference between the seeds of the three directions. It is large, because users choose small
+  // seeds, and two turbulences with adjacent seeds must not share a noise.
   constexpr int distance = INT_MAX / 3;
   this->Noises.clear();
   for (int i = 0; i < 3; ++i)
@@ -103,7 +105,7 @@ std::string vtkSpatialTurbulence::Prepare(double bounds[6])
 {
   if (!this->Operand)
   {
-    return "A spatial turbulence has no operand.";
+    return "A vtkSpatialTurbulence has no operand. Call SetOperand.";
   }
   std::string error = this->Operand->Update();
   if (error.empty())
@@ -113,7 +115,7 @@ std::string vtkSpatialTurbulence::Prepare(double bounds[6])
       ? interlume::GradientNoise::LargestNoise
       : 2.0 * interlume::GradientNoise::LargestNoise;
     const double reach = this->Mode == DISPLACEMENT ? largest * std::fabs(this->Amplitude) : 0.0;
-    // Turbulence displaces to one side only.
+    // Sums of absolute values are never negative, so they displace in one direction only.
     const bool isOneSided = this->Sum == vtkTurbulenceSource::TURBULENCE;
     for (int side = 0; side < 6; ++side)
     {

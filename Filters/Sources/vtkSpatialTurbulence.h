@@ -10,21 +10,21 @@
 
 /**
  * @class   vtkSpatialTurbulence
- * @brief   hypertexture: noise that displaces or changes the density of a spatial object
+ * @brief   hypertexture: displace or modify the density of a spatial object by noise
  *
- * K. Perlin and E. Hoffert, "Hypertexture", SIGGRAPH 1989. With d the operand's density at x, A the
- * amplitude, n(x) the chosen sum of octaves at Frequency x (see vtkTurbulenceSource) and n1, n2, n3
- * three such sums, with different seeds, the density is
- * - DISPLACEMENT: d(x + A (n1, n2, n3)), with the colour of that place;
+ * The method is from K. Perlin and E. Hoffert, "Hypertexture", SIGGRAPH 1989. Let d be the
+ * operand's density at x, A the amplitude, n(x) the sum of octaves at the point Frequency * x (see
+ * vtkTurbulenceSource), and n1, n2, n3 three such sums with different seeds. The density is
+ * - DISPLACEMENT: d(x + A (n1, n2, n3)), with the color at the displaced position;
  * - MODULATION: d (1 + A n);
- * - EROSION: 1/2 + G (d - A n - 1/2) where d > 0, with the gain G. Soft edges get fringes, and with
- *   a high frequency fur.
+ * - EROSION: 1/2 + G (d - A n - 1/2) if d > 0, with the gain G. It frays soft edges, or turns them
+ *   into fur if the frequency is high.
  *
- * Each density is clamped to 0 ... 1; the last two modes keep the colour and add nothing where d is
- * 0.
+ * The density is clamped to 0 ... 1. MODULATION and EROSION keep the color, and the density remains
+ * 0 where d is 0.
  *
- * Errors (vtkErrorMacro): an operand that has this object among its parts, which is not taken; no
- * operand (density 0).
+ * Errors (vtkErrorMacro): the operand contains this object, and is not set; there is no operand
+ * when the object is evaluated (density 0).
  */
 class INTERLUMESOURCES_EXPORT vtkSpatialTurbulence : public vtkSpatialObject
 {
@@ -41,12 +41,12 @@ public:
     NUMBER_OF_MODES = 3
   };
 
-  /// Returns the mode's name in small letters; null for a number that is not a mode.
+  /// Returns the lowercase name of a mode, or null if the number is not a mode.
   static const char* GetModeName(int mode);
 
   ///@{
   /**
-   * The object that is changed. Default null, which is an error when it is evaluated.
+   * Set/Get the object to modify. Default null; evaluating without an operand is an error.
    */
   void SetOperand(vtkSpatialObject* operand);
   vtkSpatialObject* GetOperand() const;
@@ -54,7 +54,7 @@ public:
 
   ///@{
   /**
-   * The effect of the noise. Default DISPLACEMENT. Valid: see Modes; clamped.
+   * Set/Get the effect of the noise. Default DISPLACEMENT. Valid: see Modes; clamped.
    */
   vtkSetClampMacro(Mode, int, DISPLACEMENT, EROSION);
   vtkGetMacro(Mode, int);
@@ -65,7 +65,8 @@ public:
 
   ///@{
   /**
-   * The way octaves are summed. Default TURBULENCE. Valid: see vtkTurbulenceSource::Sums; clamped.
+   * Set/Get the method of summing octaves. Default TURBULENCE. Valid: see
+   * vtkTurbulenceSource::Sums; clamped.
    */
   vtkSetClampMacro(Sum, int, vtkTurbulenceSource::NOISE, vtkTurbulenceSource::TURBULENCE);
   vtkGetMacro(Sum, int);
@@ -73,7 +74,7 @@ public:
 
   ///@{
   /**
-   * The number of octaves. Default 4. Valid: 1 to 16; clamped.
+   * Set/Get the number of octaves. Default 4. Valid: 1 to 16; clamped.
    */
   vtkSetClampMacro(NumberOfOctaves, int, 1, vtkTurbulenceSource::MaximumNumberOfOctaves);
   vtkGetMacro(NumberOfOctaves, int);
@@ -81,8 +82,8 @@ public:
 
   ///@{
   /**
-   * The number of lattice cells of the first octave in a unit of length, each 0 or more, along x,
-   * y, z. Default 4 each. Valid: 0 to 1e12; clamped, NaN changes nothing.
+   * Set/Get the number of noise cells per unit of length along x, y and z, for the first octave.
+   * Default (4, 4, 4). Valid: 0 to 1e12; clamped, NaN is ignored.
    */
   void SetFrequency(double x, double y, double z);
   void SetFrequency(double frequency) { this->SetFrequency(frequency, frequency, frequency); }
@@ -91,8 +92,8 @@ public:
 
   ///@{
   /**
-   * The factor A of the noise: a length for DISPLACEMENT, a density else. Default 0.1. Valid: -1e12
-   * to 1e12; clamped, NaN changes nothing.
+   * Set/Get the factor A of the noise: a length for DISPLACEMENT, a density for the other modes.
+   * Default 0.1. Valid: -1e12 to 1e12; clamped, NaN is ignored.
    */
   void SetAmplitude(double amplitude);
   vtkGetMacro(Amplitude, double);
@@ -100,8 +101,8 @@ public:
 
   ///@{
   /**
-   * The gain G of EROSION: the larger, the sharper the edge of what is left. Default 1. Valid: 0 to
-   * 1e12; clamped, NaN changes nothing.
+   * Set/Get the gain G of EROSION. Larger values sharpen the eroded edge. Default 1. Valid: 0 to
+   * 1e12; clamped, NaN is ignored.
    */
   void SetGain(double gain);
   vtkGetMacro(Gain, double);
@@ -109,7 +110,7 @@ public:
 
   ///@{
   /**
-   * The seed of the noise. Default 0.
+   * Set/Get the seed of the noise. Default 0.
    */
   void SetSeed(int seed);
   vtkGetMacro(Seed, int);
@@ -129,7 +130,7 @@ private:
   vtkSpatialTurbulence(const vtkSpatialTurbulence&) = delete;
   void operator=(const vtkSpatialTurbulence&) = delete;
 
-  /// Makes one noise for each direction, all from the seed.
+  /// Creates one noise per direction from the seed.
   void MakeNoises();
   double GetNoise(const interlume::GradientNoise& noise, const double x[3]) const;
   bool Displace(const double (*points)[3], int number, Sample* samples) const;

@@ -16,7 +16,7 @@ vtkStandardNewMacro(vtkTaperedCylinderSource);
 
 namespace
 {
-// The constants of the formula.
+// Constants of the formula.
 constexpr double ConvectionRatio = 0.85;
 constexpr double Deficit = 0.018;
 constexpr double Slant = 2.2;
@@ -26,7 +26,7 @@ constexpr double CoreRadius = 0.55;
 constexpr double Spreading = 0.008;
 constexpr double FormationTime = 0.7;
 
-// Computes a smooth step from 0 to 1.
+// Returns a smooth step from 0 to 1.
 double Step(double u)
 {
   return 0.5 * (1.0 + std::tanh(u));
@@ -46,29 +46,29 @@ struct VortexStreet
 
   // Returns the deficit at a point.
   double operator()(const double x[3]) const;
-  // Returns the diameter of the cylinder at a height; beyond its ends, that of the end.
+  // Returns the diameter of the cylinder at a height, clamped to its ends.
   double GetDiameter(double z) const;
-  // Returns the deficit of one cell's vortices, as if the cell reached along the whole cylinder.
+  // Returns the deficit of the vortices of one shedding cell, extended along the whole cylinder.
   double GetDeficitOfCell(int cell, const double x[3]) const;
 };
 
 double VortexStreet::GetDiameter(double z) const
 {
-  const double way = std::max(0.0, std::min(z / this->Height, 1.0));
-  return 2.0 * ((1.0 - way) * this->Radii[0] + way * this->Radii[1]);
+  const double fraction = std::max(0.0, std::min(z / this->Height, 1.0));
+  return 2.0 * ((1.0 - fraction) * this->Radii[0] + fraction * this->Radii[1]);
 }
 
 double VortexStreet::operator()(const double x[3]) const
 {
-  const double way = x[2] / this->Height;
+  const double fraction = x[2] / this->Height;
   double sum = 0.0;
   for (int cell = 0; cell < NumberOfCells; ++cell)
   {
     const double begin =
-      cell == 0 ? 1.0 : Step((way - static_cast<double>(cell) / NumberOfCells) / CellBlend);
+      cell == 0 ? 1.0 : Step((fraction - static_cast<double>(cell) / NumberOfCells) / CellBlend);
     const double end = cell == NumberOfCells - 1
       ? 0.0
-      : Step((way - static_cast<double>(cell + 1) / NumberOfCells) / CellBlend);
+      : Step((fraction - static_cast<double>(cell + 1) / NumberOfCells) / CellBlend);
     sum += (begin - end) * this->GetDeficitOfCell(cell, x);
   }
   return sum;
@@ -77,12 +77,12 @@ double VortexStreet::operator()(const double x[3]) const
 double VortexStreet::GetDeficitOfCell(int cell, const double x[3]) const
 {
   const double speed = this->Speed;
-  const double middle = (cell + 0.5) / NumberOfCells;
-  const double frequency = this->StrouhalNumber * speed / this->GetDiameter(middle * this->Height);
+  const double center = (cell + 0.5) / NumberOfCells;
+  const double frequency = this->StrouhalNumber * speed / this->GetDiameter(center * this->Height);
   const double diameter = this->GetDiameter(x[2]);
   const double convection = ConvectionRatio * speed;
   const double lifeTime = this->OuterRadius / convection;
-  // The half period that it is, later upwards by the slant.
+  // Number of half periods since time 0. The slant delays vortices at larger heights.
   const double halfPeriods = 2.0 * frequency * this->Time - Slant * x[2] / this->Height;
   const double slope[2] = { -Slant / this->Height * convection / (2.0 * frequency), 0.0 };
   double sum = 0.0;
@@ -101,14 +101,15 @@ double VortexStreet::GetDeficitOfCell(int cell, const double x[3]) const
       x[1] - side * RowOffset * diameter };
     const double core =
       CoreRadius * CoreRadius * diameter * diameter + 4.0 * Spreading * speed * diameter * age;
-    const double way = age / lifeTime;
+    const double fraction = age / lifeTime;
     sum += Deficit * (1.0 - std::exp(-age * speed / (FormationTime * diameter))) *
-      (1.0 - way * way) * std::exp(-interlume::BentAxis::SquaredDistance(offset, slope) / core);
+      (1.0 - fraction * fraction) *
+      std::exp(-interlume::BentAxis::SquaredDistance(offset, slope) / core);
   }
   return sum;
 }
 
-// The clustering of points towards the wall, and towards the wake.
+// Clustering of points toward the wall and toward the wake.
 constexpr double Clustering = 2.0;
 constexpr double ClusteringAround = 0.75;
 }
@@ -155,11 +156,11 @@ void vtkTaperedCylinderSource::GetPosition(const int ijk[3], double x[3]) const
   const double outward = static_cast<double>(ijk[0]) / (this->GetDimension(0) - 1);
   const double radius = wall +
     (this->GetGridRadius() - wall) * std::expm1(Clustering * outward) / std::expm1(Clustering);
-  // The last point around is the first one, to the bit.
+  // The first and last points in j are bit-identical.
   const double around =
     static_cast<double>(ijk[1] % (this->GetDimension(1) - 1)) / (this->GetDimension(1) - 1);
-  const double turn = 2.0 * vtkMath::Pi() * around;
-  const double angle = turn - vtkMath::Pi() + ClusteringAround * std::sin(turn);
+  const double fullAngle = 2.0 * vtkMath::Pi() * around;
+  const double angle = fullAngle - vtkMath::Pi() + ClusteringAround * std::sin(fullAngle);
   x[0] = radius * std::cos(angle);
   x[1] = radius * std::sin(angle);
   x[2] = height * this->Height;

@@ -7,35 +7,23 @@
 
 /**
  * @class   vtkTaperedCylinderSource
- * @brief   the wake of a tapered cylinder: slanted, dislocating vortices on a curvilinear grid
+ * @brief   generate the wake of a tapered cylinder on a curvilinear grid
  *
- * This is a stand-in, with a formula, for the NASA Tapered Cylinder data (D. C. Jespersen, C.
- * Levit, "Numerical simulation of flow past a tapered cylinder", AIAA 91-0751, 1991). The axis is
- * z, from 0 to H = Height, the free stream of speed U goes along x. The radius R(z) is linear
- * between Radii, the diameter D(z) = 2 R(z).
+ * An analytic replacement for the NASA Tapered Cylinder data (D. C. Jespersen, C. Levit, "Numerical
+ * simulation of flow past a tapered cylinder", AIAA 91-0751, 1991). The cylinder's axis is z, from
+ * 0 to Height, and the free stream runs along x. The radius changes linearly between Radii.
  *
- * Grid: i outward, j around, k up. With i', j', k' = 0 to 1 along each: z = k' H,
- *   r = R(z) + (OuterRadius - R(z)) (e^(2 i') - 1) / (e^2 - 1),
- *   angle = 2 pi j' - pi + 0.75 sin(2 pi j').
- * Points are dense at the wall and in the wake. The seam lies upstream; its points are there twice,
- * first and last in j, with the same coordinates and values. Cells are right-handed.
+ * The grid runs outward in i, around the cylinder in j and up in k. Points are dense at the wall
+ * and in the wake. The seam lies upstream; its points are duplicated, first and last in j, with
+ * identical coordinates and values. Cells are right-handed.
  *
- * Shedding follows the local diameter in three cells of constant frequency along the span, as
- * behind real tapered cylinders: cell c = 0, 1, 2 has f_c = StrouhalNumber U / D at its middle (c +
- * 1/2) H/3 and the weight w_c(z), with S(u) = (1 + tanh u) / 2 and p = z / H w_0 = 1 - S((p - 1/3)
- * / 0.08),  w_2 = S((p - 2/3) / 0.08),  w_1 = 1 - w_0 - w_2. Vortex n (any integer) of cell c has
- * at time t the age a = (2 f_c t - 2.2 p - n) / (2 f_c), so that vortices are slanted. Those with 0
- * <= a <= T = OuterRadius / (0.85 U) make the array density = 1 - sum_c w_c sum_n 0.018 (1 - exp(-a
- * U / (0.7 D))) (1 - (a/T)^2) exp(-d^2 / s^2), s^2 = (0.55 D)^2 + 4 (0.008 U D) a, where d is the
- * distance, to first order, from the line through (x_n, y_n) = (D/2 + 0.85 U a, 0.5 D (-1)^n) with
- * the slope dx/dz = -0.85 U 2.2 / (2 f_c H) of the slant; D is D(z). Lines of neighbouring cells
- * join or dislocate.
+ * The span is divided into three shedding cells, in which vortices are shed at a constant
+ * frequency, as behind real tapered cylinders. The vortices are slanted. Between shedding cells,
+ * vortex lines join or dislocate. The array is the density, which is below 1 in the vortices. See
+ * Documentation/methods/sources.md for the formulas.
  *
- * With the defaults the interval 0.9934 to 0.9944, that of the original's pictures, gives about
- * 50,000 tetrahedra: four or five slanted rollers. In a unit of time they go 0.85 downstream, their
- * distance being about 2.
- *
- * Defaults: array "density", 64 x 64 x 32 points.
+ * Defaults: array "density", 64 x 64 x 32 points. The interval 0.9934 to 0.9944, as in C. Zhang's
+ * dissertation, Ohio State 2006, consists of four or five slanted rollers.
  *
  * @sa vtkTemporalGridSource
  */
@@ -50,7 +38,7 @@ public:
 
   ///@{
   /**
-   * The radius at z = 0 and at z = Height. Default 0.5, 0.3. Valid: 0.05 to 50; clamped.
+   * Set/Get the radius at z = 0 and at z = Height. Default 0.5, 0.3. Valid: 0.05 to 50; clamped.
    */
   void SetRadii(double bottom, double top);
   vtkGetVector2Macro(Radii, double);
@@ -58,7 +46,7 @@ public:
 
   ///@{
   /**
-   * The length of the cylinder along z. Default 12. Valid: 0.1 to 1000; clamped.
+   * Set/Get the length of the cylinder along z. Default 12. Valid: 0.1 to 1000; clamped.
    */
   void SetHeight(double height);
   vtkGetMacro(Height, double);
@@ -66,8 +54,8 @@ public:
 
   ///@{
   /**
-   * The radius of the grid. Default 9. Valid: 0.1 to 200; clamped. Twice the larger radius of the
-   * cylinder is taken where that is more.
+   * Set/Get the outer radius of the grid. At least twice the cylinder's maximum radius is used.
+   * Default 9. Valid: 0.1 to 200; clamped.
    */
   void SetOuterRadius(double radius);
   vtkGetMacro(OuterRadius, double);
@@ -75,8 +63,8 @@ public:
 
   ///@{
   /**
-   * The speed of the free stream, in units of length per unit of time. Default 1. Valid: 0.001 to
-   * 1000; clamped.
+   * Set/Get the speed of the free stream, in units of length per unit of time. Default 1. Valid:
+   * 0.001 to 1000; clamped.
    */
   void SetSpeed(double speed);
   vtkGetMacro(Speed, double);
@@ -84,8 +72,8 @@ public:
 
   ///@{
   /**
-   * The Strouhal number: shedding frequency times diameter over speed. Default 0.2. Valid: 0.01 to
-   * 1; clamped.
+   * Set/Get the Strouhal number: shedding frequency times diameter divided by speed. Default 0.2.
+   * Valid: 0.01 to 1; clamped.
    */
   void SetStrouhalNumber(double number);
   vtkGetMacro(StrouhalNumber, double);
@@ -101,7 +89,7 @@ private:
   vtkTaperedCylinderSource(const vtkTaperedCylinderSource&) = delete;
   void operator=(const vtkTaperedCylinderSource&) = delete;
 
-  /// Returns the outer radius that is taken.
+  /// Returns OuterRadius, or twice the cylinder's maximum radius if that is larger.
   double GetGridRadius() const;
 
   double Radii[2] = { 0.5, 0.3 };

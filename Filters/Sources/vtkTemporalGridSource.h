@@ -17,14 +17,13 @@ struct FieldSampler;
 
 /**
  * @class   vtkTemporalGridSource
- * @brief   a scalar field of space and time on a curvilinear grid: the part that depends on neither
+ * @brief   base class of sources of time-dependent scalar fields on curvilinear grids
  *
- * The points of the grid do not move, and are of the type of the array. The output has one point
- * array, the active scalars, and the time in DATA_TIME_STEP. The field is evaluated at the
- * requested time, or without one at the first time step. Any part of the whole extent is made
- * alone.
+ * The points do not move, and their data type is that of the array. The output has one point array,
+ * the active scalars, and the time in DATA_TIME_STEP. The field is evaluated at the requested time,
+ * or at the first time step if no time is requested. Any part of the whole extent can be produced.
  *
- * Errors (vtkErrorMacro, empty output): a time that is not finite.
+ * Errors (vtkErrorMacro, empty output): the requested time is not finite.
  *
  * @sa vtkTaperedCylinderSource vtkDeltaWingSource
  */
@@ -37,22 +36,21 @@ public:
   /// Returns the field at one point and time.
   double Evaluate(const double x[3], double t) const { return this->GetFieldAtTime(t)(x); }
 
-  /// Computes the position of the grid's point (i,j,k), before it is rounded to the type of the
-  /// points.
+  /// Computes the position of point (i,j,k), before conversion to the type of the points.
   virtual void GetPosition(const int ijk[3], double x[3]) const = 0;
 
   ///@{
   /**
-   * The number of points in each direction. The default is the subclass's. Valid: 2 to 32768;
-   * clamped.
+   * Set/Get the number of points in each direction. The default depends on the subclass. Valid: 2
+   * to 32768; clamped.
    */
   void SetDimensions(int i, int j, int k);
   vtkGetVector3Macro(Dimensions, int);
   ///@}
 
   ///@{
-  /// The number of time steps and their range, as in vtkAnalyticFieldSource. Default 3 steps from 0
-  /// to 2.
+  /// Set/Get the number of time steps and their range, as in vtkAnalyticFieldSource. Default 3
+  /// steps from 0 to 2.
   vtkSetClampMacro(NumberOfTimeSteps, int, 1, 100000);
   int GetNumberOfTimeSteps() const { return this->NumberOfTimeSteps; }
   void SetTimeRange(double first, double last);
@@ -60,20 +58,20 @@ public:
   ///@}
 
   ///@{
-  /// The type of the array and of the points: VTK_FLOAT (default) or VTK_DOUBLE.
+  /// Set/Get the type of the array and of the points: VTK_FLOAT (default) or VTK_DOUBLE.
   void SetOutputScalarType(int type);
   int GetOutputScalarType() const { return this->OutputScalarType; }
   ///@}
 
   ///@{
-  /// The name of the point array. The default is the subclass's; null and an empty name stand for
-  /// it.
+  /// Set/Get the name of the point array. The default depends on the subclass; a null or empty name
+  /// restores it.
   void SetArrayName(const char* name);
   const char* GetArrayName() const { return this->ArrayName.c_str(); }
   ///@}
 
-  /// Returns the report of the last execution: Points, Evaluations (positions where the field was
-  /// evaluated), Bytes (of the output) and Time. After an error or an abort all are 0.
+  /// Returns the report of the last execution: Points, Evaluations (number of positions where the
+  /// field was evaluated), Bytes (size of the output) and Time. All are 0 after an error or abort.
   vtkInterlumeReport* GetReport() { return this->Report; }
 
 protected:
@@ -82,10 +80,10 @@ protected:
 
   int GetDimension(int axis) const { return this->Dimensions[axis]; }
 
-  /// A scalar field of position at one time.
+  /// A scalar field of the position at one time.
   using Field = std::function<double(const double x[3])>;
 
-  /// Returns the field at time \a t, for many positions. Several threads call the result.
+  /// Returns the field at time \a t. Several threads may call the result at once.
   virtual Field GetFieldAtTime(double t) const = 0;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

@@ -24,7 +24,7 @@ vtkStandardNewMacro(vtkTurbulenceSource);
 namespace
 {
 constexpr double Limit = 1e12;
-constexpr double LeastTopFraction = 1e-6;
+constexpr double MinimumTopFraction = 1e-6;
 }
 
 const char* vtkTurbulenceSource::GetSumName(int sum)
@@ -62,7 +62,7 @@ void vtkTurbulenceSource::SetOffset(double offset)
 
 void vtkTurbulenceSource::SetTopFraction(double fraction)
 {
-  interlume::ClampedValue::Set(this, this->TopFraction, fraction, LeastTopFraction, 1.0);
+  interlume::ClampedValue::Set(this, this->TopFraction, fraction, MinimumTopFraction, 1.0);
 }
 
 double vtkTurbulenceSource::GetFalloffFactor(const double x[3]) const
@@ -127,7 +127,7 @@ int vtkTurbulenceSource::RequestData(
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkImageData* image = vtkImageData::GetData(info);
   interlume::SourceReport().CopyTo(this->GetReport());
-  this->Place(image, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
+  this->SetGeometry(image, info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_EXTENT()));
   vtkNew<vtkFloatArray> values;
   values->SetName("Turbulence");
   values->SetNumberOfTuples(image->GetNumberOfPoints());

@@ -12,31 +12,30 @@ class GradientNoise;
 
 /**
  * @class   vtkTurbulenceSource
- * @brief   noise and turbulence on an image: smoke, haze, clouds
+ * @brief   generate noise and turbulence on an image: smoke, haze, clouds
  *
- * The output has one point array, the active scalars: `Turbulence`, float. With n(x) the chosen sum
- * of octaves at Frequency x (see Sums), the value at x is
- *   E(x) F(h) (Offset + Amplitude n(x)),
- * or for the envelope CLOUD max(0, E(x) + F(h) (Offset + Amplitude n(x)) - 1).
+ * The output has one point array, the active scalars: `Turbulence`, float. With n(x) the sum of
+ * octaves at the point Frequency * x (see Sums), falloff F and envelope E, the value at x is E(x)
+ * F(h) (Offset + Amplitude n(x)), or, for the envelope CLOUD, max(0, E(x) + F(h) (Offset +
+ * Amplitude n(x)) - 1).
  *
- * The noise is K. Perlin's improved gradient noise ("Improving noise", SIGGRAPH 2002): 0 at the
- * points of the unit lattice, with continuous second derivatives, mean 0, values between about -1
- * and 1 and period 256 in each direction. Seed 0 is the published permutation; another seed
- * shuffles it in the same way with every compiler and library.
+ * The noise is K. Perlin's improved gradient noise ("Improving noise", SIGGRAPH 2002). It is 0 at
+ * integer points, has continuous second derivatives, mean 0, values between about -1 and 1, and
+ * period 256 in each direction. Seed 0 uses the published permutation. Other seeds shuffle it, with
+ * the same result for every compiler and library.
  *
- * The falloff F depends on the height h, 0 at the lower and 1 at the upper bound of VerticalAxis,
- * with t = TopFraction:
+ * The falloff F depends on the height h, 0 at the lower and 1 at the upper bound of VerticalAxis.
+ * With t = TopFraction it is
  * - NO_FALLOFF: 1;
  * - LINEAR: 1 - (1 - t) h;
  * - EXPONENTIAL: t^h.
  *
- * The envelope E depends on r, 0 at the centre of the bounds and 1 on the ellipsoid that touches
- * all of their sides:
+ * The envelope E depends on r, 0 at the center of the bounds and 1 on the largest ellipsoid in the
+ * bounds. It is
  * - NO_ENVELOPE: 1;
  * - SPHERE and CLOUD: max(0, 1 - r^2).
  *
- * The bytes do not depend on the number of threads. Any part of the whole extent is made alone,
- * with the same values as in the whole.
+ * The output does not depend on the number of threads or on the requested extent.
  *
  * @sa vtkSpatialTurbulence
  */
@@ -47,8 +46,8 @@ public:
   vtkTypeMacro(vtkTurbulenceSource, vtkBoundedImageSource);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The ways to sum octaves: the noise alone, the sum of noise(2^i x) / 2^i, or of its absolute
-  /// value (C. Zhang, dissertation, Ohio State 2006, section 2.3.2).
+  /// Methods of summing octaves: the noise itself, the sum of noise(2^i x) / 2^i, or the sum of
+  /// |noise(2^i x)| / 2^i (C. Zhang, dissertation, Ohio State 2006, section 2.3.2).
   enum Sums
   {
     NOISE = 0,
@@ -75,7 +74,7 @@ public:
   };
 
   ///@{
-  /// Returns the name of a sum, falloff or envelope in small letters; null for any other number.
+  /// Returns the lowercase name of a sum, falloff or envelope, or null if the number is invalid.
   static const char* GetSumName(int sum);
   static const char* GetFalloffName(int falloff);
   static const char* GetEnvelopeName(int envelope);
@@ -83,7 +82,7 @@ public:
 
   ///@{
   /**
-   * The way octaves are summed. Default TURBULENCE. Valid: see Sums; clamped.
+   * Set/Get the method of summing octaves. Default TURBULENCE. Valid: see Sums; clamped.
    */
   vtkSetClampMacro(Sum, int, NOISE, TURBULENCE);
   vtkGetMacro(Sum, int);
@@ -91,7 +90,7 @@ public:
 
   ///@{
   /**
-   * The number of octaves. Default 5. Valid: 1 to 16; clamped.
+   * Set/Get the number of octaves. Default 5. Valid: 1 to 16; clamped.
    */
   vtkSetClampMacro(NumberOfOctaves, int, 1, MaximumNumberOfOctaves);
   vtkGetMacro(NumberOfOctaves, int);
@@ -99,8 +98,8 @@ public:
 
   ///@{
   /**
-   * The number of lattice cells of the first octave in a unit of length. Default 2. Valid: 0 to
-   * 1e12; clamped, NaN changes nothing.
+   * Set/Get the number of noise cells per unit of length, for the first octave. Default 2. Valid: 0
+   * to 1e12; clamped, NaN is ignored.
    */
   void SetFrequency(double frequency);
   vtkGetMacro(Frequency, double);
@@ -108,8 +107,8 @@ public:
 
   ///@{
   /**
-   * The factor of the noise, and the value that is added. Default 1, 0. Valid: -1e12 to 1e12;
-   * clamped, NaN changes nothing.
+   * Set/Get the factor of the noise, and the value that is added to it. Default 1, 0. Valid: -1e12
+   * to 1e12; clamped, NaN is ignored.
    */
   void SetAmplitude(double amplitude);
   vtkGetMacro(Amplitude, double);
@@ -119,7 +118,7 @@ public:
 
   ///@{
   /**
-   * The seed of the noise. Default 0.
+   * Set/Get the seed of the noise. Default 0.
    */
   vtkSetMacro(Seed, int);
   vtkGetMacro(Seed, int);
@@ -127,7 +126,7 @@ public:
 
   ///@{
   /**
-   * The way values fall with height. Default NO_FALLOFF. Valid: see Falloffs; clamped.
+   * Set/Get the falloff with height. Default NO_FALLOFF. Valid: see Falloffs; clamped.
    */
   vtkSetClampMacro(Falloff, int, NO_FALLOFF, EXPONENTIAL);
   vtkGetMacro(Falloff, int);
@@ -135,7 +134,7 @@ public:
 
   ///@{
   /**
-   * The axis of height: 0, 1, 2 for x, y, z. Default 2. Valid: 0 to 2; clamped.
+   * Set/Get the axis of the height: 0, 1, 2 for x, y, z. Default 2. Valid: 0 to 2; clamped.
    */
   vtkSetClampMacro(VerticalAxis, int, 0, 2);
   vtkGetMacro(VerticalAxis, int);
@@ -143,8 +142,8 @@ public:
 
   ///@{
   /**
-   * The share of the values that is left at the top. Default 0.1. Valid: 1e-6 to 1; clamped, NaN
-   * changes nothing.
+   * Set/Get the value of the falloff at the upper bound. Default 0.1. Valid: 1e-6 to 1; clamped,
+   * NaN is ignored.
    */
   void SetTopFraction(double fraction);
   vtkGetMacro(TopFraction, double);
@@ -152,14 +151,14 @@ public:
 
   ///@{
   /**
-   * The shape that values are kept to. Default NO_ENVELOPE. Valid: see Envelopes; clamped.
+   * Set/Get the envelope. Default NO_ENVELOPE. Valid: see Envelopes; clamped.
    */
   vtkSetClampMacro(Envelope, int, NO_ENVELOPE, CLOUD);
   vtkGetMacro(Envelope, int);
   ///@}
 
   /**
-   * Returns the value at one point. It makes the noise's permutation anew.
+   * Returns the value at one point. Each call recomputes the permutation of the noise.
    */
   double Evaluate(const double x[3]) const;
 

@@ -6,16 +6,16 @@ class vtkSMProperty;
 
 /**
  * @class   vtkPropertyPush
- * @brief   sends changes of a property that a domain makes
+ * @brief sends to the server the property values that a domain changed
  */
 class vtkPropertyPush
 {
 public:
-  /// Returns whether a property has values that wait for Apply.
+  /// Returns true if the property has values that the user has not applied yet.
   static bool IsPending(vtkSMProperty* property);
 
-  /// Sends a property's values to the server where its proxy is there already: a script that sets
-  /// one property sends only that.
+  /// Sends the values of the property if its proxy already exists on the server. A script that sets
+  /// one property sends only that one, so the domain must send the property that it changed.
   static void Push(vtkSMProperty* property);
 };
 

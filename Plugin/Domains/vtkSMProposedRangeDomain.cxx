@@ -20,7 +20,7 @@ vtkStandardNewMacro(vtkSMProposedRangeDomain);
 
 namespace
 {
-// The element of the association in ParaView's list of arrays in an input property.
+// Indices of the association and the name in the elements of an ArraySelection property.
 constexpr unsigned int AssociationElement = 3;
 constexpr unsigned int NameElement = 4;
 
@@ -47,7 +47,7 @@ int vtkSMProposedRangeDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXM
 
 unsigned int vtkSMProposedRangeDomain::GetRowSize()
 {
-  // The property reads this number after its domains are made.
+  // Read the number only now, because the property sets it after it creates its domains.
   vtkSMVectorProperty* rows = vtkSMVectorProperty::SafeDownCast(this->GetProperty());
   return rows ? std::max(rows->GetNumberOfElementsPerCommand(), 1) : 1;
 }
@@ -98,7 +98,7 @@ bool vtkSMProposedRangeDomain::FindRange(const Selection& selection, bool overTi
   return range[0] <= range[1];
 }
 
-bool vtkSMProposedRangeDomain::CanLookAtAllTimes(const Selection& selection)
+bool vtkSMProposedRangeDomain::CanReadAllTimeSteps(const Selection& selection)
 {
   vtkPVDataInformation* information = selection.Producer->GetDataInformation(selection.Port);
   const double steps = information ? information->GetNumberOfTimeSteps() : 0;
@@ -107,10 +107,11 @@ bool vtkSMProposedRangeDomain::CanLookAtAllTimes(const Selection& selection)
     return false;
   }
   const double size = steps * information->GetMemorySize();
-  if (size > LargestSeries)
+  if (size > MaximumSeriesSize)
   {
-    vtkWarningMacro("The values proposed are of the time shown: to look at all "
-      << steps << " time steps would take about " << std::round(size / 1e6) << " GB.");
+    vtkWarningMacro("The proposed values use the range of the current time step only, because all "
+      << steps << " time steps need about " << std::round(size / 1e6)
+      << " GB. Check the values against the other time steps.");
     return false;
   }
   return true;
@@ -121,17 +122,17 @@ void vtkSMProposedRangeDomain::SetRange(const double range[2])
   this->SetEntries(std::vector<vtkEntry>(this->GetRowSize(), vtkEntry(range[0], range[1])));
 }
 
-std::vector<double> vtkSMProposedRangeDomain::Propose()
+std::vector<double> vtkSMProposedRangeDomain::ComputeProposedValues()
 {
   std::vector<double> values;
   for (unsigned int i = 0; i < this->GetNumberOfEntries(); ++i)
   {
-    const double least = this->GetMinimum(i);
-    const double largest = this->GetMaximum(i);
+    const double lower = this->GetMinimum(i);
+    const double upper = this->GetMaximum(i);
     const DefaultModes mode = this->GetDefaultMode(i);
-    const double sum = least + largest;
-    const double middle = std::isfinite(sum) ? sum / 2 : least / 2 + largest / 2;
-    values.push_back(mode == MIN ? least : mode == MAX ? largest : middle);
+    const double sum = lower + upper;
+    const double center = std::isfinite(sum) ? sum / 2 : lower / 2 + upper / 2;
+    values.push_back(mode == MIN ? lower : mode == MAX ? upper : center);
   }
   return values;
 }
@@ -148,13 +149,13 @@ void vtkSMProposedRangeDomain::Update(vtkSMProperty*)
   {
     return;
   }
-  const bool isOther = !(selection == this->Known);
-  const std::vector<double> before = this->Propose();
-  if (isOther)
+  const bool isNewSelection = !(selection == this->LastSelection);
+  const std::vector<double> previousValues = this->ComputeProposedValues();
+  if (isNewSelection)
   {
-    this->Known = selection;
-    this->KnownOverTime[0] = 1.0;
-    this->KnownOverTime[1] = 0.0;
+    this->LastSelection = selection;
+    this->RangeOverTime[0] = 1.0;
+    this->RangeOverTime[1] = 0.0;
   }
   double range[2];
   if (!this->FindRange(selection, false, range))
@@ -162,16 +163,17 @@ void vtkSMProposedRangeDomain::Update(vtkSMProperty*)
     this->SetEntries(std::vector<vtkEntry>());
     return;
   }
-  if (this->KnownOverTime[0] <= this->KnownOverTime[1])
+  if (this->RangeOverTime[0] <= this->RangeOverTime[1])
   {
-    range[0] = std::min(range[0], this->KnownOverTime[0]);
-    range[1] = std::max(range[1], this->KnownOverTime[1]);
+    range[0] = std::min(range[0], this->RangeOverTime[0]);
+    range[1] = std::max(range[1], this->RangeOverTime[1]);
   }
   this->SetRange(range);
   vtkSMProperty* property = this->GetProperty();
   const bool isPending = this->IsAwaitingApply();
-  if (isOther && property &&
-    (HasValues(property, isPending, this->Proposed) || HasValues(property, isPending, before)))
+  if (isNewSelection && property &&
+    (HasValues(property, isPending, this->Proposed) ||
+      HasValues(property, isPending, previousValues)))
   {
     this->SetDefaultValues(property, isPending);
     if (!isPending)
@@ -185,14 +187,14 @@ int vtkSMProposedRangeDomain::SetDefaultValues(vtkSMProperty* property, bool use
 {
   const Selection selection = this->GetSelection();
   double range[2];
-  if (this->AllTimeSteps && selection.IsComplete() && this->CanLookAtAllTimes(selection) &&
+  if (this->AllTimeSteps && selection.IsComplete() && this->CanReadAllTimeSteps(selection) &&
     this->FindRange(selection, true, range))
   {
-    this->Known = selection;
-    std::copy_n(range, 2, this->KnownOverTime);
+    this->LastSelection = selection;
+    std::copy_n(range, 2, this->RangeOverTime);
     this->SetRange(range);
   }
-  const std::vector<double> values = this->Propose();
+  const std::vector<double> values = this->ComputeProposedValues();
   if (values.empty())
   {
     return 0;

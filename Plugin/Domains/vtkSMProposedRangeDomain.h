@@ -5,27 +5,27 @@
 #include "InterlumeDomainsModule.h" // for the export macro
 #include "vtkSMDoubleRangeDomain.h"
 
-#include <string> // for the array's name
-#include <vector> // for the values proposed
+#include <string> // for the array name
+#include <vector> // for the proposed values
 
 class vtkSMSourceProxy;
 
 /**
  * @class   vtkSMProposedRangeDomain
- * @brief   the range of a point array, and values proposed from it for a row of a property
+ * @brief   proposes the values of a repeatable property from the range of an array
  *
- * This stands in place of ParaView's ArrayRangeDomain, which proposes one value for a property of
- * rows. The attribute `default_mode` has the proposal, one of min, mid, max for each value of a
- * row; required properties are Input and ArraySelection.
+ * ParaView's ArrayRangeDomain proposes a single value, even for a property whose rows have several.
+ * This domain proposes one complete row. The XML attribute `default_mode` lists min, mid or max for
+ * each value of the row. The required properties are Input and ArraySelection.
  *
- * - Default values, as at first and of the reset button: one row.
- * - Another array: values that are still those proposed are proposed anew; those that somebody has
- *   set stay.
- * - With the attribute `all_time_steps` set to 1 the range is that over all time steps of the
- * input. They are looked at when values are proposed, and known from then on. Where the time steps
- * take more than LargestSeries, the range is that of the time shown, and a warning says so.
+ * - The proposed row is the default value of a new proxy, and the value that the reset button sets.
+ * - If another array is selected, values are proposed again. Values that the user has set are not
+ *   replaced.
+ * - If the XML attribute `all_time_steps` is 1, the range covers all time steps of the input. The
+ *   steps are read when values are proposed, and the range is cached. If all steps together exceed
+ *   MaximumSeriesSize, a warning reports this, and the range of the current time step is used.
  *
- * Values that are not finite do not count. The range is given for each value of a row.
+ * Non-finite values are ignored. All values of a row have the same range.
  */
 class INTERLUMEDOMAINS_EXPORT vtkSMProposedRangeDomain : public vtkSMDoubleRangeDomain
 {
@@ -34,8 +34,8 @@ public:
   vtkTypeMacro(vtkSMProposedRangeDomain, vtkSMDoubleRangeDomain);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The largest size of all time steps together that are looked at, in kilobytes.
-  static constexpr double LargestSeries = 8e6;
+  /// Maximum size of all time steps together, in kilobytes, for which all steps are read.
+  static constexpr double MaximumSeriesSize = 8e6;
 
   void Update(vtkSMProperty* requesting) override;
   int SetDefaultValues(vtkSMProperty* property, bool useUnchecked) override;
@@ -46,7 +46,7 @@ protected:
 
   int ReadXMLAttributes(vtkSMProperty* property, vtkPVXMLElement* element) override;
 
-  /// The array whose range is taken.
+  /// The array that determines the range.
   struct Selection
   {
     vtkSMSourceProxy* Producer = nullptr;
@@ -65,13 +65,15 @@ protected:
   Selection GetSelection();
   /// Returns the number of values in a row of the property.
   unsigned int GetRowSize();
-  /// Finds the range of the array, at the time shown or over all time steps.
+  /// Computes the range of the array in the current time step or in all time steps. Returns false
+  /// if the array is missing, has several components or has no finite value.
   bool FindRange(const Selection& selection, bool overTime, double range[2]);
-  /// Returns whether all time steps can be looked at; warns where they are too large.
-  bool CanLookAtAllTimes(const Selection& selection);
+  /// Returns true if there are several time steps and they are small enough to read all of them.
+  /// Warns if they are too large.
+  bool CanReadAllTimeSteps(const Selection& selection);
   void SetRange(const double range[2]);
-  /// Returns the values proposed from the present range; none without a range.
-  std::vector<double> Propose();
+  /// Returns one row of values from the current range; empty if there is no range.
+  std::vector<double> ComputeProposedValues();
   bool IsAwaitingApply();
 
 private:
@@ -79,10 +81,9 @@ private:
   void operator=(const vtkSMProposedRangeDomain&) = delete;
 
   int AllTimeSteps = 0;
-  Selection Known;
-  // The range over all time steps of the selection that is known; the first is above the last
-  // before it is looked at.
-  double KnownOverTime[2] = { 1.0, 0.0 };
+  Selection LastSelection;
+  // Cached range of LastSelection over all time steps; empty (lower > upper) until they are read.
+  double RangeOverTime[2] = { 1.0, 0.0 };
   std::vector<double> Proposed;
 };
 

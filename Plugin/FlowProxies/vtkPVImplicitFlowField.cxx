@@ -23,33 +23,34 @@ vtkStandardNewMacro(vtkPVImplicitFlowField);
 namespace
 {
 constexpr int SurfacesPort = 2;
-// The number of the output with the drawing of the surfaces.
-constexpr int DrawingPort = 1;
+// Output port with the triangles of the surfaces.
+constexpr int SurfaceOutputPort = 1;
 
-// Returns the drawing of \a surface, whose ids start at \a id.
-vtkSmartPointer<vtkPolyData> Draw(vtkTerminationSurface* surface, int id)
+// Returns the triangles of \a surface. Shifts its ids so that they start at \a id, because the
+// surface does not store the automatic id that the filter assigned.
+vtkSmartPointer<vtkPolyData> CreateTriangles(vtkTerminationSurface* surface, int id)
 {
   vtkNew<vtkTerminationSurfaceSource> source;
   source->SetSurface(surface);
   source->Update();
-  vtkPolyData* drawing = source->GetOutput();
-  vtkDataArray* ids = drawing->GetCellData()->GetArray(vtkFlowStatus::IdArray());
+  vtkPolyData* triangles = source->GetOutput();
+  vtkDataArray* ids = triangles->GetCellData()->GetArray(vtkFlowStatus::IdArray());
   if (ids && ids->GetNumberOfTuples() > 0)
   {
-    const double moved = id - ids->GetComponent(0, 0);
+    const double offset = id - ids->GetComponent(0, 0);
     for (vtkIdType c = 0; c < ids->GetNumberOfTuples(); ++c)
     {
-      ids->SetComponent(c, 0, ids->GetComponent(c, 0) + moved);
+      ids->SetComponent(c, 0, ids->GetComponent(c, 0) + offset);
     }
   }
-  return drawing;
+  return triangles;
 }
 }
 
 vtkPVImplicitFlowField::vtkPVImplicitFlowField()
 {
   this->SetNumberOfInputPorts(SurfacesPort + 1);
-  this->SetNumberOfOutputPorts(DrawingPort + 1);
+  this->SetNumberOfOutputPorts(SurfaceOutputPort + 1);
 }
 
 vtkPVImplicitFlowField::~vtkPVImplicitFlowField() = default;
@@ -73,7 +74,7 @@ int vtkPVImplicitFlowField::FillInputPortInformation(int port, vtkInformation* i
 
 int vtkPVImplicitFlowField::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  if (port != DrawingPort)
+  if (port != SurfaceOutputPort)
   {
     return this->Superclass::FillOutputPortInformation(port, info);
   }
@@ -84,10 +85,10 @@ int vtkPVImplicitFlowField::FillOutputPortInformation(int port, vtkInformation* 
 int vtkPVImplicitFlowField::RequestDataObject(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (!vtkPolyData::GetData(outputs, DrawingPort))
+  if (!vtkPolyData::GetData(outputs, SurfaceOutputPort))
   {
-    vtkNew<vtkPolyData> drawing;
-    outputs->GetInformationObject(DrawingPort)->Set(vtkDataObject::DATA_OBJECT(), drawing);
+    vtkNew<vtkPolyData> triangles;
+    outputs->GetInformationObject(SurfaceOutputPort)->Set(vtkDataObject::DATA_OBJECT(), triangles);
   }
   return this->Superclass::RequestDataObject(request, inputs, outputs);
 }
@@ -109,16 +110,16 @@ int vtkPVImplicitFlowField::RequestUpdateExtent(
 int vtkPVImplicitFlowField::RequestData(
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  const SurfaceList surfaces = this->MakeSurfaces(inputs[SurfacesPort]);
+  const SurfaceList surfaces = this->CreateSurfaces(inputs[SurfacesPort]);
   for (const auto& surface : surfaces)
   {
     this->AddTerminationSurface(surface);
   }
   const int result = this->Superclass::RequestData(request, inputs, outputs);
-  vtkInformation* drawing = outputs->GetInformationObject(DrawingPort);
-  if (drawing->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) == 0)
+  vtkInformation* triangles = outputs->GetInformationObject(SurfaceOutputPort);
+  if (triangles->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER()) == 0)
   {
-    this->DrawSurfaces(vtkPolyData::GetData(drawing));
+    this->FillSurfaceOutput(vtkPolyData::GetData(triangles));
   }
   for (const auto& surface : surfaces)
   {
@@ -127,22 +128,22 @@ int vtkPVImplicitFlowField::RequestData(
   return result;
 }
 
-void vtkPVImplicitFlowField::DrawSurfaces(vtkPolyData* output) const
+void vtkPVImplicitFlowField::FillSurfaceOutput(vtkPolyData* output) const
 {
-  vtkNew<vtkAppendPolyData> drawings;
+  vtkNew<vtkAppendPolyData> append;
   for (int i = 0; i < this->GetNumberOfUsedSurfaces(); ++i)
   {
-    drawings->AddInputData(Draw(this->GetUsedSurface(i), this->GetUsedSurfaceId(i)));
+    append->AddInputData(CreateTriangles(this->GetUsedSurface(i), this->GetUsedSurfaceId(i)));
   }
-  if (drawings->GetNumberOfInputConnections(0) > 0)
+  if (append->GetNumberOfInputConnections(0) > 0)
   {
-    drawings->Update();
-    output->ShallowCopy(drawings->GetOutput());
+    append->Update();
+    output->ShallowCopy(append->GetOutput());
     output->GetPointData()->SetActiveScalars(vtkFlowStatus::ParametersArray());
   }
 }
 
-vtkPVImplicitFlowField::SurfaceList vtkPVImplicitFlowField::MakeSurfaces(
+vtkPVImplicitFlowField::SurfaceList vtkPVImplicitFlowField::CreateSurfaces(
   vtkInformationVector* inputs) const
 {
   SurfaceList surfaces;

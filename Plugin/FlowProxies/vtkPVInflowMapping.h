@@ -11,11 +11,11 @@
 
 /**
  * @class   vtkPVInflowMapping
- * @brief   an inflow mapping whose image is an input of a pipeline
+ * @brief   map inflow values with formulas, rings and an image from the pipeline
  *
- * Input port 1, optional: vtkImageData, the mapping of ImageId. Where an id has several mappings
- * the image counts, then the rings, then the formula of the id, then the common formula. Mappings
- * that the base class was given directly are replaced in each execution.
+ * Input port 1, optional: vtkImageData, the mapping of ImageId. If an id has several mappings, the
+ * image has precedence, then the rings, the formula of the id, and the common formula. Each
+ * execution replaces mappings that were set directly in the superclass.
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVInflowMapping : public vtkInflowMapping
 {
@@ -26,7 +26,7 @@ public:
 
   ///@{
   /**
-   * The formula of all ids that have no mapping of their own; empty: none. Default "u".
+   * Formula of all ids without a separate mapping. An empty string sets no formula. Default: "u".
    */
   void SetCommonFormula(const char* formula);
   const char* GetCommonFormula() const { return this->CommonFormula.c_str(); }
@@ -34,7 +34,7 @@ public:
 
   ///@{
   /**
-   * The formulas and the rings of single ids. Default none. Valid: as in the base class.
+   * Formulas and Gaussian rings of single ids. Default: none. Valid: see vtkInflowMapping.
    */
   void AddFormula(int id, const char* formula);
   void RemoveAllFormulas();
@@ -45,7 +45,7 @@ public:
 
   ///@{
   /**
-   * The id that the image belongs to. Default ALL.
+   * Id to which the image applies. Default: ALL. Valid: ALL, or 0 to 1000000000; clamped.
    */
   vtkSetClampMacro(ImageId, int, ALL, 1000000000);
   vtkGetMacro(ImageId, int);

@@ -10,8 +10,8 @@ vtkStandardNewMacro(vtkPVStreamSurfaceParameters);
 
 namespace
 {
-/// Returns the first filter of a class upstream, along first connections; null without one.
-/// ParaView puts filters of its own between those of the plugin.
+/// Returns the first filter of a class upstream, following the first connection of port 0, or null
+/// if there is none. ParaView inserts its own filters between those of the plugin.
 template <typename Filter>
 Filter* FindUpstream(vtkAlgorithm* algorithm)
 {
@@ -40,7 +40,8 @@ int vtkPVStreamSurfaceParameters::RequestData(
   if (!flow)
   {
     vtkErrorMacro("There is no " << (mapping ? "vtkImplicitFlowField" : "vtkInflowMapping")
-                                 << " upstream, which the contours are taken from.");
+                                 << " upstream. Connect the input to an Inflow Mapping of an "
+                                    "Implicit Flow Field.");
     return 1;
   }
   this->SetMapping(mapping);

@@ -7,14 +7,15 @@
 
 /**
  * @class   vtkPVStreamSurfaceParameters
- * @brief   texture coordinates of stream surfaces by the mapping and the termination surfaces
- * upstream
+ * @brief   compute texture coordinates of stream surfaces from the filters upstream
  *
- * The mapping is the first vtkInflowMapping upstream of the input, along first connections; the
- * surfaces are those that the vtkImplicitFlowField upstream of it used last, with its ids. A
- * mapping and surfaces that the base class was given directly are replaced in each execution.
+ * The mapping is the first vtkInflowMapping upstream of the input. The termination surfaces and
+ * their ids are those of the last execution of the vtkImplicitFlowField upstream of the mapping.
+ * The search follows the first connection of input port 0. Each execution replaces a mapping and
+ * surfaces that were set directly in the superclass.
  *
- * Errors (vtkErrorMacro, empty output): no such filters upstream, as behind a reader of a file.
+ * Errors (vtkErrorMacro, empty output): one of these filters is missing upstream, for example
+ * because the input was read from a file.
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVStreamSurfaceParameters : public vtkStreamSurfaceParameters
 {

@@ -7,8 +7,7 @@
 
 /**
  * @class   vtkPVTerminationBox
- * @brief   a box by what ParaView's box widget gives: its lowest corner and the lengths of its
- * edges
+ * @brief   termination box with the parameters of ParaView's box widget
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVTerminationBox : public vtkTerminationBox
 {
@@ -19,8 +18,8 @@ public:
 
   ///@{
   /**
-   * The lowest corner of the box, and the lengths of its edges, in world units. Default (-0.5,
-   * -0.5, -0.5), (1, 1, 1). Valid: finite; above 0.
+   * Lower corner of the box and lengths of its edges, in world units. Default: (-0.5, -0.5, -0.5),
+   * (1, 1, 1). Valid: a finite corner, lengths above 0.
    */
   void SetPosition(double x, double y, double z);
   vtkGetVector3Macro(Position, double);
@@ -36,7 +35,7 @@ private:
   vtkPVTerminationBox(const vtkPVTerminationBox&) = delete;
   void operator=(const vtkPVTerminationBox&) = delete;
 
-  /// Sets the bounds of the base class.
+  /// Sets the bounds of the superclass.
   void PlaceFaces();
 
   double Position[3] = { -0.5, -0.5, -0.5 };

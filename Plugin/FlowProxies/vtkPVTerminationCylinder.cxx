@@ -30,7 +30,7 @@ void vtkPVTerminationCylinder::SetLength(double length)
   this->PlacePoints();
 }
 
-std::string vtkPVTerminationCylinder::PlaceIn(vtkDataSet* field, vtkDataArray*, bool)
+std::string vtkPVTerminationCylinder::InitializeFromField(vtkDataSet* field, vtkDataArray*, bool)
 {
   field->GetBounds(this->FieldBounds);
   this->PlacePoints();

@@ -7,10 +7,10 @@
 
 /**
  * @class   vtkPVTerminationCylinder
- * @brief   a cylinder by what ParaView's cylinder widget gives: its centre, axis and radius
+ * @brief   termination cylinder with the parameters of ParaView's cylinder widget
  *
- * Point1 and Point2 of the base class are half of Length before and behind the centre, or where the
- * field ends along the axis.
+ * Point1 and Point2 of the superclass lie on the axis at half of Length from the center. If Length
+ * is 0, they are the ends of the field along the axis.
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVTerminationCylinder : public vtkTerminationCylinder
 {
@@ -21,8 +21,8 @@ public:
 
   ///@{
   /**
-   * The centre and the axis, in world units. Default (0, 0, 0), (0, 0, 1). Valid: finite; an axis
-   * of any length above 0.
+   * Center and axis direction, in world units. Default: (0, 0, 0), (0, 0, 1). Valid: finite; an
+   * axis of any length above 0.
    */
   void SetCenter(double x, double y, double z);
   vtkGetVector3Macro(Center, double);
@@ -32,15 +32,16 @@ public:
 
   ///@{
   /**
-   * The length from end to end, in world units. 0: from the first to the last place of the field
-   * along the axis, whose middle then need not be Center; 1 where there is no field yet. Default 0.
-   * Valid: 0 and above.
+   * Length of the cylinder, in world units. 0 selects the extent of the field along the axis, or a
+   * length of 1 if the field is not available yet. Center is then not necessarily the midpoint.
+   * Default: 0. Valid: 0 and above.
    */
   void SetLength(double length);
   vtkGetMacro(Length, double);
   ///@}
 
-  std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
+  std::string InitializeFromField(
+    vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
 
 protected:
   vtkPVTerminationCylinder() = default;
@@ -50,13 +51,13 @@ private:
   vtkPVTerminationCylinder(const vtkPVTerminationCylinder&) = delete;
   void operator=(const vtkPVTerminationCylinder&) = delete;
 
-  /// Sets the two points of the base class.
+  /// Sets Point1 and Point2 of the superclass.
   void PlacePoints();
 
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Axis[3] = { 0.0, 0.0, 1.0 };
   double Length = 0.0;
-  /// The bounds of the field; empty without one.
+  /// Bounds of the field; empty (lower above upper) before InitializeFromField.
   double FieldBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
 };
 

@@ -37,7 +37,7 @@ void vtkPVTerminationRectangle::SetAngle(double angle)
   this->PlaceCorners();
 }
 
-std::string vtkPVTerminationRectangle::PlaceIn(vtkDataSet* field, vtkDataArray*, bool)
+std::string vtkPVTerminationRectangle::InitializeFromField(vtkDataSet* field, vtkDataArray*, bool)
 {
   field->GetBounds(this->FieldBounds);
   this->PlaceCorners();
@@ -46,11 +46,11 @@ std::string vtkPVTerminationRectangle::PlaceIn(vtkDataSet* field, vtkDataArray*,
 
 void vtkPVTerminationRectangle::PlaceCorners()
 {
-  // The normal is their cross product, in this order.
-  double againstV[3];
+  // Perpendiculars returns two vectors whose cross product, in this order, is the normal.
+  double negativeV[3];
   double u[3];
-  vtkMath::Perpendiculars(this->Normal, againstV, u, vtkMath::RadiansFromDegrees(this->Angle));
-  const double v[3] = { -againstV[0], -againstV[1], -againstV[2] };
+  vtkMath::Perpendiculars(this->Normal, negativeV, u, vtkMath::RadiansFromDegrees(this->Angle));
+  const double v[3] = { -negativeV[0], -negativeV[1], -negativeV[2] };
   double alongU[2];
   double alongV[2];
   vtkPVFieldExtent::GetEnds(this->Lengths[0], this->FieldBounds, this->Center, u, alongU);

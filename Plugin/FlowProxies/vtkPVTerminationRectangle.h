@@ -7,10 +7,11 @@
 
 /**
  * @class   vtkPVTerminationRectangle
- * @brief   a rectangle by what ParaView's plane widget gives: its centre and normal
+ * @brief   termination rectangle with the parameters of ParaView's plane widget
  *
- * u goes along the first edge and v along the second, with u x v the normal. With an angle of 0 and
- * a normal along an axis u is along the next axis: x for the normal z.
+ * The parameter u runs along the first edge and v along the second; u x v is the normal. If Angle
+ * is 0 and the normal is a coordinate axis, u runs along the next coordinate axis: along x for a
+ * normal along z.
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVTerminationRectangle : public vtkTerminationPlane
 {
@@ -21,8 +22,8 @@ public:
 
   ///@{
   /**
-   * The centre, in world units, and the normal. Default (0, 0, 0), (0, 0, 1). Valid: finite; a
-   * normal of any length above 0.
+   * Center, in world units, and normal. Default: (0, 0, 0), (0, 0, 1). Valid: finite; a normal of
+   * any length above 0.
    */
   void SetCenter(double x, double y, double z);
   vtkGetVector3Macro(Center, double);
@@ -32,10 +33,10 @@ public:
 
   ///@{
   /**
-   * The lengths of the edges along u and v, in world units. 0: from the first to the last place of
-   * the field along that edge, whose middle then need not be Center; 1 where there is no field yet.
-   * So a rectangle is at first as large as the plane that ParaView's widget draws. Default (0, 0).
-   * Valid: 0 and above.
+   * Lengths of the edges along u and v, in world units. 0 selects the extent of the field along the
+   * edge, or a length of 1 if the field is not available yet. Center is then not necessarily the
+   * midpoint. By default, the rectangle is therefore as large as the plane that ParaView's widget
+   * shows. Default: (0, 0). Valid: 0 and above.
    */
   void SetLengths(double u, double v);
   vtkGetVector2Macro(Lengths, double);
@@ -43,13 +44,14 @@ public:
 
   ///@{
   /**
-   * The angle that the edges are turned by around the normal, in degrees. Default 0.
+   * Rotation of the edges about the normal, in degrees. Default: 0.
    */
   void SetAngle(double angle);
   vtkGetMacro(Angle, double);
   ///@}
 
-  std::string PlaceIn(vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
+  std::string InitializeFromField(
+    vtkDataSet* field, vtkDataArray* vectors, bool isBackward) override;
 
 protected:
   vtkPVTerminationRectangle() = default;
@@ -59,13 +61,13 @@ private:
   vtkPVTerminationRectangle(const vtkPVTerminationRectangle&) = delete;
   void operator=(const vtkPVTerminationRectangle&) = delete;
 
-  /// Sets the three corners of the base class.
+  /// Sets Origin, Point1 and Point2 of the superclass.
   void PlaceCorners();
 
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Normal[3] = { 0.0, 0.0, 1.0 };
   double Lengths[2] = { 0.0, 0.0 };
-  /// The bounds of the field; empty without one.
+  /// Bounds of the field; empty (lower above upper) before InitializeFromField.
   double FieldBounds[6] = { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 };
   double Angle = 0.0;
 };

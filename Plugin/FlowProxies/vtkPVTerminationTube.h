@@ -10,9 +10,10 @@
 
 /**
  * @class   vtkPVTerminationTube
- * @brief   a tube by what ParaView's line widget gives: where its line starts and ends
+ * @brief   termination tube with the parameters of ParaView's line widget
  *
- * A line of more points is taken instead where it has two and more.
+ * The tube surrounds the line from Start to End. If there are two or more line points, it surrounds
+ * the polyline through them instead.
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVTerminationTube : public vtkTerminationTube
 {
@@ -23,7 +24,7 @@ public:
 
   ///@{
   /**
-   * The ends of the line, in world units. Default (0, 0, -0.5), (0, 0, 0.5). Valid: finite.
+   * Ends of the line, in world units. Default: (0, 0, -0.5), (0, 0, 0.5). Valid: finite.
    */
   void SetStart(double x, double y, double z);
   vtkGetVector3Macro(Start, double);
@@ -33,7 +34,7 @@ public:
 
   ///@{
   /**
-   * The points of a line that is not straight. Default none. Valid: finite.
+   * Points of a polyline, in world units. Default: none. Valid: finite.
    */
   void AddLinePoint(double x, double y, double z);
   void RemoveAllLinePoints();
@@ -47,7 +48,7 @@ private:
   vtkPVTerminationTube(const vtkPVTerminationTube&) = delete;
   void operator=(const vtkPVTerminationTube&) = delete;
 
-  /// Sets the points of the base class.
+  /// Sets the points of the superclass.
   void PlacePoints();
 
   double Start[3] = { 0.0, 0.0, -0.5 };

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""make_help.py PAGES GUIDE PICTURES: completes the help pages that ParaView makes of the plugin's XML.
+"""make_help.py PAGES GUIDE PICTURES: completes the help pages that ParaView generates from the plugin's XML.
 
-To the folder PAGES it adds the guide as guide.html with its pictures, and to each filter's page a link
-to the guide and, where PICTURES has one named after the filter, a picture. May be run again.
+Adds the guide to the directory PAGES as guide.html, with its figures. Adds to each filter's page a link to
+the guide and, if PICTURES has a file named after the filter, a figure. The script may be run repeatedly.
 """
 
 import html
@@ -16,7 +16,7 @@ TITLE = "Interlume in ParaView in ten minutes"
 
 
 def inline(text):
-    """A line of Markdown: code, bold, emphasis, pictures and links. Pictures lie beside the page."""
+    """Converts inline Markdown (code, bold, emphasis, images, links) to HTML. Images are next to the page."""
     text = html.escape(text, quote=False)
     text = re.sub(r"`([^`]+)`", r"<code>\1</code>", text)
     text = re.sub(r"!\[([^\]]*)\]\((?:[^)]*/)?([^)/]+)\)", r'<img alt="\1" width="720" src="\2"/>', text)
@@ -27,7 +27,7 @@ def inline(text):
 
 
 def block(lines):
-    """A paragraph, heading, list or indented code of Markdown as HTML."""
+    """Converts a Markdown paragraph, heading, list or code block to HTML."""
     heading = re.match(r"(#+) (.*)", lines[0])
     if heading:
         level = len(heading[1])
@@ -42,13 +42,14 @@ def block(lines):
 
 
 def page(markdown):
+    """Converts a Markdown document to an HTML page."""
     blocks = re.findall(r"```.*?\n```|(?:(?!```)[^\n]+\n?)+", markdown, re.S)
     body = "\n".join(block(text.strip("\n").split("\n")) for text in blocks)
     return f"<html><head><title>{TITLE}</title></head><body>\n{body}\n</body></html>\n"
 
 
 def complete(path, pictures):
-    """Puts the picture and the link below the heading of a filter's page."""
+    """Inserts the figure and the link below the heading of a filter's page."""
     with open(path, encoding="utf-8") as file:
         text = re.sub(f"{BEGIN}.*?{END}", "", file.read(), flags=re.S)
     name = os.path.basename(path).split(".")[1]

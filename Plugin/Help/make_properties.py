@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""make_properties.py PAGE XML...: writes the page of the guide with the properties of the plugin's filters,
-sources, termination surfaces, writers and representations, from the XML files that ParaView reads.
+"""make_properties.py [--check] PAGE XML...: writes the guide's page of properties from the plugin's XML files.
 
-With --check before PAGE: fails where the page is not what would be written.
+The page lists the properties of filters, sources, termination surfaces, writers and representations.
+With --check, the script writes nothing and fails if PAGE is out of date.
 """
 
 import re
@@ -14,13 +14,14 @@ GROUPS = {"filters": "Filters", "sources": "Sources", "termination_surfaces": "T
           "writers": "Writers", "representations": "Representations"}
 HEAD = """# Properties in ParaView
 
-What the plugin's XML says of each property, written by `Plugin/Help/make_properties.py`. In Python a property has
-the name of its label without spaces.
+This page lists the properties of the plugin's filters, sources and representations, with the text of their tooltips.
+In Python, the name of a property is its label without spaces. `Plugin/Help/make_properties.py` generates the page from
+the plugin's XML.
 """
 
 
 def words(element):
-    """The text of an element on one line, fit for a cell of a table."""
+    """Returns the text of an element on one line, escaped for a table cell."""
     return re.sub(r"\s+", " ", (element.text or "").strip()).replace("|", "\\|") if element is not None else ""
 
 
@@ -29,7 +30,7 @@ def label_of(element):
 
 
 def default_of(element):
-    """The default as the panel has it: the word of an enumeration, on or off."""
+    """Returns the default value as shown in the panel, such as the text of an enumeration entry, on or off."""
     values = element.get("default_values") or ""
     for entry in element.iter("Entry"):
         if entry.get("value") == values:
@@ -55,7 +56,7 @@ def section(proxy, inherited, proxies):
     if not rows:
         return []
     return ["", f"### {label_of(proxy)}", "", words(proxy.find("Documentation")), "",
-            "| property | default | what it is |", "| --- | --- | --- |", *rows]
+            "| property | default | description |", "| --- | --- | --- |", *rows]
 
 
 def page(files):
@@ -86,7 +87,7 @@ def main():
     if not check:
         path.write_text(text, encoding="utf-8")
     elif path.read_text(encoding="utf-8") != text:
-        sys.exit(f"{path.name} is not what the XML says; write it by {Path(__file__).name} PAGE XML...")
+        sys.exit(f"{path.name} is out of date. Run {Path(__file__).name} PAGE XML... to write it again.")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The widgets of the properties panel, where ParaView has its client.
+# Widgets of the properties panel. Included only if the ParaView client is built.
 set(CMAKE_AUTOMOC ON)
 paraview_plugin_add_property_widget(
   KIND       WIDGET

@@ -26,7 +26,8 @@ pqAreaLightPropertyWidget::pqAreaLightPropertyWidget(
   layout->setContentsMargins(0, 0, 0, 0);
   auto* show = new QCheckBox(tr("Show handles"), this);
   show->setObjectName("show3DWidget");
-  show->setToolTip(tr("Show handles for the light's centre, focal point, width and height"));
+  show->setToolTip(
+    tr("Show handles in the view to drag the light's center, focal point, width and height"));
   show->setChecked(true);
   layout->addWidget(show, 0, 0, 1, Columns);
   this->addChoice(layout, "Shape");

@@ -8,11 +8,11 @@ class QGridLayout;
 
 /**
  * @class   pqAreaLightPropertyWidget
- * @brief   places an area light, by handles in the view and by numbers
+ * @brief   edits an area light with handles in the view and with numbers
  *
- * The widget is for a group of properties with the functions WorldPosition, FocalPoint and ViewUp,
- * of three elements, Width and Height, of one, and Shape, an enumeration. It shows fields for all
- * of them and a box that switches the handles of vtkAreaLightRepresentation on and off.
+ * Use it for a group of properties with the functions WorldPosition, FocalPoint and ViewUp (three
+ * elements), Width and Height (one element), and Shape (an enumeration). The widget has an input
+ * field for each property and a check box that shows the handles of vtkAreaLightRepresentation.
  */
 class pqAreaLightPropertyWidget : public pqInteractivePropertyWidget
 {
@@ -30,7 +30,7 @@ protected Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqAreaLightPropertyWidget)
 
-  /// Add a row for a property of the group, with its label and its text as a tool tip.
+  /// Adds a row for a property of the group, with its label and its documentation as a tooltip.
   void addNumbers(QGridLayout* layout, const char* function);
   void addChoice(QGridLayout* layout, const char* function);
   void addLabel(QGridLayout* layout, vtkSMProperty* property);

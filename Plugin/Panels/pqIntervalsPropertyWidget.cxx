@@ -18,7 +18,7 @@
 
 namespace
 {
-// ParaView 5.11 takes the labels as a vector of characters, 5.13 as one of strings.
+// The setter takes std::vector<const char*> in ParaView 5.11 and std::vector<std::string> in 5.13.
 template <typename Labels>
 void SetLabels(pqScalarValueListPropertyWidget* table,
   void (pqScalarValueListPropertyWidget::*setter)(Labels), const std::vector<const char*>& texts)
@@ -44,7 +44,7 @@ pqIntervalsPropertyWidget::pqIntervalsPropertyWidget(
   this->Table->setRangeDomain(property->FindDomain<vtkSMDoubleRangeDomain>());
   this->Several->setObjectName("Several");
   this->Several->setText(tr("Several intervals"));
-  this->Several->setToolTip(tr("Show the table of intervals, to add some"));
+  this->Several->setToolTip(tr("Show a table in which you can add intervals"));
   this->Several->setCheckable(true);
   this->Several->setToolButtonStyle(Qt::ToolButtonTextOnly);
 
@@ -56,7 +56,7 @@ pqIntervalsPropertyWidget::pqIntervalsPropertyWidget(
 
   this->Reset->setObjectName("Reset");
   this->Reset->setText(tr("Reset to one interval"));
-  this->Reset->setToolTip(tr("Reset using current data values"));
+  this->Reset->setToolTip(tr("Replace all intervals by one interval from the range of the data"));
   layout->addWidget(this->Reset);
 
   this->labelTable();

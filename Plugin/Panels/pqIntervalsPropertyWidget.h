@@ -10,12 +10,11 @@ class pqScalarValueListPropertyWidget;
 
 /**
  * @class   pqIntervalsPropertyWidget
- * @brief   sliders for a single interval, a table for several
+ * @brief   edits a single interval with sliders, and several intervals in a table
  *
- * The widget is for a property with rows of two values. While that has one row, the widget shows
- * the two sliders that ParaView's own IsoVolume has; the button "Several intervals" shows the table
- * below them. With any other number of rows it shows the table alone, and a button that goes back
- * to one.
+ * Use it for a repeatable property with two values per row. If the property has one row, the widget
+ * shows two sliders, as for ParaView's IsoVolume, and the button "Several intervals", which shows
+ * the table. Otherwise, the widget shows only the table and a button that resets it to one row.
  */
 class pqIntervalsPropertyWidget : public pqPropertyWidget
 {
@@ -29,14 +28,15 @@ public:
   void reset() override;
 
 private Q_SLOTS:
-  /// Shows what fits the number of rows.
+  /// Shows the widgets for the current number of rows.
   void arrange();
-  /// Takes what the domain proposes from the data.
+  /// Sets the values that the domain proposes for the data.
   void resetToData();
 
 private:
   Q_DISABLE_COPY(pqIntervalsPropertyWidget)
 
+  /// Sets the column labels of the table from the XML hints.
   void labelTable();
 
   pqDoubleRangeSliderPropertyWidget* Sliders;

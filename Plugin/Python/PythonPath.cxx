@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Python's package lies beside the plugin: a process that has loaded the plugin finds it there, so
-// that programmable filters and the Python shell import it with nothing set before.
+// Adds the directory of the Python package, next to the plugin library, to Python's search path.
+// Programmable filters and the Python shell can then import the package without further setup.
 #include "vtkPythonInterpreter.h"
 #include "vtksys/SystemTools.hxx"
 
@@ -14,7 +14,7 @@
 
 namespace
 {
-// Returns the path of the library that holds an address, or nothing.
+// Returns the path of the library that contains an address, or an empty string.
 std::string GetLibraryPath(const void* address)
 {
 #ifdef _WIN32
@@ -25,7 +25,7 @@ std::string GetLibraryPath(const void* address)
 #endif
 }
 
-// The path is added when the plugin is loaded, be Python there already or later.
+// Adds the path when the plugin is loaded. Python may be initialized earlier or later.
 const bool IsAdded = []
 {
   const std::string plugin = vtksys::SystemTools::CollapseFullPath(GetLibraryPath(&IsAdded));

@@ -18,12 +18,12 @@ const char* vtkConstantScalars::GetArrayName()
 
 vtkTrivialProducer* vtkConstantScalars::Update(vtkDataSet* data)
 {
-  if (this->Made == data && this->MadeTime == data->GetMTime())
+  if (this->Source == data && this->SourceTime == data->GetMTime())
   {
     return this->Producer;
   }
-  this->Made = data;
-  this->MadeTime = data->GetMTime();
+  this->Source = data;
+  this->SourceTime = data->GetMTime();
   vtkNew<vtkUnsignedCharArray> zeros;
   zeros->SetName(GetArrayName());
   zeros->SetNumberOfValues(data->GetNumberOfPoints());

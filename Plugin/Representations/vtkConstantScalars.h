@@ -10,9 +10,9 @@ class vtkTrivialProducer;
 
 /**
  * @class   vtkConstantScalars
- * @brief   adds a point array of zeros to a dataset, for mappers that draw scalars
+ * @brief   adds a point array of zeros to a dataset, for mappers that require scalars
  *
- * The array takes a byte a point, and is made anew when the dataset changes.
+ * The array uses one byte per point. It is recreated when the dataset changes.
  */
 class vtkConstantScalars
 {
@@ -23,13 +23,13 @@ public:
   /// Returns the name of the array.
   static const char* GetArrayName();
 
-  /// Returns a shallow copy of \a data with the array.
+  /// Returns a producer of a shallow copy of \a data with the array.
   vtkTrivialProducer* Update(vtkDataSet* data);
 
 private:
-  /// The dataset that the copy was made of.
-  vtkDataSet* Made = nullptr;
-  vtkMTimeType MadeTime = 0;
+  /// Dataset of which the producer has a copy, and its modification time.
+  vtkDataSet* Source = nullptr;
+  vtkMTimeType SourceTime = 0;
   vtkNew<vtkTrivialProducer> Producer;
 };
 

@@ -35,21 +35,21 @@ int vtkCroppedVolumeRepresentation::ProcessViewRequest(
 
 void vtkCroppedVolumeRepresentation::GatherBounds()
 {
-  this->WholeBounds.Reset();
-  // A process without a piece has bounds that are upside down.
+  this->GlobalBounds.Reset();
+  // The bounds are invalid (lower above upper) in a process without data.
   if (vtkMath::AreBoundsInitialized(this->DataBounds))
   {
-    this->WholeBounds.SetBounds(this->DataBounds);
+    this->GlobalBounds.SetBounds(this->DataBounds);
   }
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   if (controller && controller->GetNumberOfProcesses() > 1)
   {
-    const vtkBoundingBox own = this->WholeBounds;
+    const vtkBoundingBox localBounds = this->GlobalBounds;
     double lower[3];
     double upper[3];
-    controller->AllReduce(own.GetMinPoint(), lower, 3, vtkCommunicator::MIN_OP);
-    controller->AllReduce(own.GetMaxPoint(), upper, 3, vtkCommunicator::MAX_OP);
-    this->WholeBounds.SetBounds(lower[0], upper[0], lower[1], upper[1], lower[2], upper[2]);
+    controller->AllReduce(localBounds.GetMinPoint(), lower, 3, vtkCommunicator::MIN_OP);
+    controller->AllReduce(localBounds.GetMaxPoint(), upper, 3, vtkCommunicator::MAX_OP);
+    this->GlobalBounds.SetBounds(lower[0], upper[0], lower[1], upper[1], lower[2], upper[2]);
   }
 }
 
@@ -80,13 +80,14 @@ void vtkCroppedVolumeRepresentation::UpdateMapperParameters()
     return;
   }
   double bounds[6];
-  if (this->WholeBounds.IsValid())
+  if (this->GlobalBounds.IsValid())
   {
-    this->WholeBounds.GetBounds(bounds);
+    this->GlobalBounds.GetBounds(bounds);
   }
   else
   {
-    // No piece is known in a client that draws what servers have.
+    // A client that renders the data of a server has no data from which GatherBounds() computes
+    // bounds.
     this->VolumeMapper->GetBounds(bounds);
   }
   double planes[6];
@@ -101,7 +102,7 @@ void vtkCroppedVolumeRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   double bounds[6];
-  this->WholeBounds.GetBounds(bounds);
-  os << indent << "WholeBounds: " << bounds[0] << ", " << bounds[1] << ", " << bounds[2] << ", "
+  this->GlobalBounds.GetBounds(bounds);
+  os << indent << "GlobalBounds: " << bounds[0] << ", " << bounds[1] << ", " << bounds[2] << ", "
      << bounds[3] << ", " << bounds[4] << ", " << bounds[5] << "\n";
 }

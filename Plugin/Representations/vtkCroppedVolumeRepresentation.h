@@ -3,16 +3,16 @@
 #define vtkCroppedVolumeRepresentation_h
 
 #include "InterlumeRepresentationsModule.h" // for the export macro
-#include "vtkBoundingBox.h"                 // for the box
+#include "vtkBoundingBox.h"                 // for the bounds
 #include "vtkImageVolumeRepresentation.h"
 
 /**
  * @class   vtkCroppedVolumeRepresentation
- * @brief   crops volumes of images to the same box in every process and version of ParaView
+ * @brief   crop image volumes to the same box in every process and ParaView version
  *
- * The box is the bounds of the data, of all processes' pieces, times the cropping scale, about the
- * origin of the coordinates, moved by the cropping origin. ParaView's own volumes crop each
- * process's piece by bounds of its own, and place the box otherwise from one version to the next.
+ * The box is the bounds of the data in all processes, scaled by the cropping scale about the origin
+ * of coordinates, and translated by the cropping origin. ParaView's volume representations use the
+ * bounds of each process's piece, and the position of their box depends on the ParaView version.
  *
  * @sa vtkLitVolumeRepresentation vtkInflowTextureRepresentation
  */
@@ -33,9 +33,9 @@ protected:
 
   void UpdateMapperParameters() override;
 
-  /// Returns the input of a request; null in processes that only show the outline.
+  /// Returns the input of a request, or null in processes without data.
   static vtkDataObject* GetInput(vtkInformationVector** inputVector);
-  /// Executes the request of the superclass with \a image in place of the input.
+  /// Executes RequestData of the superclass with \a image as the input.
   int RequestDataOf(vtkImageData* image, vtkInformation* request,
     vtkInformationVector** inputVector, vtkInformationVector* outputVector);
 
@@ -43,10 +43,12 @@ private:
   vtkCroppedVolumeRepresentation(const vtkCroppedVolumeRepresentation&) = delete;
   void operator=(const vtkCroppedVolumeRepresentation&) = delete;
 
-  /// Takes the bounds of all pieces. All processes that have pieces must call it together.
+  /// Computes the bounds of the pieces of all processes. All processes with data must call it
+  /// together.
   void GatherBounds();
 
-  vtkBoundingBox WholeBounds;
+  /// Bounds of the data in all processes.
+  vtkBoundingBox GlobalBounds;
 };
 
 #endif

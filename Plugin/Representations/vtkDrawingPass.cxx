@@ -46,7 +46,7 @@ void vtkDrawingPass::Set(vtkRenderPass* pass)
   this->Camera->SetDelegatePass(pass);
 }
 
-void vtkDrawingPass::DrawEverywhere()
+void vtkDrawingPass::RenderOnAllProcesses()
 {
 #ifdef INTERLUME_PARAVIEW_HAS_ICET
   if (this->Composite)

@@ -9,29 +9,30 @@ class vtkRenderer;
 
 /**
  * @class   vtkDrawingPass
- * @brief   the place of the pass that draws props, in the passes of a renderer of ParaView
+ * @brief   gets and replaces the render pass that draws props in a ParaView renderer
  *
- * ParaView makes its passes anew whenever a setting of the view changes, so a place is looked for
- * before each picture.
+ * ParaView nests this pass in image-processing, camera and compositing passes. It recreates all
+ * passes when a setting of the view changes. Therefore construct this object for each rendering.
  */
 class vtkDrawingPass
 {
 public:
   explicit vtkDrawingPass(vtkRenderer* renderer);
 
-  /// Returns null where ParaView has no such place.
+  /// Returns the pass, or null if the renderer has no camera pass.
   vtkRenderPass* Get();
+  /// Replaces the pass. Call it only if Get returned a pass.
   void Set(vtkRenderPass* pass);
 
   /**
-   * Has every process draw, also those that have nothing in view: what processes exchange while
-   * they draw needs all of them.
+   * Makes every process render, even if it has no visible data. Use it if the processes exchange
+   * data while they render.
    */
-  void DrawEverywhere();
+  void RenderOnAllProcesses();
 
 private:
   vtkCameraPass* Camera = nullptr;
-  /// Null where ParaView is built without IceT.
+  /// Null if the passes do not composite, or ParaView was built without IceT.
   vtkIceTCompositePass* Composite = nullptr;
 };
 

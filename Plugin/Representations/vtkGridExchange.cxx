@@ -11,14 +11,15 @@ namespace
 {
 constexpr int NUMBER_OF_POINTS = 10000;
 
-/// What a reader says of a grid that it cannot read helps no one here.
-class Silence
+/// Suppresses warnings, because the errors of a reader that fails in this test are irrelevant to
+/// the user.
+class WarningSilencer
 {
 public:
-  Silence() { vtkObject::GlobalWarningDisplayOff(); }
-  ~Silence() { vtkObject::SetGlobalWarningDisplay(this->Display); }
-  Silence(const Silence&) = delete;
-  Silence& operator=(const Silence&) = delete;
+  WarningSilencer() { vtkObject::GlobalWarningDisplayOff(); }
+  ~WarningSilencer() { vtkObject::SetGlobalWarningDisplay(this->Display); }
+  WarningSilencer(const WarningSilencer&) = delete;
+  WarningSilencer& operator=(const WarningSilencer&) = delete;
 
 private:
   const int Display = vtkObject::GetGlobalWarningDisplay();
@@ -33,7 +34,7 @@ bool TryExchange()
   }
   vtkNew<vtkUnstructuredGrid> sent;
   sent->SetPoints(points);
-  const Silence silence;
+  const WarningSilencer silencer;
   diy::MemoryBuffer buffer;
   vtkDIYUtilities::Save(buffer, sent);
   buffer.reset();

@@ -4,16 +4,16 @@
 
 /**
  * @class   vtkGridExchange
- * @brief   tells whether processes can send each other grids
+ * @brief   tests whether processes can send grids to each other
  *
- * VTK sends a grid between processes as XML with raw bytes at its end. Before 9.3 it cannot read
- * that by an expat that defers what it parses (2.6, or 2.5 with that security update):
+ * VTK sends a grid between processes as XML with raw data appended. VTK before 9.3 cannot read this
+ * with versions of expat that defer parsing (2.6, and 2.5 with the security update). See
  * https://gitlab.kitware.com/vtk/vtk/-/issues/19258.
  */
 namespace vtkGridExchange
 {
-/// Tries it once, with a grid that is larger than what the parser takes at a time, within this
-/// process.
+/// Returns true if grids can be sent. The first call tests this: it serializes and reads a grid
+/// within this process. The grid is larger than the parser's buffer.
 bool IsPossible();
 }
 

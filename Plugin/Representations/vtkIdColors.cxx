@@ -18,24 +18,24 @@ namespace
 {
 using Color = std::array<double, 3>;
 
-/// The ten colours of Tableau, in an order in which neighbours differ most.
+/// The ten Tableau colors, ordered so that adjacent colors differ strongly.
 const std::array<Color, 10> PALETTE{ { { { 0.306, 0.475, 0.655 } }, { { 0.949, 0.557, 0.169 } },
   { { 0.349, 0.631, 0.310 } }, { { 0.882, 0.341, 0.349 } }, { { 0.463, 0.718, 0.698 } },
   { { 0.929, 0.788, 0.282 } }, { { 0.690, 0.478, 0.631 } }, { { 0.612, 0.459, 0.373 } },
   { { 1.000, 0.616, 0.655 } }, { { 0.729, 0.690, 0.675 } } } };
 
-constexpr int MOST_IDS = 100;
-/// The width of the change from one band to the next.
-constexpr double SEAM = 1e-3;
+constexpr int MAXIMUM_IDS = 100;
+/// Width of the transition between two bands.
+constexpr double TRANSITION_WIDTH = 1e-3;
 
-/// Returns rows of a position and a colour, as the property RGBPoints has them.
+/// Returns rows of a scalar and a color, in the format of the property RGBPoints.
 std::vector<double> MakeBands(int count)
 {
   std::vector<double> points;
   for (int id = 0; id < count; ++id)
   {
     const Color& color = PALETTE[static_cast<std::size_t>(id) % PALETTE.size()];
-    for (const double end : { id - 0.5 + SEAM, id + 0.5 })
+    for (const double end : { id - 0.5 + TRANSITION_WIDTH, id + 0.5 })
     {
       points.push_back(end);
       points.insert(points.end(), color.begin(), color.end());
@@ -60,8 +60,8 @@ bool HaveSameColors(const std::vector<double>& points, const std::vector<double>
   return true;
 }
 
-/// Returns whether the colours are those of a table that nobody changed, or of fewer ids.
-bool AreFirstColors(vtkSMProxy* colors, const std::vector<double>& points)
+/// Returns true if the colors are ParaView's default, or bands that were set for fewer ids.
+bool AreDefaultColors(vtkSMProxy* colors, const std::vector<double>& points)
 {
   vtkSMProxy* prototype = colors->GetSessionProxyManager()->GetPrototypeProxy(
     colors->GetXMLGroup(), colors->GetXMLName());
@@ -71,11 +71,11 @@ bool AreFirstColors(vtkSMProxy* colors, const std::vector<double>& points)
     return true;
   }
   const auto ids = static_cast<int>(points.size() / 8);
-  return ids <= MOST_IDS && HaveSameColors(points, MakeBands(ids));
+  return ids <= MAXIMUM_IDS && HaveSameColors(points, MakeBands(ids));
 }
 
-/// Returns whether the opacities are the ramp that ParaView begins with.
-bool AreFirstOpacities(const std::vector<double>& points)
+/// Returns true if the opacities are ParaView's default ramp.
+bool AreDefaultOpacities(const std::vector<double>& points)
 {
   return points.size() == 8 && points[1] == 0.0 && points[5] == 1.0;
 }
@@ -83,10 +83,10 @@ bool AreFirstOpacities(const std::vector<double>& points)
 
 void vtkIdColors::Apply(vtkSMProxy* colors, vtkSMProxy* opacities, int count)
 {
-  const std::vector<double> bands = MakeBands(std::clamp(count, 2, MOST_IDS));
+  const std::vector<double> bands = MakeBands(std::clamp(count, 2, MAXIMUM_IDS));
   vtkSMPropertyHelper points(colors, "RGBPoints");
-  const std::vector<double> before = points.GetDoubleArray();
-  if (before.size() != bands.size() && AreFirstColors(colors, before))
+  const std::vector<double> oldPoints = points.GetDoubleArray();
+  if (oldPoints.size() != bands.size() && AreDefaultColors(colors, oldPoints))
   {
     points.Set(bands.data(), static_cast<unsigned int>(bands.size()));
     vtkSMPropertyHelper(colors, "ColorSpace").Set("RGB");
@@ -94,7 +94,7 @@ void vtkIdColors::Apply(vtkSMProxy* colors, vtkSMProxy* opacities, int count)
       .Set(vtkSMTransferFunctionManager::NEVER);
     vtkSMPropertyHelper annotations(colors, "Annotations");
     annotations.SetNumberOfElements(0);
-    for (int id = 0; id < std::min(count, MOST_IDS); ++id)
+    for (int id = 0; id < std::min(count, MAXIMUM_IDS); ++id)
     {
       const auto row = static_cast<unsigned int>(2 * id);
       annotations.Set(row, std::to_string(id).c_str());
@@ -104,7 +104,7 @@ void vtkIdColors::Apply(vtkSMProxy* colors, vtkSMProxy* opacities, int count)
   }
   vtkSMPropertyHelper ramp(opacities, "Points");
   std::vector<double> flat = ramp.GetDoubleArray();
-  if (AreFirstOpacities(flat))
+  if (AreDefaultOpacities(flat))
   {
     flat[1] = vtkVolumeFunctions::FLAT_OPACITY;
     flat[5] = vtkVolumeFunctions::FLAT_OPACITY;

@@ -6,15 +6,16 @@ class vtkSMProxy;
 
 /**
  * @class   vtkIdColors
- * @brief   gives the ids 0, 1, .. of an array a colour each, and all the same opacity
+ * @brief   assigns a color to each id 0, 1, ... of an array, and the same opacity to all
  *
- * Only functions that are as ParaView made them are changed, and colours that were set here, for
- * more ids. The colours of a table are bands around the ids, so that setting its RGBPoints works as
- * ever; the ids are its annotations. Its range is no longer rescaled by itself.
+ * Only unmodified default functions, and colors that an earlier call set for fewer ids, are
+ * replaced. The color map has one band per id, so the user can still edit the colors as RGBPoints.
+ * The annotations are the ids. Automatic rescaling of its range is turned off.
  */
 namespace vtkIdColors
 {
-/// Colours the \a count first ids; at most as many as have colours of their own are told apart.
+/// Sets colors and opacities for the ids below \a count, which is clamped to the range from 2 to
+/// 100. Colors repeat after ten ids.
 void Apply(vtkSMProxy* colors, vtkSMProxy* opacities, int count);
 }
 

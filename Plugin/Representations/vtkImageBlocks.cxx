@@ -15,18 +15,20 @@ namespace
 {
 using Images = std::vector<vtkImageData*>;
 
-/// The distance, in spacings, by which samples may be off the lattice of the first image.
+/// Maximum distance of a sample from the grid of the first image, in units of the spacing.
 constexpr double TOLERANCE = 1e-3;
-constexpr double FARTHEST = 1e9;
+/// Limit of sample indices, so that they fit in an int.
+constexpr double MAXIMUM_INDEX = 1e9;
 
-/// The first and last sample of a box along each axis, and how its samples or cells are counted.
+/// Index box of an image: its first and last sample along each axis.
 class Box
 {
 public:
   std::array<int, 6> Extent;
 
   int First(std::size_t axis) const { return this->Extent[2 * axis]; }
-  /// Returns a number of samples or cells; as in VTK, a flat image has a layer of cells.
+  /// Returns the number of samples or cells along an axis. As in VTK, an axis with a single sample
+  /// has one layer of cells.
   int Count(std::size_t axis, bool ofPoints) const
   {
     const int cells = this->Extent[2 * axis + 1] - this->Extent[2 * axis];
@@ -37,6 +39,7 @@ public:
     return static_cast<vtkIdType>(this->Count(0, ofPoints)) * this->Count(1, ofPoints) *
       this->Count(2, ofPoints);
   }
+  /// Extends this box so that it contains the other.
   void Add(const Box& other)
   {
     for (std::size_t i = 0; i < 6; i += 2)
@@ -46,27 +49,28 @@ public:
     }
   }
 
-  /// Calls \a visit with each row along x of \a part, with where it begins here and where in the
-  /// part.
+  /// Calls \a visit for each row of \a box along x, with the index of the row's first element in
+  /// this box and in \a box.
   template <typename Visit>
-  void VisitRows(const Box& part, bool ofPoints, const Visit& visit) const
+  void VisitRows(const Box& box, bool ofPoints, const Visit& visit) const
   {
     vtkIdType row = 0;
-    for (int k = 0; k < part.Count(2, ofPoints); ++k)
+    for (int k = 0; k < box.Count(2, ofPoints); ++k)
     {
-      for (int j = 0; j < part.Count(1, ofPoints); ++j)
+      for (int j = 0; j < box.Count(1, ofPoints); ++j)
       {
-        const vtkIdType z = part.First(2) - this->First(2) + k;
-        const vtkIdType y = part.First(1) - this->First(1) + j;
-        const vtkIdType x = part.First(0) - this->First(0);
+        const vtkIdType z = box.First(2) - this->First(2) + k;
+        const vtkIdType y = box.First(1) - this->First(1) + j;
+        const vtkIdType x = box.First(0) - this->First(0);
         visit(x + this->Count(0, ofPoints) * (y + this->Count(1, ofPoints) * z), row);
-        row += part.Count(0, ofPoints);
+        row += box.Count(0, ofPoints);
       }
     }
   }
 };
 
-/// Finds where the image lies on the lattice of \a first. Returns false if it is on another one.
+/// Computes the index box of the image on the grid of \a first. Returns false if its samples are
+/// not on that grid.
 bool FindBox(vtkImageData* image, vtkImageData* first, Box& box)
 {
   const double* directions = image->GetDirectionMatrix()->GetData();
@@ -83,36 +87,36 @@ bool FindBox(vtkImageData* image, vtkImageData* first, Box& box)
   {
     const int cells = extent[2 * axis + 1] - extent[2 * axis];
     const double ratio = image->GetSpacing()[axis] / first->GetSpacing()[axis];
-    const double place = std::round(index[axis]);
-    if (!(std::abs(place - index[axis]) <= TOLERANCE) || !(std::abs(place) < FARTHEST) ||
+    const double position = std::round(index[axis]);
+    if (!(std::abs(position - index[axis]) <= TOLERANCE) || !(std::abs(position) < MAXIMUM_INDEX) ||
       !(std::abs(ratio - 1.0) * std::max(cells, 1) <= TOLERANCE))
     {
       return false;
     }
-    box.Extent[2 * axis] = static_cast<int>(place);
-    box.Extent[2 * axis + 1] = static_cast<int>(place) + cells;
+    box.Extent[2 * axis] = static_cast<int>(position);
+    box.Extent[2 * axis + 1] = static_cast<int>(position) + cells;
   }
   return true;
 }
 
-/// Returns whether each cell of the whole is in one of the parts, and in one alone.
-bool FillOnce(const Box& whole, const std::vector<Box>& parts)
+/// Returns true if each cell of \a joinedBox is in exactly one of the boxes.
+bool FillExactlyOnce(const Box& joinedBox, const std::vector<Box>& boxes)
 {
   vtkIdType cells = 0;
-  for (const Box& part : parts)
+  for (const Box& box : boxes)
   {
-    cells += part.Count(false);
+    cells += box.Count(false);
   }
-  if (cells != whole.Count(false))
+  if (cells != joinedBox.Count(false))
   {
     return false;
   }
   std::vector<bool> isFilled(static_cast<std::size_t>(cells), false);
-  for (const Box& part : parts)
+  for (const Box& box : boxes)
   {
-    whole.VisitRows(part, false,
+    joinedBox.VisitRows(box, false,
       [&](vtkIdType begin, vtkIdType)
-      { std::fill_n(isFilled.begin() + begin, part.Count(0, false), true); });
+      { std::fill_n(isFilled.begin() + begin, box.Count(0, false), true); });
   }
   return std::find(isFilled.begin(), isFilled.end(), false) == isFilled.end();
 }
@@ -123,8 +127,8 @@ vtkDataSetAttributes* GetAttributes(vtkImageData* image, bool ofPoints)
                   : image->GetCellData();
 }
 
-/// Returns the arrays of \a name, one for each image; empty where one image has none, or one of
-/// another kind.
+/// Returns the array \a name of each image. Returns an empty list if an image lacks this array, or
+/// if the types or numbers of components differ.
 std::vector<vtkDataArray*> FindArrays(const Images& images, const char* name, bool ofPoints)
 {
   std::vector<vtkDataArray*> arrays;
@@ -143,7 +147,8 @@ std::vector<vtkDataArray*> FindArrays(const Images& images, const char* name, bo
   return arrays;
 }
 
-void JoinArrays(const Images& images, const std::vector<Box>& parts, const Box& whole,
+/// Adds the arrays that all images have to the joined image.
+void JoinArrays(const Images& images, const std::vector<Box>& boxes, const Box& joinedBox,
   vtkImageData* joined, bool ofPoints)
 {
   vtkDataSetAttributes* first = GetAttributes(images[0], ofPoints);
@@ -157,34 +162,34 @@ void JoinArrays(const Images& images, const std::vector<Box>& parts, const Box& 
     const auto values = vtkSmartPointer<vtkDataArray>::Take(arrays[0]->NewInstance());
     values->SetName(arrays[0]->GetName());
     values->SetNumberOfComponents(arrays[0]->GetNumberOfComponents());
-    values->SetNumberOfTuples(whole.Count(ofPoints));
+    values->SetNumberOfTuples(joinedBox.Count(ofPoints));
     for (std::size_t i = 0; i < images.size(); ++i)
     {
-      whole.VisitRows(parts[i], ofPoints,
+      joinedBox.VisitRows(boxes[i], ofPoints,
         [&](vtkIdType begin, vtkIdType row)
-        { values->InsertTuples(begin, parts[i].Count(0, ofPoints), row, arrays[i]); });
+        { values->InsertTuples(begin, boxes[i].Count(0, ofPoints), row, arrays[i]); });
     }
     GetAttributes(joined, ofPoints)->AddArray(values);
   }
 }
 
-/// Returns the images as one; null if they do not fill a box.
+/// Returns the joined image, or null if the images do not fill a box.
 vtkSmartPointer<vtkImageData> Join(const Images& images)
 {
-  std::vector<Box> parts(images.size());
+  std::vector<Box> boxes(images.size());
   for (std::size_t i = 0; i < images.size(); ++i)
   {
-    if (!FindBox(images[i], images[0], parts[i]))
+    if (!FindBox(images[i], images[0], boxes[i]))
     {
       return nullptr;
     }
   }
-  Box whole = parts[0];
-  for (const Box& part : parts)
+  Box joinedBox = boxes[0];
+  for (const Box& box : boxes)
   {
-    whole.Add(part);
+    joinedBox.Add(box);
   }
-  if (!FillOnce(whole, parts))
+  if (!FillExactlyOnce(joinedBox, boxes))
   {
     return nullptr;
   }
@@ -192,19 +197,19 @@ vtkSmartPointer<vtkImageData> Join(const Images& images)
   joined->SetOrigin(images[0]->GetOrigin());
   joined->SetSpacing(images[0]->GetSpacing());
   joined->SetDirectionMatrix(images[0]->GetDirectionMatrix());
-  joined->SetExtent(whole.Extent.data());
-  JoinArrays(images, parts, whole, joined, true);
-  JoinArrays(images, parts, whole, joined, false);
+  joined->SetExtent(joinedBox.Extent.data());
+  JoinArrays(images, boxes, joinedBox, joined, true);
+  JoinArrays(images, boxes, joinedBox, joined, false);
   return joined;
 }
 }
 
-vtkImageBlocks::vtkImageBlocks(const std::vector<vtkDataSet*>& parts)
+vtkImageBlocks::vtkImageBlocks(const std::vector<vtkDataSet*>& datasets)
 {
   Images images;
-  for (vtkDataSet* part : parts)
+  for (vtkDataSet* dataset : datasets)
   {
-    auto* image = vtkImageData::SafeDownCast(part);
+    auto* image = vtkImageData::SafeDownCast(dataset);
     if (image && image->GetNumberOfPoints() > 0)
     {
       images.push_back(image);
@@ -214,14 +219,14 @@ vtkImageBlocks::vtkImageBlocks(const std::vector<vtkDataSet*>& parts)
   {
     return;
   }
-  this->LeftOut = parts.size() - images.size();
+  this->Skipped = datasets.size() - images.size();
   this->Image = images.size() > 1 ? Join(images) : vtkSmartPointer<vtkImageData>(images[0]);
   if (!this->Image)
   {
     this->Image = *std::max_element(images.begin(), images.end(),
       [](vtkImageData* a, vtkImageData* b)
       { return a->GetNumberOfPoints() < b->GetNumberOfPoints(); });
-    this->LeftOut += images.size() - 1;
+    this->Skipped += images.size() - 1;
   }
 }
 

@@ -12,27 +12,28 @@ class vtkImageData;
 
 /**
  * @class   vtkImageBlocks
- * @brief   makes one image of those of a composite dataset
+ * @brief   joins the images of a composite dataset into one image
  *
- * Images that fill a box together, on one lattice of samples and without overlap, are joined, with
- * the arrays that all of them have. Otherwise the image with the most samples stands for all.
+ * Images are joined if they fill a box without overlap and their samples are on one regular grid.
+ * The joined image has the arrays that all images have. Otherwise, only the image with the most
+ * samples is used.
  */
 class vtkImageBlocks
 {
 public:
-  /// Joins the images among \a parts; leaves out other datasets, and null.
-  explicit vtkImageBlocks(const std::vector<vtkDataSet*>& parts);
+  /// Joins the images in \a datasets. Skips other datasets and null.
+  explicit vtkImageBlocks(const std::vector<vtkDataSet*>& datasets);
   ~vtkImageBlocks();
 
-  /// Returns the image; null without one.
+  /// Returns the image, or null if there is none.
   vtkImageData* GetImage() const { return this->Image; }
 
-  /// Returns how many of the parts are not in the image.
-  std::size_t GetNumberLeftOut() const { return this->LeftOut; }
+  /// Returns the number of datasets that are not part of the image.
+  std::size_t GetNumberOfSkippedDatasets() const { return this->Skipped; }
 
 private:
   vtkSmartPointer<vtkImageData> Image;
-  std::size_t LeftOut = 0;
+  std::size_t Skipped = 0;
 };
 
 #endif

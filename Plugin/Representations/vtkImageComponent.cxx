@@ -27,11 +27,11 @@ vtkTrivialProducer* vtkImageComponent::Update(
   vtkImageData* image, vtkDataArray* array, bool isOfPoints, int component)
 {
   const Key key{ array, array->GetMTime(), image->GetMTime(), isOfPoints, component };
-  if (this->Made == key)
+  if (this->LastKey == key)
   {
     return this->Producer;
   }
-  this->Made = key;
+  this->LastKey = key;
   const int type = array->GetDataType() == VTK_DOUBLE ? VTK_DOUBLE : VTK_FLOAT;
   const auto values = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
   values->SetName(array->GetName());

@@ -14,10 +14,10 @@ class vtkTrivialProducer;
 
 /**
  * @class   vtkImageComponent
- * @brief   an image with one component of an array, or the array's magnitude
+ * @brief   extracts one component of an image array, or its magnitude
  *
- * ParaView colours by arrays of several components like this. The image is made anew when the array
- * or the choice changes.
+ * In ParaView, this component or magnitude determines the color of an array with several
+ * components. The image is recomputed when the array or the component changes.
  */
 class vtkImageComponent
 {
@@ -26,15 +26,16 @@ public:
   ~vtkImageComponent();
 
   /**
-   * Computes the image from \a array of \a image, into floats, or doubles where the array has
-   * doubles. \a component below 0 is the magnitude. The result has that array alone, of the same
-   * name, at points if \a isOfPoints, else at cells. Threads share the work.
+   * Returns a producer of an image with the geometry of \a image and one array, which has the name
+   * of \a array. Its values are the component, or the magnitude if \a component is below 0, as
+   * float, or double if \a array is double. It is a point array if \a isOfPoints, otherwise a cell
+   * array.
    */
   vtkTrivialProducer* Update(
     vtkImageData* image, vtkDataArray* array, bool isOfPoints, int component);
 
 private:
-  /// The arguments that the image was made from.
+  /// Arguments of the last Update.
   struct Key
   {
     vtkDataArray* Array = nullptr;
@@ -44,7 +45,7 @@ private:
     int Component = 0;
     bool operator==(const Key& other) const;
   };
-  Key Made;
+  Key LastKey;
   vtkNew<vtkTrivialProducer> Producer;
 };
 

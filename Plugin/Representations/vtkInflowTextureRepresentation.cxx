@@ -62,11 +62,11 @@ void vtkInflowTextureRepresentation::SetDefaultOpacity(double opacity)
   this->Mapper->SetDefaultColor(color[0], color[1], color[2], opacity);
 }
 
-void vtkInflowTextureRepresentation::SetPulseLength(double share)
+void vtkInflowTextureRepresentation::SetPulseLength(double fraction)
 {
-  const double end = std::clamp(share, 0.0, 1.0);
+  const double end = std::clamp(fraction, 0.0, 1.0);
   this->Gate->RemoveAllPoints();
-  // A step, of the sharpness 1 in its middle.
+  // The sharpness of 1 makes the function piecewise constant.
   this->Gate->AddPoint(0.0, end > 0.0 ? 1.0 : 0.0, 0.0, 1.0);
   this->Gate->AddPoint(end, end > 0.0 ? 1.0 : 0.0, 0.0, 1.0);
   this->Gate->AddPoint(1.0, 0.0);
@@ -102,26 +102,27 @@ int vtkInflowTextureRepresentation::RequestData(
   auto* image = vtkImageData::SafeDownCast(input);
   if (image && image->GetPointData()->GetNumberOfArrays() == 0)
   {
-    vtkErrorMacro("The image has no point arrays; Inflow Textures draws those of an implicit flow "
-                  "field.");
+    vtkErrorMacro("The image has no point arrays. Inflow Textures requires the arrays that the "
+                  "Implicit Flow Field filter generates, such as TerminationUV. Apply that filter "
+                  "first, with Image as its Sample Mode.");
   }
   if (!input || image)
   {
     return this->Superclass::RequestData(request, inputVector, outputVector);
   }
-  vtkErrorMacro("Inflow Textures draws images; the input is a "
-    << input->GetClassName() << ". Choose Image for the Sample Mode of the implicit flow field.");
+  vtkErrorMacro("Inflow Textures requires an image, but the input is a "
+    << input->GetClassName() << ". Set Sample Mode of the Implicit Flow Field filter to Image.");
   return this->RequestDataOf(vtkNew<vtkImageData>(), request, inputVector, outputVector);
 }
 
 void vtkInflowTextureRepresentation::UpdateMapperParameters()
 {
   this->Superclass::UpdateMapperParameters();
-  // ParaView's volume draws nothing unless the mapper has an array that is there; this mapper takes
-  // its arrays by their names, and says itself which of them are missing.
+  // The superclass renders nothing unless the mapper has a valid array. This mapper finds its
+  // arrays by name and reports missing ones, so select any array.
   this->Mapper->SetScalarModeToUsePointFieldData();
   this->Mapper->SelectScalarArray(0);
-  // The superclass hides what has no array to colour by.
+  // The superclass hides the actor if there is no color array.
   this->Actor->SetVisibility(this->GetVisibility());
   this->Mapper->SetInflowTexture(
     vtkImplicitFlowVolumeMapper::ALL, vtkTextureImage(this->InflowTexture));

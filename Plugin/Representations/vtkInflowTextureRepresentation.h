@@ -15,15 +15,14 @@ class vtkTexture;
 
 /**
  * @class   vtkInflowTextureRepresentation
- * @brief   shows implicit flow fields in ParaView by vtkImplicitFlowVolumeMapper
+ * @brief   render implicit flow fields in ParaView with vtkImplicitFlowVolumeMapper
  *
- * Input: a vtkImageData with the arrays of vtkImplicitFlowField; without them the mapper's error
- * says which are missing, and nothing is drawn. Other datasets are an error, and nothing is drawn.
- * Colours are those of images that are painted on the termination surfaces; ParaView's array to
- * colour by has no part.
+ * Input: a vtkImageData with the arrays of vtkImplicitFlowField. The colors come from images on the
+ * termination surfaces; ParaView's color array is ignored. With several processes, each process
+ * renders its piece of the data, and ParaView composites the images in visibility order.
  *
- * With several processes each draws its piece of the data, and ParaView composites the pictures in
- * order.
+ * Errors (vtkErrorMacro, nothing is drawn): an input that is not an image; missing arrays, which
+ * the mapper reports by name.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkInflowTextureRepresentation
   : public vtkCroppedVolumeRepresentation
@@ -34,15 +33,16 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Sets the mapper, before the representation is in a view. ParaView sets its own values on it.
-   * Default a new one.
+   * Set the mapper before the representation is added to a view. ParaView sets the mapper's
+   * properties directly. Default: a new mapper.
    */
   void SetMapper(vtkImplicitFlowVolumeMapper* mapper);
 
   ///@{
   /**
-   * The images on all surfaces, on the surface of SurfaceId alone, and that of the details. Default
-   * none, none, 0, none. Valid ids: 0 and above; clamped.
+   * Set the image on all termination surfaces, another image for one surface, the id of this
+   * surface, and the detail image. Null removes an image. Default: null, null, 0, null. Valid ids:
+   * 0 and above; clamped.
    */
   void SetInflowTexture(vtkTexture* texture);
   void SetSurfaceTexture(vtkTexture* texture);
@@ -52,30 +52,33 @@ public:
 
   ///@{
   /**
-   * Colour and opacity of surfaces without an image: the mapper's DefaultColor.
+   * Set the color and opacity of surfaces without an image (DefaultColor of the mapper).
    */
   void SetDefaultColor(double red, double green, double blue);
   void SetDefaultOpacity(double opacity);
   ///@}
 
   /**
-   * The share of each period in which paint is put in, from its start: a TimeGate of the mapper
-   * that is 1 for that long and then 0. Default 1: always, without a gate. Valid: 0 to 1; clamped.
+   * Set the fraction of each time period, from its start, during which color is injected on the
+   * termination surfaces. It sets a TimeGate of the mapper that is 1 during the pulse and 0 after
+   * it; with a fraction of 1 there is no gate. Default: 1. Valid: 0 to 1; clamped.
    */
-  void SetPulseLength(double share);
+  void SetPulseLength(double fraction);
 
   ///@{
   /**
-   * Whether a further array takes part in opacity, which (the first four numbers have no meaning),
-   * and the values from which and up to which opacity grows from none to all. A range that falls
-   * has most at lower values. Default no, none, 0, 1. Valid ranges: finite.
+   * Multiply opacity by a factor from a point array. The factor increases linearly from 0 to 1
+   * between the two values of the range; if the first value is larger, lower values are more
+   * opaque. The first four arguments of SelectInflowOpacityArray are ignored. Default: off, no
+   * array, range (0, 1). Valid: finite ranges.
    */
   void SetUseOpacityArray(bool use);
   void SelectInflowOpacityArray(int, int, int, int, const char* name);
   void SetOpacityRange(double from, double to);
   ///@}
 
-  /// The array that shades where Shade is on; the first four numbers have no meaning. Default none.
+  /// Select the array that determines the shading if Shade is on. The first four arguments are
+  /// ignored. Default: none.
   void SelectShadingArray(int, int, int, int, const char* name);
 
 protected:

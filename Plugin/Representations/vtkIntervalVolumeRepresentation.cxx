@@ -34,8 +34,8 @@ namespace
 {
 const char* const MAPPER_NAME = "Interlume";
 const char* const AUTOMATIC_DELTA_T = "DeltaT";
-/// The largest number of components that are colours: with more, they are drawn by the functions.
-constexpr int MOST_COLOR_COMPONENTS = 4;
+/// Arrays with more components are not colors; the transfer functions are used instead.
+constexpr int MAXIMUM_COLOR_COMPONENTS = 4;
 }
 
 vtkStandardNewMacro(vtkIntervalVolumeRepresentation);
@@ -70,7 +70,7 @@ bool vtkIntervalVolumeRepresentation::AddToView(vtkView* view)
   }
   this->ViewRenderer = vtkPVRenderView::SafeDownCast(view)->GetRenderer();
   this->Observer = this->ViewRenderer->AddObserver(
-    vtkCommand::StartEvent, this, &vtkIntervalVolumeRepresentation::StartPicture);
+    vtkCommand::StartEvent, this, &vtkIntervalVolumeRepresentation::OnRenderStart);
   return true;
 }
 
@@ -84,11 +84,11 @@ bool vtkIntervalVolumeRepresentation::RemoveFromView(vtkView* view)
   return this->Superclass::RemoveFromView(view);
 }
 
-void vtkIntervalVolumeRepresentation::StartPicture()
+void vtkIntervalVolumeRepresentation::OnRenderStart()
 {
-  if (this->IsOnePicture && this->GetVisibility())
+  if (this->IsSingleImage && this->GetVisibility())
   {
-    vtkDrawingPass(this->ViewRenderer).DrawEverywhere();
+    vtkDrawingPass(this->ViewRenderer).RenderOnAllProcesses();
   }
 }
 
@@ -143,7 +143,7 @@ int vtkIntervalVolumeRepresentation::ProcessViewRequest(
   }
   if (request == vtkPVView::REQUEST_UPDATE())
   {
-    this->KeepPieces(inInfo);
+    this->ConfigureCompositing(inInfo);
   }
   if (request != vtkPVView::REQUEST_RENDER())
   {
@@ -152,16 +152,16 @@ int vtkIntervalVolumeRepresentation::ProcessViewRequest(
   const bool isReduced = inInfo->Has(vtkPVRenderView::USE_LOD()) != 0;
   if (!this->Actor->GetMapper() && vtkPieceProcesses::Find(this->GetView(), isReduced))
   {
-    // A process without data takes part in the picture.
-    vtkNew<vtkUnstructuredGrid> nothing;
-    this->Mapper->SetInputData(nothing);
+    // A process without data participates in the compositing with an empty grid.
+    vtkNew<vtkUnstructuredGrid> emptyGrid;
+    this->Mapper->SetInputData(emptyGrid);
     this->Actor->SetMapper(this->Mapper);
   }
   if (this->Actor->GetMapper())
   {
     vtkDataArray* scalars = this->FindScalars();
     this->Functions->Apply(this->Property, scalars != nullptr);
-    if (scalars && scalars->GetNumberOfComponents() > MOST_COLOR_COMPONENTS)
+    if (scalars && scalars->GetNumberOfComponents() > MAXIMUM_COLOR_COMPONENTS)
     {
       this->Property->SetIndependentComponents(true);
     }
@@ -178,7 +178,7 @@ int vtkIntervalVolumeRepresentation::ProcessViewRequest(
   return 1;
 }
 
-void vtkIntervalVolumeRepresentation::KeepPieces(vtkInformation* view)
+void vtkIntervalVolumeRepresentation::ConfigureCompositing(vtkInformation* view)
 {
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
   if (!controller || controller->GetNumberOfProcesses() == 1)
@@ -186,20 +186,21 @@ void vtkIntervalVolumeRepresentation::KeepPieces(vtkInformation* view)
     return;
   }
   auto* piece = vtkDataSet::SafeDownCast(this->Preprocessor->GetOutputDataObject(0));
-  this->AreInTime = vtkPieceProcesses::IsAnywhere(controller, this->Mapper->HasExtentInTime(piece));
-  this->AreApart = vtkPieceProcesses::AreApart(controller, this->DataBounds);
+  this->HaveExtentInTime =
+    vtkPieceProcesses::IsAnywhere(controller, this->Mapper->HasExtentInTime(piece));
+  this->AreBoundsDisjoint = vtkPieceProcesses::AreDisjoint(controller, this->DataBounds);
   const int blend = this->Mapper->GetBlendMode();
   const bool isOrdered = blend == vtkUnstructuredGridVolumeMapper::COMPOSITE_BLEND ||
-    (blend == vtkTimeWeightedTetrahedraMapper::AUTOMATIC_BLEND && !this->AreInTime);
-  if (this->AreApart || !vtkGridExchange::IsPossible())
+    (blend == vtkTimeWeightedTetrahedraMapper::AUTOMATIC_BLEND && !this->HaveExtentInTime);
+  if (this->AreBoundsDisjoint || !vtkGridExchange::IsPossible())
   {
     vtkPVRenderView::SetOrderedCompositingConfiguration(
       view, this, vtkPVRenderView::USE_BOUNDS_FOR_REDISTRIBUTION, this->DataBounds);
   }
-  else if (!isOrdered || this->AreInTime)
+  else if (!isOrdered || this->HaveExtentInTime)
   {
-    // Surfaces are put in order, pieces stay: ParaView would make points one that are at the same
-    // place at different times.
+    // Keep the pieces, and let ParaView order surfaces only. Redistribution would merge points that
+    // have equal positions but different times.
     vtkPVRenderView::SetOrderedCompositingConfiguration(
       view, this, vtkPVRenderView::USE_DATA_FOR_LOAD_BALANCING);
   }
@@ -210,9 +211,9 @@ void vtkIntervalVolumeRepresentation::GatherPieces(bool isReduced)
   vtkMultiProcessController* controller = vtkPieceProcesses::Find(this->GetView(), isReduced);
   const bool hasDisplays = vtkPieceProcesses::HaveDisplays();
   auto* view = vtkPVRenderView::SafeDownCast(this->GetView());
-  this->IsOnePicture = this->Mapper->GatherPieces(
+  this->IsSingleImage = this->Mapper->GatherPieces(
     hasDisplays ? nullptr : controller, view ? view->GetRenderWindow() : nullptr);
-  if (!controller || this->IsOnePicture)
+  if (!controller || this->IsSingleImage)
   {
     return;
   }
@@ -220,35 +221,34 @@ void vtkIntervalVolumeRepresentation::GatherPieces(bool isReduced)
   if (blend != vtkUnstructuredGridVolumeMapper::COMPOSITE_BLEND && hasDisplays)
   {
     this->WarnOnce(
-      "On tiled displays and in caves each process draws its own cells: in blend modes "
-      "other than Composite, colours before each other are wrong where cells of several "
-      "processes lie on a line of sight.");
+      "On tiled displays and in caves, each process renders its own cells only. With a BlendMode "
+      "other than Composite, colors are wrong where cells of several processes overlap in the "
+      "image. Use "
+      "Composite, or render with one process.");
   }
-  else if (blend == vtkUnstructuredGridVolumeMapper::COMPOSITE_BLEND && this->AreInTime)
-  {
-    this->WarnOnce("Tetrahedra with an extent in time overlap and have no order, so that the blend "
-                   "mode Composite gives another picture for every number of processes. Automatic "
-                   "and Optical Depth give the same.");
-  }
-  else if (!this->AreApart && !vtkGridExchange::IsPossible())
+  else if (blend == vtkUnstructuredGridVolumeMapper::COMPOSITE_BLEND && this->HaveExtentInTime)
   {
     this->WarnOnce(
-      "These processes cannot send each other grids: VTK before 9.3 (ParaView before 5.12) does "
-      "not "
-      "read them with the expat library that is installed (VTK issue 19258). In the blend mode "
-      "Composite, Interval Volume draws the cells of each process where they are, one process "
-      "after "
-      "the other from back to front: where boxes around the cells of two processes overlap, "
-      "colours "
-      "there may be in the wrong order.");
+      "Tetrahedra with an extent in time overlap and have no order. With the BlendMode "
+      "Composite, the image therefore depends on the number of processes. Use "
+      "Automatic or Optical Depth instead.");
+  }
+  else if (!this->AreBoundsDisjoint && !vtkGridExchange::IsPossible())
+  {
+    this->WarnOnce(
+      "These processes cannot send each other grids, because VTK before 9.3 (ParaView before 5.12) "
+      "does not read them with the installed expat library (VTK issue 19258). Interval Volume "
+      "renders the cells of each process in place, and composites the processes from back to "
+      "front. With the BlendMode Composite, colors may be in the wrong order where the bounds of "
+      "two processes overlap. Use another BlendMode, or a newer ParaView.");
   }
 }
 
 void vtkIntervalVolumeRepresentation::WarnOnce(const std::string& text)
 {
-  static std::set<std::string> said;
+  static std::set<std::string> issued;
   vtkMultiProcessController* controller = vtkMultiProcessController::GetGlobalController();
-  if (controller->GetLocalProcessId() == 0 && said.insert(text).second)
+  if (controller->GetLocalProcessId() == 0 && issued.insert(text).second)
   {
     vtkWarningMacro(<< text);
   }

@@ -8,7 +8,7 @@
 #include "vtkUnstructuredGridVolumeRepresentation.h"
 #include "vtkWeakPointer.h" // for the renderer
 
-#include <memory> // for what it is made of
+#include <memory> // for members
 #include <string> // for warnings
 
 class vtkColorTransferFunction;
@@ -22,23 +22,27 @@ class vtkVolumeFunctions;
 
 /**
  * @class   vtkIntervalVolumeRepresentation
- * @brief   shows unstructured grids in ParaView by vtkTimeWeightedTetrahedraMapper
+ * @brief   render unstructured grids in ParaView with vtkTimeWeightedTetrahedraMapper
  *
- * Input: a vtkUnstructuredGrid or a composite dataset of them; cells that are no tetrahedra are cut
- * into tetrahedra. Colour and opacity are ParaView's: the array to colour by, of points or cells,
- * with its colour and opacity functions, and the unit distance of the opacity. Without an array to
- * colour by, or where the data lack it, the solid colour is drawn with one opacity (see
+ * Input: a vtkUnstructuredGrid or a composite dataset of them. Cells other than tetrahedra are
+ * split into tetrahedra. Color and opacity are set as for ParaView's Volume: a point or cell array,
+ * its color and opacity functions, and the unit distance of the opacity. If there is no color
+ * array, or the data lack it, the solid color and a constant opacity are used (see
  * vtkVolumeFunctions).
  *
- * With several processes the blend modes that need no order make one picture of all pieces,
- * wherever these are (see vtkTimeWeightedTetrahedraMapper::GatherPieces), the same as with one
- * process; so does COMPOSITE_BLEND of pieces in boxes that planes part, where the processes draw in
- * software. Elsewhere ParaView lays the pictures of the processes over each other for
- * COMPOSITE_BLEND, each rounded to 8 bits, and redistributes the tetrahedra before where the boxes
- * around pieces overlap; what straddles two regions is then drawn in one of them. Where the
- * processes cannot send each other grids (see vtkGridExchange), each draws its own; that, and
- * tetrahedra with an extent in time, which overlap and have no order, is warned of once. On a tiled
- * display pieces make no picture together, with a warning.
+ * **Several processes.** Blend modes that do not depend on order produce the same image as a single
+ * process, for any distribution of the pieces (see vtkTimeWeightedTetrahedraMapper::GatherPieces).
+ * COMPOSITE_BLEND does so too if planes separate the boxes of the pieces and all processes render
+ * in software. Otherwise, ParaView composites the images of the processes in visibility order, with
+ * 8 bits per channel. If the boxes of the pieces overlap, it redistributes the tetrahedra first,
+ * and a tetrahedron that extends into two regions is rendered in one of them.
+ *
+ * Warnings (vtkWarningMacro, once per session) if the image may be incorrect:
+ * - The processes cannot send grids to each other (see vtkGridExchange).
+ * - COMPOSITE_BLEND is used for tetrahedra with an extent in time, which overlap and have no
+ *   visibility order.
+ * - Another blend mode is used on a tiled display or in a cave, where each process renders only its
+ *   own cells.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkIntervalVolumeRepresentation
   : public vtkUnstructuredGridVolumeRepresentation
@@ -50,8 +54,8 @@ public:
 
   ///@{
   /**
-   * Set the functions of the array to colour by; all opacities are multiplied by Opacity, 0 to 1,
-   * default 1.
+   * Set the color and opacity functions of the color array. All opacities are multiplied by
+   * Opacity. Default: 1. Valid: 0 to 1; clamped.
    */
   void SetColor(vtkColorTransferFunction* color);
   void SetScalarOpacity(vtkPiecewiseFunction* opacity);
@@ -59,19 +63,20 @@ public:
   ///@}
 
   /**
-   * Sets the colour without an array to colour by. Default white.
+   * Set the color that is used if there is no color array. Default: white.
    */
   void SetSolidColor(double red, double green, double blue);
 
   /**
-   * Sets the mapper, before the representation is in a view. ParaView sets its own values on it.
-   * Default a new one.
+   * Set the mapper before the representation is added to a view. ParaView sets the mapper's
+   * properties directly. Default: a new mapper.
    */
   void SetMapper(vtkTimeWeightedTetrahedraMapper* mapper);
 
   /**
-   * The name of the point array with the extent in time. `DeltaT`, the default: that array where
-   * the input has it, else 1 everywhere. The empty name: 1 everywhere.
+   * Set the name of the point array with the extent in time. `DeltaT` selects the array of this
+   * name if the input has it, and otherwise an extent of 1 everywhere. An empty name selects an
+   * extent of 1 everywhere. Default: `DeltaT`.
    */
   void SetDeltaTArrayName(const char* name);
 
@@ -79,7 +84,8 @@ public:
     vtkInformationRequestKey* request, vtkInformation* inInfo, vtkInformation* outInfo) override;
 
   using Superclass::GetInternalOutputPort;
-  /// Returns a partitioned dataset as a collection of one, in which the superclass finds blocks.
+  /// Return the output port. Partitioned datasets are wrapped in a collection, because the
+  /// superclass finds blocks only in collections.
   vtkAlgorithmOutput* GetInternalOutputPort(int port, int connection) override;
 
 protected:
@@ -93,30 +99,31 @@ private:
   vtkIntervalVolumeRepresentation(const vtkIntervalVolumeRepresentation&) = delete;
   void operator=(const vtkIntervalVolumeRepresentation&) = delete;
 
-  /// Returns the array to colour by, null where the data that the mapper is given lack it.
+  /// Returns the color array, or null if the input of the mapper lacks it.
   vtkDataArray* FindScalars();
 
-  /// Has each process of several draw its own cells where the blend mode needs no order, or they
-  /// are in order where they are, or sending them would change them.
-  void KeepPieces(vtkInformation* view);
-  /// Puts the pieces of several processes together where the blend mode needs no order, and warns
-  /// where there is an order that they do not have.
+  /// Sets how ParaView distributes the cells for rendering. Each process keeps its own cells if the
+  /// blend mode does not depend on order, if the bounds of the pieces are disjoint, or if sending
+  /// the cells fails or changes them.
+  void ConfigureCompositing(vtkInformation* view);
+  /// Connects the mappers of all processes to render one image if the blend mode allows it. Warns
+  /// if the blend mode requires a visibility order that the pieces do not have.
   void GatherPieces(bool isReduced);
-  /// Warns once of each text in a session.
+  /// Issues a warning on the first process, once per text and session.
   void WarnOnce(const std::string& text);
-  /// Comes before each picture.
-  void StartPicture();
+  /// Called before the view is rendered.
+  void OnRenderStart();
 
   vtkSmartPointer<vtkTimeWeightedTetrahedraMapper> Mapper;
   vtkNew<vtkTrivialProducer> Collection;
   vtkWeakPointer<vtkRenderer> ViewRenderer;
   unsigned long Observer = 0;
-  /// Whether the processes draw one picture together.
-  bool IsOnePicture = false;
-  /// Of the pieces of all processes: whether their boxes are apart, and whether they overlap in
-  /// time.
-  bool AreApart = true;
-  bool AreInTime = false;
+  /// Whether all processes render one image together.
+  bool IsSingleImage = false;
+  /// Whether the bounds of the pieces of all processes are disjoint, and whether any piece has an
+  /// extent in time.
+  bool AreBoundsDisjoint = true;
+  bool HaveExtentInTime = false;
   std::unique_ptr<vtkVolumeFunctions> Functions;
   std::unique_ptr<vtkConstantScalars> Constant;
 };

@@ -11,7 +11,7 @@ class vtkRenderer;
 
 /**
  * @class   vtkLightList
- * @brief   gets and sets all lights of a renderer at once, in their order
+ * @brief   gets and sets the ordered list of all lights of a renderer
  */
 namespace vtkLightList
 {

@@ -15,7 +15,7 @@ vtkStandardNewMacro(vtkLitVolumeRepresentation);
 
 namespace
 {
-// Of 90 degrees and more a light has no cone.
+// A light with a cone angle of 90 degrees or more has no cone.
 constexpr double NoCone = 180.0;
 }
 
@@ -40,15 +40,15 @@ void vtkLitVolumeRepresentation::SetAreaLight(vtkAreaLight* light)
   this->UpdateLights();
 }
 
-void vtkLitVolumeRepresentation::SetProjectiveLightSwitch(bool shines)
+void vtkLitVolumeRepresentation::SetProjectiveLightSwitch(bool on)
 {
-  this->ProjectiveLightSwitch = shines;
+  this->ProjectiveLightSwitch = on;
   this->UpdateLights();
 }
 
-void vtkLitVolumeRepresentation::SetAreaLightSwitch(bool shines)
+void vtkLitVolumeRepresentation::SetAreaLightSwitch(bool on)
 {
-  this->AreaLightSwitch = shines;
+  this->AreaLightSwitch = on;
   this->UpdateLights();
 }
 

@@ -12,12 +12,12 @@ class vtkTexture;
 
 /**
  * @class   vtkLitVolumeRepresentation
- * @brief   has a projective light and an area light of its own, which come and go with it
+ * @brief   add a projective light and an area light to a volume representation
  *
- * Each of the lights, a vtkProjectiveLight and a vtkAreaLight, is one of the view's lights as long
- * as the representation is in the view; it is switched on while it shines and the representation is
- * visible. Other representations see lights of that position and colour without a screen or an
- * extent. Values that the lights refuse are their errors and change nothing.
+ * A vtkProjectiveLight and a vtkAreaLight are added to the view together with the representation. A
+ * light is on if its switch is on and the representation is visible. Other representations in the
+ * view treat it as a standard light with the same position and color. The lights report invalid
+ * values as errors and ignore them.
  *
  * @sa vtkShadowedSliceRepresentation vtkProjectiveLight vtkAreaLight
  */
@@ -31,8 +31,9 @@ public:
 
   ///@{
   /**
-   * Set the lights, before the representation is in a view. ParaView sets its own values on them,
-   * except those that follow. Default new ones. The area light has no cone.
+   * Set the lights before the representation is added to a view. ParaView sets the lights'
+   * properties directly, except those below. The cone of the area light is removed. Default: new
+   * lights.
    */
   void SetProjectiveLight(vtkProjectiveLight* light);
   void SetAreaLight(vtkAreaLight* light);
@@ -40,15 +41,15 @@ public:
 
   ///@{
   /**
-   * Set whether the lights shine. Default off.
+   * Turn the lights on or off. Default: off.
    */
-  void SetProjectiveLightSwitch(bool shines);
-  void SetAreaLightSwitch(bool shines);
+  void SetProjectiveLightSwitch(bool on);
+  void SetAreaLightSwitch(bool on);
   ///@}
 
   ///@{
   /**
-   * Set the size of the projective light's screen and of the area light.
+   * Set the size of the projective light's screen and of the area light, in world units.
    */
   void SetProjectiveLightScreenWidth(double width);
   void SetProjectiveLightScreenHeight(double height);
@@ -58,8 +59,8 @@ public:
 
   ///@{
   /**
-   * Set the textures whose images are on the projective light's screen and the area light's
-   * emitter. Default null: all light passes, and the emitter is uniform and white.
+   * Set the textures for the projective light's screen and the area light's emitter. Default: null,
+   * which makes the screen transparent and the emitter uniformly white.
    */
   void SetProjectiveLightImage(vtkTexture* texture);
   void SetAreaLightImage(vtkTexture* texture);
@@ -79,7 +80,7 @@ private:
   vtkLitVolumeRepresentation(const vtkLitVolumeRepresentation&) = delete;
   void operator=(const vtkLitVolumeRepresentation&) = delete;
 
-  /// Switches the lights.
+  /// Turns the lights on or off.
   void UpdateLights();
 
   vtkSmartPointer<vtkProjectiveLight> ProjectiveLight;

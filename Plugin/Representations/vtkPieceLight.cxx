@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPieceLight.h"
 
-#include "vtkMatterGrid.h"
+#include "vtkExtinctionGrid.h"
 
 #include "vtkAreaLight.h"
 #include "vtkBoundingBox.h"
@@ -20,7 +20,8 @@
 namespace
 {
 constexpr int ImageSize = 128;
-// How much larger than the piece its screen is, and the piece for rays that pass beside it.
+// Factor by which the screen is larger than the piece, and by which the piece is enlarged for rays
+// that narrowly miss it.
 constexpr double Margin = 1.05;
 
 using Point = std::array<double, 3>;
@@ -55,7 +56,7 @@ double Distance(const Point& a, const Point& b)
 }
 }
 
-/// How a light sees a piece, in world coordinates.
+/// The screen of a light that covers a piece, in world coordinates.
 struct vtkPieceLight::View
 {
   bool IsPositional = false;
@@ -63,14 +64,14 @@ struct vtkPieceLight::View
   Point Forward{};
   Point Right{};
   Point Up{};
-  /// From the position to the screen, and half of the screen's sizes.
+  /// Distance from the position to the screen, and half of the screen's width and height.
   double Distance = 1.0;
   double Half[2] = { 1.0, 1.0 };
   std::array<double, 6> Bounds{};
   vtkMatrix4x4* ToWorld = nullptr;
   vtkNew<vtkMatrix4x4> ToData;
 
-  /// Finds the screen; returns false where none covers the box.
+  /// Computes the screen. Returns false if no screen covers the box.
   bool Set(vtkLight* light, const double bounds[6], vtkMatrix4x4* matrix)
   {
     std::copy_n(bounds, 6, this->Bounds.begin());
@@ -91,7 +92,7 @@ struct vtkPieceLight::View
     }
     Point center;
     world.GetCenter(center.data());
-    // A cone keeps its axis; other lights look at the piece.
+    // A light with a cone retains its axis. Other positional lights are directed at the piece.
     const bool hasCone = this->IsPositional && light->GetConeAngle() < 90.0;
     this->Forward = Subtract(this->IsPositional && !hasCone ? center : focus, this->Position);
     if (vtkMath::Normalize(this->Forward.data()) == 0.0)
@@ -121,7 +122,7 @@ struct vtkPieceLight::View
     return this->Half[0] > 0.0 && this->Half[1] > 0.0;
   }
 
-  /// Returns the world's point of the screen at shares of its sizes from its centre, -1 to 1.
+  /// Returns the world position on the screen at normalized coordinates from -1 to 1.
   Point GetScreenPoint(double x, double y) const
   {
     const Point center = Along(this->Position, this->Distance, this->Forward);
@@ -133,7 +134,7 @@ vtkPieceLight::vtkPieceLight() = default;
 
 vtkPieceLight::~vtkPieceLight() = default;
 
-void vtkPieceLight::Aim(vtkLight* light, const View& view)
+void vtkPieceLight::PlaceScreen(vtkLight* light, const View& view)
 {
   this->Light->SetLightTypeToSceneLight();
   this->Light->SetPositional(light->GetPositional());
@@ -152,7 +153,7 @@ void vtkPieceLight::Aim(vtkLight* light, const View& view)
   this->Light->SetScreenSize(2.0 * view.Half[0], 2.0 * view.Half[1]);
 }
 
-bool vtkPieceLight::Fill(vtkLight* light, const View& view, const vtkMatterGrid& grid)
+bool vtkPieceLight::Fill(vtkLight* light, const View& view, const vtkExtinctionGrid& grid)
 {
   auto* projector = vtkProjectiveLight::SafeDownCast(light);
   vtkNew<vtkMatrix4x4> screen;
@@ -160,19 +161,19 @@ bool vtkPieceLight::Fill(vtkLight* light, const View& view, const vtkMatterGrid&
   {
     return false;
   }
-  std::array<double, 6> wide = view.Bounds;
+  std::array<double, 6> enlarged = view.Bounds;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double more = 0.5 * (Margin - 1.0) * (wide[2 * axis + 1] - wide[2 * axis]);
-    wide[2 * axis] -= more;
-    wide[2 * axis + 1] += more;
+    const double margin = 0.5 * (Margin - 1.0) * (enlarged[2 * axis + 1] - enlarged[2 * axis]);
+    enlarged[2 * axis] -= margin;
+    enlarged[2 * axis + 1] += margin;
   }
   const double strength = std::clamp(static_cast<double>(light->GetShadowAttenuation()), 0.0, 1.0);
   this->Image->SetDimensions(ImageSize, ImageSize, 1);
   vtkNew<vtkFloatArray> colors;
   colors->SetNumberOfComponents(3);
   colors->SetNumberOfTuples(static_cast<vtkIdType>(ImageSize) * ImageSize);
-  bool isTaken = false;
+  bool isAttenuated = false;
   for (int row = 0; row < ImageSize; ++row)
   {
     for (int column = 0; column < ImageSize; ++column)
@@ -184,14 +185,15 @@ bool vtkPieceLight::Fill(vtkLight* light, const View& view, const vtkMatterGrid&
       const Point end = Along(begin, 2e3, Subtract(point, begin));
       const Point from = Transform(view.ToData, begin);
       const Point to = Transform(view.ToData, end);
-      double part = vtkMatterGrid::FindEntry(view.Bounds, from, to);
-      part = part > 1.0 ? vtkMatterGrid::FindEntry(wide, from, to) : part;
+      double entryFraction = vtkExtinctionGrid::FindEntry(view.Bounds, from, to);
+      entryFraction =
+        entryFraction > 1.0 ? vtkExtinctionGrid::FindEntry(enlarged, from, to) : entryFraction;
       double color[3] = { 1.0, 1.0, 1.0 };
-      if (part <= 1.0)
+      if (entryFraction <= 1.0)
       {
-        const Point entry = Along(from, part, Subtract(to, from));
+        const Point entry = Along(from, entryFraction, Subtract(to, from));
         const Point start =
-          Along(from, std::min(part, grid.FindEntry(from, to)), Subtract(to, from));
+          Along(from, std::min(entryFraction, grid.FindEntry(from, to)), Subtract(to, from));
         const double scale =
           Distance(Transform(view.ToWorld, start), Transform(view.ToWorld, entry)) /
           std::max(Distance(start, entry), VTK_DBL_MIN);
@@ -200,21 +202,21 @@ bool vtkPieceLight::Fill(vtkLight* light, const View& view, const vtkMatterGrid&
         for (int k = 0; k < 3; ++k)
         {
           const double depth = scale * depths[std::min(k, grid.GetChannels() - 1)];
-          isTaken = isTaken || depth > 0.0;
+          isAttenuated = isAttenuated || depth > 0.0;
           color[k] = 1.0 - strength * (1.0 - std::exp(-depth));
         }
       }
       if (projector)
       {
-        const double place[4] = { point[0], point[1], point[2], 1.0 };
+        const double position[4] = { point[0], point[1], point[2], 1.0 };
         double uv[4];
-        double own[3] = { 0.0, 0.0, 0.0 };
-        screen->MultiplyPoint(place, uv);
+        double screenColor[3] = { 0.0, 0.0, 0.0 };
+        screen->MultiplyPoint(position, uv);
         if (uv[3] > 0.0)
         {
-          projector->GetScreenColor(uv[0] / uv[3], uv[1] / uv[3], own);
+          projector->GetScreenColor(uv[0] / uv[3], uv[1] / uv[3], screenColor);
         }
-        std::transform(color, color + 3, own, color, std::multiplies<double>());
+        std::transform(color, color + 3, screenColor, color, std::multiplies<double>());
       }
       colors->SetTuple(static_cast<vtkIdType>(row) * ImageSize + column, color);
     }
@@ -222,11 +224,11 @@ bool vtkPieceLight::Fill(vtkLight* light, const View& view, const vtkMatterGrid&
   this->Image->GetPointData()->SetScalars(colors);
   this->Image->Modified();
   this->Light->SetImage(this->Image);
-  return isTaken;
+  return isAttenuated;
 }
 
-vtkLight* vtkPieceLight::Update(vtkLight* light, const vtkMatterGrid& grid, unsigned long version,
-  const double bounds[6], vtkMatrix4x4* matrix)
+vtkLight* vtkPieceLight::Update(vtkLight* light, const vtkExtinctionGrid& grid,
+  unsigned long version, const double bounds[6], vtkMatrix4x4* matrix)
 {
   auto* area = vtkAreaLight::SafeDownCast(light);
   View view;
@@ -240,13 +242,14 @@ vtkLight* vtkPieceLight::Update(vtkLight* light, const vtkMatterGrid& grid, unsi
   key.insert(key.end(), view.Position.begin(), view.Position.end());
   key.insert(key.end(), view.Forward.begin(), view.Forward.end());
   key.push_back(static_cast<double>(version));
-  // Of headlights and camera lights VTK changes the transform matrix alone.
+  // The view's position and direction are part of the key, because VTK moves headlights and camera
+  // lights only by their transform matrix.
   key.push_back(static_cast<double>(light->GetMTime()));
   if (key != this->Key)
   {
     this->Key = key;
-    this->Aim(light, view);
-    this->IsUsed = this->Fill(light, view, grid);
+    this->PlaceScreen(light, view);
+    this->IsAttenuated = this->Fill(light, view, grid);
   }
-  return this->IsUsed ? this->Light.Get() : light;
+  return this->IsAttenuated ? this->Light.Get() : light;
 }

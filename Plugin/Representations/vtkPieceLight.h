@@ -9,18 +9,18 @@
 class vtkImageData;
 class vtkLight;
 class vtkMatrix4x4;
-class vtkMatterGrid;
+class vtkExtinctionGrid;
 class vtkProjectiveLight;
 
 /**
  * @class   vtkPieceLight
- * @brief   a light as it reaches one piece of a volume, through the pieces of other processes
+ * @brief   represents the light that reaches one piece of a volume through the other pieces
  *
- * It is a vtkProjectiveLight that takes the place of the light while the piece is drawn: its screen
- * covers the piece, and its image is the transmittance of the matter outside along each ray of the
- * light, up to where the ray enters the piece, times what the light's own screen has, in 128 by 128
- * samples. Since pieces
- * are convex, no ray leaves one and comes back.
+ * A vtkProjectiveLight replaces the light while the piece is rendered. Its screen covers the piece.
+ * The image on the screen has 128 x 128 samples. Each sample stores the transmittance of the medium
+ * outside the piece along one light ray, up to the point where the ray enters the piece. If the
+ * light is itself a projective light, the transmittance is multiplied by the color of its screen.
+ * Pieces are convex, so no ray reenters a piece.
  */
 class vtkPieceLight
 {
@@ -29,26 +29,28 @@ public:
   ~vtkPieceLight();
 
   /**
-   * Returns the light that shines on the box \a bounds, in coordinates of the grid, which \a matrix
-   * takes to the world; \a version changes with the grid. Returns \a light itself where nothing
-   * outside takes any of it, and where no screen can cover the piece, as from inside of it, or an
-   * area light with an extent, whose shadows would be hard.
+   * Returns the replacement of \a light for the piece in the box \a bounds. The box is in grid
+   * coordinates, which \a matrix transforms to world coordinates. Increment \a version when the
+   * grid changes. Returns \a light itself in these cases: the medium outside does not attenuate it;
+   * no screen can cover the piece, because the light is inside or next to it; or it is an area
+   * light with an extent, whose soft shadows would become hard.
    */
-  vtkLight* Update(vtkLight* light, const vtkMatterGrid& grid, unsigned long version,
+  vtkLight* Update(vtkLight* light, const vtkExtinctionGrid& grid, unsigned long version,
     const double bounds[6], vtkMatrix4x4* matrix);
 
 private:
   struct View;
 
-  void Aim(vtkLight* light, const View& view);
-  /// Fills the image; returns whether any of the light is taken.
-  bool Fill(vtkLight* light, const View& view, const vtkMatterGrid& grid);
+  /// Copies the properties of the light and places the screen.
+  void PlaceScreen(vtkLight* light, const View& view);
+  /// Fills the image. Returns true if the light is attenuated anywhere.
+  bool Fill(vtkLight* light, const View& view, const vtkExtinctionGrid& grid);
 
   vtkNew<vtkProjectiveLight> Light;
   vtkNew<vtkImageData> Image;
-  /// What the image was made for.
+  /// Parameters for which the image was computed.
   std::vector<double> Key;
-  bool IsUsed = false;
+  bool IsAttenuated = false;
 };
 
 #endif

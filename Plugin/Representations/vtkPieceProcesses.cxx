@@ -11,14 +11,14 @@
 
 namespace
 {
-/// What two boxes may have in common, as a share of the smaller one: pieces are cut in single
-/// precision.
-constexpr double TOUCH = 1e-6;
+/// Overlap of two boxes that is ignored, as a fraction of the smaller one. Pieces are split in
+/// single precision.
+constexpr double TOLERANCE = 1e-6;
 
-bool AreApartAlong(const double* a, const double* b)
+bool AreDisjointAlong(const double* a, const double* b)
 {
-  const double common = std::min(a[1], b[1]) - std::max(a[0], b[0]);
-  return common <= TOUCH * std::min(a[1] - a[0], b[1] - b[0]);
+  const double overlap = std::min(a[1], b[1]) - std::max(a[0], b[0]);
+  return overlap <= TOLERANCE * std::min(a[1] - a[0], b[1] - b[0]);
 }
 }
 
@@ -33,7 +33,7 @@ vtkMultiProcessController* vtkPieceProcesses::Find(vtkView* view, bool isReduced
                                                                                : nullptr;
 }
 
-bool vtkPieceProcesses::AreApart(vtkMultiProcessController* controller, const double bounds[6])
+bool vtkPieceProcesses::AreDisjoint(vtkMultiProcessController* controller, const double bounds[6])
 {
   std::vector<double> boxes(6 * static_cast<std::size_t>(controller->GetNumberOfProcesses()));
   controller->AllGather(bounds, boxes.data(), 6);
@@ -41,9 +41,9 @@ bool vtkPieceProcesses::AreApart(vtkMultiProcessController* controller, const do
   {
     for (auto b = boxes.data(); b != a; b += 6)
     {
-      const bool isNoBox = a[0] > a[1] || b[0] > b[1];
-      if (!isNoBox && !AreApartAlong(a, b) && !AreApartAlong(a + 2, b + 2) &&
-        !AreApartAlong(a + 4, b + 4))
+      const bool isEmpty = a[0] > a[1] || b[0] > b[1];
+      if (!isEmpty && !AreDisjointAlong(a, b) && !AreDisjointAlong(a + 2, b + 2) &&
+        !AreDisjointAlong(a + 4, b + 4))
       {
         return false;
       }
@@ -54,9 +54,9 @@ bool vtkPieceProcesses::AreApart(vtkMultiProcessController* controller, const do
 
 bool vtkPieceProcesses::IsAnywhere(vtkMultiProcessController* controller, bool isHere)
 {
-  const int own = isHere ? 1 : 0;
+  const int local = isHere ? 1 : 0;
   int any = 0;
-  controller->AllReduce(&own, &any, 1, vtkCommunicator::MAX_OP);
+  controller->AllReduce(&local, &any, 1, vtkCommunicator::MAX_OP);
   return any != 0;
 }
 

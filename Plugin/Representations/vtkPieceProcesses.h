@@ -7,27 +7,29 @@ class vtkView;
 
 /**
  * @class   vtkPieceProcesses
- * @brief   tells which processes draw pieces of what a view of ParaView shows
+ * @brief   determines how processes share the rendering of a ParaView view
  */
 namespace vtkPieceProcesses
 {
 /**
- * Returns the controller of the processes that each draw their piece, null where one draws all.
- * Only where all of them draw do all of them come to REQUEST_RENDER and may exchange something
- * there. \a isReduced tells that the view draws its level of detail.
+ * Returns the controller if each of several processes renders its piece, or null if one process
+ * renders everything. Only in the first case do all processes receive REQUEST_RENDER, so that they
+ * may communicate during this request. Set \a isReduced if the view renders its level of detail.
  */
 vtkMultiProcessController* Find(vtkView* view, bool isReduced);
 
 /**
- * Returns whether the boxes of all pieces are apart but for their faces, so that the pieces have an
- * order from every side. All processes must call it together; upside-down \a bounds are no box.
+ * Returns true if the boxes of all pieces overlap at most in their faces, so that the pieces have a
+ * visibility order for any view. All processes must call it together. Pass invalid bounds (lower
+ * above upper) if this process has no piece.
  */
-bool AreApart(vtkMultiProcessController* controller, const double bounds[6]);
+bool AreDisjoint(vtkMultiProcessController* controller, const double bounds[6]);
 
-/// Returns whether anything is so in any process. All of them must call it together.
+/// Returns true if \a isHere is true in any process. All processes must call it together.
 bool IsAnywhere(vtkMultiProcessController* controller, bool isHere);
 
-/// Returns whether processes draw other parts of the picture, or all of them the same data.
+/// Returns true on a tiled display, whose processes render different tiles of the frame, and in a
+/// cave.
 bool HaveDisplays();
 }
 

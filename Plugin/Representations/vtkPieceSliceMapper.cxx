@@ -2,7 +2,7 @@
 #include "vtkPieceSliceMapper.h"
 
 #include "vtkLightList.h"
-#include "vtkMatterGrid.h"
+#include "vtkExtinctionGrid.h"
 
 #include "vtkCommunicator.h"
 #include "vtkImageData.h"
@@ -27,15 +27,15 @@ namespace
 {
 using LightList = std::vector<vtkSmartPointer<vtkLight>>;
 
-/// Returns the lights that cast shadows: the brightest of those that can.
-std::set<vtkLight*> FindShadowed(const LightList& lights, int number)
+/// Returns the brightest lights with a ShadowAttenuation above 0, at most \a number.
+std::set<vtkLight*> FindShadowLights(const LightList& lights, int number)
 {
-  std::vector<vtkLight*> shadowed;
+  std::vector<vtkLight*> shadowLights;
   for (const auto& light : lights)
   {
     if (light->GetSwitch() && light->GetShadowAttenuation() > 0.0f)
     {
-      shadowed.push_back(light);
+      shadowLights.push_back(light);
     }
   }
   const auto brightness = [](vtkLight* light)
@@ -43,10 +43,10 @@ std::set<vtkLight*> FindShadowed(const LightList& lights, int number)
     const double* color = light->GetDiffuseColor();
     return light->GetIntensity() * *std::max_element(color, color + 3);
   };
-  std::stable_sort(shadowed.begin(), shadowed.end(),
+  std::stable_sort(shadowLights.begin(), shadowLights.end(),
     [&](vtkLight* a, vtkLight* b) { return brightness(a) > brightness(b); });
-  shadowed.resize(std::min(shadowed.size(), static_cast<std::size_t>(number)));
-  return { shadowed.begin(), shadowed.end() };
+  shadowLights.resize(std::min(shadowLights.size(), static_cast<std::size_t>(number)));
+  return { shadowLights.begin(), shadowLights.end() };
 }
 }
 
@@ -75,7 +75,7 @@ void vtkPieceSliceMapper::GatherPieces(
   {
     return;
   }
-  vtkMatterGrid::Piece piece;
+  vtkExtinctionGrid::Piece piece;
   int isOfCells = 0;
   piece.Image = image && image->GetNumberOfPoints() > 0 ? image : nullptr;
   piece.Scalars = piece.Image ? vtkAbstractMapper::GetScalars(piece.Image, this->ScalarMode,
@@ -84,27 +84,29 @@ void vtkPieceSliceMapper::GatherPieces(
   piece.IsOfCells = isOfCells == 1 || this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
   piece.Property = property;
   piece.IsColored = this->GetTransmissionColor() != nullptr;
-  // Where one process has no scalars to choose by, all have as many channels as those that have.
-  int wantsColors = piece.IsColored ? 1 : 0;
+  // All processes must use the same number of channels. A process without scalars has no
+  // TransmissionColor.
+  int needsColor = piece.IsColored ? 1 : 0;
   int isColored = 0;
-  controller->AllReduce(&wantsColors, &isColored, 1, vtkCommunicator::MAX_OP);
+  controller->AllReduce(&needsColor, &isColored, 1, vtkCommunicator::MAX_OP);
   piece.IsColored = isColored != 0;
-  this->Grid = std::make_unique<vtkMatterGrid>();
+  this->Grid = std::make_unique<vtkExtinctionGrid>();
   this->Grid->Gather(piece, resolution, controller);
 }
 
 void vtkPieceSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   auto* image = vtkImageData::SafeDownCast(this->GetDataObjectInput());
-  if (!this->Grid || !this->Grid->HasMatter() || !this->GetShadows() || !image)
+  if (!this->Grid || !this->Grid->HasMedium() || !this->GetShadows() || !image)
   {
     this->Lights.clear();
     this->Superclass::Render(renderer, volume);
     return;
   }
   const LightList lights = vtkLightList::Get(renderer);
-  const std::set<vtkLight*> shadowed = FindShadowed(lights, this->GetMaximumNumberOfShadows());
-  const std::array<double, 6> bounds = vtkMatterGrid::GetBounds(image);
+  const std::set<vtkLight*> shadowLights =
+    FindShadowLights(lights, this->GetMaximumNumberOfShadowLights());
+  const std::array<double, 6> bounds = vtkExtinctionGrid::GetBounds(image);
   vtkNew<vtkMatrix4x4> worldFromAxes;
   for (int row = 0; row < 3; ++row)
   {
@@ -114,14 +116,15 @@ void vtkPieceSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     }
   }
   vtkMatrix4x4::Multiply4x4(volume->GetMatrix(), worldFromAxes, worldFromAxes);
-  LightList reaching;
+  LightList replacedLights;
   for (const auto& light : lights)
   {
-    reaching.emplace_back(shadowed.count(light) > 0 ? this->Lights[light].Update(light, *this->Grid,
-                                                        this->Version, bounds.data(), worldFromAxes)
-                                                    : light.Get());
+    replacedLights.emplace_back(shadowLights.count(light) > 0
+        ? this->Lights[light].Update(
+            light, *this->Grid, this->Version, bounds.data(), worldFromAxes)
+        : light.Get());
   }
-  vtkLightList::Set(renderer, reaching);
+  vtkLightList::Set(renderer, replacedLights);
   this->Superclass::Render(renderer, volume);
   vtkLightList::Set(renderer, lights);
 }
@@ -130,5 +133,5 @@ void vtkPieceSliceMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "GridResolution: " << this->GridResolution << "\n";
-  os << indent << "HasOutsideMatter: " << (this->Grid && this->Grid->HasMatter()) << "\n";
+  os << indent << "HasMediumOutside: " << (this->Grid && this->Grid->HasMedium()) << "\n";
 }

@@ -9,16 +9,17 @@
 #include <map>    // for the lights
 #include <memory> // for the grid
 
-class vtkMatterGrid;
+class vtkExtinctionGrid;
 class vtkMultiProcessController;
 class vtkVolumeProperty;
 
 /**
  * @class   vtkPieceSliceMapper
- * @brief   draws one piece of a volume in the light that the pieces of other processes leave
+ * @brief   render one piece of a volume with shadows from the pieces of other processes
  *
- * While the piece is drawn, each light that casts shadows is replaced by its vtkPieceLight. Without
- * GatherPieces, and where other processes have no matter, it draws as its superclass does.
+ * During rendering, each light that casts shadows is replaced by its vtkPieceLight. The mapper
+ * renders like its superclass if GatherPieces was not called, or if the medium of all other
+ * processes is transparent.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkPieceSliceMapper : public vtkShadowedSliceMapper
 {
@@ -28,9 +29,9 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Exchanges a grid of the matter of all pieces, with \a resolution cells along the longest edge,
-   * where any process has changed its matter since. All processes of \a controller must call it
-   * together. With a resolution of 0 there is no grid.
+   * Compute a grid of the extinction of all pieces, with \a resolution cells along the longest
+   * edge, if the data, the mapper or the property of any process changed. All processes of \a
+   * controller must call it together. A resolution of 0 removes the grid.
    */
   void GatherPieces(
     vtkVolumeProperty* property, int resolution, vtkMultiProcessController* controller);
@@ -45,9 +46,9 @@ private:
   vtkPieceSliceMapper(const vtkPieceSliceMapper&) = delete;
   void operator=(const vtkPieceSliceMapper&) = delete;
 
-  std::unique_ptr<vtkMatterGrid> Grid;
+  std::unique_ptr<vtkExtinctionGrid> Grid;
   unsigned long Version = 0;
-  /// Of what the grid was made.
+  /// Modification time and resolution for which the grid was computed.
   vtkMTimeType GridTime = 0;
   int GridResolution = 0;
   std::map<vtkLight*, vtkPieceLight> Lights;

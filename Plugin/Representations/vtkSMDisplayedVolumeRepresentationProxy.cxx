@@ -18,8 +18,9 @@ vtkStandardNewMacro(vtkSMDisplayedVolumeRepresentationProxy);
 
 namespace
 {
-/// Adds a decorator that hides \a item, a property or a group, for the type. All of an item's
-/// decorators must agree to show it. The hints of others, which it may share, stay as they are.
+/// Adds a decorator that hides \a item, a property or a group, while \a type is selected. An item
+/// is shown only if all of its decorators show it. The hints are copied first, because other items
+/// may share them.
 template <typename Item>
 void HideItem(Item* item, const char* type)
 {
@@ -44,10 +45,10 @@ void HideItem(Item* item, const char* type)
   item->SetHints(hints);
 }
 
-/// Hides the properties of a group but those whose names are in \a kept.
-void HideGroup(vtkSMPropertyGroup* group, const char* type, const char* kept)
+/// Hides the properties of a group, except those named in \a exceptionNames.
+void HideGroup(vtkSMPropertyGroup* group, const char* type, const char* exceptionNames)
 {
-  std::istringstream names(kept);
+  std::istringstream names(exceptionNames);
   const std::set<std::string> exceptions{ std::istream_iterator<std::string>(names), {} };
   if (exceptions.empty())
   {
@@ -63,9 +64,9 @@ void HideGroup(vtkSMPropertyGroup* group, const char* type, const char* kept)
   }
 }
 
-/// Hides for \a type of \a display what \a hidden names in nested elements: `Property` by `name`;
-/// `Group` by `label`, without the properties that its `except` names. For other types, and in
-/// other displays, everything remains unchanged.
+/// Hides the elements listed in \a hidden while \a type is selected in \a display: each `Property`
+/// by its `name`, and each `Group` by its `label`, except the properties listed in `except`. Other
+/// types and other displays are not affected.
 void HideParts(vtkSMProxy* display, const char* type, vtkPVXMLElement* hidden)
 {
   for (unsigned int i = 0; i < hidden->GetNumberOfNestedElements(); ++i)
@@ -134,8 +135,8 @@ void vtkSMDisplayedVolumeRepresentationProxy::DisplayChanged()
 
 void vtkSMDisplayedVolumeRepresentationProxy::FollowDisplay(vtkSMPVRepresentationProxy* display)
 {
-  // From ParaView 5.12 on a display calls Translation where it has the data; what it calls
-  // Position before reaches the representation by itself.
+  // Since ParaView 5.12, the property of the display is named Translation. The earlier name
+  // Position is shared with this representation automatically.
   vtkSMProperty* translation = display->GetProperty("Translation");
   if (translation)
   {

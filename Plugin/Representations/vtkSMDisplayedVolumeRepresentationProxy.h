@@ -11,11 +11,12 @@ class vtkSMPVRepresentationProxy;
 
 /**
  * @class   vtkSMDisplayedVolumeRepresentationProxy
- * @brief   a volume of the plugin as one of the representations of a display
+ * @brief   proxy of a volume of the plugin that is a subproxy of a display
  *
- * A subproxy of a display, and the representation that the display calls by the `type` of this
- * proxy's hint Volume. It is moved with the display, and the parts of the display's panel that
- * change no picture of it are hidden: the groups and properties that the hint Hidden names.
+ * The attribute `type` of the XML hint Volume is the name of this representation in the display's
+ * list of representations. The volume follows the translation of the display. While it is selected,
+ * the display's panel hides the groups and properties listed in the XML hint Hidden, which do not
+ * affect the volume.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkSMDisplayedVolumeRepresentationProxy
   : public vtkSMRepresentationProxy
@@ -31,10 +32,10 @@ protected:
 
   void CreateVTKObjects() override;
 
-  /// Called when the display has changed, and when its data have; not by what it changes itself.
+  /// Called when the display or its data change, except for changes that this function makes.
   virtual void FollowDisplay(vtkSMPVRepresentationProxy* display);
 
-  /// The name by which the display calls this representation.
+  /// Returns the name of this representation in the display's list.
   const std::string& GetType() const { return this->Type; }
 
 private:

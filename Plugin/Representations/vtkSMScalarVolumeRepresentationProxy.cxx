@@ -30,7 +30,8 @@ vtkStandardNewMacro(vtkSMScalarVolumeRepresentationProxy);
 
 namespace
 {
-/// Returns whether a state file, or undo, sets the properties now, which then stay as they are set.
+/// Returns true while a state file is loaded, or during undo and redo. Properties that are being
+/// restored must not be changed.
 bool IsRestoring(vtkSMProxy* proxy)
 {
   if (proxy->GetSessionProxyManager()->GetInLoadXMLState())
@@ -48,11 +49,11 @@ bool HasFunctions(vtkSMProxy* display)
     vtkSMPropertyHelper(display, "ScalarOpacityFunction", true).GetAsProxy();
 }
 
-/// The rank of an array, of which the smallest is best: no ids, with a range, of points, of one
-/// component.
+/// Rank of an array; lower is better. The elements are true if the array contains ids, has a single
+/// value, is a cell array, or has several components.
 using Rank = std::tuple<bool, bool, bool, bool>;
 
-/// Returns whether the array numbers the points or cells.
+/// Returns true if the array contains ids of points or cells.
 bool AreIds(vtkPVDataInformation* data, vtkPVArrayInformation* array, int association)
 {
   vtkPVDataSetAttributesInformation* attributes = data->GetAttributeInformation(association);
@@ -82,8 +83,8 @@ struct ColorArray
   int Association = 0;
 };
 
-/// Returns the array that a display colors by if none is given, with an empty name if it has none:
-/// one of those that the display's list of arrays offers, numbers of points or cells.
+/// Returns the best numeric point or cell array in the display's list of arrays. The name is empty
+/// if there is none.
 ColorArray ChooseColorArray(vtkSMPVRepresentationProxy* display)
 {
   ColorArray found;

@@ -9,17 +9,17 @@
 
 /**
  * @class   vtkSMScalarVolumeRepresentationProxy
- * @brief   colours a display when a volume of the plugin is switched on in it, as ParaView's Volume
+ * @brief   selects a color array when a volume of the plugin is shown
  *
- * Whenever that is what the display shows:
+ * The proxy acts when the display switches to the volume, in the GUI, in Python and in pvbatch:
  *
- * - Without an array to colour by it takes one, as ParaView does for its own Volume: from the GUI,
- *   from Python by method or property, in pvbatch. It prefers an array that is no ids, then one
- *   with a range, of points, of one component. Solid Color that was chosen while the volume is
- *   shown is kept, and so is what a state file or undo sets. Where the data have no array, the next
- *   change looks again.
- * - By an array that the hint Categories names, with ids 0, 1, ..: each id has a colour of its own,
- *   all the same opacity, if colours and opacities were the first ones of ParaView.
+ * - If the display has no color array, the proxy selects one. It prefers arrays that are not
+ *   ids, then arrays whose range is not a single value, then point arrays, then arrays with one
+ *   component. If the user selects Solid Color while the volume is shown, the proxy does not select
+ *   an array. Nor does it while a state file is loaded, or during undo and redo. If the data have
+ *   no array, the proxy tries again after the next change.
+ * - If the array is listed in the XML hint Categories (ids 0, 1, ...), each id gets its own color,
+ *   and all ids get the same opacity. Modified color and opacity functions remain unchanged.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkSMScalarVolumeRepresentationProxy
   : public vtkSMDisplayedVolumeRepresentationProxy
@@ -39,15 +39,16 @@ private:
   vtkSMScalarVolumeRepresentationProxy(const vtkSMScalarVolumeRepresentationProxy&) = delete;
   void operator=(const vtkSMScalarVolumeRepresentationProxy&) = delete;
 
-  /// Colours the display by an array where that is due. Returns whether the display colours by an
-  /// array then.
+  /// Colors the display by its array, or selects one first. Returns true if the display is colored
+  /// by an array afterward.
   bool ColorDisplay(vtkSMPVRepresentationProxy* display);
+  /// Sets separate colors for ids if the array is in the hint Categories.
   void ColorCategories(vtkSMPVRepresentationProxy* display);
 
   bool IsShown = false;
   bool NeedsArray = false;
   bool IsSolidByChoice = false;
-  /// The array, its functions and how many ids they were prepared for.
+  /// Arguments of the last ColorCategories: array, color map and number of ids.
   std::string PreparedArray;
   vtkSMProxy* PreparedColors = nullptr;
   int PreparedIds = 0;

@@ -17,7 +17,7 @@ vtkStandardNewMacro(vtkSceneShadows);
 
 namespace
 {
-/// The one of each renderer that somebody holds one of.
+/// Returns the existing objects by renderer.
 std::map<vtkRenderer*, vtkSceneShadows*>& GetAll()
 {
   static std::map<vtkRenderer*, vtkSceneShadows*> all;
@@ -27,19 +27,19 @@ std::map<vtkRenderer*, vtkSceneShadows*>& GetAll()
 
 vtkSceneShadows::vtkSceneShadows() = default;
 
-vtkSmartPointer<vtkSceneShadows> vtkSceneShadows::For(vtkRenderer* renderer)
+vtkSmartPointer<vtkSceneShadows> vtkSceneShadows::GetOrCreate(vtkRenderer* renderer)
 {
-  const auto known = GetAll().find(renderer);
-  if (known != GetAll().end())
+  const auto entry = GetAll().find(renderer);
+  if (entry != GetAll().end())
   {
-    return known->second;
+    return entry->second;
   }
   auto shadows = vtkSmartPointer<vtkSceneShadows>::New();
   shadows->Renderer = renderer;
   shadows->Observers[0] =
-    renderer->AddObserver(vtkCommand::StartEvent, shadows.Get(), &vtkSceneShadows::Arrange);
+    renderer->AddObserver(vtkCommand::StartEvent, shadows.Get(), &vtkSceneShadows::UpdatePass);
   shadows->Observers[1] =
-    renderer->AddObserver(vtkCommand::EndEvent, shadows.Get(), &vtkSceneShadows::Finish);
+    renderer->AddObserver(vtkCommand::EndEvent, shadows.Get(), &vtkSceneShadows::RestoreLights);
   GetAll()[renderer] = shadows;
   return shadows;
 }
@@ -47,10 +47,10 @@ vtkSmartPointer<vtkSceneShadows> vtkSceneShadows::For(vtkRenderer* renderer)
 vtkSceneShadows::~vtkSceneShadows()
 {
   const auto isThis = [this](const auto& entry) { return entry.second == this; };
-  const auto known = std::find_if(GetAll().begin(), GetAll().end(), isThis);
-  if (known != GetAll().end())
+  const auto entry = std::find_if(GetAll().begin(), GetAll().end(), isThis);
+  if (entry != GetAll().end())
   {
-    GetAll().erase(known);
+    GetAll().erase(entry);
   }
   if (this->Renderer)
   {
@@ -58,62 +58,62 @@ vtkSceneShadows::~vtkSceneShadows()
     {
       this->Renderer->RemoveObserver(observer);
     }
-    this->Wishes.clear();
-    this->Arrange();
-    this->Finish();
+    this->Requests.clear();
+    this->UpdatePass();
+    this->RestoreLights();
   }
 }
 
-void vtkSceneShadows::SetWish(const void* owner, const Wish& wish)
+void vtkSceneShadows::SetRequest(const void* requester, const Request& request)
 {
-  this->Wishes[owner] = wish;
+  this->Requests[requester] = request;
 }
 
-void vtkSceneShadows::RemoveWish(const void* owner)
+void vtkSceneShadows::RemoveRequest(const void* requester)
 {
-  this->Wishes.erase(owner);
+  this->Requests.erase(requester);
 }
 
-void vtkSceneShadows::Arrange()
+void vtkSceneShadows::UpdatePass()
 {
-  Wish most;
-  int number = 0;
-  for (const auto& entry : this->Wishes)
+  Request combined;
+  int lightLimit = 0;
+  for (const auto& entry : this->Requests)
   {
-    const Wish& wish = entry.second;
-    number = std::max(number, wish.Mapper->GetMaximumNumberOfShadows());
-    most.DepthMapResolution = std::max(most.DepthMapResolution, wish.DepthMapResolution);
-    most.DepthBias = std::max(most.DepthBias, wish.DepthBias);
-    most.HasShadows = most.HasShadows || wish.HasShadows;
-    most.LightAngle = std::max(most.LightAngle, wish.LightAngle);
+    const Request& request = entry.second;
+    lightLimit = std::max(lightLimit, request.Mapper->GetMaximumNumberOfShadowLights());
+    combined.DepthMapResolution = std::max(combined.DepthMapResolution, request.DepthMapResolution);
+    combined.DepthBias = std::max(combined.DepthBias, request.DepthBias);
+    combined.HasShadows = combined.HasShadows || request.HasShadows;
+    combined.LightAngle = std::max(combined.LightAngle, request.LightAngle);
   }
-  this->Finish();
-  if (most.LightAngle > 0.0)
+  this->RestoreLights();
+  if (combined.LightAngle > 0.0)
   {
-    this->Lights.Begin(this->Renderer, most.LightAngle);
+    this->Lights.Begin(this->Renderer, combined.LightAngle);
   }
-  this->Pass->SetMaximumNumberOfShadows(number);
-  this->Pass->SetDepthMapResolution(most.DepthMapResolution);
-  this->Pass->SetDepthBias(most.DepthBias);
-  vtkDrawingPass place(this->Renderer);
-  const bool isThere = place.Get() == this->Pass.Get();
-  if (most.HasShadows && vtkPVDefaultPass::SafeDownCast(place.Get()))
+  this->Pass->SetMaximumNumberOfShadowLights(lightLimit);
+  this->Pass->SetDepthMapResolution(combined.DepthMapResolution);
+  this->Pass->SetDepthBias(combined.DepthBias);
+  vtkDrawingPass drawingPass(this->Renderer);
+  const bool isInstalled = drawingPass.Get() == this->Pass.Get();
+  if (combined.HasShadows && vtkPVDefaultPass::SafeDownCast(drawingPass.Get()))
   {
-    this->Pass->SetDelegatePass(place.Get());
-    place.Set(this->Pass);
+    this->Pass->SetDelegatePass(drawingPass.Get());
+    drawingPass.Set(this->Pass);
   }
-  if (!most.HasShadows && isThere)
+  if (!combined.HasShadows && isInstalled)
   {
     if (vtkRenderWindow* window = this->Renderer->GetRenderWindow())
     {
       this->Pass->ReleaseGraphicsResources(window);
     }
-    place.Set(this->Pass->GetDelegatePass());
+    drawingPass.Set(this->Pass->GetDelegatePass());
     this->Pass->SetDelegatePass(nullptr);
   }
 }
 
-void vtkSceneShadows::Finish()
+void vtkSceneShadows::RestoreLights()
 {
   this->Lights.End(this->Renderer);
 }
@@ -121,7 +121,7 @@ void vtkSceneShadows::Finish()
 void vtkSceneShadows::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Wishes: " << this->Wishes.size() << "\n";
+  os << indent << "Requests: " << this->Requests.size() << "\n";
   os << indent << "Pass:\n";
   this->Pass->PrintSelf(os, indent.GetNextIndent());
 }

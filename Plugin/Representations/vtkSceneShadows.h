@@ -4,11 +4,11 @@
 
 #include "vtkNew.h" // for the pass
 #include "vtkObject.h"
-#include "vtkSmartPointer.h" // for what is given
+#include "vtkSmartPointer.h" // for mappers
 #include "vtkWeakPointer.h"  // for the renderer
-#include "vtkWidenedLights.h"
+#include "vtkTemporaryAreaLights.h"
 
-#include <map> // for who wants shadows
+#include <map> // for requests
 
 class vtkRenderer;
 class vtkShadowedScenePass;
@@ -16,18 +16,18 @@ class vtkShadowedSliceMapper;
 
 /**
  * @class   vtkSceneShadows
- * @brief   lets surfaces and volumes of one renderer of ParaView shadow each other, softly
+ * @brief   adds shadows between all surfaces and volumes of a ParaView renderer
  *
- * Whoever wants shadows, or lights with an extent, asks For the renderer, says what it wants and
- * holds what it was given. Before each picture that somebody wants shadows in, a
- * vtkShadowedScenePass takes the place of the vtkPVDefaultPass by which ParaView draws the
- * renderer, and has that for its delegate, within the passes around (camera, image processing,
- * compositing). ParaView makes all of them anew where a setting of the view changes. A renderer
- * that is drawn by another pass, as for the values of arrays or by rays, is left alone. When nobody
- * wants shadows, all is as ParaView made it.
+ * A representation that requires shadows, or lights with an extent, calls GetOrCreate, sets its
+ * request and keeps the returned object. If any request has shadows, a vtkShadowedScenePass
+ * replaces ParaView's vtkPVDefaultPass before each rendering and delegates to it. The outer camera,
+ * image-processing and compositing passes are unchanged. The pass must be checked before each
+ * rendering, because ParaView recreates all passes when a setting of the view changes. Renderers
+ * with another pass, such as for ray tracing or for rendering array values, are not changed.
+ * Without requests for shadows, ParaView's pass is restored.
  *
- * Where somebody wants an angle the lights are vtkWidenedLights from the start of each picture to
- * its end.
+ * If any request has a light angle, vtkTemporaryAreaLights replaces the lights during each
+ * rendering.
  */
 class vtkSceneShadows : public vtkObject
 {
@@ -36,12 +36,12 @@ public:
   vtkTypeMacro(vtkSceneShadows, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// The settings of the pass, and the angle of lights in degrees. Of several wishes each has the
-  /// largest values.
-  struct Wish
+  /// Settings of the pass, and the angle of the lights in degrees. The maximum of each setting over
+  /// all requests is used.
+  struct Request
   {
     bool HasShadows = false;
-    /// The mapper whose MaximumNumberOfShadows the pass has.
+    /// Mapper whose MaximumNumberOfShadowLights the pass uses.
     vtkSmartPointer<vtkShadowedSliceMapper> Mapper;
     int DepthMapResolution = 0;
     double DepthBias = 0.0;
@@ -49,16 +49,16 @@ public:
   };
 
   /**
-   * Returns the one of \a renderer, a new one where nobody holds one.
+   * Returns the object of \a renderer. Creates it if no caller holds one.
    */
-  static vtkSmartPointer<vtkSceneShadows> For(vtkRenderer* renderer);
+  static vtkSmartPointer<vtkSceneShadows> GetOrCreate(vtkRenderer* renderer);
 
   ///@{
   /**
-   * Sets and takes away what \a owner wants.
+   * Sets or removes the request of \a requester.
    */
-  void SetWish(const void* owner, const Wish& wish);
-  void RemoveWish(const void* owner);
+  void SetRequest(const void* requester, const Request& request);
+  void RemoveRequest(const void* requester);
   ///@}
 
 protected:
@@ -69,16 +69,16 @@ private:
   vtkSceneShadows(const vtkSceneShadows&) = delete;
   void operator=(const vtkSceneShadows&) = delete;
 
-  /// Called before each picture: puts the pass into its place, or takes it away.
-  void Arrange();
-  /// Called after each picture.
-  void Finish();
+  /// Called before each rendering: replaces the lights, and installs or removes the pass.
+  void UpdatePass();
+  /// Called after each rendering.
+  void RestoreLights();
 
   vtkWeakPointer<vtkRenderer> Renderer;
   unsigned long Observers[2] = { 0, 0 };
   vtkNew<vtkShadowedScenePass> Pass;
-  std::map<const void*, Wish> Wishes;
-  vtkWidenedLights Lights;
+  std::map<const void*, Request> Requests;
+  vtkTemporaryAreaLights Lights;
 };
 
 #endif

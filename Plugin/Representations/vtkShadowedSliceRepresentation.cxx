@@ -56,7 +56,8 @@ void vtkShadowedSliceRepresentation::SetMapper(vtkPieceSliceMapper* mapper)
 void vtkShadowedSliceRepresentation::SetColor(vtkColorTransferFunction* color)
 {
   this->Functions->SetColor(color);
-  // An opacity array is made with the colours' component, before anything is drawn.
+  // The superclass reads the vector component from this function when it combines the opacity
+  // array, before the first rendering.
   this->Property->SetColor(color);
 }
 
@@ -180,16 +181,16 @@ void vtkShadowedSliceRepresentation::UpdateSceneShadows()
 {
   if (this->SceneShadows)
   {
-    this->SceneShadows->RemoveWish(this);
+    this->SceneShadows->RemoveRequest(this);
   }
-  const bool wantsAny = this->HasSceneShadows || this->ViewLightAngle > 0.0;
-  if (!wantsAny || !this->GetVisibility() || !this->ViewRenderer)
+  const bool isNeeded = this->HasSceneShadows || this->ViewLightAngle > 0.0;
+  if (!isNeeded || !this->GetVisibility() || !this->ViewRenderer)
   {
     this->SceneShadows = nullptr;
     return;
   }
-  this->SceneShadows = vtkSceneShadows::For(this->ViewRenderer);
-  this->SceneShadows->SetWish(this,
+  this->SceneShadows = vtkSceneShadows::GetOrCreate(this->ViewRenderer);
+  this->SceneShadows->SetRequest(this,
     { this->HasSceneShadows, this->Mapper, this->SceneDepthMapResolution, this->SceneDepthBias,
       this->ViewLightAngle });
 }
@@ -212,19 +213,20 @@ int vtkShadowedSliceRepresentation::RequestData(
     parts.push_back(vtkDataSet::SafeDownCast(input));
   }
   const vtkImageBlocks blocks(parts);
-  vtkNew<vtkImageData> nothing;
-  vtkImageData* image = blocks.GetImage() ? blocks.GetImage() : nothing.Get();
+  vtkNew<vtkImageData> emptyImage;
+  vtkImageData* image = blocks.GetImage() ? blocks.GetImage() : emptyImage.Get();
   if (!blocks.GetImage() && !parts.empty())
   {
-    vtkErrorMacro("Shadowed Slices draws images; the input is a "
+    vtkErrorMacro("Shadowed Slices requires an image, but the input is a "
       << input->GetClassName() << " of " << parts.size() << " datasets, the first a "
       << (parts[0] ? parts[0]->GetClassName() : "null") << ". Resample it to an image.");
   }
-  else if (blocks.GetNumberLeftOut() > 0)
+  else if (blocks.GetNumberOfSkippedDatasets() > 0)
   {
-    vtkWarningMacro("Shadowed Slices draws one image, or images that fill a box together; of the "
-      << parts.size() << " datasets of the input " << blocks.GetNumberLeftOut()
-      << " are not drawn. Resample them to one image.");
+    vtkWarningMacro(
+      "Shadowed Slices renders one image, or several images on one grid that together fill a box. "
+      << blocks.GetNumberOfSkippedDatasets() << " of the " << parts.size()
+      << " datasets of the input are not rendered. Resample the input to one image.");
   }
   return this->ShowImage(image, request, inputVector, outputVector);
 }
@@ -232,14 +234,15 @@ int vtkShadowedSliceRepresentation::RequestData(
 int vtkShadowedSliceRepresentation::ShowImage(vtkImageData* image, vtkInformation* request,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The superclass expects both arrays to be there.
+  // The superclass requires that both arrays exist.
   const bool hasOpacityArray = this->UseSeparateOpacityArray;
   this->UseSeparateOpacityArray = hasOpacityArray && this->CanCombineArrays(image);
   if (hasOpacityArray && !this->UseSeparateOpacityArray && image && this->FindColors(image))
   {
     vtkWarningMacro("The opacity array '" << this->OpacityArrayName
-                                          << "' is not there, or not of points or cells as the "
-                                             "array to colour by; it is not used.");
+                                          << "' is ignored: it is missing, or it and the array to "
+                                             "color by are not both point arrays or "
+                                             "both cell arrays. Select another OpacityArray.");
   }
   const int result = image ? this->RequestDataOf(image, request, inputVector, outputVector)
                            : this->Superclass::RequestData(request, inputVector, outputVector);
@@ -275,7 +278,7 @@ bool vtkShadowedSliceRepresentation::CanCombineArrays(vtkDataObject* data)
 
 void vtkShadowedSliceRepresentation::UpdateMapperParameters()
 {
-  // Without an array to colour by the superclass has none to combine with that of the opacity.
+  // The superclass cannot combine the opacity array with a missing color array.
   const bool hasOpacityArray = this->UseSeparateOpacityArray;
   this->UseSeparateOpacityArray = hasOpacityArray && this->CanCombineArrays(this->Cache);
   this->Superclass::UpdateMapperParameters();
@@ -308,7 +311,7 @@ void vtkShadowedSliceRepresentation::UpdateScalars()
   int components = scalars ? scalars->GetNumberOfComponents() : 1;
   if (components == 3 || components > 4)
   {
-    // These can't be drawn as colours and opacity: they are drawn by the functions.
+    // Such components are not colors and opacity; the transfer functions are used instead.
     this->Property->SetIndependentComponents(true);
   }
   vtkColorTransferFunction* colors = this->Property->GetRGBTransferFunction(0);
@@ -320,8 +323,8 @@ void vtkShadowedSliceRepresentation::UpdateScalars()
       this->Component->Update(image, scalars, isOfCells == 0, component)->GetOutputPort());
     components = 1;
   }
-  const bool isTinted = this->ColoredShadows && components <= 2;
-  this->Mapper->SetTransmissionColor(isTinted ? colors : nullptr);
+  const bool isColored = this->ColoredShadows && components <= 2;
+  this->Mapper->SetTransmissionColor(isColored ? colors : nullptr);
   const bool hasAlbedo = this->Albedo->GetSize() > 0 && components <= 2;
   this->Mapper->SetScatteringAlbedo(hasAlbedo ? this->Albedo.Get() : nullptr);
 }

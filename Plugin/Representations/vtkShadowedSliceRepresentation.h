@@ -8,7 +8,7 @@
 #include "vtkSmartPointer.h" // for the mapper and the shadows of the scene
 #include "vtkWeakPointer.h"  // for the renderer
 
-#include <memory> // for what it is made of
+#include <memory> // for members
 
 class vtkColorTransferFunction;
 class vtkConstantScalars;
@@ -23,41 +23,36 @@ class vtkVolumeFunctions;
 
 /**
  * @class   vtkShadowedSliceRepresentation
- * @brief   shows images in ParaView by vtkShadowedSliceMapper, with lights of its own
+ * @brief   render images in ParaView with vtkShadowedSliceMapper and additional lights
  *
- * Input: a vtkImageData, or a composite dataset of images: those that fill a box together are drawn
- * as one, else the one with the most samples is drawn, with a warning. Data without an image are an
- * error, and nothing is drawn. Colour and opacity are set as for ParaView's Volume: the array to
- * colour by, its component or magnitude where it has several, or the components themselves, with
- * its colour and opacity functions, a separate array for opacity, the unit distance of the opacity,
- * shading and cropping. Without an array to colour by, or where the image lacks it, the solid
- * colour is drawn with one opacity (see vtkVolumeFunctions).
+ * **Input**: a vtkImageData, or a composite dataset of images. Images that fill a box together are
+ * joined. Otherwise, the image with the most samples is rendered.
  *
- * All lights of the view shine on the volume: the light kit and additional lights. Shading is on by
- * default, unlike that of ParaView's Volume: without it the light kit's lights add up to more than
- * white.
+ * **Color and opacity** are set as for ParaView's Volume: an array with its color and opacity
+ * functions, a component, the magnitude or all components, a separate opacity array, the unit
+ * distance of the opacity, shading and cropping. If there is no color array, or the image
+ * lacks it, the solid color and a constant opacity are used (see vtkVolumeFunctions).
  *
- * The representation's own lights, a vtkProjectiveLight and a vtkAreaLight, are
- * vtkLitVolumeRepresentation's.
+ * **Lights**: all lights of the view, and the two lights of vtkLitVolumeRepresentation. Shading is
+ * on by default, unlike in ParaView's Volume. Without shading, the lights of the light kit add up
+ * to more than white.
  *
- * **Shadows of the scene**, where SceneShadows is on: as long as the representation is visible in a
- * view, that is drawn by a vtkShadowedScenePass, so that all its opaque surfaces and all its
- * volumes of this kind with Shadows on shadow each other. This is a setting of the representation
- * and not a view of its own kind: it works in the view that the user has, with all that ParaView
- * has for render views alone (lights, links, screenshots, state), and ends with the volume. The
- * pass takes the place of ParaView's drawing of props within its other passes just before each
- * picture, since the view makes these anew as its settings change (see vtkSceneShadows); where it
- * is off, the view's passes are as ParaView made them. Of several representations with SceneShadows
- * in a view each setting of the pass is the largest. With several processes surfaces shadow what
- * their own process draws.
+ * **Scene shadows**: if SceneShadows is on and the representation is visible, the view is rendered
+ * by a vtkShadowedScenePass. All opaque surfaces of the view and all volumes of this type with
+ * Shadows on then shadow each other. Because this is a setting of the representation, not a
+ * separate view type, it works with all features of render views. If several representations of a
+ * view have SceneShadows on, the maximum of each setting of the pass is used (see vtkSceneShadows).
+ * With several processes, surfaces shadow only the data of their own process.
  *
- * **With several processes** each draws its piece of the data, and ParaView composites the pictures
- * in order: without shadows that is exact but for gradients at the pieces' borders. Pieces shadow
- * each other by a coarse grid of all matter, of ShadowGridResolution cells along its longest edge,
- * that is exchanged when matter changes: each light that casts shadows reaches a piece weakened by
- * the matter of other processes on its way (see vtkPieceLight). Shadows of area lights with an
- * extent, shadows of the scene, and those in a piece that a positional light is inside of, end at
- * the pieces' borders.
+ * **Several processes**: each process renders its piece, and ParaView composites the images in
+ * visibility order. Without shadows, the result is exact except for gradients at the boundaries of
+ * pieces. Pieces shadow each other through a coarse grid of extinction, with ShadowGridResolution
+ * cells along the longest edge, which is exchanged when the medium changes (see vtkPieceLight).
+ * Soft shadows of area lights, scene shadows, and shadows from a positional light inside a piece
+ * end at the boundary of the piece.
+ *
+ * **Errors** (vtkErrorMacro, nothing is drawn): an input without images. **Warnings**
+ * (vtkWarningMacro): datasets that are not rendered; a missing opacity array.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkShadowedSliceRepresentation
   : public vtkLitVolumeRepresentation
@@ -69,8 +64,8 @@ public:
 
   ///@{
   /**
-   * Set the functions of the array to colour by; all opacities are multiplied by Opacity, 0 to 1,
-   * default 1.
+   * Set the color and opacity functions of the color array. All opacities are multiplied by
+   * Opacity. Default: 1. Valid: 0 to 1; clamped.
    */
   void SetColor(vtkColorTransferFunction* color);
   void SetScalarOpacity(vtkPiecewiseFunction* opacity);
@@ -78,22 +73,22 @@ public:
   ///@}
 
   /**
-   * Sets the colour without an array to colour by. Default white.
+   * Set the color that is used if there is no color array. Default: white.
    */
   void SetSolidColor(double red, double green, double blue);
 
   /**
-   * Sets the mapper, before the representation is in a view. ParaView sets its own values on it.
-   * Default a new one.
+   * Set the mapper before the representation is added to a view. ParaView sets the mapper's
+   * properties directly. Default: a new mapper.
    */
   void SetMapper(vtkPieceSliceMapper* mapper);
 
   ///@{
   /**
-   * The points of the mapper's ScatteringAlbedo: scalars, and for each the share of light, red,
-   * green and blue, 0 to 1, that goes on where it meets matter; linear between them, that of the
-   * next one beyond. Without points, as at first, the colours are the albedo. Without effect on
-   * arrays that are drawn by their components.
+   * Add or remove points of the mapper's ScatteringAlbedo: a scalar, and the albedo in red, green
+   * and blue, 0 to 1. The albedo is interpolated linearly between the points and constant outside
+   * their range. It has no effect on arrays whose components are colors. Default: no points; the
+   * colors are the albedo.
    */
   void AddScatteringAlbedoPoint(double scalar, double red, double green, double blue);
   void RemoveAllScatteringAlbedoPoints();
@@ -101,45 +96,46 @@ public:
 
   ///@{
   /**
-   * The points of the mapper's PhaseTable: cosines, -1 to 1, and for each how much light goes on at
-   * that angle; linear between them. The values are 0 or above, in any unit. Without points, as at
-   * first, the table is even in all directions.
+   * Add or remove points of the mapper's PhaseTable: the cosine of a scattering angle, -1 to 1, and
+   * the relative amount of light scattered by that angle, 0 or above. The table is interpolated
+   * linearly and normalized. Default: no points; scattering is isotropic.
    */
   void AddPhaseTablePoint(double cosine, double value);
   void RemoveAllPhaseTablePoints();
   ///@}
 
   /**
-   * Whether light takes on the colour of the matter that it passes: the mapper's TransmissionColor
-   * is the colour function. Without effect on RGB components. Default off.
+   * If true, transmitted light takes on the color of the medium: the mapper's TransmissionColor is
+   * the color function. It has no effect on arrays with RGB components. Default: off.
    */
   void SetColoredShadows(bool colored);
 
   /**
-   * Whether surfaces and volumes of the view shadow each other. Default off.
+   * If true, surfaces and volumes of the view shadow each other. Default: off.
    */
   void SetSceneShadows(bool shadows);
 
   /**
-   * The angle in degrees under which lights of the view without an extent or a screen are seen from
-   * their focal point, as long as the representation is visible: they cast soft shadows, as round
-   * vtkAreaLight. Of several representations in a view the largest counts. Default 0: hard shadows.
-   * Valid: 0 to 90.
+   * Set the angular diameter, in degrees, of the view's lights as seen from their focal point.
+   * While the representation is visible, these lights act as round vtkAreaLights and cast soft
+   * shadows. Area lights and projective lights are not changed. The maximum over all
+   * representations of a view is used. Default: 0, hard shadows. Valid: 0 to 90; clamped.
    */
   void SetViewLightAngle(double angle);
 
   ///@{
   /**
-   * Pass their values on to the vtkShadowedScenePass of the view. The defaults are those of the
-   * pass.
+   * Set DepthMapResolution and DepthBias of the view's vtkShadowedScenePass, which documents their
+   * valid values. Default: 1024, 1.
    */
   void SetSceneDepthMapResolution(int resolution);
   void SetSceneDepthBias(double bias);
   ///@}
 
   /**
-   * The number of cells along the longest edge of the grid by which pieces of several processes
-   * shadow each other; 0: shadows end at the borders of pieces. Default 64. Valid: 0 to 256.
+   * Set the number of cells along the longest edge of the grid through which pieces of several
+   * processes shadow each other. With 0, shadows end at the boundaries of pieces. Default: 64.
+   * Valid: 0 to 256; clamped.
    */
   void SetShadowGridResolution(int resolution);
 
@@ -162,16 +158,18 @@ private:
   vtkShadowedSliceRepresentation(const vtkShadowedSliceRepresentation&) = delete;
   void operator=(const vtkShadowedSliceRepresentation&) = delete;
 
+  /// Executes RequestData of the superclass for an image, or for a process without data if null.
   int ShowImage(vtkImageData* image, vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
-  /// Returns the array to colour by, null where the dataset lacks it.
+  /// Returns the color array, or null if the dataset lacks it.
   vtkDataArray* FindColors(vtkDataSet* data);
-  /// Returns whether there is an array to colour by, and one for opacity that fits it.
+  /// Returns true if the color array and a matching opacity array exist.
   bool CanCombineArrays(vtkDataObject* data);
+  /// Sets the scalars and the functions of the mapper for the current array.
   void UpdateScalars();
-  /// Tells the view whether this representation wants shadows of the scene.
+  /// Sets or removes the request of this representation for scene shadows.
   void UpdateSceneShadows();
-  /// Tells other processes of the piece, and the mapper of theirs.
+  /// Exchanges the extinction of the pieces if several processes render.
   void GatherPieces(bool isReduced);
 
   vtkSmartPointer<vtkPieceSliceMapper> Mapper;

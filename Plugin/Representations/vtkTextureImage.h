@@ -6,8 +6,8 @@ class vtkImageData;
 class vtkTexture;
 
 /**
- * The image of a texture that was chosen in ParaView, read anew where its file has changed. Null
- * for null.
+ * Returns the image of a texture that was selected in ParaView. Reads it again if its file has
+ * changed. Returns null for null.
  */
 vtkImageData* vtkTextureImage(vtkTexture* texture);
 

@@ -11,8 +11,8 @@
 
 namespace
 {
-/// Returns whether the function has the ends that ParaView gives a range of one value.
-bool IsOfOneValue(vtkPiecewiseFunction* function)
+/// Returns true if the function has the range to which ParaView extends a range of a single value.
+bool HasSingleValueRange(vtkPiecewiseFunction* function)
 {
   if (function->GetSize() != 2)
   {
@@ -89,7 +89,7 @@ void vtkVolumeFunctions::Apply(vtkVolumeProperty* property, bool hasArray)
 vtkPiecewiseFunction* vtkVolumeFunctions::GetShownOpacity()
 {
   vtkPiecewiseFunction* source = this->ScalarOpacity;
-  if (source && IsOfOneValue(source))
+  if (source && HasSingleValueRange(source))
   {
     return this->Flat;
   }

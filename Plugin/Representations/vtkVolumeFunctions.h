@@ -12,14 +12,13 @@ class vtkVolumeProperty;
 
 /**
  * @class   vtkVolumeFunctions
- * @brief   chooses the colour and opacity functions that a representation draws with
+ * @brief   chooses the color and opacity functions of a volume property
  *
- * The functions are those that the representation was given, but for three cases, in which these
- * would show nothing or not what was asked for:
- * - without an array to colour by: the solid colour and the flat opacity;
- * - an opacity function between the ends of a range without width, which is what ParaView makes of
- *   the ramp when an array is constant: the flat opacity, since the ramp is 0 at that value;
- * - an Opacity below 1: all of the function times Opacity.
+ * The functions that were set are used, with three exceptions:
+ * - If there is no color array, the solid color and a constant opacity are used.
+ * - If the array is constant, ParaView rescales the opacity ramp to a very narrow range, and the
+ *   opacity at the value is 0. A constant opacity is used instead, so that the volume is visible.
+ * - If Opacity is below 1, the opacity function is multiplied by it.
  */
 class vtkVolumeFunctions
 {
@@ -27,30 +26,29 @@ public:
   vtkVolumeFunctions();
   ~vtkVolumeFunctions();
 
-  /// The opacity for the unit distance where there is no function to use, with which about ten
-  /// cells hide the rest.
+  /// Constant opacity per unit distance. About ten cells of the volume hide most of the background.
   static constexpr double FLAT_OPACITY = 0.1;
 
   ///@{
   /**
-   * Set the functions to choose from; null stands for those of a new vtkVolumeProperty.
+   * Set the functions of the array. Null selects the default functions of vtkVolumeProperty.
    */
   void SetColor(vtkColorTransferFunction* color);
   void SetScalarOpacity(vtkPiecewiseFunction* opacity);
   ///@}
 
   /**
-   * Sets the factor of all opacities for the unit distance. Default 1. Valid: 0 to 1, clamped.
+   * Sets the factor of all opacities per unit distance. Default: 1. Valid: 0 to 1; clamped.
    */
   void SetOpacity(double opacity);
 
   /**
-   * Sets the colour without an array. Default white.
+   * Sets the color that is used without an array. Default: white.
    */
   void SetSolidColor(double red, double green, double blue);
 
   /**
-   * Gives \a property the functions of an array, or those of a solid colour.
+   * Sets the functions of \a property for an array, or for the solid color.
    */
   void Apply(vtkVolumeProperty* property, bool hasArray);
 
@@ -64,7 +62,7 @@ private:
   vtkNew<vtkColorTransferFunction> Solid;
   vtkNew<vtkPiecewiseFunction> Flat;
   vtkNew<vtkPiecewiseFunction> Scaled;
-  /// The function and the factor that Scaled was made of.
+  /// Function, its modification time and factor from which Scaled was computed.
   vtkPiecewiseFunction* ScaledSource = nullptr;
   vtkMTimeType ScaledTime = 0;
   double ScaledBy = 1.0;

@@ -29,14 +29,14 @@ namespace
 constexpr double LightColor[3] = { 1.0, 0.85, 0.3 };
 constexpr double ActiveColor[3] = { 1.0, 0.1, 0.1 };
 constexpr double LineWidth = 2.0;
-// In handle sizes, of vtkWidgetRepresentation.
+// Radius of a handle, and its distance from the edge, in units of HandleSize.
 constexpr double HandleRadius = 1.0;
 constexpr double HandleDistance = 3.0;
-// How far from a handle's centre the cursor may be, in pixels.
-constexpr double Reach = 12.0;
+// Maximum distance of the cursor from the center of a selected handle, in pixels.
+constexpr double PickRadius = 12.0;
 constexpr int EllipseSides = 64;
 
-void MakePlain(vtkActor* actor, const double color[3])
+void SetAppearance(vtkActor* actor, const double color[3])
 {
   actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   actor->GetProperty()->SetLighting(false);
@@ -56,13 +56,13 @@ vtkAreaLightRepresentation::vtkAreaLightRepresentation()
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputConnection(handle.Sphere->GetOutputPort());
     handle.Actor->SetMapper(mapper);
-    MakePlain(handle.Actor, LightColor);
+    SetAppearance(handle.Actor, LightColor);
   }
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(this->Outline);
   this->OutlineActor->SetMapper(mapper);
-  MakePlain(this->OutlineActor, LightColor);
-  MakePlain(this->LineActor, LightColor);
+  SetAppearance(this->OutlineActor, LightColor);
+  SetAppearance(this->LineActor, LightColor);
 }
 
 vtkAreaLightRepresentation::~vtkAreaLightRepresentation() = default;
@@ -144,7 +144,7 @@ void vtkAreaLightRepresentation::BuildOutline()
   {
     return;
   }
-  // A square is the polygon of four sides whose corners are on the circle around it.
+  // Build both shapes as regular polygons, scaled by width and height. The square has four sides.
   const bool isRound = this->GetShape() == vtkAreaLight::ROUND;
   const int sides = isRound ? EllipseSides : 4;
   const double radius = isRound ? 0.5 : std::sqrt(0.5);
@@ -154,10 +154,10 @@ void vtkAreaLightRepresentation::BuildOutline()
   for (int side = 0; side < sides; ++side)
   {
     const double angle = 2.0 * vtkMath::Pi() * (side + 0.5) / sides;
-    const double place[4] = { radius * this->GetWidth() * std::cos(angle),
+    const double position[4] = { radius * this->GetWidth() * std::cos(angle),
       radius * this->GetHeight() * std::sin(angle), 0.0, 1.0 };
     double point[4];
-    frame->MultiplyPoint(place, point);
+    frame->MultiplyPoint(position, point);
     lines->InsertCellPoint(points->InsertNextPoint(point));
   }
   lines->InsertCellPoint(0);
@@ -188,7 +188,7 @@ int vtkAreaLightRepresentation::ComputeInteractionState(int x, int y, int)
   {
     return this->InteractionState;
   }
-  double nearest = Reach * Reach;
+  double nearest = PickRadius * PickRadius;
   for (const Handle& handle : this->Handles)
   {
     double position[3];
@@ -231,16 +231,16 @@ void vtkAreaLightRepresentation::WidgetInteraction(double eventPosition[2])
   double motion[3];
   this->GetDraggedPoint(eventPosition, motion);
   vtkMath::Subtract(motion, this->StartPoint, motion);
-  double place[3];
-  vtkMath::Add(this->StartHandle, motion, place);
+  double position[3];
+  vtkMath::Add(this->StartHandle, motion, position);
   vtkNew<vtkMatrix4x4> frame;
   if (this->InteractionState == MovingLight)
   {
-    this->SetLightPosition(place);
+    this->SetLightPosition(position);
   }
   else if (this->InteractionState == MovingFocalPoint)
   {
-    this->SetFocalPoint(place);
+    this->SetFocalPoint(position);
   }
   else if (this->Light->GetEmitterMatrix(frame))
   {

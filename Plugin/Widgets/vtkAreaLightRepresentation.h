@@ -4,7 +4,7 @@
 
 #include "InterlumeWidgetsModule.h" // for the export macro
 #include "vtkLightRepresentation.h"
-#include "vtkNew.h" // for what is drawn
+#include "vtkNew.h" // for actors
 
 #include <array> // for handles
 
@@ -15,16 +15,17 @@ class vtkSphereSource;
 
 /**
  * @class   vtkAreaLightRepresentation
- * @brief   shows where a vtkAreaLight is, with handles for its place, direction and size
+ * @brief   represent a vtkAreaLight with handles for its position, direction and size
  *
- * It draws the outline of the emitter and a line from its centre to the focal point, and four
- * handles, which keep their size in pixels: the centre, the focal point, and one just beyond the
- * right and one beyond the upper edge. Each is dragged in the plane that faces the camera. Dragging
- * the centre moves the light, which goes on shining at the focal point; dragging a handle at an
- * edge away from the centre by d makes the emitter wider or higher by 2 d, never less than 0. The
- * handle under the cursor is red.
+ * The representation shows the outline of the emitter and a line from its center to the focal
+ * point. Four handles of constant size in pixels are at the center, at the focal point, and just
+ * outside the right and the upper edge of the emitter. Handles are dragged parallel to the view
+ * plane. Dragging the center moves the light but not the focal point. Dragging an edge handle
+ * outward by d increases the width or height of the emitter by 2 d; dragging it inward decreases
+ * this size, at most to 0. The handle under the cursor is red.
  *
- * vtkLightWidget moves it, as any vtkLightRepresentation. Positional and ConeAngle are not shown.
+ * Use it with vtkLightWidget, as any vtkLightRepresentation. Positional and ConeAngle are not
+ * shown.
  *
  * @sa vtkAreaLight vtkLightWidget
  */
@@ -35,7 +36,7 @@ public:
   vtkTypeMacro(vtkAreaLightRepresentation, vtkLightRepresentation);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What is dragged, beside what vtkLightRepresentation has.
+  /// Interaction states in addition to those of vtkLightRepresentation.
   enum
   {
     ScalingWidth = ScalingConeAngle + 1,
@@ -44,7 +45,8 @@ public:
 
   ///@{
   /**
-   * The light's shape, size and direction up, with the defaults and valid values of vtkAreaLight.
+   * Shape, size in world units and up direction of the light. Defaults and valid values are those
+   * of vtkAreaLight.
    */
   void SetShape(int shape);
   int GetShape();
@@ -57,7 +59,8 @@ public:
   ///@}
 
   /**
-   * Computes the place of a handle: MovingLight, MovingFocalPoint, ScalingWidth or ScalingHeight.
+   * Compute the world position of a handle: MovingLight, MovingFocalPoint, ScalingWidth or
+   * ScalingHeight.
    */
   void GetHandlePosition(int handle, double position[3]);
 
@@ -85,17 +88,18 @@ private:
     vtkNew<vtkActor> Actor;
   };
 
-  /// Gives the light the position and focal point that the superclass has.
+  /// Copies the position and the focal point of the superclass to the light.
   void UpdateLight();
   void BuildOutline();
-  /// Computes the point of the world under the cursor, as far away as the handle that is dragged.
+  /// Computes the world position under the cursor, at the depth of the dragged handle.
   void GetDraggedPoint(const double eventPosition[2], double point[3]);
 
   vtkNew<vtkAreaLight> Light;
   vtkNew<vtkPolyData> Outline;
   vtkNew<vtkActor> OutlineActor;
   std::array<Handle, 4> Handles;
-  /// Where the drag began: the handle, the cursor as far away as it, and the emitter's size.
+  /// State at the start of the drag: positions of the handle and of the cursor at its depth, and
+  /// size of the emitter.
   double StartHandle[3] = { 0.0, 0.0, 0.0 };
   double StartPoint[3] = { 0.0, 0.0, 0.0 };
   double StartSize[2] = { 0.0, 0.0 };

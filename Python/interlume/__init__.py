@@ -1,15 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Interval volumes, implicit flow fields and their drawing as volumes, for VTK's Python.
+"""Interval volumes, implicit flow fields and their volume rendering, for VTK in Python.
 
-The classes stand in modules that are named as the libraries, and all of them here as well:
+Each library has a module with its classes. This package imports all of them:
 
     from interlume import vtkIntervalVolume
     from interlume.InterlumeIntervals import vtkIntervalVolume
 
-Constants of a class stand in it, or in its settings, as vtkShadowedSliceSettings.BILINEAR_LIGHT for
-vtkShadowedSliceMapper. report(algorithm) returns the values of GetReport() as a dictionary.
+Constants are members of their class, or of the class of its settings, such as
+vtkShadowedSliceSettings.BILINEAR_LOOKUP for vtkShadowedSliceMapper. report(algorithm) returns the values
+of GetReport() as a dictionary.
 
-They work with the vtkmodules of the VTK that the libraries were built with, and with no other.
+The package requires the vtkmodules of the VTK version with which the libraries were built.
 """
 
 from importlib.util import find_spec
@@ -23,7 +24,7 @@ from .InterlumeTetrahedra import *
 from .InterlumeLight import *
 from .InterlumeFlowTexture import *
 
-# TetGen's licence is another, so what uses it may not be installed.
+# An optional package, because TetGen has another license.
 if find_spec(".InterlumeMeshing", __name__):
     from .InterlumeMeshing import *
 

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the last execution of a filter or mapper did, as a dictionary."""
+"""The report of the last execution of a filter or mapper as a dictionary."""
 
 
 def report(algorithm):
-    """Returns the values of the algorithm's GetReport() by their names.
+    """Returns the values of the algorithm's GetReport() by name.
 
-    A value is a number or a text, or a tuple of them if it does not have exactly one entry.
+    A value is a number or a string, or a tuple of them if it does not have exactly one entry.
     """
     try:
         values = algorithm.GetReport()

@@ -1,4 +1,4 @@
-// The implicit flow field within a cell: FlowGrid tells what is stored.
+// Interpolation of the implicit flow field within a cell. FlowGrid describes the data.
 
 uniform sampler3D cells;
 uniform sampler3D places;
@@ -9,18 +9,18 @@ uniform sampler3D groups;
 uniform sampler3D times;
 #endif
 #ifdef SURFACES
-// For each label its paint, and whether u and v are periodic.
+// For each label, the number of its texture and the periodicity of u and v.
 uniform sampler2D surfaces;
 #endif
 
-// One over the numbers of voxels.
+// One divided by the number of voxels along each axis.
 uniform vec3 voxelSize;
 
 const int SPLIT = 0;
-const int SPLIT_BY_WAYS = 4095;
+const int SPLIT_BY_SIDES = 4095;
 const int SEAM = 4096;
 const int EMPTY = 8192;
-#ifdef SMOOTH_PLACES
+#ifdef SMOOTH_POSITIONS
 const float LARGEST_LABEL = 4094.5;
 #endif
 
@@ -28,14 +28,16 @@ struct Sample
 {
   int Paint;
   bvec2 Period;
-  vec2 Place;
+  vec2 Coordinates;
   float Time;
-  // The derivatives of the place, for each axis of the voxels, and those of time.
+  // Derivatives of surface coordinates and time with respect to voxel coordinates.
   mat3x2 Slope;
   vec3 TimeSlope;
 #ifdef PAINT_FILTER
-  // Whether the sample may be larger than two texels. Then the longest axis of what it stands for, as a
-  // change of place and of time, is split into pieces, and Size is the largest change of place in one.
+  // IsWide is true if the footprint may be longer than two texels. It is then split into Pieces
+  // along its longest axis. Along and TimeAlong are the changes of surface coordinates and time
+  // along this axis, and IsAlongRay is true if the axis is the view ray. Size is the maximum change
+  // of surface coordinates in a piece.
   bool IsWide;
   bool IsAlongRay;
   vec2 Along;
@@ -45,7 +47,8 @@ struct Sample
 #endif
 };
 
-// Returns a sample of one piece whose every member has a value, since compilers warn of others.
+// Returns a sample without paint, with an unsplit footprint. All members are initialized, to avoid
+// compiler warnings.
 Sample noSample()
 {
 #ifdef PAINT_FILTER
@@ -56,7 +59,7 @@ Sample noSample()
 #endif
 }
 
-// Returns the kind of a cell, and the code of a bound of the slopes of u and v in it.
+// Returns the kind of a cell, and the code of an upper bound of the slopes of u and v in it.
 ivec2 kindAt(ivec3 cell)
 {
   return ivec2(texelFetch(cells, cell, 0).rg * 65535.0 + 0.5);
@@ -74,7 +77,8 @@ void setSurface(inout Sample found, int label)
 #endif
 }
 
-// Interpolates between eight corners, and differentiates. Corner i is at the bits of i.
+// Interpolates between eight corners, and differentiates. Bit k of i is the position of corner i
+// along axis k.
 #define INTERPOLATE(TYPE, c, f, value, slopeX, slopeY, slopeZ) \
   { \
     TYPE x00 = c[1] - c[0]; \
@@ -93,28 +97,28 @@ void setSurface(inout Sample found, int label)
     slopeZ = z1 - z0; \
   }
 
-#ifdef SMOOTH_PLACES
-// Interpolates what SmoothVoxels tells of: u, v, the largest slope around, and the label.
+#ifdef SMOOTH_POSITIONS
+// Interpolates the data of SmoothVoxels: u, v, the maximum slope of adjacent cells, and the label.
 vec4 storedAt(vec3 place)
 {
   return texture(places, (place + 0.5) * voxelSize);
 }
 
-// Looks up what is stored, interpolated at the place, without derivatives.
-void lookUpPlace(vec3 place, vec4 stored, inout Sample found)
+// Sets the surface coordinates and time from interpolated textures, without derivatives.
+void lookUpPosition(vec3 place, vec4 stored, inout Sample found)
 {
-  found.Place = stored.rg;
+  found.Coordinates = stored.rg;
 #ifdef TIMES
   found.Time = texture(times, (place + 0.5) * voxelSize).r;
 #endif
 }
 #endif
 
-// Interpolates among the corners of a cell of one surface.
+// Interpolates between the corners of a cell with one surface.
 void lookUpPlain(ivec3 cell, vec3 f, bool isSeam, inout Sample found)
 {
 #ifdef SEAMS
-  // Over a seam all places are taken on the side of the nearest corner.
+  // At a seam, use coordinates in the period of the nearest corner.
   vec2 nearest = texelFetch(places, cell + ivec3(f + 0.5), 0).rg;
   vec2 period = mix(vec2(0.0), vec2(found.Period), bvec2(isSeam));
 #endif
@@ -129,7 +133,7 @@ void lookUpPlain(ivec3 cell, vec3 f, bool isSeam, inout Sample found)
   vec2 slopeX;
   vec2 slopeY;
   vec2 slopeZ;
-  INTERPOLATE(vec2, c, f, found.Place, slopeX, slopeY, slopeZ)
+  INTERPOLATE(vec2, c, f, found.Coordinates, slopeX, slopeY, slopeZ)
   found.Slope = mat3x2(slopeX, slopeY, slopeZ);
 #ifdef TIMES
   float t[8];
@@ -144,12 +148,12 @@ void lookUpPlain(ivec3 cell, vec3 f, bool isSeam, inout Sample found)
 #ifdef SPLITS
 bool isSplit(int kind)
 {
-  return kind == SPLIT || kind == SPLIT_BY_WAYS;
+  return kind == SPLIT || kind == SPLIT_BY_SIDES;
 }
 
-// Interpolates among the corners of one kind, those that have most weight, and only among these.
-// Returns whether they reached a surface.
-bool lookUpSplit(ivec3 cell, vec3 f, bool isByWays, inout Sample found)
+// Interpolates between the corners of the group with the largest weight. Returns whether this group
+// reached a surface.
+bool lookUpSplit(ivec3 cell, vec3 f, bool isBySides, inout Sample found)
 {
   int group[8];
   float weight[8];
@@ -158,7 +162,7 @@ bool lookUpSplit(ivec3 cell, vec3 f, bool isByWays, inout Sample found)
   {
     ivec3 corner = ivec3(i & 1, (i >> 1) & 1, i >> 2);
     int stored = int(texelFetch(groups, cell + corner, 0).r * 65535.0 + 0.5);
-    group[i] = isByWays ? stored : stored / WAYS;
+    group[i] = isBySides ? stored : stored / NUMBER_OF_SIDES;
     vec3 w = mix(1.0 - f, f, vec3(corner));
     vec3 s = mix(vec3(-1.0), vec3(1.0), vec3(corner));
     weight[i] = w.x * w.y * w.z;
@@ -179,13 +183,13 @@ bool lookUpSplit(ivec3 cell, vec3 f, bool isByWays, inout Sample found)
       winner = group[i];
     }
   }
-  int label = isByWays ? winner / WAYS : winner;
+  int label = isBySides ? winner / NUMBER_OF_SIDES : winner;
   if (label == 0)
   {
     return false;
   }
   setSurface(found, label);
-  // Over a seam all places are taken on the side of the nearest corner.
+  // At a seam, use coordinates in the period of the nearest corner.
   vec2 c[8];
   vec2 nearest = vec2(0.0);
   float largest = -1.0;
@@ -204,7 +208,7 @@ bool lookUpSplit(ivec3 cell, vec3 f, bool isByWays, inout Sample found)
     value += max(weight[i], 0.0) * c[i];
   }
   value /= most;
-  found.Place = nearest + value;
+  found.Coordinates = nearest + value;
   found.Slope = mat3x2(0.0);
   for (int i = 0; i < 8; ++i)
   {
@@ -229,28 +233,28 @@ bool lookUpSplit(ivec3 cell, vec3 f, bool isByWays, inout Sample found)
 }
 #endif
 
-// Looks the place up within a cell of one surface; derivatives, where they are needed.
+// Interpolates within a cell of one surface, with derivatives if required.
 void lookUpSurface(vec3 place, vec3 cell, int kind, bool hasSlopes, inout Sample found)
 {
   bool isSeam = kind > SEAM;
   setSurface(found, isSeam ? kind - SEAM : kind);
-#ifdef SMOOTH_PLACES
+#ifdef SMOOTH_POSITIONS
   if (!hasSlopes && !isSeam)
   {
-    lookUpPlace(place, storedAt(place), found);
+    lookUpPosition(place, storedAt(place), found);
     return;
   }
 #endif
   lookUpPlain(ivec3(cell), place - cell, isSeam, found);
 }
 
-// Looks the place up within a cell that is not empty. Returns whether there is one.
+// Interpolates within a cell that is not empty. Returns whether the sample reached a surface.
 bool lookUpCell(vec3 place, vec3 cell, int kind, bool hasSlopes, inout Sample found)
 {
 #ifdef SPLITS
   if (isSplit(kind))
   {
-    return lookUpSplit(ivec3(cell), place - cell, kind == SPLIT_BY_WAYS, found);
+    return lookUpSplit(ivec3(cell), place - cell, kind == SPLIT_BY_SIDES, found);
   }
 #endif
   lookUpSurface(place, cell, kind, hasSlopes, found);

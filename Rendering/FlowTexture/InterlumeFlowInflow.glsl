@@ -1,5 +1,5 @@
 
-// The paint of one image; there is a copy of this for each.
+// The inflow texture of one image. This file is copied for each image.
 uniform sampler2D paint_N;
 uniform vec4 paintFrame_N;
 

@@ -1,5 +1,5 @@
-// What is painted at a place of a surface: red, green, blue, each times alpha, and alpha, the
-// opacity in one unit distance.
+// Texture colors at surface coordinates: premultiplied red, green and blue, and alpha, the opacity
+// per ScalarOpacityUnitDistance.
 
 uniform vec4 defaultColor;
 #ifdef DETAIL
@@ -19,7 +19,7 @@ uniform float timePhase;
 #endif
 #ifdef GATE
 uniform sampler2D gate;
-// The first coordinate of the gate's function and its length.
+// Start and length of the range of the gate's function.
 uniform vec2 gateRange;
 #endif
 #ifdef TRANSFER
@@ -32,8 +32,8 @@ uniform vec2 paintSize;
 uniform int largestPieces;
 #endif
 
-// From the first texel's middle to the last one's, as an image's points are: the way between these
-// and the first one's place, in the texture.
+// Maps 0 ... 1 to the range from the center of the first texel to the center of the last. frame
+// contains the size of the range and its start.
 vec2 inTexture(vec2 place, vec4 frame)
 {
   return clamp(place, 0.0, 1.0) * frame.xy + frame.zw;
@@ -42,7 +42,7 @@ vec2 inTexture(vec2 place, vec4 frame)
 //INTERLUME::PAINTS
 
 #ifdef PAINT_FILTER
-// The axes of what a sample stands for: the piece of the ray, and a pixel at that distance.
+// The axes of a sample's footprint: its segment of the ray, and a pixel at its distance.
 struct Footprint
 {
   vec3 Piece;
@@ -57,15 +57,15 @@ float reachOf(Footprint footprint)
     max(dot(footprint.PixelX, footprint.PixelX), dot(footprint.PixelY, footprint.PixelY))));
 }
 
-// Returns whether a sample may be larger than two texels, which a look at one place covers, by the
-// code of a bound of the slopes in its cell.
+// Returns whether the footprint of a sample may be longer than two texels. Such a footprint needs
+// more than one lookup. code represents an upper bound of the slopes in the cell.
 bool isWide(int code, Footprint footprint)
 {
   return reachOf(footprint) * max(paintSize.x, paintSize.y) >
     2.0 * exp2(128.0 - float(code) / 256.0);
 }
 
-// Splits what a sample stands for, by its three axes, into the longest and what is across it.
+// Splits the footprint along its longest axis, and determines the size of the pieces.
 void setFootprint(inout Sample found, Footprint footprint)
 {
   vec2 along = found.Slope * footprint.Piece;
@@ -77,7 +77,7 @@ void setFootprint(inout Sample found, Footprint footprint)
   float a = dot(along, along);
   float b = dot(x, x);
   float c = dot(y, y);
-  // What is along the ray is drawn piece by piece; across it there is a mean.
+  // Pieces along the ray are composited; pieces across the ray are averaged.
   if (b > a && b >= c)
   {
     axis = footprint.PixelX;
@@ -109,7 +109,7 @@ float levelOf(vec2 texels)
 }
 #endif
 
-// Returns -log(1 - alpha), with all digits of small ones too, and 69 at most.
+// Returns -log(1 - alpha), at most 69, accurate for small alpha too.
 float depthOf(float alpha)
 {
   return alpha < 0.05 ? alpha * (1.0 + alpha * (1.0 / 2.0 + alpha * (1.0 / 3.0 + alpha / 4.0)))
@@ -141,10 +141,10 @@ float gateAt(float injected)
 }
 #endif
 
-// Returns what is painted in the part of the sample at a share of its longest axis, -0.5 to 0.5.
+// Returns the texture color at a position along the longest axis of the footprint, -0.5 to 0.5.
 vec4 paintOf(Sample found, float share)
 {
-  vec2 place = found.Place;
+  vec2 place = found.Coordinates;
   float level = 0.0;
 #ifdef PAINT_FILTER
   if (found.IsWide)
@@ -160,7 +160,7 @@ vec4 paintOf(Sample found, float share)
 #ifdef PAINT_FILTER
   time += found.IsWide ? share * found.TimeAlong : 0.0;
 #endif
-  // The time at which paint was put in here, in periods.
+  // Time of inflow, in periods.
   float injected = timePhase - time / timePeriod;
 #endif
 #ifdef GATE
@@ -195,7 +195,7 @@ vec4 paintOf(Sample found, float share)
   return paint;
 }
 
-// Returns the number of parts of a sample that are drawn one behind the other.
+// Returns the number of pieces of a sample that are composited along the ray.
 int partsOf(Sample found)
 {
 #ifdef PAINT_FILTER
@@ -205,8 +205,8 @@ int partsOf(Sample found)
 #endif
 }
 
-// Looks a piece up. Returns whether there is paint to draw: that of each piece along the ray, and the
-// mean of all across it after the last.
+// Computes the color of a piece. Returns whether to draw it: pieces along the ray are drawn one by
+// one, pieces across the ray are drawn as their mean after the last.
 bool takePiece(Sample found, int piece, inout vec4 sum, out vec4 paint)
 {
 #ifdef PAINT_FILTER

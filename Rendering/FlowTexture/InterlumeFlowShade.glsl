@@ -1,4 +1,4 @@
-// The light on a place, by the field's direction there or by the gradient of an array.
+// Shading by the direction of a vector array or by the gradient of a scalar array.
 
 #ifdef SHADE
 uniform sampler3D shadingValues;
@@ -7,9 +7,9 @@ uniform float power;
 #ifdef LIGHTS
 uniform vec3 material; // Ambient, diffuse, specular.
 uniform vec3 ambientLight;
-uniform vec3 worldOrigin; // The first voxel, less the middle of the volume.
+uniform vec3 worldOrigin; // Position of the first voxel relative to the center of the volume.
 #if LIGHTS > 0
-uniform vec3 lightDirections[LIGHTS]; // Towards the light, or its position, in world units.
+uniform vec3 lightDirections[LIGHTS]; // Direction toward the light, or its position, in world units.
 uniform vec3 lightColors[LIGHTS];
 uniform float lightIsPositional[LIGHTS];
 #endif
@@ -29,7 +29,7 @@ vec3 shadingAt(vec3 place)
   return texture(shadingValues, (place + 0.5) / shadingVoxels).rgb;
 }
 
-// Returns the vector of length 1 that shades; 0 where there is none.
+// Returns the unit vector for shading, or 0 if there is none.
 vec3 axisAtVoxel(vec3 place)
 {
 #ifdef SHADE_VECTORS
@@ -45,13 +45,12 @@ vec3 axisAtVoxel(vec3 place)
   return size > 1e-20 ? axis / size : vec3(0.0);
 }
 
-// Returns the diffuse and the specular share of light, by the axis and the directions towards the
-// light and the eye, of length 1.
+// Returns the diffuse and specular factors. l and eye are unit vectors toward the light and camera.
 vec2 reflectionOf(vec3 axis, vec3 l, vec3 eye)
 {
   bool isFlat = axis == vec3(0.0);
 #ifdef SHADE_VECTORS
-  // Of all normals of a line the one in the plane of line and light.
+  // Use the normal of the line in the plane of the line and the light direction.
   float along = dot(l, axis);
   float diffuse = isFlat ? 1.0 : sqrt(max(1.0 - along * along, 0.0));
   float mirrored = diffuse * sqrt(max(1.0 - dot(eye, axis) * dot(eye, axis), 0.0)) -

@@ -5,8 +5,9 @@
 #define PLAIN_CELLS
 #endif
 
-// Walks a line of sight through an implicit flow field. Places are in voxels, 0 at the first one;
-// ways along the line in world units, 0 where the plane through the volume's middle is.
+// Casts a view ray through an implicit flow field. Positions are in voxel coordinates, 0 at the
+// first voxel. Distances along the ray are in world units, 0 at the plane through the center of the
+// volume.
 in vec2 texCoord;
 
 uniform vec3 rayOrigin;
@@ -16,14 +17,14 @@ uniform vec3 rayDirection;
 uniform vec3 rayDirectionX;
 uniform vec3 rayDirectionY;
 uniform mat3 worldFromVoxels;
-// The ways to the near and the far plane, in lengths of the direction from the eye, and the way
-// from there to 0.
+// Distances of the near and far planes from the camera, in multiples of the ray's direction, and the
+// distance of the plane where distances along the ray are 0.
 uniform vec2 nearFar;
-uniform float middle;
+uniform float centerDistance;
 uniform vec3 lastCell;
 uniform float sampleDistance;
-// One over the unit distance.
-uniform float unitShare;
+// One divided by ScalarOpacityUnitDistance.
+uniform float inverseUnitDistance;
 #ifdef OPAQUE
 uniform sampler2D image;
 #endif
@@ -40,7 +41,7 @@ uniform vec2 pixelSize;
 
 const float OPAQUE_ENOUGH = 0.9999;
 
-// Returns 1 - (1 - alpha)^length, with all digits of small ones too.
+// Returns 1 - (1 - alpha)^length, accurate for small values too.
 float opacityOf(float alpha, float length)
 {
   float depth = depthOf(alpha) * length;
@@ -58,22 +59,22 @@ void main()
   vec3 direction = rayDirection + at.x * rayDirectionX + at.y * rayDirectionY;
   float unit = length(worldFromVoxels * direction);
   vec3 way = direction / unit;
-  float lower = (nearFar.x - middle) * unit;
-  float upper = (nearFar.y - middle) * unit;
+  float lower = (nearFar.x - centerDistance) * unit;
+  float upper = (nearFar.y - centerDistance) * unit;
 #ifdef OPAQUE
   float opaque = texture(image, texCoord).r;
 #ifdef PARALLEL
-  upper = min(upper, (mix(nearFar.x, nearFar.y, opaque) - middle) * unit);
+  upper = min(upper, (mix(nearFar.x, nearFar.y, opaque) - centerDistance) * unit);
 #else
-  upper = min(upper, (1.0 / mix(1.0 / nearFar.x, 1.0 / nearFar.y, opaque) - middle) * unit);
+  upper = min(upper, (1.0 / mix(1.0 / nearFar.x, 1.0 / nearFar.y, opaque) - centerDistance) * unit);
 #endif
 #endif
   vec3 inverse = inverseOf(way);
-  cutToMatter(origin, way, origin, inverse, lower, upper);
+  cutToMedium(origin, way, origin, inverse, lower, upper);
 
   Ray ray = Ray(origin, way, unit, lower, upper, lower, 0.0);
   vec4 sum = vec4(0.0);
-#ifdef SMOOTH_PLACES
+#ifdef SMOOTH_POSITIONS
   vec3 size = abs(way);
   float stride = 1.0 / (sampleDistance * max(max(size.x, size.y), size.z));
   float reach = 0.0;

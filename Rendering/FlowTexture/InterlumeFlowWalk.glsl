@@ -1,15 +1,15 @@
-// Walks a line of sight, sample by sample. A sample stands for the piece of the ray around it; the
-// last one is shorter.
+// Traverses a view ray sample by sample. A sample represents the segment of the ray around it. The
+// last segment may be shorter.
 
 struct Ray
 {
   vec3 Origin;
-  vec3 Way;
-  // The length of the ray's direction, in world units.
+  vec3 Direction;
+  // Length of the ray's direction, in world units.
   float Unit;
   float Lower;
   float Upper;
-  // Where the next sample's piece begins, and the number of samples before it.
+  // Start of the next sample's segment, and the number of previous samples.
   float From;
   float Number;
 };
@@ -24,9 +24,9 @@ float pieceOf(Ray ray)
   return min(sampleDistance, ray.Upper - ray.From);
 }
 
-vec3 placeOf(Ray ray)
+vec3 positionOnRay(Ray ray)
 {
-  return ray.Origin + (ray.From + 0.5 * pieceOf(ray)) * ray.Way;
+  return ray.Origin + (ray.From + 0.5 * pieceOf(ray)) * ray.Direction;
 }
 
 vec3 cellOf(vec3 place)
@@ -40,16 +40,16 @@ void pass(inout Ray ray, float samples)
   ray.From = ray.Lower + ray.Number * sampleDistance;
 }
 
-// Adds what is painted at a place.
+// Composites the texture color of a sample.
 void add(Ray ray, Sample found, vec3 place, inout vec4 sum)
 {
   float to = 0.5 * pieceOf(ray);
   float from = -to;
-  cutToRegions(place, ray.Way, from, to);
-  float depth = (to - from) * unitShare / float(partsOf(found));
+  cutToRegions(place, ray.Direction, from, to);
+  float depth = (to - from) * inverseUnitDistance / float(partsOf(found));
   float strength = to > from ? strengthAt(place) : 0.0;
 #ifdef SHADE
-  Light light = lightAt(place, ray.Way);
+  Light light = lightAt(place, ray.Direction);
 #endif
 #ifdef PAINT_FILTER
   int pieces = found.Pieces;
@@ -77,19 +77,20 @@ void add(Ray ray, Sample found, vec3 place, inout vec4 sum)
 Footprint footprintOf(Ray ray, float from, float piece)
 {
   float share = (from + 0.5 * piece) / ray.Unit;
-  return Footprint(ray.Way * piece, (rayOriginX + share * rayDirectionX) * pixelSize.x,
+  return Footprint(ray.Direction * piece, (rayOriginX + share * rayDirectionX) * pixelSize.x,
     (rayOriginY + share * rayDirectionY) * pixelSize.y);
 }
 
-// How far what a sample stands for may reach, in voxels; between two ways it is never further.
+// Returns the size of a footprint, in voxels. Between two positions, the size is at most the larger
+// of the sizes at both.
 float reachOf(Ray ray, float from)
 {
   return reachOf(footprintOf(ray, from - 0.5 * sampleDistance, sampleDistance));
 }
 #endif
 
-// Adds what is painted at a place of one cell, of the size that the sample stands for. Returns
-// whether the sample may be larger than two texels.
+// Composites a sample, filtered over its footprint. Returns whether the footprint may be longer
+// than two texels.
 bool addSized(Ray ray, Sample found, int code, vec3 place, inout vec4 sum)
 {
 #ifdef PAINT_FILTER
@@ -108,16 +109,16 @@ bool addSized(Ray ray, Sample found, int code, vec3 place, inout vec4 sum)
 #endif
 }
 
-#ifdef SMOOTH_PLACES
-// Software executes both sides of each branch, and each loop once at least, so what few samples need
-// has a loop of its own, around those of what most need.
+#ifdef SMOOTH_POSITIONS
+// Software OpenGL executes both sides of each branch, and each loop at least once. Therefore rare
+// cases have separate outer loops around the loop of the common case.
 
-// Walks while samples have nothing, or one surface and no more than two texels.
+// Traverses samples that are empty, or have one surface and a footprint of at most two texels.
 void walkSmooth(inout Ray ray, float reach, float stride, inout vec4 sum)
 {
   while (true)
   {
-    vec3 place = placeOf(ray);
+    vec3 place = positionOnRay(ray);
     vec4 stored = storedAt(place);
     bool isOver = !goesOn(ray, sum);
 #if defined(SPLITS) || defined(SEAMS)
@@ -136,11 +137,12 @@ void walkSmooth(inout Ray ray, float reach, float stride, inout vec4 sum)
     {
       Sample found = noSample();
       setSurface(found, int(stored.a));
-      lookUpPlace(place, stored, found);
+      lookUpPosition(place, stored, found);
       add(ray, found, place, sum);
     }
 #ifdef EMPTY_CELLS
-    // The distance from a place is at most 1 less than that from its cell.
+    // The distance from a position to the next cell that is not empty is at least the stored
+    // distance minus 1.
     pass(ray, max(floor((-1.0 - stored.a) * stride), 1.0));
 #else
     pass(ray, 1.0);
@@ -149,15 +151,15 @@ void walkSmooth(inout Ray ray, float reach, float stride, inout vec4 sum)
 }
 
 #ifdef PLAIN_CELLS
-// Walks on in cells of one surface, while samples may have more than two texels or something else is
-// in a cell around. Returns whether a split cell is next.
+// Traverses cells of one surface, while footprints may be longer than two texels or adjacent cells
+// are of another kind. Returns whether a split cell is next.
 bool walkPlain(inout Ray ray, inout vec4 sum)
 {
   bool isOver = false;
   bool isBeforeSplit = false;
   while (!isOver && goesOn(ray, sum))
   {
-    vec3 place = placeOf(ray);
+    vec3 place = positionOnRay(ray);
     vec3 cell = cellOf(place);
     ivec2 stored = kindAt(ivec3(cell));
 #ifdef SPLITS
@@ -190,7 +192,7 @@ void walkSplits(inout Ray ray, inout vec4 sum)
 {
   while (goesOn(ray, sum))
   {
-    vec3 place = placeOf(ray);
+    vec3 place = positionOnRay(ray);
     vec3 cell = cellOf(place);
     ivec2 stored = kindAt(ivec3(cell));
     if (!isSplit(stored.x))
@@ -198,7 +200,7 @@ void walkSplits(inout Ray ray, inout vec4 sum)
       break;
     }
     Sample found = noSample();
-    if (lookUpSplit(ivec3(cell), place - cell, stored.x == SPLIT_BY_WAYS, found))
+    if (lookUpSplit(ivec3(cell), place - cell, stored.x == SPLIT_BY_SIDES, found))
     {
       addSized(ray, found, stored.y, place, sum);
     }
@@ -207,20 +209,20 @@ void walkSplits(inout Ray ray, inout vec4 sum)
 }
 #endif
 #else
-// Walks through cells of all kinds.
+// Traverses cells of all kinds.
 void walkCells(inout Ray ray, vec3 inverse, inout vec4 sum)
 {
   while (goesOn(ray, sum))
   {
-    vec3 place = placeOf(ray);
+    vec3 place = positionOnRay(ray);
     vec3 cell = cellOf(place);
     ivec2 stored = kindAt(ivec3(cell));
     float samples = 1.0;
     if (stored.x >= EMPTY)
     {
-      // All cells nearer than the distance are empty: the samples there are passed over.
+      // All cells at a smaller distance are empty, so skip their samples.
       float distance = float(stored.x - EMPTY);
-      vec3 ends = mix(cell + 1.0 - distance, cell + distance, greaterThan(ray.Way, vec3(0.0)));
+      vec3 ends = mix(cell + 1.0 - distance, cell + distance, greaterThan(ray.Direction, vec3(0.0)));
       vec3 exits = (ends - place) * inverse;
       samples += max(ceil(min(min(exits.x, exits.y), exits.z) / sampleDistance) - 1.0, 0.0);
     }

@@ -29,7 +29,7 @@ int vtkImplicitFlowVolumeMapper::FillInputPortInformation(int port, vtkInformati
   {
     return 0;
   }
-  // Render reports an error for other grids, and what to do about it.
+  // Accept all data sets here, because Render reports a more helpful error for other types.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
@@ -38,7 +38,8 @@ void vtkImplicitFlowVolumeMapper::SetInflowTexture(int id, vtkImageData* image)
 {
   if (id < ALL)
   {
-    vtkErrorMacro(<< "there is no termination surface of id " << id);
+    vtkErrorMacro(<< "SetInflowTexture: " << id << " is not a valid id of a termination surface. "
+                  << "Pass ALL or an id of 0 or above.");
     return;
   }
   if (this->GetInflowTexture(id) == image)
@@ -139,13 +140,13 @@ interlume::Error vtkImplicitFlowVolumeMapper::Draw(
   vtkDataSet* input = this->GetInput();
   if (this->BlendMode != COMPOSITE_BLEND)
   {
-    return "blend modes other than composite are not supported";
+    return "Only the composite blend mode is supported. Call SetBlendModeToComposite().";
   }
   auto* image = vtkImageData::SafeDownCast(input);
   if (!image)
   {
-    return std::string("the input is a ") + input->GetClassName() +
-      "; vtkImageData is needed, as vtkImplicitFlowField gives with SAMPLES_OF_IMAGE";
+    return std::string("The input is a ") + input->GetClassName() +
+      ", but vtkImageData is required. Use SAMPLES_OF_IMAGE of vtkImplicitFlowField.";
   }
   return this->Renderer->Render(renderer, volume, *this, image, report);
 }
@@ -155,11 +156,6 @@ void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   if (this->Peels->Defer(this, renderer, volume))
   {
     return;
-  }
-  if (this->Peels->ConsumeFirstDeferral())
-  {
-    vtkWarningMacro(<< "UseDepthPeelingForVolumes is not supported: the volume is drawn over "
-                       "translucent polygons, as without it");
   }
   vtkDataSet* input = this->GetInput();
   interlume::FlowVolumeRenderReport report;
@@ -184,7 +180,9 @@ void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   if (!error && report.NonFiniteSamples > 0 && input->GetMTime() != this->WarningTime)
   {
     vtkWarningMacro(<< report.NonFiniteSamples
-                    << " samples have places, times or values that are not finite");
+                    << " samples have texture coordinates, times or array "
+                    << "values that are not finite. Samples without finite coordinates or times "
+                    << "are drawn as if they had reached no surface; other values count as 0.");
     this->WarningTime = input->GetMTime();
   }
 }
@@ -218,8 +216,8 @@ void vtkImplicitFlowVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShadingArray: " << this->ShadingArray << "\n";
   os << indent << "Shadows: " << this->Shadows << "\n";
   os << indent << "LightBufferSize: " << this->LightBufferSize << "\n";
-  os << indent << "PaintFilter: " << this->PaintFilter << "\n";
-  os << indent << "MaximumPaintSamples: " << this->MaximumPaintSamples << "\n";
+  os << indent << "TextureFilter: " << this->TextureFilter << "\n";
+  os << indent << "MaximumTextureSamples: " << this->MaximumTextureSamples << "\n";
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
   os << indent << "MaximumTextureMemory: " << this->MaximumTextureMemory << "\n";

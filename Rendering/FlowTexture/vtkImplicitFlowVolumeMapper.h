@@ -3,15 +3,16 @@
 #define vtkImplicitFlowVolumeMapper_h
 
 #include "InterlumeFlowTextureModule.h" // for the export macro
-#include "vtkImageData.h"               // for textures
-#include "vtkInterlumeReport.h"         // for GetReport()
+#include "vtkInterlumeDeprecation.h"
+#include "vtkImageData.h"       // for textures
+#include "vtkInterlumeReport.h" // for GetReport()
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h" // for the gate
 #include "vtkSmartPointer.h"
 #include "vtkVolumeMapper.h"
 
 #include <map>    // for textures by id
-#include <memory> // for what is kept from picture to picture
+#include <memory> // for the renderer
 #include <string> // for array names
 
 namespace interlume
@@ -24,82 +25,60 @@ struct FlowVolumeRenderReport;
 
 /**
  * @class   vtkImplicitFlowVolumeMapper
- * @brief   draws an implicit flow field as a volume of what is painted on its termination surfaces
+ * @brief   render an implicit flow field as a volume, colored by textures of termination surfaces
  *
- * Each voxel knows the surface its streamline ends on, the place (u,v) there, and the time it takes
- * to come there (C. Zhang, dissertation, Ohio State 2006, section 4.6). A place x of the volume has
- * the colour and opacity
- *   P(x) = inflow texture of the surface at (u(x), v(x)),
- * so that paint on a surface is carried through the flow, and another image, colour or gate is
- * another picture without any advection.
+ * Each voxel of an implicit flow field stores the surface where its streamline ends, the surface
+ * coordinates (u,v) of the end, and the advection time. The color and opacity at a point are looked
+ * up in the surface's *inflow texture* at (u,v). A texture on a surface thus appears to be carried
+ * by the flow. Changing a texture, a color or the time gate requires no advection (C. Zhang,
+ * dissertation, Ohio State 2006, section 4.6).
  *
- * **Input**: vtkImageData with the point arrays that vtkImplicitFlowField writes: `FlowStatus`,
- * `TerminationId`, `TerminationUV` (2 components) and `AdvectionTime`, of any types of numbers; of
- * its further arrays `TerminationSide` and the field array `TerminationSurfaces`, which tells which
- * of u and v are periodic with period 1, are read where they are there. Two points along each axis
- * at least. Grids that are no images have to be sampled, by SAMPLES_OF_IMAGE of that filter.
+ * **Input**: a vtkImageData with at least two points along each axis and the point arrays of
+ * vtkImplicitFlowField: `FlowStatus`, `TerminationId`, `TerminationUV` (2 components) and
+ * `AdvectionTime`. The point array `TerminationSide` and the field array `TerminationSurfaces`
+ * (which of u and v are periodic) are optional. For other grids, use SAMPLES_OF_IMAGE of
+ * vtkImplicitFlowField.
  *
- * **Interpolation.** u, v and time are interpolated trilinearly among the corners of a cell that
- * have the same status and surface, those that have most weight at the place: weights of the others
- * are dropped, and what is left is normalised. Over a periodic seam places are taken from one side.
- * Where a streamline comes round to its surface again, and time jumps from 0 to a whole turn,
- * corners of both kinds are told apart by `TerminationSide`, if the shorter times are less than
- * half the longest. So nothing is mixed at borders; they are off by up to half a cell. Elsewhere
- * the error is that of trilinear interpolation, of second order in the distance of voxels: off
- * by 3.6 times less, and more, for half that distance, in a field of rotation.
+ * **Interpolation.** u, v and time are interpolated trilinearly between corners of a cell that have
+ * the same surface. At borders between the regions of different surfaces, only the group of corners
+ * with the largest weight is used. Borders are accurate to half a cell.
  *
- * **Opacity** is that in one ScalarOpacityUnitDistance of the vtkVolumeProperty: a piece of a line
- * of sight of length l has 1 - (1 - alpha)^(l / unit distance). Lines of sight are walked from
- * front to back in pieces of SampleDistance, without jitter, until 0.9999 of opacity.
+ * **Opacity** refers to the ScalarOpacityUnitDistance of the vtkVolumeProperty. View rays are
+ * sampled front to back at SampleDistance, without jitter.
  *
- * **Sharp paint.** What a sample stands for, a piece of the ray as wide as a pixel, is mapped to
- * (u,v) by the derivatives of the interpolation within its cell, never by those between pixels or
- * voxels of different surfaces. The longest of its three axes is split into so many samples that
- * each has one texel, and the others choose the texture's level of detail. So paint that is
- * stretched or seen at a grazing angle is blurred along the one direction only that has too many
- * texels.
+ * **Texture filtering.** The footprint of a sample, a segment of the view ray as wide as a pixel,
+ * is mapped to (u,v) and filtered anisotropically, see TextureFilter.
  *
- * **Colours** are those of the textures. With the property's Shade on and a ShadingArray they are
- * lit by the renderer's lights (directional or positional, without cones and fall-off), with the
- * property's coefficients: as surfaces towards lower values of an array of one component, or, by
- * an array of three, as lines along its direction (D. Stalling, M. Zoeckler, H.-C. Hege, "Fast
- * display of illuminated field lines", 1997). Where the gradient or the vector is zero, light is
- * scattered evenly.
+ * **Shading.** With Shade of the property on and a ShadingArray, colors are lit by the renderer's
+ * lights and the property's coefficients. With a one-component array, samples are shaded as on
+ * isosurfaces whose normals point to lower values. With a three-component array, they are shaded as
+ * on lines along the vectors. If the gradient or vector is zero, shading is isotropic. Without
+ * Shadows, lights are directional or positional, without cones and attenuation.
  *
- * **Shadows.** With Shadows on, a light that is switched on and has a ShadowAttenuation above 0
- * loses on its way through the volume what the paint there takes, as in vtkShadowedSliceMapper,
- * by which the picture is drawn then: in slices, with one buffer for each light. A piece of a ray
- * of length l lets exp(-tau l) of light and sight through, tau = -ln(1 - alpha) /
- * ScalarOpacityUnitDistance, so that both routes have the same opacity. Paint of colour c is seen
- * as
- *   C = c (ka Ia + sum kd I T D) + sum ks I T S,
- * D and S the diffuse and specular share by ShadingArray, as above, or 1 and 0 without one or
- * without Shade; ka, kd, ks the property's coefficients, I the lights with cone, fall-off and
- * screen, T the transmittance from there and Ia their ambient colours, white where all are black.
- * All lights of that mapper are lights here, soft shadows of a vtkAreaLight too. The light on slabs
- * of paint that cast shadows on each other, three and five voxels thick and of opacities that jump
- * at their sides, is off by 0.0071 of 1 or less in the mean, by 0.0034 with slices an eighth of a
- * voxel apart and buffers of 256 columns; on smooth paint by 0.0004 and 0.0002. Soft light of a
- * square emitter is off by 0.006, and by 0.011 where the emitter is half as wide as it is far. On
- * sharp edges of dense paint the columns of a light's buffer show as faint stripes, which a larger
- * LightBufferSize thins. Surfaces neither cast shadows in the volume nor receive its own:
- * vtkShadowedScenePass does not know this mapper.
+ * **Shadows.** With Shadows on, and a light with ShadowAttenuation above 0, the volume is drawn in
+ * slices by vtkShadowedSliceMapper. It supports the lights of that mapper, including vtkAreaLight.
+ * Surfaces neither cast shadows into the volume nor receive its shadows, not even in a
+ * vtkShadowedScenePass.
  *
- * Cropping and clipping planes cut exactly along the ray, whatever the direction matrix of the
- * image is. Opaque props occlude by depth. Translucent polygons are behind the volume wherever they
- * are, and UseDepthPeelingForVolumes is warned of once. Selection (vtkHardwareSelector) finds the
- * volume as a whole. The only BlendMode is composite.
+ * Cropping and clipping planes are exact, for any direction matrix of the image. Opaque props
+ * occlude the volume by depth. Translucent polygons are always drawn behind the volume, and
+ * UseDepthPeelingForVolumes triggers one warning. vtkHardwareSelector selects the whole volume. The
+ * only BlendMode is composite.
  *
- * Samples with a place or time that is not finite count as having reached no surface, those with no
- * finite value of another array as having the value 0; both are counted and warned of once for each
- * input.
+ * Samples whose coordinates or time are not finite are treated as not having reached a surface.
+ * Non-finite values of other arrays are treated as 0. Both trigger one warning per input.
  *
- * Errors (vtkErrorMacro, once for each state of the input and the mapper; nothing is drawn): an
- * input that is no image, arrays that are missing or of the wrong shape, images of the wrong type
- * or with too many dimensions, no texture units or texture memory left, textures over the graphics
- * card's limits, a blend mode that is not supported; with shadows those of vtkShadowedSliceMapper.
+ * Errors (vtkErrorMacro, once for each state of the input and the mapper, without drawing):
+ * - the input is not an image, or an array is missing or has a wrong number of components;
+ * - a texture image has the wrong type or too many dimensions;
+ * - the textures exceed the GPU's texture units, texture size or memory, or MaximumTextureMemory;
+ * - the blend mode is not composite;
+ * - vtkShadowedSliceMapper reports an error (with shadows).
  *
- * @sa vtkShadowedSliceMapper
+ * See Documentation/methods/textured-flow.md for the method, and Documentation/measurements.md for
+ * accuracy and speed.
+ *
+ * @sa vtkImplicitFlowField vtkInflowMapping vtkShadowedSliceMapper
  */
 class INTERLUMEFLOWTEXTURE_EXPORT vtkImplicitFlowVolumeMapper : public vtkVolumeMapper
 {
@@ -122,22 +101,24 @@ public:
     GATE_BOTH = 2
   };
 
-  /// The id that stands for all surfaces without a texture of their own.
+  /// Id of the texture for all surfaces without their own texture.
   static constexpr int ALL = -1;
 
   ///@{
   /**
-   * The image that is painted on the surface of an id, or on ALL others: point scalars of unsigned
-   * char, unsigned short (0 to 255 and to 65535), float or double (0 to 1), grey, grey and alpha,
-   * RGB or RGBA, any two axes; u goes from the first column's middle, 0, to the last one's, 1, v
-   * along the other axis, as in vtkInflowMapping. Without alpha paint is opaque. Null removes it.
-   * Default none. Valid ids: ALL, 0 and above; others are an error and change nothing.
+   * Set/Get the inflow texture of a surface id, or ALL for all other surfaces. An image has active
+   * point scalars with 1 (gray), 2 (gray and alpha), 3 (RGB) or 4 (RGBA) components, and at most
+   * two axes with more than one point. The scalars are unsigned char (0 to 255), unsigned short (0
+   * to 65535), float or double (0 to 1). Without alpha, the texture is opaque. u runs along the
+   * first axis, from 0 at the center of the first texel to 1 at the center of the last, v along the
+   * second axis, as in vtkInflowMapping. Null removes the texture. Default none. Valid ids: ALL, 0
+   * and above; other ids are an error and are ignored.
    */
   void SetInflowTexture(int id, vtkImageData* image);
   void RemoveAllInflowTextures();
-  /// Returns what was set for the id itself; null where nothing was.
+  /// Returns the image set for this id, or null.
   vtkImageData* GetInflowTexture(int id) const;
-  /// Returns all images that are set, by id.
+  /// Returns all images by id.
   const std::map<int, vtkSmartPointer<vtkImageData>>& GetInflowTextures() const
   {
     return this->InflowTextures;
@@ -147,8 +128,8 @@ public:
 
   ///@{
   /**
-   * Red, green, blue and opacity of surfaces without a texture, 0 to 1. Default 0.8, 0.8, 0.8,
-   * 0.05. Valid: finite; clamped to 0 to 1 when drawn.
+   * Set/Get the color (red, green, blue) and opacity of surfaces without a texture. Default 0.8,
+   * 0.8, 0.8, 0.05. Valid: finite; clamped to 0 ... 1 for rendering.
    */
   vtkSetVector4Macro(DefaultColor, double);
   vtkGetVector4Macro(DefaultColor, double);
@@ -156,12 +137,12 @@ public:
 
   ///@{
   /**
-   * A second image, of the types above, which is repeated: of two dimensions over (u,v), or of
-   * three over (u,v) and the time since the paint was put in; DetailScale is the number of
-   * repetitions in one unit of u, of v and of time. DETAIL_MODULATE: colours and opacities are
-   * multiplied; DETAIL_OVER: the detail lies over the inflow's paint; DETAIL_ADD: they are added,
-   * up to 1. Default none, DETAIL_MODULATE, 1, 1, 1. Valid: see DetailModes, clamped; any finite
-   * numbers.
+   * Set/Get a second, repeating texture. A two-dimensional image is mapped to (u,v), a
+   * three-dimensional image to (u,v) and the time since inflow. It has the same types as an inflow
+   * texture. DetailScale is the number of repetitions per unit of u, v and time. DETAIL_MODULATE
+   * multiplies colors and opacities, DETAIL_OVER composites the detail over the inflow texture,
+   * DETAIL_ADD adds them, up to 1. Default none, DETAIL_MODULATE, (1, 1, 1). Valid: see
+   * DetailModes, clamped; finite scales.
    */
   void SetDetailTexture(vtkImageData* image);
   vtkImageData* GetDetailTexture() const { return this->DetailTexture; }
@@ -176,10 +157,10 @@ public:
 
   ///@{
   /**
-   * How much paint is put in as time goes on, 0 to 1, by which opacity is multiplied: where time
-   * is t, what was put in at TimePhase - t / TimePeriod is seen. With TimeGateRepeat the function
-   * is taken from 0 to 1 and repeated; else beyond its own range its ends go on. TimeGateTarget
-   * tells which texture is gated; where a detail that modulates is gated by 0, there is no detail.
+   * Set/Get a time gate: a function of the inflow time that multiplies the opacity, 0 to 1. At a
+   * sample with advection time t it is evaluated at TimePhase - t / TimePeriod. With TimeGateRepeat
+   * on, its interval 0 to 1 repeats, otherwise it is constant outside its range. TimeGateTarget
+   * selects the gated texture. If a modulating detail texture is gated by 0, it has no effect.
    * Default none, GATE_INFLOW, on. Valid: see TimeGateTargets; clamped.
    */
   void SetTimeGate(vtkPiecewiseFunction* function);
@@ -196,9 +177,9 @@ public:
 
   ///@{
   /**
-   * The unit of the gate's time, in units of AdvectionTime, and the time now in such units: as it
-   * grows, dye moves downstream, with the gate and with a detail of three dimensions. Default 1, 0.
-   * Valid: 1e-30 and above; finite.
+   * Set/Get the period of the time gate, in units of AdvectionTime, and the current time in
+   * periods. Increasing the phase moves the time gate and a three-dimensional detail texture
+   * downstream. Default: period 1, phase 0. Valid: period 1e-30 and above; phase finite.
    */
   vtkSetClampMacro(TimePeriod, double, 1e-30, VTK_DOUBLE_MAX);
   vtkGetMacro(TimePeriod, double);
@@ -208,9 +189,9 @@ public:
 
   ///@{
   /**
-   * The point array of one component whose value, by the scalar opacity function of the property,
-   * multiplies opacity; the function is sampled at 1024 places of the array's range. Default empty:
-   * none.
+   * Set/Get a one-component point array. Its value, mapped by the property's scalar opacity
+   * function, multiplies the opacity. The function is sampled at 1024 points of the array's range.
+   * Default empty: opacity is not multiplied.
    */
   void SetOpacityArray(const char* name);
   const char* GetOpacityArray() const { return this->OpacityArray.c_str(); }
@@ -218,8 +199,8 @@ public:
 
   ///@{
   /**
-   * The point array, of one component or of three, by whose gradient or direction paint is shaded
-   * where the property's Shade is on. Default empty: none.
+   * Set/Get a point array for shading, used if the property's Shade is on: one component to shade
+   * by the gradient, three to shade by the direction. Default empty: no shading.
    */
   void SetShadingArray(const char* name);
   const char* GetShadingArray() const { return this->ShadingArray.c_str(); }
@@ -227,9 +208,9 @@ public:
 
   ///@{
   /**
-   * Whether lights cast shadows in the volume, where one asks for them; see the description of the
-   * class. Off, or without such a light, nothing of shadows is drawn, kept or in the shaders.
-   * Default off.
+   * If on, lights with ShadowAttenuation above 0 cast shadows in the volume. If off, or without
+   * such a light, no light buffers are allocated and the shaders contain no shadow code. Default
+   * off.
    */
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
@@ -238,10 +219,10 @@ public:
 
   ///@{
   /**
-   * The number of columns and rows of the buffer of each light that casts shadows. 0, the default:
-   * twice as many as the volume has voxels across, seen from the light, or as many for a light
-   * within it; shadows of paint that is finer than voxels want more. Valid: 0, and 16 to 8192, up
-   * to what the graphics card can do.
+   * Set/Get the number of columns and rows of each light buffer. 0, the default, uses twice the
+   * number of voxels across the volume as seen from the light. For a light in or near the volume,
+   * it uses this number itself. Use a larger size if a texture casts shadows that are finer than
+   * voxels. Valid: 0, or 16 to 8192, limited by the GPU; clamped.
    */
   void SetLightBufferSize(int size);
   vtkGetMacro(LightBufferSize, int);
@@ -249,29 +230,31 @@ public:
 
   ///@{
   /**
-   * Whether textures are filtered by what a sample stands for; else they are looked up at one place
-   * each, and letters alias where they are small. Default on.
+   * If on, textures are filtered over the footprint of each sample. If off, each sample uses a
+   * single texture lookup, and fine detail aliases. Default on.
    */
-  vtkSetMacro(PaintFilter, bool);
-  vtkGetMacro(PaintFilter, bool);
-  vtkBooleanMacro(PaintFilter, bool);
+  vtkSetMacro(TextureFilter, bool);
+  vtkGetMacro(TextureFilter, bool);
+  vtkBooleanMacro(TextureFilter, bool);
+  interlumeDeprecatedBooleanMacro(PaintFilter, TextureFilter);
   ///@}
 
   ///@{
   /**
-   * The largest number of places of a texture that are looked up for one sample. Default 8. Valid:
-   * 1 to 64.
+   * Set/Get the maximum number of texture lookups per sample. More lookups keep obliquely viewed
+   * or stretched textures sharper. Default 8. Valid: 1 to 64; clamped.
    */
-  vtkSetClampMacro(MaximumPaintSamples, int, 1, 64);
-  vtkGetMacro(MaximumPaintSamples, int);
+  vtkSetClampMacro(MaximumTextureSamples, int, 1, 64);
+  vtkGetMacro(MaximumTextureSamples, int);
+  interlumeDeprecatedMacro(MaximumPaintSamples, MaximumTextureSamples, int);
   ///@}
 
   ///@{
   /**
-   * The distance of samples along a line of sight, in world units, or that of slices with shadows.
-   * 0, the default: half the smallest distance of voxels, and with shadows a quarter of it. Valid:
-   * 0 and above. A line has no more than 60,000 / (MaximumPaintSamples + 5) samples; the report has
-   * the distance in use.
+   * Set/Get the distance between samples along a view ray, or between slices with shadows, in
+   * world units. 0, the default, uses half the smallest voxel spacing, or a quarter with shadows.
+   * A ray has at most 60,000 / (MaximumTextureSamples + 5) samples; the report contains the
+   * distance in use. Valid: 0 and above; clamped.
    */
   vtkSetClampMacro(SampleDistance, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SampleDistance, double);
@@ -279,8 +262,8 @@ public:
 
   ///@{
   /**
-   * The number of pixels of the viewport for each pixel of the picture, along an edge; the picture
-   * is interpolated between its pixels. Default 1. Valid: 0.25 to 100.
+   * Set/Get the number of viewport pixels per rendered pixel, along an axis. The rendered image is
+   * interpolated to the viewport. Default 1. Valid: 0.25 to 100; clamped.
    */
   vtkSetClampMacro(ImageSampleDistance, double, 0.25, 100.0);
   vtkGetMacro(ImageSampleDistance, double);
@@ -288,34 +271,34 @@ public:
 
   ///@{
   /**
-   * The largest number of bytes that textures of one picture may take; more is an error. Default 0:
-   * what the graphics card gives. Valid: 0 and above.
+   * Set/Get the maximum size of the textures of one frame, in bytes. Exceeding it is an error.
+   * Default 0: no limit other than GPU memory. Valid: 0 and above; clamped.
    */
   vtkSetClampMacro(MaximumTextureMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumTextureMemory, vtkIdType);
   ///@}
 
   /**
-   * Returns the report of the last image:
-   * - `Surfaces`, `SurfacesWithoutTexture`: surfaces that samples reached, and those of them drawn
-   *   in DefaultColor;
-   * - `NonFiniteSamples`: samples with a coordinate, time or value that is not finite;
-   * - `EmptyCells`: cells with no corner that reached a surface;
-   * - `SampleDistance`: the distance of samples along a line of sight in world units;
-   * - `TextureBytes`: the bytes of textures, limited by MaximumTextureMemory;
-   * - `ShadowedLights`, `Slices`, `LightBufferBytes`: with shadows, the numbers of lights that cast
-   *   them and of slices, and the bytes of light buffers;
-   * - `Seconds`: seconds of this image.
+   * Returns the report of the last frame:
+   * - `Surfaces`, `SurfacesWithoutTexture`: number of surfaces that samples reached, and number of
+   *   these drawn in DefaultColor;
+   * - `NonFiniteSamples`: number of samples with a coordinate, time or value that is not finite;
+   * - `EmptyCells`: number of cells without a corner that reached a surface;
+   * - `SampleDistance`: distance between samples along a view ray, in world units;
+   * - `TextureBytes`: size of the textures, limited by MaximumTextureMemory;
+   * - `ShadowedLights`, `Slices`, `LightBufferBytes`: with shadows, number of lights with shadows,
+   *   number of slices, and size of the light buffers;
+   * - `Seconds`: time for this frame.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
   /**
-   * WARNING: for the renderer only.
+   * For internal use by the renderer.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
 
-  /// Returns the time of the last change, of the images and the gate too.
+  /// Returns the modification time, including images and the time gate.
   vtkMTimeType GetMTime() override;
 
 protected:
@@ -346,8 +329,8 @@ private:
   std::string ShadingArray;
   bool Shadows = false;
   int LightBufferSize = 0;
-  bool PaintFilter = true;
-  int MaximumPaintSamples = 8;
+  bool TextureFilter = true;
+  int MaximumTextureSamples = 8;
   double SampleDistance = 0.0;
   double ImageSampleDistance = 1.0;
   vtkIdType MaximumTextureMemory = 0;

@@ -18,7 +18,7 @@ vtkStandardNewMacro(vtkStreamlineTexture);
 
 namespace
 {
-constexpr int MostLines = 4096;
+constexpr int MaximumLines = 4096;
 constexpr const char* TimelinesName = "timelines";
 }
 
@@ -31,10 +31,10 @@ vtkStreamlineTexture::vtkStreamlineTexture()
 
 void vtkStreamlineTexture::SetNumberOfLines(int number)
 {
-  if (number < 1 || number > MostLines || (number & (number - 1)) != 0)
+  if (number < 1 || number > MaximumLines || (number & (number - 1)) != 0)
   {
-    vtkErrorMacro(
-      "NumberOfLines " << number << " is no power of two from 1 to " << MostLines << ".");
+    vtkErrorMacro("NumberOfLines " << number << " is not a power of two from 1 to " << MaximumLines
+                                   << " and was ignored.");
     return;
   }
   if (this->NumberOfLines != number)
@@ -62,8 +62,7 @@ void vtkStreamlineTexture::AddTo(
   actor->GetProperty()->RemoveTexture(TimelinesName);
   if (streamlines && timelines)
   {
-    // The modes are VTK's: the colour of the second texture counts by its opacity, and the first
-    // for the rest.
+    // In VTK's mode REPLACE, the color of the second texture is composited over the first.
     timelines->SetBlendingMode(VTK_TEXTURE_BLENDING_MODE_REPLACE);
     actor->GetProperty()->SetTexture(TimelinesName, timelines);
   }
@@ -80,7 +79,7 @@ void vtkStreamlineTexture::Load(vtkRenderer* renderer)
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
-    vtkErrorMacro("The renderer has no OpenGL window.");
+    vtkErrorMacro("The renderer has no vtkOpenGLRenderWindow. Add it to an OpenGL window.");
     return;
   }
   const bool isOther = this->RenderWindow != window;
@@ -118,9 +117,9 @@ void vtkStreamlineTexture::Upload()
   }
   if (pyramid.NumberOfLines != this->NumberOfLines)
   {
-    vtkErrorMacro("OpenGL has no room for " << this->NumberOfLines << " lines of "
-                                            << this->TexelsPerLine << " texels; there are up to "
-                                            << pyramid.NumberOfLines << ".");
+    vtkErrorMacro("OpenGL's maximum texture size does not allow "
+      << this->NumberOfLines << " lines of " << this->TexelsPerLine << " texels. The texture has "
+      << pyramid.NumberOfLines << " lines. Reduce NumberOfLines or TexelsPerLine.");
   }
   const int levels = pyramid.GetNumberOfLevels();
   vtkTextureObject* texture = this->TextureObject;

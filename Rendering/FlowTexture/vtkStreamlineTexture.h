@@ -9,34 +9,30 @@ class vtkActor;
 
 /**
  * @class   vtkStreamlineTexture
- * @brief   stripes along texture coordinates, in a mip pyramid that is not averaged
+ * @brief   stripes along a texture coordinate, with mipmap levels that keep lines sharp
  *
- * Draws lines of constant s (or t) on a textured surface: streamlines of a stream surface whose
- * first texture coordinate tells them apart, timelines of one whose second is the time (C. Zhang,
- * dissertation, Ohio State 2006, section 4.5.2, figures 4.7 and 4.8).
+ * Draws lines of constant s or t on a textured surface. On a stream surface these are streamlines
+ * (s) or timelines (t) (C. Zhang, dissertation, Ohio State 2006, section 4.5.2).
  *
- * Level k of the pyramid holds NumberOfLines / 2^k lines over 0 ... 1, all of the same width in
- * texels; the texture repeats beyond. A common pyramid averages lines to grey where they are narrow
- * on screen; this one has fewer of them there. Levels are blended (trilinear), so that lines fade
- * in as the surface comes closer. Lines are TexelsPerLine / sqrt(2) to sqrt(2) TexelsPerLine pixels
- * apart along the axis of the screen across which they are closest, as long as that needs no more
- * than NumberOfLines (then they grow with the surface) and not less than one over 0 ... 1.
+ * Common mipmaps average thin lines to gray. Here, level k has NumberOfLines / 2^k lines over
+ * texture coordinates 0 to 1, with the same width in texels on every level. Farther away there are
+ * fewer lines instead of gray. Levels are blended, so lines fade in as the surface gets closer. On
+ * screen, lines are TexelsPerLine / sqrt(2) to sqrt(2) TexelsPerLine pixels apart, in the screen
+ * direction of their smallest distance. If this requires more than NumberOfLines, the lines grow
+ * with the surface.
  *
- * The texture multiplies the surface's colour after lighting, as any texture of an actor: a white
- * background keeps it, a background of opacity 0 leaves lines alone. Colours that the mapper looks
- * up in a texture of its own (InterpolateScalarsBeforeMapping) are not multiplied, which is a limit
- * of vtkOpenGLPolyDataMapper. The surface needs active texture coordinates of one or two
- * components.
+ * Like other textures of an actor, the texture multiplies the surface's color after lighting. A
+ * white background keeps this color; with a background of opacity 0 only the lines are visible.
+ * Colors that the mapper itself looks up in a texture (InterpolateScalarsBeforeMapping) are not
+ * multiplied, a limitation of vtkOpenGLPolyDataMapper. The surface needs active texture coordinates
+ * with one or two components.
  *
- * **Grids** of streamlines and timelines are two textures, one for each direction (AddTo). In one
- * texture, both directions would have one level: that of the direction that is narrower on screen,
- * too few lines in the other; or, with anisotropic filtering, samples along the direction that is
- * narrower, averaged to grey. For that reason anisotropic filtering is off, whatever the actor
- * says.
+ * A **grid** of streamlines and timelines requires two textures, see AddTo. In a single texture
+ * both directions would share one mipmap level. Anisotropic filtering is always off, because it
+ * would average lines to gray.
  *
- * There is no input. Levels are uploaded when the texture is drawn the first time, and again only
- * after a setting has changed, in another window, or after ReleaseGraphicsResources. One texture
- * serves one window at a time.
+ * Levels are uploaded when the texture is first drawn, and again after ReleaseGraphicsResources, or
+ * if a setting or the window has changed. Use a texture in one window at a time.
  *
  * @sa vtkFlowVolume vtkFlowLIC
  */
@@ -57,7 +53,7 @@ public:
 
   ///@{
   /**
-   * The texture coordinate that differs from line to line. Default S. Valid: S, T; clamped.
+   * Set/Get the texture coordinate that varies across the lines. Default S. Valid: S, T; clamped.
    */
   vtkSetClampMacro(Direction, int, S, T);
   vtkGetMacro(Direction, int);
@@ -65,10 +61,10 @@ public:
 
   ///@{
   /**
-   * The number of lines over texture coordinates 0 to 1 in the finest level; one line is at 0.
-   * Default 256. Valid: powers of two from 1 to 4096; others are an error (vtkErrorMacro) and
-   * change nothing. A pyramid that OpenGL has no room for is an error when it is drawn, and its
-   * finest levels are left out.
+   * Set/Get the number of lines over texture coordinates 0 to 1 in the finest level. One line is at
+   * 0. Default 256. Valid: powers of two from 1 to 4096; other values are an error and are ignored.
+   * If the texture exceeds OpenGL's size limit, this is an error when it is drawn, and the finest
+   * levels are omitted.
    */
   void SetNumberOfLines(int number);
   vtkGetMacro(NumberOfLines, int);
@@ -76,7 +72,8 @@ public:
 
   ///@{
   /**
-   * The width of a line as a share of the distance of lines. Default 0.25. Valid: 0 to 1; clamped.
+   * Set/Get the width of a line as a fraction of the distance between lines. Default 0.25. Valid: 0
+   * to 1; clamped.
    */
   vtkSetClampMacro(LineWidth, double, 0.0, 1.0);
   vtkGetMacro(LineWidth, double);
@@ -84,8 +81,8 @@ public:
 
   ///@{
   /**
-   * The number of texels from line to line in every level, which is also the distance of lines on
-   * screen, in pixels. Default 16. Valid: 2 to 256; clamped.
+   * Set/Get the number of texels from line to line in every level. It is also the approximate
+   * distance of lines on screen, in pixels. Default 16. Valid: 2 to 256; clamped.
    */
   vtkSetClampMacro(TexelsPerLine, int, 2, 256);
   vtkGetMacro(TexelsPerLine, int);
@@ -93,7 +90,8 @@ public:
 
   ///@{
   /**
-   * The colour of lines, which are opaque. Default black (0, 0, 0). Valid: 0 to 1; clamped.
+   * Set/Get the color of the lines. Lines are opaque. Default black (0, 0, 0). Valid: 0 to 1;
+   * clamped.
    */
   vtkSetVector3Macro(LineColor, double);
   vtkGetVector3Macro(LineColor, double);
@@ -101,7 +99,7 @@ public:
 
   ///@{
   /**
-   * The colour and opacity between lines. Default white, opaque (1, 1, 1, 1). Valid: 0 to 1;
+   * Set/Get the color and opacity between lines. Default opaque white (1, 1, 1, 1). Valid: 0 to 1;
    * clamped.
    */
   vtkSetVector4Macro(BackgroundColor, double);
@@ -109,24 +107,24 @@ public:
   ///@}
 
   /**
-   * Gives \a actor a grid: \a streamlines is the actor's texture, \a timelines is laid over it (a
-   * texture of the actor's property by the name `timelines`). The background of \a timelines is to
-   * be of opacity 0; that of \a streamlines counts. Either may be null, for no lines of that kind.
+   * Adds a grid of lines to \a actor. \a streamlines becomes the actor's texture. \a timelines is
+   * composited over it, as texture `timelines` of the actor's property; set its background opacity
+   * to 0. Either argument may be null.
    */
   static void AddTo(
     vtkActor* actor, vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines);
 
-  /// Returns how often levels were uploaded since this texture was made.
+  /// Returns the number of uploads of this texture.
   vtkGetMacro(NumberOfUploads, int);
 
-  /// Returns the number of levels of the pyramid, down to a single line.
+  /// Returns the number of mipmap levels, down to a single line.
   int GetNumberOfLevels() const;
 
-  /// Uploads the levels where they are needed, and binds the texture.
+  /// Uploads the levels if necessary, and binds the texture.
   void Render(vtkRenderer* renderer) override;
   void Load(vtkRenderer* renderer) override;
 
-  /// Returns whether the background is translucent.
+  /// Returns 1 if the background is translucent, otherwise 0.
   int IsTranslucent() override;
 
 protected:

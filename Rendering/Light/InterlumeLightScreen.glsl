@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Returns the share of light that a projective light's screen lets through at a place, s in the
-// screen's coordinates, without its image; uv is where the ray passes the screen.
+// Returns the fraction of light that a projective light's screen transmits, without its image. s is
+// a position in homogeneous screen coordinates; uv is where the light ray intersects the screen.
 float lightOfScreen(vec4 s, float edgeWidth, float screenOpacity, out vec2 uv)
 {
   uv = s.xy / s.w;

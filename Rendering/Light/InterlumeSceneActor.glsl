@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //INTERLUME::FEATURES
-// The share of each light that reaches a fragment of a surface of VTK's. The sources of VTK's own
-// shaders stand before and after; places are in view coordinates.
-//INTERLUME::CASTERS
+// Computes the fraction of each light that reaches a fragment of a surface drawn by VTK. This code
+// is inserted into VTK's shaders. Positions are in view coordinates.
+//INTERLUME::OCCLUDERS
 uniform float sceneStrengths[SCENE_LIGHTS];
 #ifdef TRANSMITTANCE
-// What volumes leave of each light at the surface that each pixel shows, and that surface's depth.
+// Transmittance of the volumes from each light to the surface visible in each pixel, and the depth
+// of that surface.
 uniform sampler2D sceneTransmittance;
 uniform sampler2D sceneDepth;
-// The first pixel of the viewport, and its size.
+// First pixel and size of the viewport.
 uniform vec4 sceneViewport;
 uniform int sceneIsOpaque;
 
-// Returns the pixel around that shows this surface: the fragment's own, but for edges with several
-// samples a pixel, where that may show another one.
+// Returns the pixel that shows this surface. With multisampling, the fragment's own pixel can show
+// a different surface at edges; a neighbor is used then.
 ivec2 scenePixel()
 {
   ivec2 here = ivec2(gl_FragCoord.xy - sceneViewport.xy);
@@ -43,7 +44,7 @@ vec3 sceneLightOf(int number, vec3 share)
   return 1.0 - sceneStrengths[number] * (1.0 - share);
 }
 
-// Returns the plane that the triangle around the fragment lies in.
+// Returns the plane of the fragment's triangle.
 vec4 scenePlane(vec3 place)
 {
   vec3 normal = cross(dFdx(place), dFdy(place));

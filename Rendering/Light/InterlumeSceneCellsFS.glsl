@@ -2,16 +2,16 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// The share of a light that surfaces of the scene leave in the cells of a grid, one pixel for each: the
-// mean of places in the cell.
+// Computes the fraction of a light that surfaces of the scene transmit to the cells of a grid, one
+// pixel per cell, averaged over eight positions.
 uniform mat4 unitFromCell;
-// The cells along x and y, the columns and the rows of the texture.
+// Number of cells along x and y, and the columns and rows of the texture.
 uniform vec4 cellColumns;
-// VTK's quad gives an error where a shader does not use it.
+// VTK's quad helper reports an error if the shader does not use this.
 in vec2 texCoord;
 
 //VTK::Output::Dec
-//INTERLUME::CASTERS
+//INTERLUME::OCCLUDERS
 
 void main()
 {
@@ -23,7 +23,7 @@ void main()
   for (int i = 0; i < 8; ++i)
   {
     vec3 place = (unitFromCell * vec4(cell + 0.25 + 0.5 * vec3(i & 1, i >> 1 & 1, i >> 2), 1.0)).xyz;
-    sum += vec3(INTERLUME_SHARE);
+    sum += vec3(INTERLUME_FRACTION);
   }
   gl_FragData[0] = vec4(0.125 * sum, 1.0);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How much of a light reaches a place whose depth is compared with a tile of a depth map.
+// Shadow map comparison with a tile of a depth map.
 
-// Returns the four texels of a map from one on: first row, then second row.
-vec4 casterTexels4(sampler2D map, vec2 texel)
+// Returns a 2 x 2 block of texels: the first row, then the second row.
+vec4 occluderTexels4(sampler2D map, vec2 texel)
 {
-#if defined(CASTER_GATHER) && defined(GL_ARB_texture_gather)
+#if defined(OCCLUDER_GATHER) && defined(GL_ARB_texture_gather)
   return textureGather(map, (texel + 1.0) / vec2(textureSize(map, 0))).wzxy;
 #else
   ivec2 at = ivec2(texel);
@@ -13,29 +13,30 @@ vec4 casterTexels4(sampler2D map, vec2 texel)
 #endif
 }
 
-// Returns which of the four texels around a place in a map the light reaches, 0 or 1, the place between
-// them, and how much nearer to the light than the surface they are. The place is in normalised device
-// coordinates of a tile: its first column and row, their number, and the bias in texels, each as deep as
-// texelDepth. The surface that is lit has this slope of depth over the map.
+// Compares a surface with the four texels around a position. Returns 1 for each texel that does not
+// shade the surface, otherwise 0. Also returns the position between the texels (part), and the
+// depth gap between surface and occluder. The position is in normalized device coordinates of a
+// tile. tile contains the first column and row, the size, and the depth bias in units of
+// texelDepth. slope is the change of the surface's depth per unit of x and of y.
 vec4 litTexels(sampler2D map, vec4 tile, float texelDepth, vec3 at, vec2 slope, out vec2 part, out vec4 gap)
 {
   vec2 place = (at.xy * 0.5 + 0.5) * tile.z - 0.5;
   vec2 first = clamp(floor(place), vec2(0.0), vec2(tile.z - 2.0));
   part = clamp(place - first, 0.0, 1.0);
-  // How much deeper the surface is in the middle of each texel; none is seen more aslant than that.
+  // Depth of the surface's plane at each texel center. The slope is limited for grazing surfaces.
   vec2 toFirst = slope * (first - place) * (2.0 / tile.z);
   vec2 toSecond = toFirst + slope * (2.0 / tile.z);
   float most = 64.0 * texelDepth;
   vec4 change = clamp(
     vec4(toFirst.x, toSecond.x, toFirst.x, toSecond.x) + vec2(toFirst.y, toSecond.y).xxyy, -most, most);
-  // What is behind all that the map has is as deep as the background.
+  // Depths behind the background are replaced by the background depth.
   vec4 depths = min(at.z + change - tile.w * texelDepth, vec4(1.0));
-  vec4 texels = casterTexels4(map, tile.xy + first) * 2.0 - 1.0;
+  vec4 texels = occluderTexels4(map, tile.xy + first) * 2.0 - 1.0;
   gap = depths - texels;
   return step(depths, texels);
 }
 
-// Returns the share of the texels that the light reaches, weighted as for bilinear interpolation.
+// Returns the bilinearly interpolated fraction of lit texels.
 float interpolated(vec4 texels, vec2 part)
 {
   return mix(mix(texels.x, texels.y, part.x), mix(texels.z, texels.w, part.x), part.y);

@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the opaque surfaces of a scene leave of each light with an extent: a depth map for each sample
-// of its emitter, or six of them, in tiles of one texture. The samples of a light look along the same
-// axes. With w the distance along the axis, depth is A - B / w of positional lights, else A + B w.
+// Shadows of opaque surfaces from area lights: one depth map, or six, per sample of the emitter, in
+// tiles of one texture. All samples of a light share the same axes. With w the distance along the
+// axis, depth is A - B / w for positional lights, otherwise A + B w.
 
 uniform sampler2D emitterDepths;
-// To coordinates of size 1 around the surfaces.
-uniform mat4 emitterFromPlace;
-#ifdef CASTER_PLANES
-uniform mat4 placeFromEmitter;
+// Transformation to the unit space of the scene's surfaces.
+uniform mat4 emitterFromPosition;
+#ifdef OCCLUDER_PLANES
+uniform mat4 positionFromEmitter;
 #endif
-// Of each light: its place, and 1 where it is positional; A, B and the first tile; the first sample,
-// their number, the first side and their number; the width and the height of what a sample stands for.
+// Five vectors per light: position, and 1 if it is positional; A, B and the first tile; the first
+// sample, the number of samples, the first cube face and the number of faces; the width and height
+// of the emitter area per sample.
 uniform vec4 emitters[5 * EMITTERS];
-// Of each side: right, up, and the axis.
+// Per cube face: right, up, and the axis.
 uniform vec3 emitterSides[3 * EMITTER_SIDES];
-// Of each sample: its offset from the light's place, or how far its light goes aside for each distance of
-// 1 along the axis; the scale and the middle of its window; its share of the light.
+// Per sample: offset from the light's position, or lateral offset per distance 1 along the axis of
+// a directional light; scale and center of its window; its fraction of the light.
 uniform vec4 emitterSamples[3 * EMITTER_SAMPLES];
-// The columns of tiles, the columns of each tile, and the bias in texels.
+// Columns of tiles, columns of a tile, and the bias in texels.
 uniform vec3 emitterTiles;
 
-// A place as a sample sees it: where in which tile, the slope there and the depth of a texel's width, and
-// how far the place moves for what the sample stands for where the gap to what casts the shadow is 1.
-struct EmitterPlace
+// A position projected onto the map of a sample: tile, coordinates in the tile, slope, and the
+// depth difference equal to a texel's width. moves are the shifts in the map, per unit of the gap
+// to an occluder, that correspond to the width and height of the sample's emitter area.
+struct EmitterProjection
 {
   bool isSeen;
   vec4 tile;
@@ -32,8 +34,9 @@ struct EmitterPlace
   vec2 moves[2];
 };
 
-// Looks from a sample, by its number, at a place on a plane, both in the coordinates of the lights.
-EmitterPlace seenFromSample(int emitter, int number, vec3 place, vec4 plane)
+// Projects a position on a plane onto the map of a sample. Both are in the unit space of the
+// scene's surfaces.
+EmitterProjection seenFromSample(int emitter, int number, vec3 place, vec4 plane)
 {
   vec4 center = emitters[5 * emitter];
   vec4 depth = emitters[5 * emitter + 1];
@@ -52,11 +55,11 @@ EmitterPlace seenFromSample(int emitter, int number, vec3 place, vec4 plane)
     side = 2 * axis + (way[axis] > 0.0 ? 1 : 0);
   }
   int first = 3 * (int(parts.z) + side);
-  // Columns of the matrix are axes.
+  // The axes are the columns of the matrix.
   mat3 axes = mat3(emitterSides[first], emitterSides[first + 1], emitterSides[first + 2]);
   vec3 seen = way * axes;
   vec2 texels = 2.0 / (emitterTiles.y * window.xy);
-  EmitterPlace result;
+  EmitterProjection result;
   result.texelDepth = max(texels.x, texels.y) * depth.y;
   result.slope = vec2(0.0);
   if (isPositional)
@@ -70,13 +73,13 @@ EmitterPlace seenFromSample(int emitter, int number, vec3 place, vec4 plane)
     result.at =
       vec3(window.xy * (seen.xy - offset.xy * seen.z - window.zw), depth.x + depth.y * seen.z);
   }
-#ifdef CASTER_PLANES
+#ifdef OCCLUDER_PLANES
   vec3 normal = plane.xyz * axes;
   float facing = isPositional ? dot(plane.xyz, source) + plane.w
                               : -normal.z - dot(normal.xy, offset.xy);
   result.slope = abs(facing) > 0.0 ? normal.xy * depth.y / (facing * window.xy) : result.slope;
 #endif
-  // Two samples apart see what is nearer to the light at places apart.
+  // Different points of the emitter see an occluder at different positions of the map.
   for (int i = 0; i < 2; ++i)
   {
     result.moves[i] = (emitters[5 * emitter + 3 + i].xyz * axes).xy * window.xy / depth.y;
@@ -91,24 +94,24 @@ EmitterPlace seenFromSample(int emitter, int number, vec3 place, vec4 plane)
 
 vec3 inEmitters(vec3 place)
 {
-  return (emitterFromPlace * vec4(place, 1.0)).xyz;
+  return (emitterFromPosition * vec4(place, 1.0)).xyz;
 }
 
 vec4 planeInEmitters(vec4 plane)
 {
-#ifdef CASTER_PLANES
-  return plane * placeFromEmitter;
+#ifdef OCCLUDER_PLANES
+  return plane * positionFromEmitter;
 #else
   return plane;
 #endif
 }
 
-// Returns the share of a sample that reaches a place on a plane; without CASTER_PLANES the plane is not
-// used. The gap is how much nearer to the light than the place what casts a shadow is, times the share
-// that it takes.
+// Returns the fraction of a sample's light that reaches a position. The plane through it is used
+// only with OCCLUDER_PLANES. gap is the depth difference between position and occluder, weighted by
+// the occluded fraction.
 float lightOfSample(int emitter, int number, vec3 place, vec4 plane, out float gap)
 {
-  EmitterPlace seen = seenFromSample(emitter, number, place, plane);
+  EmitterProjection seen = seenFromSample(emitter, number, place, plane);
   gap = 0.0;
   if (!seen.isSeen)
   {
@@ -127,17 +130,17 @@ float lightOfEmitterSample(int emitter, int number, vec3 place, vec4 plane)
   return lightOfSample(emitter, number, inEmitters(place), planeInEmitters(plane), gap);
 }
 
-#ifdef CASTER_PLANES
-// Returns the same with the mean over what the sample stands for, as its map has it, where what casts the
-// shadow has this gap; nothing with less than the least gap does.
+#ifdef OCCLUDER_PLANES
+// Returns the fraction from lightOfSample, averaged over the sample's emitter area, for a given gap
+// to the occluder. Occluders with a gap below least are ignored.
 float lightAroundSample(int emitter, int number, vec3 place, vec4 plane, float gap, float least)
 {
-  EmitterPlace seen = seenFromSample(emitter, number, place, plane);
+  EmitterProjection seen = seenFromSample(emitter, number, place, plane);
   if (!seen.isSeen)
   {
     return 1.0;
   }
-  // Four places of a square, of which no two are on one line along an edge.
+  // Four points of a square, no two of them on a line parallel to an edge.
   float sum = 0.0;
   for (int i = 0; i < 4; ++i)
   {
@@ -154,7 +157,7 @@ float lightAroundSample(int emitter, int number, vec3 place, vec4 plane, float g
 }
 #endif
 
-// Returns the share of the whole light.
+// Returns the fraction of the light that reaches a position, summed over all samples.
 vec3 lightOfEmitter(int emitter, vec3 place, vec4 plane)
 {
   vec3 here = inEmitters(place);
@@ -172,10 +175,10 @@ vec3 lightOfEmitter(int emitter, vec3 place, vec4 plane)
     taken += 1.0 - light;
     gaps += gap;
   }
-#ifdef CASTER_PLANES
-  // Where some samples are hidden their steps are smoothed. What moves into the way of a sample that
-  // shines here is not nearer than what hides others: at the foot of a wall each sample sees the wall
-  // beside the place, but no gap.
+#ifdef OCCLUDER_PLANES
+  // In a penumbra, smooth the steps between samples. For a lit sample, ignore occluders whose gap
+  // is much smaller than the mean gap. Otherwise, a wall would darken surfaces at its foot, where
+  // it has almost no gap.
   if (taken > 0.0 && taken < float(end - first))
   {
     const float tolerance = 0.5;

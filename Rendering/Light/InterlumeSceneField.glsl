@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light that a volume has scattered on and on, at a place in view coordinates. FIELD is its number.
+// Multiple scattering of a volume at a position in view coordinates. FIELD is the volume's index.
 uniform sampler3D sceneFieldFIELD;
 uniform mat4 sceneNodeFromViewFIELD;
 uniform mat4 sceneWorldFromViewFIELD;
-// The nodes of a map, and of the texture along z; 0 for no light.
+// Number of nodes of a map along each axis, and the texture size along z, or 0 without scattered
+// light.
 uniform vec4 sceneNodesFIELD;
 uniform float sceneAheadFIELD;
 //INTERLUME::LIGHTS
@@ -22,14 +23,15 @@ vec3 sceneScatteredFIELD(vec3 place, vec3 normal)
   vec3 here = (sceneNodeFromViewFIELD * vec4(place, 1.0)).xyz;
   vec3 n = normalize(mat3(sceneNodeFromViewFIELD) * normal);
   vec3 node = here + sceneAheadFIELD * dot(abs(n), vec3(1.0)) * n;
-  // To the nearest place of the box, whose sides are half a cell beyond the nodes.
+  // Vector to the nearest point of the box, whose faces are half a cell outside the outermost
+  // nodes.
   vec3 way = clamp(here, vec3(-0.5), sceneNodesFIELD.xyz - 0.5) - here;
   float distance = length(way);
   vec3 toBox = distance > 0.0 ? way / distance : n;
   float beyond = min(distance, 1.0);
   vec3 sides = sceneNodesFIELD.xyz * sceneNodesFIELD.yzx;
-  float disc = max(max(sides.x, sides.y), sides.z) / 3.14159265;
-  float s = disc / (disc + distance * distance);
+  float disk = max(max(sides.x, sides.y), sides.z) / 3.14159265;
+  float s = disk / (disk + distance * distance);
   float c = dot(n, toBox);
   float seen = mix(1.0, s * mix(max(c, 0.0), 0.5 + 0.5 * c, s), beyond);
   vec3 sum = vec3(0.0);

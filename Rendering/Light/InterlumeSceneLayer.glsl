@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One of the steps in which translucent surfaces are drawn layer by layer; see LayerShader.
+// One pass of layer-by-layer rendering of translucent surfaces; see LayerShader.
 uniform int sceneStep;
-// The depths of the layer before, or of this one.
+// Depths of the previous layer in step 3, and of the current layer in later steps.
 uniform sampler2D sceneLayer;
 
-// Returns whether a fragment has no part in the step.
+// Returns true if a fragment does not belong to the pass.
 bool isOutsideOfSceneStep()
 {
   float layer = sceneStep > 2 ? texelFetch(sceneLayer, ivec2(gl_FragCoord.xy), 0).r : 0.0;

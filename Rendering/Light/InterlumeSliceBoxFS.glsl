@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
-// The mean over so many texels along one axis, around each; of an even number both ends count half.
+// Box filter of the given width along one axis. If the width is even, both end texels count half.
 in vec2 texCoord;
 uniform sampler2D map;
 uniform ivec2 axis;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 //INTERLUME::FEATURES
-#if defined(CASTER_GATHER) || defined(SPANS)
+#if defined(OCCLUDER_GATHER) || defined(SPANS)
 #extension GL_ARB_texture_gather : enable
 #endif
 #define COLOR
 
-// Draws one slab as the eye sees it: colour times opacity, and opacity.
+// Draws one slab as seen from the camera: color times opacity, and opacity.
 in vec3 place;
-#ifndef MATTER
+#ifndef CUSTOM_MEDIUM
 uniform sampler2D colors;
 #endif
 #ifdef PERSPECTIVE
@@ -27,7 +27,7 @@ uniform sampler2D opaqueDepth;
 uniform vec2 imageSize;
 uniform mat4 unitFromClip;
 #ifdef FRONT
-// Nothing is drawn before it, and nothing at all where it is not below 1.
+// The volume is visible only behind this depth, and only if the depth is below 1.
 uniform sampler2D frontDepth;
 #endif
 #endif
@@ -36,8 +36,8 @@ uniform sampler2D frontDepth;
 uniform vec4 materials[ROWS];
 uniform vec3 ambient;
 #endif
-#if defined(SHADE) && !defined(MATTER)
-// The change from voxel to voxel, in columns of each row, from which on there is a surface.
+#if defined(SHADE) && !defined(CUSTOM_MEDIUM)
+// Per row, the change per voxel, in table columns, above which a sample is shaded as a surface.
 uniform vec4 surfaceColumns;
 #endif
 #endif
@@ -45,31 +45,31 @@ uniform vec4 surfaceColumns;
 //VTK::Output::Dec
 //INTERLUME::MEDIUM
 
-// The segment that this fragment stands for, the sample in its middle, and its optical depth. main sets
-// them; compilers that look from top to bottom would say that they are used before.
+// Segment of the view ray inside the slab, the sample in its center, and its optical depth. main
+// sets them; the initial values avoid compiler warnings.
 vec3 segmentStart = vec3(0.0);
 vec3 segmentEnd = vec3(0.0);
 vec3 startInTexture = vec3(0.0);
 vec3 endInTexture = vec3(0.0);
 vec3 sampleAt = vec3(0.0);
-vec3 sightline = vec3(0.0);
+vec3 viewRay = vec3(0.0);
 float sampleExtinction = 0.0;
 float opticalDepth = 0.0;
 float opacity = 0.0;
 #ifdef THICK
-// Whether matter begins within the segment.
+// If true, the medium begins inside the segment.
 bool isFront = false;
 #endif
 #ifdef SPANS
-// The matter at the ends of the segment. Mesa warns of globals without a value.
-const Place noMatter = Place(VALUES(0.0), VALUES(0.0), VALUES(0.0), 0.0, vec4(0.0));
-Place startPlace = noMatter;
-Place endPlace = noMatter;
+// Samples at the ends of the segment. The initial values avoid warnings of Mesa.
+const MediumSample noMedium = MediumSample(VALUES(0.0), VALUES(0.0), VALUES(0.0), 0.0, vec4(0.0));
+MediumSample startSample = noMedium;
+MediumSample endSample = noMedium;
 #endif
 
 vec3 colorAt(vec4 texel, int row)
 {
-#if defined(MATTER)
+#if defined(CUSTOM_MEDIUM)
   return texel.rgb;
 #elif defined(RGB)
   return (texel.rgb - colorColumnOrigin.rgb) * colorColumnScale.rgb;
@@ -85,18 +85,18 @@ vec3 samplePart = vec3(0.0);
 #endif
 
 #ifdef LIT
-// The rows' colours, shares of the extinction and normals, and how much of a surface there is, 0 to 1.
+// Per row: color, fraction of the extinction, normal, and surface weight from 0 to 1.
 vec3 rowColors[ROWS];
-float rowShares[ROWS];
-#if defined(SHADE) && defined(MATTER)
+float rowFractions[ROWS];
+#if defined(SHADE) && defined(CUSTOM_MEDIUM)
 vec3 sampleAxis = vec3(0.0);
 #elif defined(SHADE)
 vec3 rowNormals[ROWS];
 float rowSurfaces[ROWS];
 #endif
 
-// Returns the mean of exp(-b) over the segment, weighted by what the eye sees, exp(-a) da: b goes
-// from first to last and a from 0 to opticalDepth, both evenly.
+// Returns the mean of exp(-b) over the segment with visibility weights exp(-a) da. b varies
+// linearly from first to last while a varies from 0 to opticalDepth.
 float meanOfProduct(float first, float last)
 {
   float sum = opticalDepth + last - first;
@@ -115,9 +115,9 @@ vec3 meanOfProduct(vec3 first, vec3 last)
 #endif
 
 #if defined(BACK_TO_FRONT) || defined(SPANS)
-// Returns the mean over the segment, weighted by what the eye sees, of light that is known at its
-// ends: on an exponential where it falls; where it rises, which has no bound on an exponential,
-// between both.
+// Returns the visibility-weighted mean over the segment of light known at its ends. Decreasing
+// light is interpolated exponentially, increasing light linearly, since exponential growth is
+// unbounded.
 float meanFrom(float start, float end)
 {
   float transmittance = 1.0 - opacity;
@@ -143,13 +143,14 @@ vec3 meanFrom(vec3 start, vec3 end)
 #endif
 
 //INTERLUME::SCATTER
-// Adds equation 2.6, without the ambient part, for light that goes along l; or what is scattered of it.
+// Adds the light from direction l that is reflected (equation 2.6 of the dissertation, without the
+// ambient term) or scattered toward the camera.
 void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
 {
 #ifdef SCATTER
   sum += sampleAlbedo * diffuse * phaseOf(l);
-#elif defined(SHADE) && defined(MATTER)
-  vec2 shares = reflectionOf(sampleAxis, -l, -sightline);
+#elif defined(SHADE) && defined(CUSTOM_MEDIUM)
+  vec2 shares = reflectionOf(sampleAxis, -l, -viewRay);
   sum += rowColors[0] * diffuse * (materials[0].y * shares.x);
   sum += specular * (materials[0].z * shares.y);
 #else
@@ -164,15 +165,15 @@ void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
     cosine = abs(cosine);
 #endif
     float incidence = mix(1.0, max(cosine, 0.0), surface);
-    sum += rowShares[row] * rowColors[row] * diffuse * (materials[row].y * incidence);
+    sum += rowFractions[row] * rowColors[row] * diffuse * (materials[row].y * incidence);
     if (cosine > 0.0)
     {
-      float mirrored = max(-dot(l + 2.0 * cosine * n, sightline), 0.0);
-      sum += rowShares[row] * specular *
+      float mirrored = max(-dot(l + 2.0 * cosine * n, viewRay), 0.0);
+      sum += rowFractions[row] * specular *
         (materials[row].z * surface * pow(mirrored, materials[row].w));
     }
 #else
-    sum += rowShares[row] * rowColors[row] * diffuse * materials[row].y;
+    sum += rowFractions[row] * rowColors[row] * diffuse * materials[row].y;
 #endif
   }
 #endif
@@ -183,26 +184,26 @@ void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
 
 void main()
 {
-#ifdef MATTER
-  // All places of a slab's fragments are in one plane, so that differences are exact.
+#ifdef CUSTOM_MEDIUM
+  // All fragments of a slab are coplanar, so the derivatives are exact.
   vec3 pixelX = dFdx(place);
   vec3 pixelY = dFdy(place);
 #endif
 #ifdef PERSPECTIVE
   vec3 ray = place - eyePosition;
-  sightline = normalize(ray);
+  viewRay = normalize(ray);
 #else
-  sightline = eyeDirection;
+  viewRay = eyeDirection;
 #endif
-  float across = sliceSpacing / max(abs(dot(sightline, sliceNormal)), 1e-6);
+  float across = sliceSpacing / max(abs(dot(viewRay, sliceNormal)), 1e-6);
   float lower = -4.0;
   float upper = 4.0;
 #ifdef NEAR_PLANE
   lower = max(
-    lower, -(dot(nearPlane.xyz, place) + nearPlane.w) / dot(nearPlane.xyz, sightline));
+    lower, -(dot(nearPlane.xyz, place) + nearPlane.w) / dot(nearPlane.xyz, viewRay));
 #endif
 #ifdef FAR_PLANE
-  upper = min(upper, -(dot(farPlane.xyz, place) + farPlane.w) / dot(farPlane.xyz, sightline));
+  upper = min(upper, -(dot(farPlane.xyz, place) + farPlane.w) / dot(farPlane.xyz, viewRay));
 #endif
 #ifdef OPAQUE
   vec2 image = gl_FragCoord.xy / imageSize;
@@ -210,7 +211,7 @@ void main()
   if (window < 1.0)
   {
     vec4 surface = unitFromClip * vec4(vec3(image, window) * 2.0 - 1.0, 1.0);
-    upper = min(upper, dot(surface.xyz / surface.w - place, sightline));
+    upper = min(upper, dot(surface.xyz / surface.w - place, viewRay));
   }
 #ifdef FRONT
   float front = texture(frontDepth, image).r;
@@ -219,42 +220,42 @@ void main()
     discard;
   }
   vec4 before = unitFromClip * vec4(vec3(image, front) * 2.0 - 1.0, 1.0);
-  lower = max(lower, dot(before.xyz / before.w - place, sightline));
+  lower = max(lower, dot(before.xyz / before.w - place, viewRay));
 #endif
 #endif
-  vec3 p = placeInTexture(place);
-  vec3 q = mat3(textureFromUnit) * sightline;
-  cutToMatter(place, sightline, p, inverseOf(q), lower, upper);
+  vec3 p = positionInTexture(place);
+  vec3 q = mat3(textureFromUnit) * viewRay;
+  cutToMedium(place, viewRay, p, inverseOf(q), lower, upper);
 #ifdef THICK
-  float matterStart = lower;
-  float matterEnd = upper;
+  float mediumStart = lower;
+  float mediumEnd = upper;
 #endif
   lower = max(lower, -0.5 * across);
   upper = min(upper, 0.5 * across);
-  cutToRegions(place, sightline, lower, upper);
+  cutToRegions(place, viewRay, lower, upper);
   if (!(upper > lower))
   {
     discard;
   }
 #ifdef SPANS
-  spanOf(p, q, lower, upper, startPlace, endPlace);
+  spanOf(p, q, lower, upper, startSample, endSample);
   vec4 parts = vec4(0.0);
 #if ROWS == 1
-  parts.x = meanExtinctions(startPlace, endPlace);
+  parts.x = meanExtinctions(startSample, endSample);
 #else
-  parts = meanExtinctions(startPlace, endPlace);
+  parts = meanExtinctions(startSample, endSample);
 #endif
   sampleExtinction = dot(parts, vec4(1.0));
-  float center = middleOf(startPlace, endPlace);
-  vec4 texel = mix(startPlace.Texel, endPlace.Texel, center);
+  float center = meanPosition(startSample, endSample);
+  vec4 texel = mix(startSample.Texel, endSample.Texel, center);
   float middle = mix(lower, upper, center);
 #else
   float middle = 0.5 * (lower + upper);
 #endif
-  sampleAt = place + sightline * middle;
+  sampleAt = place + viewRay * middle;
   vec3 sampleInTexture = p + q * middle;
-#ifdef MATTER
-  setSampleSize(sightline, upper - lower, pixelX, pixelY);
+#ifdef CUSTOM_MEDIUM
+  setSampleSize(viewRay, upper - lower, pixelX, pixelY);
 #endif
 #ifndef SPANS
   vec4 texel;
@@ -262,7 +263,7 @@ void main()
   sampleExtinction = extinctionsAt(sampleAt, sampleInTexture, texel, parts);
 #endif
 #ifdef EMPTY
-  // What is not marked by its depth is drawn next.
+  // Fragments without a depth mark are drawn by the next program.
   if (sampleExtinction > 0.0)
   {
     discard;
@@ -270,8 +271,8 @@ void main()
   gl_FragData[0] = vec4(0.0);
 #else
 #ifdef THIN
-  // A fragment that is not marked by its depth is drawn as thick matter next.
-  if (sampleExtinction * (upper - lower) > LEAST_DEPTH)
+  // Fragments without a depth mark are drawn as thick fragments next.
+  if (sampleExtinction * (upper - lower) > MINIMUM_DEPTH)
   {
     discard;
   }
@@ -288,7 +289,7 @@ void main()
 #endif
   opticalDepth = sampleExtinction * (upper - lower);
 #ifdef THICK
-  opticalDepth = depthOfSlab(place, sightline, p, q, across, matterStart, matterEnd,
+  opticalDepth = depthOfSlab(place, viewRay, p, q, across, mediumStart, mediumEnd,
     sampleExtinction, lower, upper, isFront);
 #endif
   opacity = opticalDepth < 0.05
@@ -297,14 +298,14 @@ void main()
     : 1.0 - exp(-opticalDepth);
   vec3 color = vec3(0.0);
 #ifdef LIT
-  segmentStart = place + sightline * lower;
-  segmentEnd = place + sightline * upper;
+  segmentStart = place + viewRay * lower;
+  segmentEnd = place + viewRay * upper;
   startInTexture = p + q * lower;
   endInTexture = p + q * upper;
 #ifdef TRANSMISSION
   samplePart = PART(texel);
 #endif
-#if defined(SHADE) && defined(MATTER)
+#if defined(SHADE) && defined(CUSTOM_MEDIUM)
   sampleAxis = axisAt(sampleInTexture);
 #elif defined(SHADE)
   vec4 differences[3];
@@ -312,9 +313,9 @@ void main()
 #endif
   for (int row = 0; row < ROWS; ++row)
   {
-    rowShares[row] = parts[row] / sampleExtinction;
+    rowFractions[row] = parts[row] / sampleExtinction;
     rowColors[row] = colorAt(texel, row);
-#if defined(SHADE) && !defined(MATTER)
+#if defined(SHADE) && !defined(CUSTOM_MEDIUM)
 #if ROWS == 1
     vec3 difference =
       vec3(differences[0].OPACITY_OF, differences[1].OPACITY_OF, differences[2].OPACITY_OF);
@@ -328,13 +329,13 @@ void main()
     float change = 0.5 * max(max(abs(difference.x), abs(difference.y)), abs(difference.z)) * scale;
     bool isFlat = change == 0.0;
     rowNormals[row] = isFlat ? vec3(0.0) : -gradientOf(difference);
-    // A change by a millionth of the value is rounding.
+    // Changes below a millionth of the value are rounding errors.
     rowSurfaces[row] = min(change / max(surfaceColumns[row], 1e-6 * abs(value) * scale), 1.0);
 #endif
 #ifdef SCATTER
-    sampleAlbedo += rowShares[row] * clamp(rowColors[row], 0.0, 1.0) * samplePart;
+    sampleAlbedo += rowFractions[row] * clamp(rowColors[row], 0.0, 1.0) * samplePart;
 #else
-    color += rowShares[row] * rowColors[row] * ambient * materials[row].x;
+    color += rowFractions[row] * rowColors[row] * ambient * materials[row].x;
 #endif
   }
 #ifdef SCATTER_BRIGHTNESS

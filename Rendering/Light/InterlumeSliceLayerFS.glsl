@@ -2,19 +2,20 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Looks maps up as they are seen from other samples of an emitter: two views of one plane are a
-// homography apart. Layers of samples stand one over the other in a texture.
-// The place in clip coordinates of the light's buffer.
+// Resamples maps from one emitter sample's view to another. Two views of a plane are related by a
+// homography. Layers of samples are stacked vertically in one texture. place is a position in clip
+// coordinates of the light buffer.
 in vec3 place;
 uniform sampler2D map;
 #ifdef JOIN
-// What two batches let through, in the texels of what is drawn.
+// Transmittance of two batches, at the resolution of the output.
 uniform sampler2D batch1;
 uniform sampler2D batch2;
 
-// Returns the mean of the layers. Lookups between texels, of the layers and of their mean most of all,
-// spread an edge, so that penumbras of a few texels would be too wide. A share of the second difference
-// takes this back, within the values around; a small difference is that between samples of the emitter.
+// Returns the mean of the layers, sharpened. Interpolating the layers and their mean blurs edges,
+// so that penumbras of a few texels would be too wide. Subtracting a fraction of the second
+// difference compensates for this, limited to the range of the neighbors. Small differences come
+// from the emitter's samples and are ignored.
 vec4 getSharpMean(vec2 at)
 {
   const float share = 0.5;
@@ -36,16 +37,17 @@ vec4 getSharpMean(vec2 at)
   return clamp(here + share * difference, lowest, highest);
 }
 #elif defined(MEAN)
-// Three columns for each layer: from clip coordinates of the light's buffer to those of the layer.
+// Three columns per layer: transformation from clip coordinates of the light buffer to those of the
+// layer.
 uniform vec3 layerFromBuffer[3 * LAYERS];
 uniform float weights[LAYERS];
-// Half a texel of a layer, beyond which its neighbour begins.
+// Half a texel of a layer, to avoid sampling the adjacent layer.
 uniform float margin;
 #else
-// Three columns each: from clip coordinates of the light's buffer to the way from the points of the
-// plane to the emitter's centre, and to the sample, times the same factor.
-uniform mat3 wayToCenter;
-uniform mat3 wayToSample;
+// Transformations from clip coordinates of the light buffer to the vector from a point of the plane
+// to the emitter's center, and to the sample, times a common factor.
+uniform mat3 vectorToCenter;
+uniform mat3 vectorToSample;
 uniform vec3 sliceNormal;
 #endif
 
@@ -65,15 +67,15 @@ void main()
       layerFromBuffer[3 * layer + 2];
     vec2 at = clamp(seen.xy / seen.z * 0.5 + 0.5, margin, 1.0 - margin);
     at.y = (float(layer) + at.y) * (1.0 / float(LAYERS));
-    // Nothing lies in planes behind a light.
+    // Points behind a light are not occluded.
     sum += weights[layer] * (seen.z > 0.0 ? textureLod(map, at, 0.0).CHANNELS : COLOR(1.0));
   }
   gl_FragData[0] = vec4(1.0);
   gl_FragData[0].CHANNELS = sum;
 #else
-  vec3 center = wayToCenter * vec3(place.xy, 1.0);
-  vec3 way = wayToSample * vec3(place.xy, 1.0);
-  // The way through a slab on the ray to the sample over that on the ray to the centre.
+  vec3 center = vectorToCenter * vec3(place.xy, 1.0);
+  vec3 way = vectorToSample * vec3(place.xy, 1.0);
+  // Ratio of the path lengths through a slab along the rays to the sample and to the center.
   float rise = dot(center, sliceNormal);
   float fall = dot(way, sliceNormal);
   float longer = sqrt(dot(way, way) / dot(center, center)) * abs(rise / fall);

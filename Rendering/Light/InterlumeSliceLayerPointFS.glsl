@@ -2,25 +2,27 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// What an area light's layers leave at a surface behind all slices, for the pixel that shows it: each
-// layer is looked at from its own sample. Layers stand one over the other in textures. Where surfaces
-// cast shadows too, the mean is that of the samples that they let through: it is multiplied by these.
+// Computes the transmittance of an area light's layers at a surface behind all slices, for the
+// pixel that shows it. Each layer is looked up as seen from its own emitter sample. Layers are
+// stacked vertically in textures. If surfaces also cast shadows, the result is the mean over the
+// samples that surfaces do not hide, since it is multiplied by the fraction of these samples.
 in vec3 place;
 uniform mat4 layerFromUnit[LAYERS];
 uniform float layerWeights[LAYERS];
-// Half a texel of a layer, beyond which its neighbour begins.
+// Half a texel of a layer, to avoid sampling the adjacent layer.
 uniform float margin;
-//INTERLUME::CASTERS
+//INTERLUME::OCCLUDERS
 //INTERLUME::STACKS
 
 //VTK::Output::Dec
 
-// The shares of all samples and of those that come through surfaces, and what layers take from them.
+// Total weight of the samples that surfaces do not hide, and the light that the medium absorbs:
+// from all samples, and from the samples not hidden.
 float seen = 0.0;
 vec4 dark = vec4(0.0);
 vec4 darkOfSeen = vec4(0.0);
 
-// Adds the layers of a texture, so many from a first one on.
+// Adds the given layers of a texture.
 void addLayers(sampler2D stack, int first, int count)
 {
   for (int i = 0; i < count; ++i)
@@ -35,8 +37,8 @@ void addLayers(sampler2D stack, int first, int count)
       taken = layerWeights[layer] * (1.0 - textureLod(stack, at, 0.0));
     }
     dark += taken;
-#ifdef SAMPLE_SHARE
-    float share = SAMPLE_SHARE;
+#ifdef SAMPLE_FRACTION
+    float share = SAMPLE_FRACTION;
     seen += layerWeights[layer] * share;
     darkOfSeen += share * taken;
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The functions of one light; INDEX is its number.
+// Functions of one light. INDEX is its number.
 
 uniform vec3 diffuse_INDEX;
 #ifdef SHADE
@@ -31,16 +31,17 @@ uniform mat3 frame_INDEX;
 #else
 uniform mat4 bufferFromUnit_INDEX;
 #ifdef THICK
-// The buffer as it was some slabs before, up to layerEntrance along the slices' normal.
+// Copy of the buffer from some slabs earlier: the transmittance up to layerEntrance along the slice
+// normal.
 uniform sampler2D layer_INDEX;
 uniform float layerEntrance_INDEX;
-// The length of a voxel along the light.
+// Length of a voxel along the light direction.
 uniform float voxelLength_INDEX;
 #endif
 #endif
 #endif
 
-// Returns the direction in which light goes at the sample.
+// Returns the light's direction at the sample.
 vec3 getDirection_INDEX()
 {
 #ifdef POSITIONAL_INDEX
@@ -50,7 +51,8 @@ vec3 getDirection_INDEX()
 #endif
 }
 
-// Returns the share of the light's colours that reaches the sample without the matter.
+// Returns the fraction of the light's color that reaches the sample without attenuation by the
+// medium.
 vec3 getColor_INDEX(vec3 l)
 {
   vec3 color = vec3(1.0);
@@ -74,9 +76,9 @@ vec3 getColor_INDEX(vec3 l)
 }
 
 #ifdef SHADOW_INDEX
-// Returns how far light that goes along l, inverse in the texture, has come in the slab within the
-// volume before it is at x, p in the texture.
-float getWay_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
+// Returns the length of the light's path along l, up to x, inside both the slab and the volume's
+// box. p is x in texture coordinates; inverse is the reciprocal of l in texture coordinates.
+float getDistance_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
 {
   float path = (dot(x, sliceNormal) - sliceEntrance) / max(dot(l, sliceNormal), 1e-6);
 #ifdef WIDE_INDEX
@@ -84,28 +86,29 @@ float getWay_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
 #endif
   float lower = -max(path, 0.0);
   float upper = 0.0;
-  cutToMatter(x, l, p, inverse, lower, upper);
+  cutToMedium(x, l, p, inverse, lower, upper);
   return max(-lower, 0.0);
 }
 
-// Returns how much of that way cropping leaves.
+// Returns the path length from getDistance_INDEX without its cropped parts.
 float getPath_INDEX(vec3 x, vec3 p, vec3 l, vec3 inverse)
 {
-  float lower = -getWay_INDEX(x, p, l, inverse);
+  float lower = -getDistance_INDEX(x, p, l, inverse);
   float upper = 0.0;
   cutToRegions(x, l, lower, upper);
   return upper - lower;
 }
 
 #if defined(THICK) || defined(WIDE_INDEX) || defined(SPANS)
-// The four texels around a place in a map, and its share of the way between them.
+// Returns the four texels around a position, and the interpolation weights (part) of the second
+// column and row.
 void getTexels_INDEX(sampler2D map, vec2 uv, out LIGHT texels[4], out vec2 part)
 {
   ivec2 size = textureSize(map, 0);
   vec2 at = uv * vec2(size) - 0.5;
   ivec2 first = ivec2(floor(at));
   part = at - vec2(first);
-#ifdef NEAREST_LIGHT
+#ifdef NEAREST_LOOKUP
   part = step(0.5, part);
 #endif
   for (int i = 0; i < 4; ++i)
@@ -122,14 +125,15 @@ LIGHT interpolate_INDEX(LIGHT texels[4], vec2 part)
 
 #endif
 #ifndef WIDE_INDEX
-// Returns the transmittance up to the slab of the light ray that goes on to x. If opacity rises
-// evenly from the surface of matter, optical depth grows about as the square of the distance d from
-// there, and transmittance is about (1 - d^2)^2: texels are interpolated as d.
+// Returns the transmittance up to the slab along the light ray through x. If opacity rises linearly
+// from a surface, optical depth grows approximately as the square of the distance d from it, and
+// transmittance is approximately (1 - d^2)^2. Therefore d, not the transmittance, is interpolated
+// between texels.
 LIGHT getOutside_INDEX(vec3 x)
 {
   vec4 b = bufferFromUnit_INDEX * vec4(x, 1.0);
   vec2 uv = b.xy / b.w * 0.5 + 0.5;
-#if defined(NEAREST_LIGHT) || !defined(SPANS)
+#if defined(NEAREST_LOOKUP) || !defined(SPANS)
   return textureLod(buffer_INDEX, uv, 0.0).CHANNELS;
 #else
 #if defined(GL_ARB_texture_gather) && !defined(TRANSMISSION)
@@ -153,7 +157,7 @@ LIGHT getOutside_INDEX(vec3 x)
 
 #endif
 #ifdef WIDE_INDEX
-// Returns the direction of the ray that a texel of the buffer holds: see SliceLightFS.
+// Returns the ray direction of a buffer texel: see SliceLightFS.
 vec3 getTexelRay_INDEX(ivec2 texel)
 {
   ivec2 size = textureSize(buffer_INDEX, 0);
@@ -162,30 +166,31 @@ vec3 getTexelRay_INDEX(ivec2 texel)
   return normalize(frame_INDEX * vec3(across, max(1.0 - abs(across.x) - abs(across.y), 1e-6)));
 }
 
-// Returns the length of a light ray in the box of the matter before the slab.
-float getWayToSlab_INDEX(vec3 ray)
+// Returns the length of a light ray inside the volume's box in front of the slab.
+float getDistanceToSlab_INDEX(vec3 ray)
 {
   float lower = 0.0;
   float upper = (sliceEntrance - dot(position_INDEX, sliceNormal)) / max(dot(ray, sliceNormal), 1e-6);
-  cutToMatter(position_INDEX, ray, placeInTexture(position_INDEX),
+  cutToMedium(position_INDEX, ray, positionInTexture(position_INDEX),
     inverseOf(mat3(textureFromUnit) * ray), lower, upper);
   return max(upper - lower, 0.0);
 }
 
-// Returns the transmittance up to the slab of the light ray along l.
+// Returns the transmittance up to the slab along l.
 LIGHT getOutside_INDEX(vec3 l)
 {
   vec3 p = l * frame_INDEX;
   p.xy /= abs(p.x) + abs(p.y) + max(p.z, 0.0);
   vec2 uv = vec2(p.x + p.y, p.x - p.y) * 0.5 + 0.5;
-  // Beside the edge of a shadow the mean of depths would be as dark as the shadow.
+  // Interpolate transmittance: the mean of optical depths next to a shadow edge would be as dark as
+  // the shadow.
   LIGHT texels[4];
   vec2 part;
   getTexels_INDEX(buffer_INDEX, uv, texels, part);
   ivec2 corner = ivec2(floor(uv * vec2(textureSize(buffer_INDEX, 0)) - 0.5));
-  // Rays of texels that leave the matter before they reach the slab keep their depth, others have it in
-  // proportion to their length, the more, the more they go along the slices.
-  float way = getWayToSlab_INDEX(l);
+  // Rays that exit the volume before the slab keep their depth. Other depths scale with the path
+  // length, but by no more than the ratio of the rays' cosines with the normal.
+  float way = getDistanceToSlab_INDEX(l);
   float slope = max(dot(l, sliceNormal), 1e-6);
   for (int i = 0; i < 4; ++i)
   {
@@ -193,7 +198,7 @@ LIGHT getOutside_INDEX(vec3 l)
     float texelSlope = max(dot(ray, sliceNormal), 1e-6);
     float longer = texelSlope / slope;
     float ratio =
-      clamp(way / max(getWayToSlab_INDEX(ray), 1e-6), min(longer, 1.0), max(longer, 1.0));
+      clamp(way / max(getDistanceToSlab_INDEX(ray), 1e-6), min(longer, 1.0), max(longer, 1.0));
     texels[i] = exp(-texels[i] / texelSlope * ratio);
   }
   return interpolate_INDEX(texels, part);
@@ -201,27 +206,27 @@ LIGHT getOutside_INDEX(vec3 l)
 
 #endif
 #if defined(THICK) && !defined(WIDE_INDEX)
-// The optical depth that light along l meets from the layer on to x, in steps that grow away from x,
-// and whether extinctions jump on the way.
+// Returns the optical depth along l from the layer to x, in steps that grow away from x. Sets
+// isHard if extinction jumps in between.
 LIGHT getNearDepth_INDEX(vec3 x, vec3 l, inout bool isHard)
 {
   float whole =
     max((dot(x, sliceNormal) - layerEntrance_INDEX) / max(dot(l, sliceNormal), 1e-6), 0.0);
   float lower = -whole;
   float upper = 0.0;
-  vec3 p = placeInTexture(x);
+  vec3 p = positionInTexture(x);
   vec3 q = mat3(textureFromUnit) * l;
-  cutToMatter(x, l, p, inverseOf(q), lower, upper);
+  cutToMedium(x, l, p, inverseOf(q), lower, upper);
   float way = max(-lower, 0.0);
   int steps = clamp(int(ceil(way / voxelLength_INDEX)), 1, 8);
-  Place here = placeAt(x, p);
+  MediumSample here = mediumSampleAt(x, p);
   LIGHT depth = LIGHT(0.0);
   float from = 0.0;
   for (int i = 1; i <= steps; ++i)
   {
     float share = float(i) / float(steps);
     float to = way * 0.5 * share * (1.0 + share);
-    Place there = placeAt(x - l * to, p - q * to);
+    MediumSample there = mediumSampleAt(x - l * to, p - q * to);
     LIGHT part = 0.5 * (PART(here.Texel) + PART(there.Texel));
     depth += meanExtinction(here, there) * (to - from) * part;
     isHard = isHard || jumps(here, there);
@@ -232,15 +237,15 @@ LIGHT getNearDepth_INDEX(vec3 x, vec3 l, inout bool isHard)
   return depth;
 }
 
-// Finds the transmittance beside sharp surfaces, where texels of the buffer belong to light rays
-// that have or have not met the surface, whatever the ray of this fragment has: there the buffer is
-// asked for the light that has come as far as to the layer, and from there on the fragment's own
-// ray is followed. Returns false where all around is even.
+// Computes the transmittance near sharp surfaces. There, some texels of the buffer belong to light
+// rays that hit the surface and others to light rays that miss it. Therefore the transmittance is
+// sampled from the earlier layer, and the fragment's own light ray is integrated from there.
+// Returns false if there is no sharp surface.
 bool findTransmittance_INDEX(vec3 l, out LIGHT result)
 {
-  // A depth of light too little to be seen.
+  // Largest invisible difference in transmittance.
   const float least = 0.02;
-  // The place where the eye sees the segment on the average.
+  // Mean visible position in the segment.
   float seen = opticalDepth < 0.05 ? 0.5 - opticalDepth / 12.0
                                    : 1.0 / opticalDepth - (1.0 - opacity) / opacity;
   vec4 b = bufferFromUnit_INDEX * vec4(mix(segmentStart, segmentEnd, seen), 1.0);
@@ -262,21 +267,22 @@ bool findTransmittance_INDEX(vec3 l, out LIGHT result)
   bool isUneven = isFront || largestOf((lightest - darkest) * far) > least;
   bool isHard = isFront;
 
-  // Where matter begins by its values, its begin is known to some hundredths of a voxel: one place
-  // is before it and one well behind. Else both places are Gauss's, within what can be seen.
+  // If the medium begins inside the segment, the position where it begins is known to some
+  // hundredths of a voxel. One sample is in front of that position and one well behind. Otherwise
+  // the samples are Gauss points of the visible part.
   float size = distance(segmentStart, segmentEnd);
   float reach = min(size, 3.0 / sampleExtinction);
   float ahead = isFront ? -0.15 * voxelLength_INDEX : 0.2113 * reach;
   float behind = isFront ? 0.35 * voxelLength_INDEX : 0.7887 * reach;
   LIGHT first = LIGHT(0.0);
   LIGHT last = LIGHT(0.0);
-  // A loop holds the code only once.
+  // A loop avoids duplicated code.
   int places = isUneven && largestOf(far) > least ? 2 : 0;
   for (int i = 0; i < places; ++i)
   {
     first = last;
     last = getNearDepth_INDEX(
-      segmentStart + sightline * (i == 0 ? ahead : behind), l, isHard);
+      segmentStart + viewRay * (i == 0 ? ahead : behind), l, isHard);
   }
   float start = max(ahead, 0.0);
   LIGHT slope = (last - first) / (behind - start);
@@ -288,8 +294,8 @@ bool findTransmittance_INDEX(vec3 l, out LIGHT result)
 #endif
 
 #if (defined(SPANS) || defined(BACK_TO_FRONT)) && !defined(WIDE_INDEX)
-// Returns the transmittance from the light along l to the end of the segment at which light leaves the
-// slab. The other end is where light enters the slab.
+// Returns the transmittance along l up to the segment end at which light leaves the slab. At the
+// other end light enters the slab.
 LIGHT getFarEnd_INDEX(vec3 l, vec3 inverse)
 {
 #ifdef BACK_TO_FRONT
@@ -301,14 +307,14 @@ LIGHT getFarEnd_INDEX(vec3 l, vec3 inverse)
 #endif
   LIGHT outside = getOutside_INDEX(x);
 #ifdef SPANS
-  // In a shadow the matter of the slab changes nothing that can be seen.
+  // In full shadow, the medium inside the slab makes no visible difference.
   if (!(largestOf(outside) > 1e-4))
   {
     return outside;
   }
 #endif
   vec3 q = mat3(textureFromUnit) * l;
-  float lower = -getWay_INDEX(x, p, l, inverse);
+  float lower = -getDistance_INDEX(x, p, l, inverse);
   float upper = 0.0;
   cutToRegions(x, l, lower, upper);
   float way = upper - lower;
@@ -320,19 +326,19 @@ LIGHT getFarEnd_INDEX(vec3 l, vec3 inverse)
   LIGHT depth = extinction * way * PART(texel);
 #else
 #ifdef CROPPING
-  Place last = placeAt(x + l * upper, p + q * upper);
+  MediumSample last = mediumSampleAt(x + l * upper, p + q * upper);
 #elif defined(BACK_TO_FRONT)
-  Place last = startPlace;
+  MediumSample last = startSample;
 #else
-  Place last = endPlace;
+  MediumSample last = endSample;
 #endif
-  LIGHT depth = depthBetween(placeAt(x + l * lower, p + q * lower), last, way);
+  LIGHT depth = depthBetween(mediumSampleAt(x + l * lower, p + q * lower), last, way);
 #endif
   return outside * exp(-depth);
 }
 
-// Returns the same for the end at which light enters the slab: there is matter before it only if the
-// segment is cut.
+// Returns the transmittance up to the segment end at which light enters the slab. Light passes
+// through the medium before that end only if the segment is cut.
 LIGHT getNearEnd_INDEX(vec3 l, vec3 inverse)
 {
 #ifdef BACK_TO_FRONT
@@ -345,8 +351,8 @@ LIGHT getNearEnd_INDEX(vec3 l, vec3 inverse)
 }
 #endif
 
-// Returns the transmittance from the light: up to the slab from the buffer, within it the mean over
-// what the eye sees of the segment.
+// Returns the transmittance from the light to the segment: up to the slab, from the buffer; inside
+// the slab, the visibility-weighted mean over the segment.
 LIGHT getTransmittance_INDEX(vec3 l)
 {
 #ifdef WIDE_INDEX
@@ -366,7 +372,7 @@ LIGHT getTransmittance_INDEX(vec3 l)
   vec3 inverse = inverseOf(mat3(textureFromUnit) * l);
 #ifdef WIDE_INDEX
   LIGHT outside = getOutside_INDEX(l);
-  float path = getWay_INDEX(sampleAt, placeInTexture(sampleAt), l, inverse);
+  float path = getDistance_INDEX(sampleAt, positionInTexture(sampleAt), l, inverse);
   if (path > 1.5 * sliceSpacing)
   {
     int steps = clamp(int(ceil(path / (1.5 * sliceSpacing))), 1, 256);
@@ -381,7 +387,7 @@ LIGHT getTransmittance_INDEX(vec3 l)
       float to = 0.5 * size;
       cutToRegions(x, l, from, to);
       x += l * (0.5 * (from + to));
-      float extinction = extinctionsAt(x, placeInTexture(x), texel, parts);
+      float extinction = extinctionsAt(x, positionInTexture(x), texel, parts);
       depth += extinction * (to - from) * PART(texel);
     }
     return outside * exp(-depth);
@@ -394,7 +400,7 @@ LIGHT getTransmittance_INDEX(vec3 l)
   LIGHT last = sampleExtinction * getPath_INDEX(segmentEnd, endInTexture, l, inverse) * samplePart;
   return outside * meanOfProduct(first, last);
 #elif !defined(SPANS)
-  // Light is known where the segment starts and in its middle.
+  // The transmittance is known at the start and at the center of the segment.
   LIGHT start = getFarEnd_INDEX(l, inverse);
   float way = getPath_INDEX(sampleAt, 0.5 * (startInTexture + endInTexture), l, inverse);
   LIGHT middle = getOutside_INDEX(sampleAt) * exp(-sampleExtinction * way * LIGHT(samplePart));
@@ -424,11 +430,11 @@ void shine_INDEX(inout vec3 sum)
     return;
   }
 #ifdef SHADOW_INDEX
-#ifdef CASTERS_INDEX
+#ifdef OCCLUDERS_INDEX
   color *= 1.0 -
-    strength_INDEX * (1.0 - CASTER_SHARE_INDEX * OF_PANES_INDEX getTransmittance_INDEX(l));
+    strength_INDEX * (1.0 - OCCLUDER_FRACTION_INDEX * OF_TRANSLUCENT_INDEX getTransmittance_INDEX(l));
 #else
-  color *= 1.0 - strength_INDEX * (1.0 - OF_PANES_INDEX getTransmittance_INDEX(l));
+  color *= 1.0 - strength_INDEX * (1.0 - OF_TRANSLUCENT_INDEX getTransmittance_INDEX(l));
 #endif
 #ifdef WIDE_INDEX
   color *= dot(sampleAt - position_INDEX, sliceNormal) > 0.0 ? 1.0 : 0.0;

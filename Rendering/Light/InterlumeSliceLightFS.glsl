@@ -2,10 +2,10 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// What a light loses in one slab: its transmittance, which the buffer is multiplied by. A wide light's
-// buffer has optical depth instead, times the ray's cosine with the normal: along the slices that
-// changes evenly, where the transmittance of longer and longer rays cannot be interpolated.
-// The place is in unit space, or in a wide light's buffer, 0 to 1.
+// Computes a light's transmittance through one slab, which is multiplied into the buffer. For a
+// light inside or near the volume, the buffer accumulates optical depth times the ray's cosine with
+// the normal. This product varies smoothly along the slices, unlike the transmittance of
+// increasingly long rays. place is in unit space or, for such a light, in its buffer, 0 to 1.
 in vec3 place;
 #ifdef WIDE
 uniform mat3 frame;
@@ -21,17 +21,17 @@ uniform vec3 direction;
 
 void main()
 {
-#if defined(MATTER) && !defined(WIDE)
+#if defined(CUSTOM_MEDIUM) && !defined(WIDE)
   vec3 texelX = dFdx(place);
   vec3 texelY = dFdy(place);
 #endif
 #ifdef WIDE
-  // Octahedral map of the half space that the light shines into.
+  // Octahedral map of the half space lit by this sweep.
   vec2 corner = place.xy * 2.0 - 1.0;
   vec2 across = vec2(corner.x + corner.y, corner.x - corner.y) * 0.5;
   vec3 l = normalize(frame * vec3(across, max(1.0 - abs(across.x) - abs(across.y), 1e-6)));
-#ifdef MATTER
-  // How far the rays of texels beside each other are apart where they are 1 long.
+#ifdef CUSTOM_MEDIUM
+  // Distance between the rays of adjacent texels, at distance 1 from the light.
   vec3 texelX = dFdx(l);
   vec3 texelY = dFdy(l);
 #endif
@@ -50,9 +50,9 @@ void main()
   float upper = 0.5 * sliceSpacing / dot(l, sliceNormal);
   float lower = -upper;
 #endif
-  vec3 p = placeInTexture(x);
+  vec3 p = positionInTexture(x);
   vec3 q = mat3(textureFromUnit) * l;
-  cutToMatter(x, l, p, inverseOf(q), lower, upper);
+  cutToMedium(x, l, p, inverseOf(q), lower, upper);
   if (!(upper > lower))
   {
     discard;
@@ -70,7 +70,7 @@ void main()
     float to = 0.5 * size;
     cutToRegions(x + l * s, l, from, to);
     s += 0.5 * (from + to);
-#ifdef MATTER
+#ifdef CUSTOM_MEDIUM
     setSampleSize(l, size, s * texelX, s * texelY);
 #endif
     float extinction = extinctionsAt(x + l * s, p + q * s, texel, parts);
@@ -78,8 +78,8 @@ void main()
   }
 #elif defined(SPANS)
   cutToRegions(x, l, lower, upper);
-  Place start;
-  Place end;
+  MediumSample start;
+  MediumSample end;
   spanOf(p, q, lower, upper, start, end);
   LIGHT depth = depthBetween(start, end, upper - lower);
   if (!(largestOf(depth) > 0.0))
@@ -89,7 +89,7 @@ void main()
 #else
   cutToRegions(x, l, lower, upper);
   float middle = 0.5 * (lower + upper);
-#ifdef MATTER
+#ifdef CUSTOM_MEDIUM
   setSampleSize(l, upper - lower, texelX, texelY);
 #endif
   float extinction = extinctionsAt(x + l * middle, p + q * middle, texel, parts);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The matter along a ray, for fragments of the picture and of a light's buffer. ROWS functions of
-// COLUMNS samples; OPACITY_OF names the components of a texel that have an opacity. With MATTER there
-// are functions of their own in the place of all these: see vtkSliceMedium.
+// The medium along a ray, for image and light buffer fragments. There are ROWS transfer functions
+// of COLUMNS samples. OPACITY_OF is the texel component that defines opacity. With CUSTOM_MEDIUM,
+// custom functions replace all of this: see vtkSliceMedium.
 
-#ifdef MATTER
-//INTERLUME::MATTER
+#ifdef CUSTOM_MEDIUM
+//INTERLUME::CUSTOM_MEDIUM
 #else
 uniform sampler3D volume;
 uniform sampler2D extinctions;
 #ifdef SUMS
 uniform sampler2D extinctionSums;
 #endif
-// The factor of columns: a texel less the origin, times the scale, is a column.
+// A table column is (texel - origin) * scale.
 uniform vec4 columnScale;
 uniform vec4 columnOrigin;
 #ifdef BENDS
@@ -19,7 +19,7 @@ uniform sampler2D bends;
 #endif
 #endif
 uniform mat4 textureFromUnit;
-// The length of one unit of unit space in world units.
+// Length in world units of one unit of unit space.
 uniform float worldLength;
 #ifdef MASK
 uniform sampler3D mask;
@@ -27,45 +27,46 @@ uniform sampler3D mask;
 #ifdef TRANSMISSION
 uniform sampler2D transmissions;
 #endif
-#if (defined(TRANSMISSION) || defined(COLOR)) && !defined(MATTER)
+#if (defined(TRANSMISSION) || defined(COLOR)) && !defined(CUSTOM_MEDIUM)
 uniform vec4 colorColumnScale;
 uniform vec4 colorColumnOrigin;
 #endif
-#if (defined(GRADIENT_OPACITY) || defined(SHADE)) && !defined(MATTER)
+#if (defined(GRADIENT_OPACITY) || defined(SHADE)) && !defined(CUSTOM_MEDIUM)
 uniform vec3 voxel;
 #endif
 #ifdef GRADIENT_OPACITY
 uniform sampler2D gradientOpacities;
-// The factors by which half a difference becomes the magnitude that the functions are given for.
+// Factors that convert half a difference into the magnitude expected by the gradient opacity
+// functions.
 uniform vec3 gradientSteps;
 uniform vec4 gradientColumnScale;
 uniform vec4 unitDistances;
 #endif
 
-// The slab, which goes from entrance along the normal as far as spacing.
+// The slab extends from sliceEntrance by sliceSpacing along the normal.
 uniform vec3 sliceNormal;
 uniform float sliceEntrance;
 uniform float sliceSpacing;
 
-vec3 placeInTexture(vec3 x)
+vec3 positionInTexture(vec3 x)
 {
   return (textureFromUnit * vec4(x, 1.0)).xyz;
 }
 
 //INTERLUME::CUTS
 
-#ifndef MATTER
+#ifndef CUSTOM_MEDIUM
 #ifdef BENDS
 vec4 bendAt(int texel)
 {
   return texelFetch(bends, ivec2(texel & (COLUMNS - 1), texel / COLUMNS), 0);
 }
 
-// Returns the value between two columns from the list of so many pieces that begins at a texel: see
+// Returns the value between two columns from a list of pieces that begins at a texel: see
 // TransferColumns.
 float lookUpBends(int first, int pieces, float share)
 {
-  // The first piece that ends after the share.
+  // Find the first piece that ends after the fraction.
   int low = first + 1;
   int high = first + pieces;
   while (low < high)
@@ -80,8 +81,9 @@ float lookUpBends(int first, int pieces, float share)
 }
 #endif
 
-// A texel has its column's value and the next one's, or minus the place and the size of the list of
-// bends between them; then what makes a share of the way a share of the edge.
+// A texel holds its column's value and the next one's. If there are breakpoints between them, it
+// holds the negative position and the size of their list instead. With EDGES, two more components
+// hold the factor and offset that map a fraction of the interval to a fraction of its steep edge.
 float lookUp(sampler2D table, float column, int row)
 {
   float place = clamp(column, 0.0, float(COLUMNS - 1));
@@ -123,27 +125,27 @@ vec3 lookUpColorBends(int first, float share)
 #endif
 
 #ifdef SUMS
-// Returns the extinction at a column, and the sum of extinctions from the first column to it.
+// Returns the extinction at a column, and the sum of extinctions up to it.
 vec2 lookUpSum(float column, int row)
 {
   float place = clamp(column, 0.0, float(COLUMNS - 1));
   int first = int(place);
-  // Sums to this column and the next one, and the extinctions there.
+  // Sums up to this column and the next one, and the extinctions there.
   vec4 sums = texelFetch(extinctionSums, ivec2(first, row), 0);
 #if defined(BENDS) || defined(EDGES)
   float extinction = lookUp(extinctions, column, row);
 #else
   float extinction = mix(sums.z, sums.w, place - float(first));
 #endif
-  // Values beyond the columns have the extinction of their ends.
+  // Values outside the columns have the extinction of the nearest end.
   float sum = mix(sums.x, sums.y, place - float(first)) + extinction * (column - place);
   return vec2(extinction, sum);
 }
 #endif
 
 #if defined(TRANSMISSION) || defined(COLOR)
-// The fourth channel of a texel is the place of the bends between its column and the next one,
-// minus both ends of the edge there, or 0.
+// The fourth channel of a texel is the position of the list of breakpoints between its column and
+// the next one, the negative encoded ends of the edge there, or 0.
 vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 {
   float column =
@@ -158,7 +160,7 @@ vec3 lookUpColor(sampler2D table, vec4 texel, int row)
   }
 #endif
 #ifdef EDGES
-  float places = float(EDGE_PLACES);
+  float places = float(EDGE_POSITIONS);
   float from = floor(-color.a / (places + 1.0));
   float to = -color.a - from * (places + 1.0);
   share = color.a < 0.0 ? clamp((share * places - from) / max(to - from, 0.01), 0.0, 1.0) : share;
@@ -168,12 +170,12 @@ vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 #endif
 #endif
 
-// Light has three channels where the matter has a colour of its own for light that passes, else one;
-// PART is the share of the extinction that each meets, the same for all three where matter is GREY.
+// Light has three channels with a transmission color, otherwise one. PART is the fraction of the
+// extinction that affects each channel. It is 1 for a GRAY medium.
 #ifdef TRANSMISSION
 #define LIGHT vec3
 #define CHANNELS rgb
-#ifdef GREY
+#ifdef GRAY
 #define PART(texel) vec3(1.0)
 #else
 #define PART(texel) (1.0 - lookUpColor(transmissions, texel, 0))
@@ -184,8 +186,8 @@ vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 #define PART(texel) 1.0
 #endif
 
-#ifndef MATTER
-// Returns the mean of the finite samples around, and their share.
+#ifndef CUSTOM_MEDIUM
+// Returns the mean of the finite samples around a position, and their fraction.
 vec4 texelAt(vec3 p, out float share)
 {
   vec4 texel = texture(volume, p);
@@ -198,7 +200,7 @@ vec4 texelAt(vec3 p, out float share)
 }
 
 #if defined(GRADIENT_OPACITY) || defined(SHADE)
-// Finds the differences of the texel over two voxels along each axis of the texture.
+// Computes the differences of the texel over two voxels along each texture axis.
 void differencesAt(vec3 p, vec4 here, out vec4 differences[3])
 {
   for (int axis = 0; axis < 3; ++axis)
@@ -214,15 +216,14 @@ void differencesAt(vec3 p, vec4 here, out vec4 differences[3])
   }
 }
 
-// Return the length of v, and its direction, where squares of its components may be below all
-// numbers.
+// Returns the length of v without underflow of squared components.
 float lengthOf(vec3 v)
 {
   float size = max(max(abs(v.x), abs(v.y)), abs(v.z));
   return size > 0.0 ? size * length(v / size) : 0.0;
 }
 
-// Returns the direction in unit space of the gradient of one component, from its differences.
+// Returns the gradient direction of one component in unit space from its differences.
 vec3 gradientOf(vec3 difference)
 {
   float size = max(max(abs(difference.x), abs(difference.y)), abs(difference.z));
@@ -231,18 +232,18 @@ vec3 gradientOf(vec3 difference)
 #endif
 #endif
 
-#ifdef MATTER
-// What a fragment's sample stands for, in the texture: a piece of the ray and the edges of a pixel.
+#ifdef CUSTOM_MEDIUM
+// Extent of a fragment's sample in the texture: a segment of the ray and the edges of a pixel.
 mat3 sampleSize = mat3(0.0);
 
-// Sets the size from a piece of a ray along d, and the edges of a pixel around, in unit space.
+// Sets the extent from a ray segment along d and the edges of a pixel, in unit space.
 void setSampleSize(vec3 d, float piece, vec3 x, vec3 y)
 {
   sampleSize =
     mat3(textureFromUnit) * mat3(piece * d, x - dot(x, d) * d, y - dot(y, d) * d);
 }
 
-// Finds the extinction at x, which is p in the texture; the texel is the colour.
+// Computes the extinction at x, which is p in texture coordinates. The texel is the color.
 float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 {
   texel = vec4(0.0);
@@ -253,7 +254,7 @@ float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
   return parts.x;
 }
 #else
-// Finds the extinction of each row at x, which is p in the texture, and returns their sum.
+// Computes the extinction of each row at x, which is p in texture coordinates. Returns their sum.
 float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 {
   parts = vec4(0.0);
@@ -299,22 +300,22 @@ float extinctionsAt(vec3 x, vec3 p, out vec4 texel, out vec4 parts)
 #define VALUES vec4
 #endif
 
-// A place between which and another values change evenly: columns of each row's opacities, the
-// extinctions there and their sums up to there, and the share of matter.
-struct Place
+// A sample of the medium. It contains, per row, the opacity column, the extinction and the sum of
+// extinctions up to that column. Extinctions are multiplied by Fraction.
+struct MediumSample
 {
   VALUES Columns;
   VALUES Extinctions;
   VALUES Sums;
-  float Share;
+  float Fraction;
   vec4 Texel;
 };
 
-Place placeOf(VALUES columns, float share, vec4 texel)
+MediumSample mediumSampleOf(VALUES columns, float share, vec4 texel)
 {
-  Place place;
+  MediumSample place;
   place.Columns = columns;
-  place.Share = share;
+  place.Fraction = share;
   place.Texel = texel;
 #if ROWS == 1
   vec2 found = lookUpSum(columns, 0);
@@ -333,73 +334,72 @@ Place placeOf(VALUES columns, float share, vec4 texel)
   return place;
 }
 
-float extinctionOf(Place place)
+float extinctionOf(MediumSample place)
 {
 #if ROWS == 1
-  return place.Extinctions * place.Share;
+  return place.Extinctions * place.Fraction;
 #else
-  return dot(place.Extinctions, vec4(1.0)) * place.Share;
+  return dot(place.Extinctions, vec4(1.0)) * place.Fraction;
 #endif
 }
 
-Place placeOfTexel(vec4 texel, float share)
+MediumSample mediumSampleOfTexel(vec4 texel, float share)
 {
   vec4 columns = (texel - columnOrigin) * columnScale;
 #if ROWS == 1
-  return placeOf(columns.OPACITY_OF, share, texel);
+  return mediumSampleOf(columns.OPACITY_OF, share, texel);
 #else
-  return placeOf(columns, share, texel);
+  return mediumSampleOf(columns, share, texel);
 #endif
 }
 
-// Finds the place x, which is p in the texture. Opacity by gradients is part of the share, and so is
-// cropping, but of spans, which are cut before.
-Place placeAt(vec3 x, vec3 p)
+// Samples the medium at x, which is p in texture coordinates. Fraction includes gradient opacity
+// and cropping. With SPANS, the spans are cropped in advance instead.
+MediumSample mediumSampleAt(vec3 x, vec3 p)
 {
   float share;
   vec4 texel = texelAt(p, share);
 #if defined(CROPPING) && !defined(SPANS)
   share = isCropped(x) ? 0.0 : share;
 #endif
-  Place place = placeOfTexel(texel, share * worldLength);
+  MediumSample place = mediumSampleOfTexel(texel, share * worldLength);
 #ifdef GRADIENT_OPACITY
   float whole = extinctionOf(place);
   vec4 parts;
   float left = extinctionsAt(x, p, texel, parts);
-  place.Share *= whole > 0.0 ? left / whole : 0.0;
+  place.Fraction *= whole > 0.0 ? left / whole : 0.0;
 #endif
   return place;
 }
 
-Place placeBetween(Place a, Place b, float part)
+MediumSample mediumSampleBetween(MediumSample a, MediumSample b, float part)
 {
-  return placeOf(mix(a.Columns, b.Columns, part), mix(a.Share, b.Share, part), a.Texel);
+  return mediumSampleOf(mix(a.Columns, b.Columns, part), mix(a.Fraction, b.Fraction, part), a.Texel);
 }
 
 #ifdef SPANS
-// Finds the matter at both ends of a way, of which p + q t is the place in the texture: on the line
-// through the values at the points of Gauss's formula for two points, which is nearest to what they
-// are on the way.
-void spanOf(vec3 p, vec3 q, float lower, float upper, out Place start, out Place end)
+// Computes samples at both ends of a segment p + q t, on the line through the values at the two
+// Gauss points. This line fits the values along the segment best.
+void spanOf(vec3 p, vec3 q, float lower, float upper, out MediumSample start, out MediumSample end)
 {
   const float inset = 0.21132487;
   const float beyond = 0.36602540;
-  float firstShare;
-  float lastShare;
-  vec4 first = texelAt(p + q * mix(lower, upper, inset), firstShare);
-  vec4 last = texelAt(p + q * mix(upper, lower, inset), lastShare);
-  float share = 0.5 * (firstShare + lastShare) * worldLength;
-  start = placeOfTexel(mix(first, last, -beyond), share);
-  end = placeOfTexel(mix(last, first, -beyond), share);
+  float firstFraction;
+  float lastFraction;
+  vec4 first = texelAt(p + q * mix(lower, upper, inset), firstFraction);
+  vec4 last = texelAt(p + q * mix(upper, lower, inset), lastFraction);
+  float share = 0.5 * (firstFraction + lastFraction) * worldLength;
+  start = mediumSampleOfTexel(mix(first, last, -beyond), share);
+  end = mediumSampleOfTexel(mix(last, first, -beyond), share);
 }
 #endif
 
-// Returns the mean extinctions of the rows on the way from one place to another.
-VALUES meanExtinctions(Place a, Place b)
+// Returns the mean extinction of each row between two samples.
+VALUES meanExtinctions(MediumSample a, MediumSample b)
 {
   VALUES change = b.Columns - a.Columns;
   VALUES mean = 0.5 * (a.Extinctions + b.Extinctions);
-  // Sums up to nearly the same column have no digits for their difference.
+  // The difference of sums at nearly equal columns is inaccurate.
 #if ROWS == 1
   mean = abs(change) < 0.5 ? mean : (b.Sums - a.Sums) / change;
 #else
@@ -408,11 +408,11 @@ VALUES meanExtinctions(Place a, Place b)
     mean[row] = abs(change[row]) < 0.5 ? mean[row] : (b.Sums[row] - a.Sums[row]) / change[row];
   }
 #endif
-  return 0.5 * (a.Share + b.Share) * max(mean, VALUES(0.0));
+  return 0.5 * (a.Fraction + b.Fraction) * max(mean, VALUES(0.0));
 }
 
-// Returns the same of all rows together.
-float meanExtinction(Place a, Place b)
+// Returns the mean extinction between two samples, summed over all rows.
+float meanExtinction(MediumSample a, MediumSample b)
 {
 #if ROWS == 1
   return meanExtinctions(a, b);
@@ -421,8 +421,8 @@ float meanExtinction(Place a, Place b)
 #endif
 }
 
-// Returns where between two places, 0 to 1, the matter on the way is on the average.
-float middleOf(Place a, Place b)
+// Returns the extinction-weighted mean position between two samples, 0 to 1.
+float meanPosition(MediumSample a, MediumSample b)
 {
   float first = extinctionOf(a);
   float last = extinctionOf(b);
@@ -430,10 +430,10 @@ float middleOf(Place a, Place b)
   return sum > 0.0 ? (first + 2.0 * last) / (3.0 * sum) : 0.5;
 }
 
-// Returns the optical depth of a way of a length from one place to another.
-LIGHT depthBetween(Place a, Place b, float length)
+// Returns the optical depth between two samples at the given distance from each other.
+LIGHT depthBetween(MediumSample a, MediumSample b, float length)
 {
-  return meanExtinction(a, b) * length * PART(mix(a.Texel, b.Texel, middleOf(a, b)));
+  return meanExtinction(a, b) * length * PART(mix(a.Texel, b.Texel, meanPosition(a, b)));
 }
 
 #ifdef TRANSMISSION
@@ -449,27 +449,27 @@ float largestOf(float light)
 #endif
 
 #ifdef THICK
-// Returns whether extinctions jump on the way: in the middle they are far from the mean of both
-// ends.
-bool jumps(Place a, Place b)
+// Returns true if extinction jumps between two samples: if its value midway is far from their mean.
+bool jumps(MediumSample a, MediumSample b)
 {
   float first = extinctionOf(a);
   float last = extinctionOf(b);
-  float middle = extinctionOf(placeBetween(a, b, 0.5));
+  float middle = extinctionOf(mediumSampleBetween(a, b, 0.5));
   return abs(middle - 0.5 * (first + last)) > 0.45 * max(first, last);
 }
 
-// Returns the optical depth of a slab's matter, between lower and upper on x + s d, p and q in the
-// texture, whose sample in the middle has an extinction. Slabs are across long, matter is from
-// start to end. Where extinctions jump to nothing on the way to the next slab's sample that slab
-// shows nothing of what is there; then lower or upper moves to where the matter begins or ends.
-// isFront is set where extinctions jump before the sample.
+// Returns the optical depth of a slab between lower and upper on x + s d, which is p + s q in
+// texture coordinates. extinction is the extinction of the sample in the middle, and across is the
+// length of a slab along d. The medium extends from start to end. If extinction jumps to 0 before
+// the next slab's sample, that slab shows nothing of the medium there. Then lower or upper is moved
+// to the position where the medium begins or ends. isFront is set if extinction jumps in front of
+// the sample.
 float depthOfSlab(vec3 x, vec3 d, vec3 p, vec3 q, float across, float start, float end,
   float extinction, inout float lower, inout float upper, inout bool isFront)
 {
   float middle = 0.5 * (lower + upper);
   float size = 0.5 * (upper - lower);
-  Place here = placeAt(x + d * middle, p + q * middle);
+  MediumSample here = mediumSampleAt(x + d * middle, p + q * middle);
   vec2 borders = vec2(lower, upper);
   float depth = 0.0;
   for (int i = 0; i < 2; ++i)
@@ -478,12 +478,12 @@ float depthOfSlab(vec3 x, vec3 d, vec3 p, vec3 q, float across, float start, flo
     float last = i == 0 ? start : end;
     float next = 0.5 * (borders[i] + sign * min(sign * borders[i] + across, sign * last));
     float way = abs(next - middle);
-    Place there = placeAt(x + d * next, p + q * next);
+    MediumSample there = mediumSampleAt(x + d * next, p + q * next);
     float share = extinction * size;
     if (abs(last - borders[i]) > 0.01 * across && jumps(here, there))
     {
       bool isLeft = extinctionOf(there) > 0.05 * extinction;
-      share = isLeft ? meanExtinction(here, placeBetween(here, there, size / way)) * size
+      share = isLeft ? meanExtinction(here, mediumSampleBetween(here, there, size / way)) * size
                      : meanExtinction(here, there) * way;
       float reach = isLeft ? size : min(share / extinction, way);
       borders[i] = middle + sign * reach;

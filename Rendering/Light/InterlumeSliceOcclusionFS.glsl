@@ -2,14 +2,15 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Marks fragments behind which nothing can be seen, by a depth that nothing is nearer than. The
-// buffer holds opacity in its fourth channel, or a light's transmittance with TRANSMITTANCE.
+// Writes the nearest depth to pixels that are already opaque, so that the depth test culls further
+// fragments. The macro OPACITY, TRANSMITTANCE or DEPTH is the meaning of the buffer's texels: see
+// SliceOcclusion.
 in vec2 texCoord;
 uniform sampler2D slices;
 
 void main()
 {
-  // The least transmittance that can be seen.
+  // Minimum visible transmittance.
   const float least = 1e-5;
   vec4 texel = texture(slices, texCoord);
 #ifdef OPACITY
@@ -17,8 +18,8 @@ void main()
 #else
   vec3 light = texel.CHANNELS;
 #ifdef DEPTH
-  // Of the octahedral map's direction there, times its cosine with the normal. Depths far beyond
-  // what lets anything through keep the shadow's edge, between texels, where it is.
+  // Optical depth along the octahedral map's direction times its cosine with the normal. The
+  // threshold is far above visible depths, so that interpolation keeps shadow edges in place.
   const float enough = 30.0;
   vec2 corner = texCoord * 2.0 - 1.0;
   vec2 across = vec2(corner.x + corner.y, corner.x - corner.y) * 0.5;

@@ -2,15 +2,16 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// The transmittance from a light to a surface of the scene, for the pixel that shows it: what the light's
-// buffer has of the slabs before the surface's own, and that slab's matter before the surface. WITHIN, a
-// further volume's share: its matter in the slab alone.
+// Computes the transmittance from a light to a surface of the scene, for the pixel that shows it:
+// the light buffer's transmittance up to the surface's slab, times that of the medium inside the
+// slab. With WITHIN, which is for all volumes but the first, only the medium inside the slab
+// counts.
 in vec3 place;
 
 //VTK::Output::Dec
 //INTERLUME::MEDIUM
 
-// The light's functions ask for a segment of matter that the eye sees: a place, here.
+// The light functions expect a visible segment. Here it is a point.
 vec3 segmentStart = vec3(0.0);
 vec3 segmentEnd = vec3(0.0);
 vec3 startInTexture = vec3(0.0);
@@ -40,7 +41,7 @@ void main()
   vec3 l = getDirection_0();
   float path = max((dot(place, sliceNormal) - sliceEntrance) / max(dot(l, sliceNormal), 1e-6), 0.0);
 #ifdef WIDE_0
-  // The light's other half has a sweep of its own.
+  // The other half space of the light has a separate sweep.
   if (!(dot(place - position_0, sliceNormal) > 0.0))
   {
     discard;
@@ -53,12 +54,12 @@ void main()
     discard;
   }
 #endif
-  // Behind the matter, the light is what it is where it leaves the matter.
+  // Behind the medium, use the position where light exits the medium.
   float lower = -path;
   float upper = 0.0;
-  vec3 p = placeInTexture(place);
+  vec3 p = positionInTexture(place);
   vec3 q = mat3(textureFromUnit) * l;
-  cutToMatter(place, l, p, inverseOf(q), lower, upper);
+  cutToMedium(place, l, p, inverseOf(q), lower, upper);
   bool isWithin = upper > lower;
   float end = isWithin ? upper : -path;
   sampleAt = place + l * end;
@@ -75,7 +76,7 @@ void main()
   }
   segmentStart = sampleAt;
   segmentEnd = sampleAt;
-  startInTexture = placeInTexture(sampleAt);
+  startInTexture = positionInTexture(sampleAt);
   endInTexture = startInTexture;
   gl_FragData[0] = vec4(1.0);
 #ifdef WITHIN

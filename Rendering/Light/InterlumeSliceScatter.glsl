@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What matter scatters of light towards the eye.
+// Scattering of light toward the camera.
 
-// The share of light that is scattered, not absorbed, at the sample.
+// Albedo at the sample.
 vec3 sampleAlbedo = vec3(0.0);
 #ifdef SCATTER_BRIGHTNESS
 uniform float brightness;
@@ -14,11 +14,11 @@ uniform vec3 phase;
 uniform sampler2D phases;
 #endif
 
-// Returns 4 pi times the phase function for light that goes along l.
+// Returns 4 pi times the phase function for light in direction l.
 float phaseOf(vec3 l)
 {
-  // One less the cosine of the angle, with all digits of small ones.
-  vec3 change = l + sightline;
+  // 1 minus the cosine, accurate for small angles.
+  vec3 change = l + viewRay;
   float turn = min(0.5 * dot(change, change), 2.0);
 #ifdef PHASE_ANISOTROPY
   float square = phase.y + 2.0 * phase.z * turn;
@@ -33,14 +33,14 @@ float phaseOf(vec3 l)
 #endif
 }
 #ifdef FIELD_MAPS
-// Light that was scattered before, at the nodes of FIELD_MAPS maps one behind the other along z: its
-// fluence, the direction in which more of it goes, and what goes on with each light.
+// Multiple scattering at the nodes of FIELD_MAPS maps, stacked along z: fluence, normalized net
+// flux, and forward-scattered light of each light.
 uniform sampler3D scattered;
 uniform mat4 nodeFromUnit;
 uniform vec3 fieldNodes;
 uniform float meanCosine;
 
-// The node where the eye sees the segment on the average.
+// Mean visible position in the segment, in node coordinates.
 vec3 seenNode = vec3(0.0);
 
 void findSeenNode()
@@ -57,10 +57,10 @@ vec3 fieldAt(int map)
   return textureLod(scattered, at / (fieldNodes * vec3(1.0, 1.0, float(FIELD_MAPS))), 0.0).rgb;
 }
 
-// Adds what is scattered of light from all directions.
+// Adds the scattering of light from all directions.
 void addScattered(inout vec3 sum)
 {
-  float lean = 1.0 - 3.0 * meanCosine * dot(fieldAt(1), sightline);
+  float lean = 1.0 - 3.0 * meanCosine * dot(fieldAt(1), viewRay);
   sum += sampleAlbedo * max(fieldAt(0), vec3(0.0)) * max(lean, 0.0);
 }
 #endif

@@ -15,7 +15,7 @@ vtkStandardNewMacro(vtkAreaLight);
 
 namespace
 {
-constexpr double LargestSize = 1e30;
+constexpr double MaximumSize = 1e30;
 }
 
 vtkAreaLight::vtkAreaLight() = default;
@@ -25,7 +25,7 @@ void vtkAreaLight::SetShape(int shape)
 {
   if (shape != ROUND && shape != SQUARE)
   {
-    vtkErrorMacro("Shape " << shape << " is neither ROUND (0) nor SQUARE (1).");
+    vtkErrorMacro("Shape " << shape << " is invalid and was ignored. Use ROUND (0) or SQUARE (1).");
     return;
   }
   if (this->Shape != shape)
@@ -43,10 +43,11 @@ const char* vtkAreaLight::GetShapeAsString() const
 
 void vtkAreaLight::SetSize(double width, double height)
 {
-  if (!(width >= 0.0 && width <= LargestSize && height >= 0.0 && height <= LargestSize))
+  if (!(width >= 0.0 && width <= MaximumSize && height >= 0.0 && height <= MaximumSize))
   {
-    vtkErrorMacro(
-      "Size " << width << ", " << height << " is not within 0 to " << LargestSize << ".");
+    vtkErrorMacro("Size (" << width << ", " << height
+                           << ") is out of range and was ignored. Valid: 0 to " << MaximumSize
+                           << ".");
     return;
   }
   if (this->Size[0] != width || this->Size[1] != height)
@@ -76,7 +77,7 @@ void vtkAreaLight::SetViewUp(double x, double y, double z)
 {
   if (!interlume::LightFrame::IsFinite({ x, y, z }))
   {
-    vtkErrorMacro("ViewUp " << x << ", " << y << ", " << z << " is not finite.");
+    vtkErrorMacro("ViewUp (" << x << ", " << y << ", " << z << ") is not finite and was ignored.");
     return;
   }
   if (interlume::LightFrame::SetViewUp(this->ViewUp, { x, y, z }))
@@ -161,14 +162,14 @@ std::vector<vtkAreaLight::Sample> vtkAreaLight::GetSamples(int count)
   {
     return samples;
   }
-  for (const interlume::EmitterSamples::Sample& from :
+  for (const interlume::EmitterSamples::Sample& source :
     interlume::EmitterSamples::Make(this->Shape == ROUND, this->GetGrid(), count))
   {
-    const glm::dvec3 position = frame.Origin + from.Place.x * this->Size[0] * frame.Right +
-      from.Place.y * this->Size[1] * frame.Up;
+    const glm::dvec3 position = frame.Origin + source.Position.x * this->Size[0] * frame.Right +
+      source.Position.y * this->Size[1] * frame.Up;
     Sample sample;
     std::copy_n(glm::value_ptr(position), 3, sample.Position);
-    std::copy_n(glm::value_ptr(from.Weight), 3, sample.Weight);
+    std::copy_n(glm::value_ptr(source.Weight), 3, sample.Weight);
     samples.push_back(sample);
   }
   return samples;
@@ -183,8 +184,8 @@ void vtkAreaLight::GetEmitterColor(double color[3]) const
 
 vtkMTimeType vtkAreaLight::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Emitter ? std::max(own, this->Emitter->GetMTime()) : own;
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Emitter ? std::max(time, this->Emitter->GetMTime()) : time;
 }
 
 void vtkAreaLight::DeepCopy(vtkLight* light)

@@ -6,8 +6,8 @@
 #include "vtkLight.h"
 #include "vtkSmartPointer.h" // for the emitter
 
-#include <memory> // for what is kept of the emitter
-#include <string> // for its error message
+#include <memory> // for the cached emitter colors
+#include <string> // for error messages
 #include <vector> // for samples
 
 class vtkImageData;
@@ -24,26 +24,25 @@ struct LightFrame;
  * @class   vtkAreaLight
  * @brief   a light with an extent, which casts soft shadows
  *
- * The emitter is a disc or a rectangle of Size whose centre is the light's position and which is
- * perpendicular to the line from position to focal point; ViewUp turns it around that line. Each
- * point y of it shines as a vtkLight at y does, with the light's cone and fall-off, and what
- * arrives at x is the mean over the emitter (C. Zhang, dissertation, Ohio State 2006, equation
- * 2.13): I(x) = Intensity Color mean of e(y) T(x,y), T the transmittance between x and y, e the
- * colour of the emitter. The penumbra of an edge at distance Z from the light is L dZ / Z wide on a
- * receiver dZ behind the edge, L the light's size across the edge (2.14).
+ * The emitter is a disk or a rectangle of the given Size. Its center is the light's position, and
+ * it is perpendicular to the line from the position to the focal point. ViewUp sets its rotation
+ * about that line. Each point of the emitter emits light like a vtkLight at that point, with the
+ * light's cone and attenuation. The light that reaches a point is the mean over the emitter. See
+ * Documentation/methods/soft-shadows.md.
  *
- * A light that is not positional is infinitely far: it has the angular size that Size has at the
- * distance from position to focal point, so that the penumbra is L dZ / distance wide.
+ * A light that is not positional is infinitely far away. Its emitter has the angular size of an
+ * emitter of that Size at the distance between the position and the focal point.
  *
- * A light of size 0, 0 is a vtkLight of the same values and takes no more time than that.
+ * A light of size (0, 0) behaves like a vtkLight with the same values and is rendered as fast.
  *
- * Add it to a vtkRenderer by AddLight as any other light. Mappers other than vtkShadowedSliceMapper
- * see a vtkLight of the same position, direction and colour. Widgets read where the emitter is from
- * GetCenter, GetNormal, GetEmitterMatrix and GetSize.
+ * Add the light to a vtkRenderer with AddLight, like any other light. Volumes of
+ * vtkShadowedSliceMapper and actors in a vtkShadowedScenePass receive its soft shadows. Other
+ * mappers treat it as a vtkLight with the same position, direction and color. Widgets get the
+ * emitter's position and orientation from GetCenter, GetNormal, GetEmitterMatrix and GetSize.
  *
- * Values out of range, and NaN, are errors (vtkErrorMacro) and change nothing.
+ * A value out of range, or NaN, is reported by vtkErrorMacro and ignored.
  *
- * @sa vtkProjectiveLight vtkShadowedSliceMapper
+ * @sa vtkProjectiveLight vtkShadowedSliceMapper vtkShadowedScenePass
  */
 class INTERLUMELIGHT_EXPORT vtkAreaLight : public vtkLight
 {
@@ -60,8 +59,8 @@ public:
 
   ///@{
   /**
-   * The shape of the emitter: a disc (of different width and height an ellipse), or a square
-   * (a rectangle). Default ROUND.
+   * Set the shape of the emitter: a disk (an ellipse if width and height differ), or a square (a
+   * rectangle if they differ). Default ROUND.
    */
   void SetShape(int shape);
   vtkGetMacro(Shape, int);
@@ -72,9 +71,9 @@ public:
 
   ///@{
   /**
-   * The width and height of the emitter in world units: the diameters of a disc, the edges of a
-   * square. Default 0.25, 0.25, which at the default distance of 1 is seen under 14 degrees. Valid:
-   * 0 to 1e30.
+   * Set the width and height of the emitter in world units: the diameters of a disk, or the edge
+   * lengths of a square. The default 0.25, 0.25 spans 14 degrees at the default distance of 1.
+   * Valid: 0 to 1e30.
    */
   void SetSize(double width, double height);
   void SetSize(const double size[2]) { this->SetSize(size[0], size[1]); }
@@ -83,13 +82,15 @@ public:
 
   ///@{
   /**
-   * An image as emitter, stretched over width and height: two-dimensional (one sample along z),
-   * unsigned char 0 to 255 or floating point 0 to 1, of 1 (grey), 2 (grey, opacity), 3 (RGB) or 4
-   * (RGB, opacity) components in its point scalars, interpolated. Its first row is at the bottom.
-   * It says from where on the emitter light comes and of which colour, not how much: the light's
-   * diffuse and specular colour are multiplied by GetEmitterColor.
-   * Default null: uniform and white. An image without samples or of another kind is an error of
-   * the mapper, which then leaves this light out. A black one gives no light.
+   * Set an image that covers the emitter. It must be two-dimensional (one sample along z). Its
+   * point scalars are unsigned char (0 to 255) or floating point (0 to 1), with 1 (gray), 2 (gray,
+   * opacity), 3 (RGB) or 4 (RGB, opacity) components. The image is interpolated; its first row is
+   * at the bottom.
+   *
+   * The image distributes the light over the emitter and colors it, but does not change its amount:
+   * the light's diffuse and specular colors are multiplied by GetEmitterColor. A black image gives
+   * no light. With an invalid image, the mapper reports an error and skips the light; see
+   * GetEmitterError. Default null: uniform and white.
    */
   void SetEmitter(vtkImageData* image);
   vtkImageData* GetEmitter() const;
@@ -97,9 +98,9 @@ public:
 
   ///@{
   /**
-   * The direction whose part perpendicular to the axis of light is up on the emitter. Default
-   * (0, 1, 0). Valid: finite. Where it is along the axis another is taken. It turns with the
-   * light's transform matrix, as position and focal point do.
+   * Set the direction that is up on the emitter, after projection onto the emitter's plane. It is
+   * transformed by the light's transform matrix, like the position and the focal point. If it is
+   * parallel to the light's axis, another direction is used. Default (0, 1, 0). Valid: finite.
    */
   void SetViewUp(double x, double y, double z);
   void SetViewUp(const double up[3]) { this->SetViewUp(up[0], up[1], up[2]); }
@@ -108,62 +109,65 @@ public:
 
   ///@{
   /**
-   * Computes the emitter's centre and its normal, which is the direction of light and of length 1,
-   * in world coordinates. Return false where position and focal point are the same or not finite.
+   * Get the center of the emitter, and its unit normal, which points toward the focal point, in
+   * world coordinates. The getters return false if the position and the focal point coincide or are
+   * not finite.
    */
   bool GetCenter(double center[3]);
   bool GetNormal(double normal[3]);
   ///@}
 
   /**
-   * Fills \a matrix with the rotation and translation from the emitter's coordinates to the
-   * world's, which are as a camera's: the origin is the centre, x right and y up as seen along the
-   * light, z against it. Returns false where position and focal point are the same or not finite.
+   * Get the rigid transformation from emitter coordinates to world coordinates. The origin is the
+   * emitter's center. As in camera coordinates, x points right and y points up, as seen when
+   * looking toward the focal point, and z points away from the focal point. Returns false if the
+   * position and the focal point coincide or are not finite.
    */
   bool GetEmitterMatrix(vtkMatrix4x4* matrix);
 
   /**
-   * Returns an error message if the emitter's image cannot be read, or an empty string.
+   * Returns an error message if the emitter's image cannot be used, otherwise an empty string.
    */
   std::string GetEmitterError() const;
 
   struct Sample
   {
-    /// Where it is in world coordinates. Light that is not positional goes from here to the
-    /// transformed focal point.
+    /// Position in world coordinates. For a light that is not positional, light travels from here
+    /// to the transformed focal point.
     double Position[3];
-    /// Its share of the light in red, green and blue; the shares of all samples are exactly 1.
+    /// Fraction of the light's red, green and blue that the sample emits. In each channel, the
+    /// weights of all samples add up to exactly 1.
     double Weight[3];
   };
 
   /**
-   * Computes \a count samples of the emitter, stratified, distinct in width and in height, the
-   * bright places of an image with more of them than its dark ones; one sample is the centre.
-   * The same values give the same samples. Returns none where position and focal point are the same
-   * or not finite, or the emitter's image has an error.
+   * Returns \a count stratified samples of the emitter, no two of which have the same coordinate
+   * along its width or height. With an image, bright regions get more samples than dark ones. A
+   * single sample is at the center. Sampling is deterministic. Returns no samples if the position
+   * and the focal point coincide or are not finite, or if the emitter's image is invalid.
    */
   std::vector<Sample> GetSamples(int count);
 
   /**
-   * Computes the mean colour of the emitter divided by that's largest channel; white without an
-   * image, and of one with an error.
+   * Get the mean color of the emitter, scaled so that its largest channel is 1. It is white without
+   * an image or with an invalid one.
    */
   void GetEmitterColor(double color[3]) const;
 
   /**
-   * Returns the time of the last change, of the emitter's image too.
+   * Returns the latest modification time of the light and the emitter's image.
    */
   vtkMTimeType GetMTime() override;
 
   /**
-   * Takes all values of \a light, those of its emitter where it is a vtkAreaLight; the image and
-   * the transform matrix are shared. vtkLight::DeepCopy is not virtual: called by a pointer to
-   * vtkLight it copies what a vtkLight has.
+   * Copy all values of \a light, including the emitter if \a light is a vtkAreaLight. The image and
+   * the transform matrix are shared. vtkLight::DeepCopy is not virtual: a call through a pointer to
+   * vtkLight copies only the values of vtkLight.
    */
   void DeepCopy(vtkLight* light);
 
   /**
-   * Returns a new area light with the same values, which shares the image.
+   * Returns a new area light with the same values. It shares the image.
    */
   vtkLight* ShallowClone() override;
 
@@ -175,8 +179,8 @@ private:
   friend class interlume::EmitterSamples;
 
   bool GetFrame(interlume::LightFrame& frame);
-  /// Returns the colours of the emitter's image, which are found again where it has changed; null
-  /// without an image. The image has no error.
+  /// Returns the colors of the emitter's image, recomputed if the image has changed, or null
+  /// without an image. The image must be valid.
   const interlume::EmitterGrid* GetGrid() const;
 
   int Shape = ROUND;

@@ -14,8 +14,8 @@ vtkStandardNewMacro(vtkProjectiveLight);
 namespace
 {
 
-constexpr double SmallestScreen = 1e-30;
-constexpr double LargestScreen = 1e30;
+constexpr double MinimumScreenSize = 1e-30;
+constexpr double MaximumScreenSize = 1e30;
 
 double SmoothStep(double distance, double width)
 {
@@ -58,8 +58,8 @@ void vtkProjectiveLight::SetScreenSize(double width, double height)
   {
     return;
   }
-  width = Clamp(width, SmallestScreen, LargestScreen);
-  height = Clamp(height, SmallestScreen, LargestScreen);
+  width = Clamp(width, MinimumScreenSize, MaximumScreenSize);
+  height = Clamp(height, MinimumScreenSize, MaximumScreenSize);
   if (this->ScreenSize[0] != width || this->ScreenSize[1] != height)
   {
     this->ScreenSize[0] = width;
@@ -114,7 +114,8 @@ bool vtkProjectiveLight::GetScreenMatrix(const double position[3], const double 
     return false;
   }
 
-  // Depth is 1 on the screen; across is 1 over its width or height.
+  // The depth row is 1 on the screen. The other two rows increase by 1 across the screen's width
+  // and height.
   const glm::dvec3 depth = (1.0 / frame.Distance) * frame.Forward;
   const glm::dvec3 across[2] = { (1.0 / (scale * this->ScreenSize[0])) * frame.Right,
     (1.0 / (scale * this->ScreenSize[1])) * frame.Up };
@@ -138,7 +139,7 @@ bool vtkProjectiveLight::GetScreenMatrix(const double position[3], const double 
       setRow(i, across[i], 0.5);
     }
   }
-  // The third row is free and keeps the matrix regular.
+  // The remaining row is arbitrary. This choice keeps the matrix invertible.
   const glm::dvec3 none{ 0.0, 0.0, 0.0 };
   setRow(this->Positional ? 3 : 2, depth, 0.0);
   setRow(this->Positional ? 2 : 3, none, 1.0);
@@ -173,16 +174,16 @@ void vtkProjectiveLight::GetScreenColor(double u, double v, double color[3]) con
   const double amount = this->ScreenOpacity *
     SmoothStep(std::min(u, 1.0 - u), 0.5 * this->EdgeWidth) *
     SmoothStep(std::min(v, 1.0 - v), 0.5 * this->EdgeWidth);
-  const glm::dvec3 seen = this->Image
+  const glm::dvec3 screenColor = this->Image
     ? interlume::LightImage(this->Image).GetColor(u, v, this->Interpolate)
     : glm::dvec3(1.0);
-  std::copy_n(glm::value_ptr(amount * seen), 3, color);
+  std::copy_n(glm::value_ptr(amount * screenColor), 3, color);
 }
 
 vtkMTimeType vtkProjectiveLight::GetMTime()
 {
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->Image ? std::max(own, this->Image->GetMTime()) : own;
+  const vtkMTimeType time = this->Superclass::GetMTime();
+  return this->Image ? std::max(time, this->Image->GetMTime()) : time;
 }
 
 vtkLight* vtkProjectiveLight::ShallowClone()

@@ -6,32 +6,33 @@
 #include "vtkLight.h"
 #include "vtkSmartPointer.h" // for the image
 
-#include <string> // for its error message
-#include <vector> // for its texels
+#include <string> // for error messages
+#include <vector> // for texels
 
 class vtkImageData;
 class vtkMatrix4x4;
 
 /**
  * @class   vtkProjectiveLight
- * @brief   a light that shines through a screen with an image
+ * @brief   a light that projects an image, like a slide projector
  *
- * The light screen (C. Zhang, dissertation, Ohio State 2006, 2.3.3) is a rectangle of ScreenSize
- * whose centre is the light's focal point and which is perpendicular to the line from position to
- * focal point; ViewUp turns it around that line. A positional light shines through it in a pyramid
- * from its position, as a slide projector or the light of a window does; a parallel one in a beam
- * of the screen's cross-section. Where no ray passes the screen there is no light: I(x) = Intensity
- * Color screen(x) T(x) (equation 2.8), screen(x) the colour of the image where the ray through x
- * passes, times its opacity; without an image it is 1 on the screen and 0 outside. T is the
- * transmittance.
+ * The light screen (C. Zhang, dissertation, Ohio State 2006, 2.3.3) is a rectangle of the given
+ * ScreenSize. Its center is the light's focal point, and it is perpendicular to the line from the
+ * position to the focal point. ViewUp sets its rotation about that line. A positional light shines
+ * through the screen in a pyramid, like a slide projector. A directional light shines in a beam
+ * with the screen's cross-section.
  *
- * Add it to a vtkRenderer by AddLight as any other light. Mappers other than vtkShadowedSliceMapper
- * see a vtkLight of the same position, direction and colour, without a screen; with
- * vtkShadowedScenePass actors have the screen too.
+ * The light at a point is multiplied by the image's color and opacity where the ray to the point
+ * passes through the screen. Rays that miss the screen carry no light. Without an image, the screen
+ * is a white window.
  *
- * Values outside the valid range are clamped; NaN changes nothing.
+ * Add the light to a vtkRenderer with AddLight, like any other light. Only volumes of
+ * vtkShadowedSliceMapper and actors drawn by vtkShadowedScenePass are lit through the screen. Other
+ * mappers treat the light as a vtkLight with the same position, direction and color.
  *
- * @sa vtkShadowedSliceMapper
+ * Values outside the valid range are clamped. NaN is ignored.
+ *
+ * @sa vtkAreaLight vtkShadowedSliceMapper vtkShadowedScenePass
  */
 class INTERLUMELIGHT_EXPORT vtkProjectiveLight : public vtkLight
 {
@@ -42,11 +43,11 @@ public:
 
   ///@{
   /**
-   * The image on the screen: two-dimensional (one sample along z), unsigned char 0 to 255 or
-   * floating point 0 to 1, of 1 (grey), 2 (grey, opacity), 3 (RGB) or 4 (RGB, opacity) components
-   * in its point scalars. Its first row is at the bottom of the screen. Default null: a window that
-   * all light passes. An image without samples or of another kind is an error of the mapper, which
-   * then leaves this light out.
+   * Set the image on the screen. It must be two-dimensional (one sample along z). Its point scalars
+   * are unsigned char (0 to 255) or floating point (0 to 1), with 1 (gray), 2 (gray, opacity), 3
+   * (RGB) or 4 (RGB, opacity) components. The first row is at the bottom of the screen. With an
+   * invalid image, the mapper reports an error and skips the light; see GetImageError. Default
+   * null: a window that transmits all light.
    */
   void SetImage(vtkImageData* image);
   vtkImageData* GetImage() const;
@@ -54,7 +55,7 @@ public:
 
   ///@{
   /**
-   * Whether colours between the samples of the image are interpolated. Default on.
+   * Turn on or off interpolation between the image's samples. Default on.
    */
   vtkSetMacro(Interpolate, bool);
   vtkGetMacro(Interpolate, bool);
@@ -63,7 +64,7 @@ public:
 
   ///@{
   /**
-   * The width and height of the screen in world units. Default 1, 1. Valid: 1e-30 to 1e30.
+   * Set the width and height of the screen in world units. Default 1, 1. Valid: 1e-30 to 1e30.
    */
   void SetScreenSize(double width, double height);
   vtkGetVector2Macro(ScreenSize, double);
@@ -71,9 +72,9 @@ public:
 
   ///@{
   /**
-   * The direction whose part perpendicular to the axis of light is up on the screen. Default
-   * (0, 1, 0). Where it is along the axis another is taken. It turns with the light's transform
-   * matrix, as position and focal point do.
+   * Set the direction that is up on the screen, after projection onto the screen's plane. It is
+   * transformed by the light's transform matrix, like the position and the focal point. If it is
+   * parallel to the light's axis, another direction is used. Default (0, 1, 0).
    */
   void SetViewUp(double x, double y, double z);
   vtkGetVector3Macro(ViewUp, double);
@@ -81,9 +82,9 @@ public:
 
   ///@{
   /**
-   * The width of the edge over which the light goes from nothing to all, from the screen's border
-   * inwards, as a share of the screen's half width and height; the change is cubic. 0 is a sharp
-   * edge. Default 0. Valid: 0 to 1.
+   * Set the width of the smooth edge in which the light rises from 0 at the screen's border to its
+   * full value. It is a fraction of half the screen's width and height. The profile is cubic; 0
+   * gives a sharp edge. Default 0. Valid: 0 to 1.
    */
   void SetEdgeWidth(double width);
   vtkGetMacro(EdgeWidth, double);
@@ -91,55 +92,57 @@ public:
 
   ///@{
   /**
-   * The share of the light that the screen lets through where it is transparent, which multiplies
-   * the image's opacity. Default 1. Valid: 0 to 1.
+   * Set the fraction of light that the screen transmits. It multiplies the image's opacity. Default
+   * 1. Valid: 0 to 1.
    */
   void SetScreenOpacity(double opacity);
   vtkGetMacro(ScreenOpacity, double);
   ///@}
 
   /**
-   * Fills \a matrix with the transformation from world coordinates to the screen's: after division
-   * by the fourth coordinate x and y are 0 to 1 on the screen. A positional light has the fourth
-   * coordinate above 0 in front of it only; a parallel one always 1. Returns false where position
-   * and focal point are the same or not finite.
+   * Get the transformation from world coordinates to screen coordinates. After division by the
+   * fourth coordinate, x and y range from 0 to 1 on the screen. For a positional light, the fourth
+   * coordinate is positive only in front of the light; for a directional light, it is always 1.
+   * Returns false if the position and the focal point coincide or are not finite.
    */
   bool GetScreenMatrix(vtkMatrix4x4* matrix);
 
   /**
-   * Fills \a matrix likewise, but for coordinates in which the light has this position, focal point
-   * and view up, and lengths are \a scale times those of the world.
+   * Get the transformation to screen coordinates from a coordinate system in which the light has
+   * the given position, focal point and view up, and lengths are \a scale times those in world
+   * coordinates.
    */
   bool GetScreenMatrix(const double position[3], const double focalPoint[3], const double viewUp[3],
     double scale, vtkMatrix4x4* matrix) const;
 
   /**
-   * Returns an error message if the image cannot be read, or an empty string.
+   * Returns an error message if the image cannot be used, otherwise an empty string.
    */
   std::string GetImageError() const;
 
   /**
-   * Returns the image as a texture: red, green, blue, each times opacity, of one sample after the
-   * other, x fastest. Values outside 0 to 1 are clamped, NaN is 0. Empty without an image, and with
-   * one that has an error.
+   * Returns the image as texels of red, green and blue, each multiplied by the opacity, x fastest.
+   * Values outside 0 to 1 are clamped; NaN becomes 0. The result is empty without an image or with
+   * an invalid one.
    */
   std::vector<float> GetTexels() const;
 
   /**
-   * Computes the screen's colour, times opacity, at (u,v) of the screen, with the smooth edge;
-   * black outside. The edge is s(x) s(y), s(x) = 3 t^2 - 2 t^3, t the distance of x to 0 or 1 over
-   * EdgeWidth / 2. This is what the shader computes, for tests and error norms.
+   * Get the screen's color, multiplied by its opacity and the smooth edge, at screen coordinates
+   * (u, v). It is black outside the screen. The edge factor is s(u) s(v) with s(x) = 3 t^2 - 2 t^3,
+   * where t is the distance from x to the nearer of 0 and 1, divided by EdgeWidth / 2 and limited
+   * to 1. The shader computes the same function.
    */
   void GetScreenColor(double u, double v, double color[3]) const;
 
   /**
-   * Returns the time of the last change, of the image too.
+   * Returns the latest modification time of the light and its image.
    */
   vtkMTimeType GetMTime() override;
 
   /**
-   * Returns a new projective light with the same values, which shares the image.
-   * vtkLight::DeepCopy, which is not virtual, copies what a vtkLight has.
+   * Returns a new projective light with the same values. It shares the image. vtkLight::DeepCopy,
+   * which is not virtual, copies only the values of vtkLight.
    */
   vtkLight* ShallowClone() override;
 

@@ -40,9 +40,9 @@ void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool isOn)
   }
   else if (!isOn)
   {
-    vtkNew<vtkInformation> made;
-    made->Set(key, 0);
-    prop->SetPropertyKeys(made);
+    vtkNew<vtkInformation> newKeys;
+    newKeys->Set(key, 0);
+    prop->SetPropertyKeys(newKeys);
   }
 }
 
@@ -118,11 +118,11 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
     return;
   }
   window->MakeCurrent();
-  // Lights that follow the camera, or that VTK makes where there are none, are known from here on.
+  // The pass needs the headlights and the default light before it draws anything.
   this->UpdateLightGeometry(renderer);
   this->UpdateLights(renderer);
   interlume::SceneRenderer& scene = *this->Renderer;
-  const interlume::SceneRenderer::Request request{ this->MaximumNumberOfShadows,
+  const interlume::SceneRenderer::Request request{ this->MaximumNumberOfShadowLights,
     this->DepthMapResolution, this->DepthBias, this->NumberOfLightSamples,
     this->MaximumNumberOfLayers, GetCastsShadows, GetReceivesShadows };
   this->FindVolumes(renderer);
@@ -152,7 +152,7 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
     image->End();
   }
   this->PostRender(&surfaces);
-  this->WarnOfUnreached();
+  this->WarnAboutUnsupportedActors();
 }
 
 void vtkShadowedScenePass::FindVolumes(vtkRenderer* renderer)
@@ -201,14 +201,14 @@ interlume::Error vtkShadowedScenePass::DrawTogether(vtkRenderer* renderer)
   this->Images.clear();
   for (vtkVolume* volume : this->Volumes)
   {
-    // What vtkVolume does before it draws.
+    // vtkVolume does the same before it renders.
     volume->Update();
     volume->GetProperty();
     this->Images.push_back(&UpdateImage(renderer, volume));
   }
   const std::set<interlume::VolumeImage*> images(this->Images.begin(), this->Images.end());
   return images.size() < this->Images.size()
-    ? "one mapper draws several volumes"
+    ? "A mapper draws several volumes. Use a separate mapper for each volume."
     : interlume::VolumeImage::DrawTogether(
         renderer, this->Images, this->Together, this->Renderer->GetScene());
 }
@@ -230,7 +230,7 @@ void vtkShadowedScenePass::DrawVolumes(vtkRenderer* renderer)
   {
     if (!this->Images[i]->IsTogether())
     {
-      // A mapper may have several volumes, one request at a time.
+      // A mapper that draws several volumes holds only one request, so set it again.
       UpdateImage(renderer, this->Volumes[i]).Draw(renderer, &scene);
     }
   }
@@ -247,19 +247,22 @@ void vtkShadowedScenePass::ShowVolumes(vtkRenderer* renderer)
   }
 }
 
-void vtkShadowedScenePass::WarnOfUnreached()
+void vtkShadowedScenePass::WarnAboutUnsupportedActors()
 {
-  for (vtkProp* prop : this->Renderer->TakeUnreached())
+  for (vtkProp* prop : this->Renderer->ConsumeUnreached())
   {
-    vtkWarningMacro(<< prop->GetClassName() << " (" << static_cast<void*>(prop)
-                    << ") is drawn without shadows: its mapper does not ask render passes for its "
-                       "shaders, or its shader has no place for lights");
+    vtkWarningMacro(
+      << prop->GetClassName() << " (" << static_cast<void*>(prop)
+      << ") is drawn without shadows, because its mapper ignores render passes or its custom "
+         "fragment shader lacks VTK's light code.");
   }
-  for (vtkProp* prop : this->Renderer->TakeUnsliced())
+  for (vtkProp* prop : this->Renderer->ConsumeUnsliced())
   {
-    vtkWarningMacro(<< prop->GetClassName() << " (" << static_cast<void*>(prop)
-                    << ") is translucent, casts no shadow and is drawn before volumes: its mapper "
-                       "is not one of polygons or glyphs, or its shader has no place for layers");
+    vtkWarningMacro(
+      << prop->GetClassName() << " (" << static_cast<void*>(prop)
+      << ") is translucent. It casts no shadow and is drawn before the volumes, because "
+         "its mapper is not a polygon or glyph mapper, or its custom fragment shader lacks VTK's "
+         "depth peeling code.");
   }
 }
 
@@ -305,7 +308,7 @@ void vtkShadowedScenePass::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   interlume::NamedValue::Print(os, indent,
     { { "DelegatePass", this->DelegatePass }, { "Shadows", this->Shadows },
-      { "MaximumNumberOfShadows", this->MaximumNumberOfShadows },
+      { "MaximumNumberOfShadowLights", this->MaximumNumberOfShadowLights },
       { "DepthMapResolution", this->DepthMapResolution }, { "DepthBias", this->DepthBias },
       { "NumberOfLightSamples", this->NumberOfLightSamples },
       { "MaximumNumberOfLayers", this->MaximumNumberOfLayers } });

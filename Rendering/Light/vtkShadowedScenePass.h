@@ -3,12 +3,13 @@
 #define vtkShadowedScenePass_h
 
 #include "InterlumeLightModule.h" // for the export macro
-#include "vtkInterlumeReport.h"   // for GetReport()
-#include "vtkNew.h"               // for the report
+#include "vtkInterlumeDeprecation.h"
+#include "vtkInterlumeReport.h" // for GetReport()
+#include "vtkNew.h"             // for the report
 #include "vtkOpenGLRenderPass.h"
 
-#include <memory> // for what is kept from picture to picture
-#include <string> // for shaders
+#include <memory> // for the renderers
+#include <string> // for shader sources
 #include <vector> // for volumes
 
 class vtkInformationIntegerKey;
@@ -24,157 +25,63 @@ class VolumeImage;
 
 /**
  * @class   vtkShadowedScenePass
- * @brief   draws a renderer's actors and sliced volumes under the same lights
+ * @brief   render actors and sliced volumes with common lights and shadows
  *
- * Surfaces cast shadows on surfaces and in volumes, and volumes on surfaces and on each other (C.
- * Zhang, dissertation, Ohio State 2006, 2.5.1), for actors and for volumes of
- * vtkShadowedSliceMapper whose Shadows is on. Each light that casts shadows gets a depth map of all
- * opaque actors that are visible props of the renderer, inside its view or not. VTK then draws
- * everything as it does by itself, and where its shaders have the colour I of a light, they have I
- * (1 - ShadowAttenuation (1 - V T)), V being the share of the light that other surfaces let
- * through, and T what volumes do. So every vtkOpenGLPolyDataMapper works, with its properties,
- * textures, normals, vertex colours, clipping planes, physically based and flat shading, glyphs of
- * vtkOpenGLGlyph3DMapper included, and where no shadow falls it looks as before.
+ * Surfaces cast shadows on surfaces and in volumes; volumes cast shadows on surfaces and on each
+ * other (C. Zhang, dissertation, Ohio State 2006, 2.5). Volumes take part if their mapper is a
+ * vtkShadowedSliceMapper with Shadows on. See Documentation/methods/scenes.md for the method and
+ * its accuracy, and Documentation/measurements.md for times.
  *
  *     vtkNew<vtkShadowedScenePass> pass;
  *     renderer->SetPass(pass);
  *
- * **Depth maps** are drawn again only where lights or actors have changed. V is the share of the
- * four texels around a place, weighted as for bilinear interpolation, that are not nearer to the
- * light; edges of shadows are so within half a texel. Instead of a bias that grows with the angle,
- * the plane of the fragment's own triangle is compared, texel by texel; it is moved by DepthBias
- * texels towards the light, for what is bent within a texel.
+ * **Actors** are drawn by VTK's shaders, where each light's color is multiplied by 1 -
+ * ShadowAttenuation (1 - V T). V is the fraction of the light that other surfaces transmit,
+ * computed from shadow maps. T is the transmittance of the volumes. All visible opaque actors cast
+ * shadows, whether they are in view or not. Meshes may be open, inverted or without thickness.
+ * Properties, textures, normals, vertex colors, clipping planes, PBR and flat shading, and glyphs
+ * of vtkOpenGLGlyph3DMapper work as usual. SetCastsShadows and SetReceivesShadows exclude actors.
  *
- * **Volumes** are sliced ahead of the actors, behind whose depth nothing of them is drawn. Their
- * samples compare the light with the depth maps too. T is found for the surface that each pixel
- * shows: a place before the volume in the direction of light, or beside it, has all of the light;
- * one within it has what the light's buffer holds when its slices have come there, times exp(-tau
- * l) for the rest of the slab; one behind it what comes through all slices. Against closed forms a
- * wall of any place in homogeneous smoke is off by 0.0005 in the mean and by 0.002 for 95 % of its
- * pixels; the edge of a volume's shadow is as wide as a texel of the light's buffer. With eight
- * samples a pixel, a pixel at an edge takes T where a surface around shows the same depth.
+ * **Lights** are all lights that are switched on, as in vtkShadowedSliceMapper. Lights with a
+ * ShadowAttenuation above 0 cast shadows, except headlights on actors. Images of vtkProjectiveLight
+ * and colors of vtkAreaLight also apply to actors, with or without shadows. A vtkAreaLight casts
+ * soft shadows by NumberOfLightSamples shadow maps; see Documentation/methods/soft-shadows.md.
  *
- * **Several volumes** are drawn in one set of slices, whether they overlap or stand apart. In each
- * slab one volume after the other is drawn into the picture, with the light that is left there, and
- * then takes from that light: between slabs extinctions add up exactly, for eye and light. Within a
- * slab the volume is first that the light meets first, where a plane along a face parts their
- * boxes; volumes that overlap take turns from slab to slab, so that errors of the first order in
- * the slab's optical depth cancel. Two boxes apart, overlapping or one in the other are off by
- * 0.0005 or less in the mean at the automatic spacing, two volumes of two colours at the same place
- * by 0.0006 at an optical depth of 0.2 a slab, by 0.0037 at 0.8; two halves of a volume are the
- * whole within 0.0003 at each pixel. The picture does not depend on the order of adding volumes,
- * but where two have the same bounds. Each has its own samples, transfer functions, cropping and
- * clipping, blocks that are passed over, TransmissionColor and SurfaceGradient. What is shared is
- * of one kind:
- * - SliceSpacing: the finest that one of them asks for, or has automatically, in all of them;
- * - LightBufferSize: automatic where one is, for the finest voxels and around all volumes, and at
- * least the largest that is set; else the largest;
- * - MaximumNumberOfShadows and NumberOfLightSamples the largest, ImageSampleDistance the smallest,
- * AutoAdjustSampleDistances where all have it on, BILINEAR_LIGHT where one has it;
- * - SoftShadowMethod: SAMPLE_LAYERS where one has it, else ACCUMULATED_CONVOLUTION where one does;
- * - light has three channels where one has a TransmissionColor;
- * - MaximumTextureMemory: the smallest that is set, for all of them together.
+ * **Volumes** share one set of slices, whether they overlap or not. The settings of their mappers
+ * are combined as follows:
+ * - SliceSpacing: the smallest; LightBufferSize: at least the largest;
+ * - MaximumNumberOfShadowLights, NumberOfLightSamples: the largest;
+ * - ImageSampleDistance: the smallest; MaximumTextureMemory: the smallest nonzero value;
+ * - AutoAdjustSampleDistances: on if it is on for all volumes;
+ * - BILINEAR_LOOKUP if one volume uses it;
+ * - SoftShadowMethod: SAMPLE_LAYERS if one volume uses it, otherwise ACCUMULATED_CONVOLUTION if one
+ *   volume uses it;
+ * - light buffers have three channels if one volume has a TransmissionColor.
  *
- * Each mapper's report has the numbers of the whole picture, with its own blocks, textures and
- * features. Volumes are drawn one by one, one over the other in the renderer's order, and cast
- * shadows on surfaces alone, where all together would take more than eight times the slices that
- * they have by themselves, beyond MaximumTextureMemory, or where one mapper has several volumes;
- * the report gives the reason (SeparateVolumesReason). So is a volume whose Shadows is off. One
- * with an error is left out. Volumes of other mappers, also of vtkImplicitFlowVolumeMapper, neither
- * cast shadows on surfaces nor receive theirs.
+ * The report's SeparateVolumesReason is set if volumes are rendered one by one instead: if
+ * rendering them together would need more than eight times the slices of separate rendering or
+ * exceed MaximumTextureMemory, or if a mapper draws several volumes. Such volumes cast shadows on
+ * surfaces, but not on each other. A volume with an error is skipped. Multiple scattering is common
+ * to volumes in shared slices; see Documentation/methods/scattering.md.
  *
- * **Lights** are those of vtkShadowedSliceMapper: switched on and with a ShadowAttenuation above 0.
- * Actors cast no shadows of headlights, since the eye would not see them. A positional light
- * outside of the actors has one map, and so has one with a cone of 75 degrees or less; amid the
- * actors it has six, which show nothing nearer to it than a thousandth of the farthest actor.
+ * **Translucent actors** transmit the fraction 1 - opacity of each light in all color channels,
+ * regardless of their color. With volumes in the scene, they are drawn in depth order between
+ * segments of the volumes, with up to MaximumNumberOfLayers layers per pixel, and the renderer's
+ * depth peeling settings are ignored. The volumes are rendered once more for each layer that the
+ * camera sees. If the renderer's UseDepthPeeling and UseDepthPeelingForVolumes are on, all
+ * translucent actors are drawn before the volumes instead.
  *
- * **Images of lights** fall on actors as in volumes, opaque or translucent and with or without
- * shadows: the light's colour in VTK's shaders is multiplied by the colour of a
- * vtkProjectiveLight's screen, vtkProjectiveLight::GetScreenColor, where the fragment's ray passes
- * it, and by vtkAreaLight::GetEmitterColor. A light whose image has an error shines on actors as
- * VTK sees it.
+ * **Limitations**: volumes of other mappers neither cast nor receive shadows. An actor is drawn
+ * without shadows, with a warning, if its mapper ignores render passes or its fragment shader lacks
+ * VTK's light code. A translucent actor casts no shadow, with a warning, if its mapper is not a
+ * polygon or glyph mapper or its shader lacks VTK's depth peeling code. Actors in other renderers
+ * cast no shadows. If there are no shadows or light images to compute, or during hardware
+ * selection, the scene is drawn as if the pass did not exist.
  *
- * **Translucent actors** leave 1 - opacity of each light behind them, as the eye sees what is
- * behind them, on surfaces and in volumes: what comes through is grey, whatever their colour. Each
- * light that casts shadows gets maps of their layers beside its depth map. Where there are volumes
- * too, the pass draws both in order: the layers of translucent actors that the eye sees cut each
- * pixel's line of sight into segments, and the volumes' picture is drawn once for each of them, cut
- * where the layers are. A layer is shaded by VTK with the light that shadows and volumes leave
- * there, so that properties, textures, colours of points and clipping planes count. An actor may so
- * be before, in, behind or across smoke; against a double-precision reference its pixels are within
- * 0.002 but for those at edges. Their edges have one sample a pixel, and depth peeling of the
- * renderer changes nothing. Without volumes VTK draws them as ever, and they cast and receive
- * shadows. Several surfaces in one plane count as VTK draws them. Beyond MaximumNumberOfLayers they
- * are drawn with the last layer. A layer before or in a volume costs more than a further picture of
- * the volume: in software smoke of 64^3 in a picture of 400^2 takes 2.7 times as long with one pane
- * over a third of it, and 4 times with two. Of an area light they leave what they leave of its
- * centre.
+ * **Errors** are reported by vtkErrorMacro, and the scene is then drawn without shadows: if OpenGL
+ * is older than 3.2, or if shadow maps exceed the graphics card's memory.
  *
- * **What does not take part**: translucent actors whose mapper is not one of polygons or glyphs, or
- * whose fragment shader of their own lacks VTK's parts for depth peeling, cast no shadow and are
- * drawn before volumes; they are named in a warning, once. With UseDepthPeelingForVolumes and depth
- * peeling all translucent actors are drawn before volumes. Lines and points cast and receive
- * shadows as wide as they are in texels of the map. Actors that face the camera, as vtkFollower,
- * are in the maps as they face the eye's camera. An actor whose mapper does not ask render passes
- * for its shaders, or has a fragment shader of its own without VTK's parts for light, is drawn
- * without shadows and named in a warning, once. Where PreserveDepthBuffer is on, actors of other
- * renderers occlude as ever, but cast no shadows.
- *
- * **Area lights** (vtkAreaLight) have soft shadows of surfaces by a depth map for each of
- * NumberOfLightSamples samples of the emitter (six for each where some of the light is amid the
- * actors): V = sum_c w_c V_c, with the weight w_c of a sample, coloured where the emitter has an
- * image, and V_c the share that the map of the sample lets through, compared as above from the
- * sample's own place. On surfaces of which some samples are hidden each is compared at four places
- * over the part of the emitter that it stands for, as far apart as the mean gap to what casts the
- * shadow makes them: so the penumbra has no steps to be seen but the faint outermost one, of one
- * sample, and its width, L dZ / Z, at each distance. With 16 samples that is within 2 % for dZ / Z
- * from 0.05 to 5 under square and round, near and far lights, tilted or not, and light is off by at
- * most 0.03 under a square and 0.05 under a round one; a square that is turned by 30 degrees from
- * the edge has 5 % less, and 0.06 where its corner begins. 64 samples are 0.008 off, 256 0.003.
- * Maps of samples have half of DepthMapResolution up to 16 samples, a third up to 81, a quarter
- * beyond, and no more than 8192 columns and rows together. Volumes cast soft shadows by their
- * mapper's SoftShadowMethod. With SAMPLE_LAYERS a surface behind the volume sees each sample's
- * layer from that sample, so that the penumbra widens with the distance from the volume, and
- * through the surfaces that hide the sample: a volume has at least as many layers as the pass
- * samples where surfaces cast shadows, and where its mapper asks for more, what both leave is
- * multiplied; with ACCUMULATED_CONVOLUTION it stays as wide as where the light leaves the volume.
- * SAMPLED_LIGHTS is drawn as SAMPLE_LAYERS. Where a light is too close for layers, shadows of
- * volumes are hard, from its centre. Where no light that casts shadows has an extent, nothing of
- * this is in shaders, maps and report.
- *
- * **Meshes** may be open, turned inside out, without thickness or cut by the eye's or a clipping
- * plane: the nearest depth that the light sees casts the shadow, whichever side of which face it
- * is. The source instead slices surfaces too and fills the cuts of closed solids by the stencil
- * buffer, so that a slice shows solid matter; a mesh that is not closed has no inside there. A map
- * of depths needs no such caps, and so there is no warning for open meshes: what is behind the
- * first face, as the inside of an open shell, is in its shadow.
- *
- * **Actors that are left out** of casting or of receiving say so by a key among their property keys
- * (vtkProp::SetPropertyKeys), as SetCastsShadows and SetReceivesShadows set it. One that casts none
- * is in no map of any light and has no layer in it, so that it shadows neither surfaces nor
- * volumes; it hides what is behind it from the eye as ever. One that receives none has all of each
- * light, with its image; in smoke it is as bright as before it. Keys of an assembly or of a prop
- * with levels of detail are those of its parts.
- *
- * **A scene without actors** and with fewer than two volumes, without lights that cast shadows, or
- * a selection by vtkHardwareSelector, is drawn as if the pass was not there: same picture, no map,
- * no pass. So are volumes without opaque actors beside opaque props of other kinds, as
- * vtkImageSlice. Images of lights and the order of translucent actors and volumes are there without
- * shadows too.
- *
- * Without DelegatePass the pass does all that the renderer does without a pass: camera, lights,
- * opaque, translucent, volumes, overlay, with the renderer's own settings of depth peeling, FXAA
- * and others. DelegatePass is what draws instead, as a vtkRenderStepsPass, or a vtkSequencePass
- * where this pass is itself the delegate of a vtkCameraPass.
- *
- * **Time**: in software, a million triangles around a bonsai of 256^3 take 1.2 times what VTK takes
- * for the volume alone and the actors twice, before smoke of 128^3 1.4 times, where the light
- * stays; `interlume-bench mixed` measures it.
- *
- * Errors (vtkErrorMacro; drawn without shadows then): OpenGL older than 3.2; depth maps that do not
- * fit into the graphics card's memory.
- *
- * @sa vtkShadowedSliceMapper vtkShadowMapPass
+ * @sa vtkShadowedSliceMapper vtkAreaLight vtkShadowMapPass
  */
 class INTERLUMELIGHT_EXPORT vtkShadowedScenePass : public vtkOpenGLRenderPass
 {
@@ -185,7 +92,9 @@ public:
 
   ///@{
   /**
-   * What draws the scene. Default null: all that the renderer draws without a pass.
+   * Set the pass that draws the scene, for example a vtkRenderStepsPass, or a vtkSequencePass if
+   * the vtkShadowedScenePass is itself the delegate of a vtkCameraPass. Default null: draw
+   * everything that the renderer draws without a pass, with the renderer's own settings.
    */
   virtual void SetDelegatePass(vtkRenderPass* pass);
   vtkGetObjectMacro(DelegatePass, vtkRenderPass);
@@ -193,7 +102,7 @@ public:
 
   ///@{
   /**
-   * Whether there are shadows. Off, everything is drawn as if the pass was not there. Default on.
+   * Turn shadows on or off. If off, everything is drawn as if the pass did not exist. Default on.
    */
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
@@ -202,16 +111,19 @@ public:
 
   ///@{
   /**
-   * The largest number of lights that cast shadows, the brightest ones. Default 16. Valid: 0 to 16.
+   * Set the maximum number of lights that cast shadows, brightest first. Default 16. Valid: 0 to
+   * 16.
    */
-  vtkSetClampMacro(MaximumNumberOfShadows, int, 0, 16);
-  vtkGetMacro(MaximumNumberOfShadows, int);
+  vtkSetClampMacro(MaximumNumberOfShadowLights, int, 0, 16);
+  vtkGetMacro(MaximumNumberOfShadowLights, int);
+  interlumeDeprecatedMacro(MaximumNumberOfShadows, MaximumNumberOfShadowLights, int);
   ///@}
 
   ///@{
   /**
-   * The number of columns and rows of each depth map. Default 1024. Valid: 16 to 8192; what does
-   * not fit into one texture for all maps is made smaller, and the report has what is in use.
+   * Set the number of columns and rows of each shadow map. It is reduced if the maps of all
+   * lights do not fit into one texture; the report contains the value in use. Default 1024.
+   * Valid: 16 to 8192.
    */
   vtkSetClampMacro(DepthMapResolution, int, 16, 8192);
   vtkGetMacro(DepthMapResolution, int);
@@ -219,9 +131,9 @@ public:
 
   ///@{
   /**
-   * How far surfaces are moved towards the light where they are compared with its depth map, in
-   * widths of the map's texels. Less than what is too little shows as specks on bent surfaces,
-   * more lets light through where surfaces touch. Default 1. Valid: 0 to 100.
+   * Set the bias that moves a surface toward the light before comparison with the shadow map, in
+   * texels of the map. Too small a value causes specks on curved surfaces; a larger value brightens
+   * shadows where surfaces touch. Default 1. Valid: 0 to 100.
    */
   vtkSetClampMacro(DepthBias, double, 0.0, 100.0);
   vtkGetMacro(DepthBias, double);
@@ -229,10 +141,10 @@ public:
 
   ///@{
   /**
-   * The number of samples of each vtkAreaLight, each of which has a depth map of its own. A shadow
-   * has so many steps where its penumbra is wide. With 1 shadows of surfaces are hard, from the
-   * light's centre. Default 16, which volumes take too; 8 would leave the penumbra of a round light
-   * 7 % too narrow. Valid: 1 to 256.
+   * Set the number of samples of each vtkAreaLight. Each sample has its own shadow map, and volumes
+   * use at least as many samples. Too few samples are visible as steps in wide penumbras and make
+   * them too narrow. With 1, surfaces cast hard shadows from the light's center. Default 16. Valid:
+   * 1 to 256.
    */
   vtkSetClampMacro(NumberOfLightSamples, int, 1, 256);
   vtkGetMacro(NumberOfLightSamples, int);
@@ -240,9 +152,8 @@ public:
 
   ///@{
   /**
-   * The largest number of layers of translucent surfaces along a ray of the eye or of a light. What
-   * lies behind the last one is drawn with it, in any order. For each layer that the eye sees the
-   * volumes are drawn once more. Default 16. Valid: 1 to 64.
+   * Set the maximum number of layers of translucent surfaces along a ray from the camera or a
+   * light. Surfaces behind the last layer are drawn with it, unsorted. Default 16. Valid: 1 to 64.
    */
   vtkSetClampMacro(MaximumNumberOfLayers, int, 1, 64);
   vtkGetMacro(MaximumNumberOfLayers, int);
@@ -250,8 +161,9 @@ public:
 
   ///@{
   /**
-   * Keys of a prop's property keys: whether its surfaces cast shadows, and whether they receive
-   * them. Both do where a prop has no such key, and with any value but 0.
+   * Keys for vtkProp::SetPropertyKeys that control whether the prop's surfaces cast and receive
+   * shadows. The surfaces do if the key is missing or not 0. Keys of an assembly or a
+   * level-of-detail prop apply to its parts.
    */
   static vtkInformationIntegerKey* CASTS_SHADOWS();
   static vtkInformationIntegerKey* RECEIVES_SHADOWS();
@@ -259,8 +171,12 @@ public:
 
   ///@{
   /**
-   * Sets and returns these keys of a prop, of which a null one casts and receives nothing. On is
-   * the default, and removes the key.
+   * Set or get the CASTS_SHADOWS and RECEIVES_SHADOWS keys of a prop. Default true, which removes
+   * the key. For a null prop, the getters return false.
+   * - A prop that does not cast shadows is in no shadow map, so it shadows neither surfaces nor
+   *   volumes.
+   * - A prop that does not receive shadows gets the full light of each light source, including its
+   *   image.
    */
   static void SetCastsShadows(vtkProp* prop, bool casts);
   static bool GetCastsShadows(vtkProp* prop);
@@ -269,20 +185,21 @@ public:
   ///@}
 
   /**
-   * Returns the report of the last image:
-   * - ShadowCasters: opaque actors that cast shadows; Lights: lights that cast shadows of them
-   * - Volumes: volumes of the scene
-   * - VolumesInSharedSlices: volumes that cast shadows on each other
-   * - SeparateVolumesReason: the error if volumes are rendered one by one, otherwise empty
-   * - DepthMapResolution, SampleMapResolution: columns and rows of each depth map, of lights
-   *   without extent and of samples of area lights
-   * - DepthMapBytes, SampleMapBytes: bytes of these maps
-   * - CameraLayers: layers of translucent actors between which volumes are rendered
+   * Returns the report of the last frame:
+   * - ShadowCasters: number of opaque actors that cast shadows
+   * - Lights: number of lights that cast shadows of actors
+   * - Volumes: number of volumes in the scene
+   * - VolumesInSharedSlices: number of volumes that cast shadows on each other
+   * - SeparateVolumesReason: the reason if volumes are rendered one by one, otherwise empty
+   * - DepthMapResolution, SampleMapResolution: columns and rows of the shadow map of each light
+   * without extent, and of each sample of an area light
+   * - DepthMapBytes, SampleMapBytes: bytes of all these maps
+   * - CameraLayers: number of layers of translucent actors between which volumes are rendered
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
   /**
-   * WARNING: the following are for VTK only.
+   * WARNING: the following methods are for use by VTK only.
    */
   void Render(const vtkRenderState* state) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;
@@ -302,29 +219,29 @@ private:
   vtkShadowedScenePass(const vtkShadowedScenePass&) = delete;
   void operator=(const vtkShadowedScenePass&) = delete;
 
-  /// Draws what the renderer draws without a pass, or the delegate.
+  /// Draws everything that the renderer draws without a pass, or calls the delegate.
   void DrawAll(const vtkRenderState* state);
   interlume::Error DrawShadows(vtkRenderer* renderer);
-  /// Renders all volumes for the scene as it is, together if that is possible, and lays the images
-  /// over the framebuffer that is bound.
+  /// Renders all volumes of the current scene, in shared slices if possible. ShowVolumes composites
+  /// their images over the bound framebuffer.
   void DrawVolumes(vtkRenderer* renderer);
   interlume::Error DrawTogether(vtkRenderer* renderer);
   void ShowVolumes(vtkRenderer* renderer);
   void FindVolumes(vtkRenderer* renderer);
-  void WarnOfUnreached();
+  void WarnAboutUnsupportedActors();
 
   vtkRenderPass* DelegatePass = nullptr;
   bool Shadows = true;
-  int MaximumNumberOfShadows = 16;
+  int MaximumNumberOfShadowLights = 16;
   int DepthMapResolution = 1024;
   double DepthBias = 1.0;
   int NumberOfLightSamples = 16;
   int MaximumNumberOfLayers = 16;
   vtkNew<vtkInterlumeReport> Report;
   std::unique_ptr<interlume::SceneRenderer> Renderer;
-  /// The renderer of volumes in shared slices.
+  /// Renderer of volumes in shared slices.
   std::shared_ptr<interlume::SliceRenderer> Together;
-  /// The volumes of the scene that is being drawn, and their images.
+  /// Volumes of the current scene, and their images.
   std::vector<vtkVolume*> Volumes;
   std::vector<interlume::VolumeImage*> Images;
 };

@@ -23,12 +23,12 @@ vtkStandardNewMacro(vtkShadowedSliceMapper);
 
 namespace
 {
-template <typename Own, typename Value>
-void SetValue(vtkObject* mapper, Own& own, Value value)
+template <typename Member, typename Value>
+void SetValue(vtkObject* mapper, Member& member, Value value)
 {
-  if (own != value)
+  if (member != value)
   {
-    own = value;
+    member = value;
     mapper->Modified();
   }
 }
@@ -103,16 +103,19 @@ interlume::Error vtkShadowedSliceMapper::FindScalars(
   if (!scalars)
   {
     return this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME && this->ArrayName && *this->ArrayName
-      ? std::string("there is no array ") + this->ArrayName + " to draw"
-      : std::string("there are no scalars to draw");
+      ? std::string("The scalar array '") + this->ArrayName +
+        "' does not exist. Select an existing array with SelectScalarArray()."
+      : std::string("The input has no scalars. Set its point or cell scalars, or select an array "
+                    "with SelectScalarArray().");
   }
   isOfCells = cellFlag == 1 || this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
   const vtkIdType expected = isOfCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
   if (scalars->GetNumberOfTuples() != expected)
   {
-    const std::string name = scalars->GetName() ? scalars->GetName() : "without a name";
-    return "the array " + name + " has " + std::to_string(scalars->GetNumberOfTuples()) +
-      " tuples instead of " + std::to_string(expected);
+    const std::string name = scalars->GetName() ? scalars->GetName() : "(unnamed)";
+    return "The scalar array '" + name + "' has " + std::to_string(scalars->GetNumberOfTuples()) +
+      " tuples, but the image has " + std::to_string(expected) +
+      (isOfCells ? " cells." : " points.");
   }
   return {};
 }
@@ -122,11 +125,6 @@ void vtkShadowedSliceMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   if (this->Peels->Defer(this, renderer, volume))
   {
     return;
-  }
-  if (this->Peels->ConsumeFirstDeferral())
-  {
-    vtkWarningMacro(<< "UseDepthPeelingForVolumes is not supported: the volume is drawn over "
-                       "translucent polygons, as without it");
   }
   if (!this->Image->IsInScene())
   {
@@ -165,7 +163,7 @@ interlume::VolumeImage& vtkShadowedSliceMapper::UpdateImage(
   {
     error = this->BlendMode == COMPOSITE_BLEND
       ? this->FindScalars(image, request.Scalars, request.IsOfCells)
-      : "blend modes other than composite are not supported";
+      : "Only the composite blend mode is supported. Call SetBlendModeToComposite().";
   }
   this->Image->Begin(request, error);
   return *this->Image;
@@ -178,9 +176,9 @@ void vtkShadowedSliceMapper::ReportErrors()
   std::string text = result.Error.GetMessage();
   for (const std::string& warning : result.Warnings)
   {
-    text += (text.empty() ? "" : "; ") + warning;
+    text += (text.empty() ? "" : "\n") + warning;
   }
-  // An error is given once for one state of the input and of the mapper, not for every picture.
+  // Report an error once for each state of the input and the mapper, not for every frame.
   const vtkMTimeType state = std::max(request.Image->GetMTime(), this->GetMTime());
   if (!text.empty() && (state != this->ErrorTime || text != this->ErrorText))
   {
@@ -199,8 +197,8 @@ void vtkShadowedSliceMapper::ReportErrors()
   if (!result.Error && nonFinite > 0 && request.Scalars->GetMTime() != this->WarningTime)
   {
     const char* name = request.Scalars->GetName();
-    vtkWarningMacro(<< "the array " << (name ? name : "without a name") << " has " << nonFinite
-                    << " voxels with NaN or infinity, which are transparent");
+    vtkWarningMacro(<< "The scalar array '" << (name ? name : "(unnamed)") << "' has " << nonFinite
+                    << " voxels with NaN or infinity. They are rendered as transparent.");
     this->WarningTime = request.Scalars->GetMTime();
   }
 }
@@ -225,7 +223,8 @@ void vtkShadowedSliceMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   interlume::NamedValue::Print(os, indent,
-    { { "Shadows", this->Shadows }, { "MaximumNumberOfShadows", this->MaximumNumberOfShadows },
+    { { "Shadows", this->Shadows },
+      { "MaximumNumberOfShadowLights", this->MaximumNumberOfShadowLights },
       { "SliceSpacing", this->SliceSpacing }, { "LightBufferSize", this->LightBufferSize },
       { "LightLookup", this->LightLookup }, { "ImageSampleDistance", this->ImageSampleDistance },
       { "AutoAdjustSampleDistances", this->AutoAdjustSampleDistances },
@@ -233,7 +232,7 @@ void vtkShadowedSliceMapper::PrintSelf(ostream& os, vtkIndent indent)
       { "SoftShadowMethod", this->SoftShadowMethod },
       { "NumberOfLightSamples", this->NumberOfLightSamples },
       { "TransmissionColor", this->TransmissionColor.Get() },
-      { "MultipleScattering", this->MultipleScattering },
+      { "ScatteringMode", this->ScatteringMode },
       { "ScatteringAlbedo", this->ScatteringAlbedo.Get() },
       { "PhaseFunction", this->PhaseFunction }, { "Anisotropy", this->Anisotropy },
       { "PhaseTable", this->PhaseTable.Get() },

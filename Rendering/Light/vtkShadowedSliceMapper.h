@@ -2,10 +2,11 @@
 #ifndef vtkShadowedSliceMapper_h
 #define vtkShadowedSliceMapper_h
 
-#include "InterlumeLightModule.h"     // for the export macro
+#include "InterlumeLightModule.h" // for the export macro
+#include "vtkInterlumeDeprecation.h"
 #include "vtkInterlumeReport.h"       // for GetReport()
 #include "vtkNew.h"                   // for the report
-#include "vtkShadowedSliceSettings.h" // for what is set
+#include "vtkShadowedSliceSettings.h" // for the settings
 #include "vtkVolumeMapper.h"
 
 #include <memory> // for the image
@@ -27,175 +28,55 @@ class VolumeImage;
 
 /**
  * @class   vtkShadowedSliceMapper
- * @brief   draws a volume in half-angle slices, with the shadows of every light in it
+ * @brief   render a volume in half-angle slices, with the shadows of every light
  *
- * The volume is cut by planes perpendicular to the half vector between the directions of view and
- * of light, so that one order of slices serves both (C. Zhang, dissertation, Ohio State 2006, 2.3;
- * J. Kniss, S. Premoze, C. Hansen, D. Ebert, "Interactive translucent volume rendering and
- * procedural modeling", 2002). Each slice is first drawn into the picture, lit by what one
- * two-dimensional buffer for each light holds, then into that buffer, which holds the transmittance
- * T(x) from the light to the slice.
+ * The volume is sliced perpendicular to the half vector between the view and light directions, so
+ * the slices can be drawn in one order for both the camera and the light (C. Zhang, dissertation,
+ * Ohio State 2006, 2.3). Each light has a two-dimensional buffer, which stores the transmittance
+ * from the light to the current slice. Each slice is drawn into the frame, lit by way of the
+ * buffers, and then into each buffer. See Documentation/methods/shadowed-slices.md for the method,
+ * shading and accuracy, and Documentation/measurements.md for times.
  *
- * A slice stands for the slab of matter around it. Along the eye's ray through it, of length l
- * within the volume, the slab has transmittance exp(-tau l); a light loses exp(-tau m) along its
- * own ray of length m. Inside the slab both fall exponentially, and their product is integrated
- * exactly for constant tau, and opaque surfaces do not darken as slices get thicker. What a buffer
- * has between its texels is interpolated, so that a homogeneous medium is not exact at any spacing:
- * a cube of opacity 0.5 a voxel, lit aslant, is off by 0.0014 in the mean at the default spacing,
- * by 0.015 at 4 voxels and by 0.074 at 17; one of 0.05 a voxel by 0.0002, 0.0016 and 0.011.
+ * **Input**: vtkImageData with point or cell scalars of any type. Select the array with ScalarMode,
+ * ArrayName or ArrayId, as in other volume mappers. The scalars have
+ * - one component: color and opacity functions of the scalar;
+ * - two to four independent components: functions and a weight for each component. Extinctions are
+ *   added, and colors are weighted by extinction;
+ * - two dependent components: color by the first, opacity by the second;
+ * - four dependent components: RGB (unsigned char 0 to 255, other types 0 to 1), and the opacity
+ *   function of the fourth component.
  *
- * **Sharp surfaces** lie within a slab, and texels of a buffer around a place beside them have met
- * them or not, whatever the place's own ray has. Where opacity changes by steps alone, and not with
- * the gradient, and a slab's optical depth is above 0.15, the place in the slab is found where
- * opacity begins to jump, and light is asked for where it was some slabs before and followed to
- * that place along its own ray. An opaque cube is off by 0.004 in the mean and a plate with a jump
- * of opacity by 2.3 % (rms) or less for light from 0 to 60 degrees; single pixels at edges by more.
- * Ramps of opacity, steep ones too, and sheets and shells one voxel thick are looked up in the
- * buffer: off by 0.01 in the mean. Where all such matter is thick this takes 1.1 to
- * 1.2 times the time on a bonsai, up to 2.3 on a cube that fills the picture; with thin matter
- * beside it 1.4 to 1.9; and nothing elsewhere.
+ * Three dependent components are an error. Voxels with NaN or infinity are transparent and reported
+ * once by a warning. Transfer functions are applied after interpolation. The gradient opacity
+ * function works as in vtkGPUVolumeRayCastMapper.
  *
- * **Extinction** tau = -ln(1 - opacity) / ScalarOpacityUnitDistance per unit of length, the opacity
- * from the property's scalar opacity function, times its gradient opacity function of the
- * gradient's magnitude where there is one - taken as vtkGPUVolumeRayCastMapper takes it, with the
- * image's spacings s without their signs: (sx + sy + sz) / 3 |(df/dx, df/dy, df/dz)|, central
- * differences in the image's own units - classified after interpolation for each fragment.
- * Functions are looked up over their own points: a voxel far beyond all others changes nothing,
- * steps and peaks are where they are, however narrow, and all else is within 1e-3 of the function's
- * largest value.
+ * **Lights**: all lights of the renderer, including vtkProjectiveLight and vtkAreaLight. A light
+ * casts shadows if Shadows is on and its ShadowAttenuation is above 0. Its color is then multiplied
+ * by 1 - ShadowAttenuation (1 - transmittance). A vtkAreaLight casts soft shadows by
+ * SoftShadowMethod; see Documentation/methods/soft-shadows.md. A positional light inside or very
+ * close to the volume needs two sweeps through the slices.
  *
- * **Colour** with the property's Shade on: equation 2.6, for each channel (2.9),
- *   C = c (ka Ia + sum kd I T (N.L)) + sum ks I T (E.R)^n,
- * over all lights that are switched on, I their colour, intensity, cone, fall-off and screen, N the
- * normalised gradient by central differences, towards lower values. Where the gradient is zero
- * there is no surface, and light is scattered evenly: N.L is 1 and nothing is specular. Ia is the
- * sum of the lights' ambient colours times intensity, or white where all of them are black. With
- * Shade off and a light that casts shadows: C = c (ka + sum kd I T). With Shade off and no shadows:
- * C = c, as in other mappers of VTK.
+ * **Shading**: with Shade on, the medium is shaded with the volume property's ambient, diffuse and
+ * specular coefficients and with normals from the scalar gradient. Where the gradient is zero, the
+ * medium scatters light isotropically. Solids look darker with shadows, because the surface itself
+ * attenuates the light; use brighter lights. With ScatteringMode on, the albedo and the phase
+ * function replace the material coefficients and Shade; see Documentation/methods/scattering.md.
+ * The light of sources without shadows is then scattered only once.
  *
- * Light falls through the same matter as sight. Where that is opaque, light of transmittance
- * exp(-b s) is seen with exp(-a s), and a / (a + b) of it, a half where both come in at the same
- * angle, comes back: a solid is lit less than without shadows, however thin its edge is. Stronger
- * lights make up for it.
+ * **Other props**: opaque props hide the volume behind them. In a vtkShadowedScenePass, opaque
+ * actors cast shadows in the volume and receive its shadows, volumes of several mappers shadow each
+ * other, and translucent actors are drawn in depth order. Without the pass, the volume is drawn
+ * over all translucent polygons, and UseDepthPeelingForVolumes is ignored with a warning. Hardware
+ * selection returns the volume where the medium is visible in front of opaque props.
  *
- * **Lights** are those of the renderer: headlights, camera lights and scene lights, directional,
- * positional, with cone, and vtkProjectiveLight. A light casts shadows if Shadows is on and its
- * ShadowAttenuation is above 0: it then shines with 1 - ShadowAttenuation (1 - T). Lights behind
- * the viewer are swept from front to back, those behind the volume from back to front; lights on
- * both sides take two sweeps, and so does a positional light inside the volume.
+ * **Cropping and clipping planes** remove the medium exactly along each ray; the removed parts cast
+ * no shadows. The camera's near and far planes do not affect the light. The only BlendMode is
+ * composite.
  *
- * Each light has one buffer of two dimensions. It takes four bytes of transmittance for each
- * sample, twelve with TransmissionColor, two that spare what lies behind opaque matter, and two
- * layers of the former where surfaces are sharp.
- *
- * A positional light inside the volume, or as close that rays run along the slices, has two sweeps,
- * which are halves of one picture where it is alone, and its rays are followed in steps: it takes
- * 1.8 to 3.6 times the time without shadows, where others take 1.1 to 2; lights on both sides of
- * the volume take about 2.8 times. These are of pictures of 512^2 pixels; small pictures of large
- * volumes, where the light's buffer has more samples than the picture, cost more. Where a light
- * nears the volume so that one sweep becomes two, the picture's brightness makes a step of the size
- * of the slices' error: 3.3 % in the mean on seven nearly opaque rings in 64^3 samples.
- *
- * **Soft shadows** are those of a vtkAreaLight. By SoftShadowMethod:
- * - SAMPLE_LAYERS: what matter takes from light is found once for each slice, from the emitter's
- * centre, and multiplied, some slabs together, into one layer of transmittance for each of
- * NumberOfLightSamples stratified samples, as seen from there; the buffer is the mean of the layers
- * times what the slabs of the last batches take, which cast the shadows of the centre. So near
- * matter, whose penumbra is a few texels wide, is as sharp as for other lights, and layers need
- * half the buffer's columns and rows. A penumbra is that of the samples, in steps of one over their
- * number, up to two texels, and converges as samples, buffer and slices are refined: behind a half
- * plane, dZ / Z 0.05 to 5, its width is off by 4 % or less with 16 samples in buffers of 128^2 and
- * by 3 % with 32 in 256^2, and the profile by 0.035 and 0.015 at most. Penumbras of few texels are
- * too wide: by 7 % or less from 6 to 12 texels, by 15 % at 4 and by 40 % at 3. Wide penumbras of
- * sharp edges want 16 to 24 samples, since fewer show as steps. An automatic buffer has 96 columns
- * at least, and up to one and a half times those of other lights where the picture has two pixels
- * to each. Beside the buffer it takes three of its size and a quarter of one for each sample.
- * - ACCUMULATED_CONVOLUTION: the buffer is convolved with boxes as light goes through the slices
- * (dissertation, 2.4; the virtual light of 2.14, widths below two texels are accumulated). It has
- * neither the emitter's shape nor its image, and its penumbrae shrink as slices and buffers get
- * finer, since n boxes of width w spread by w sqrt(n / 12), not n w / sqrt(12).
- * - SAMPLED_LIGHTS: each sample is a light of its own, with its buffer, its shading and a share of
- * the light: the reference, of one sweep for each four samples. In a vtkShadowedScenePass it is
- * SAMPLE_LAYERS.
- * Colours and directions of shading are those of the emitter's centre but in the last; an emitter's
- * image is grey to its shadows then, and its mean colour is the light's. A light inside the volume,
- * or so close or large that slices are seen edge-on from some of it, shines from its centre with
- * hard shadows but by SAMPLED_LIGHTS; the report counts these (AreaLightsWithHardShadows). A light
- * for each sample inside the volume takes some forty times the picture without shadows, and
- * software OpenGL minutes to compile at first. All else (both sweeps, several lights,
- * TransmissionColor, cropping, clipping) is as for other lights. A vtkAreaLight of size 0 takes
- * what a vtkLight takes.
- *
- * **Scattering** (dissertation, 2.6), where MultipleScattering is on, takes the place of the colour
- * above: matter of albedo c, the share of light that goes on where it meets matter, sends
- *   C = c (sum I T 4 pi p(cos) + D)
- * to the eye, p the phase function at the angle between light and eye, whose integral over the
- * sphere is 1. Ambient, Diffuse, Specular and Shade have no part, nor have lights' ambient and
- * specular colours. With p isotropic, D none and c the colours it is what evenly scattered light of
- * Diffuse 1 and Ambient 0 is. Where TransmissionColor lets light pass, only the rest is scattered.
- * By MultipleScattering:
- * - SINGLE_SCATTERING: D is 0. It takes no buffer, no pass and no cells.
- * - FORWARD_SCATTERING: D is light that was scattered before by less than a right angle, and goes
- * on as its light does, spread by ForwardSpread. Light that is scattered back is lost.
- * - FULL_SCATTERING: D is light that was scattered before in any direction. Over all directions of
- * view none is gained; seen from one, edges of matter whose cells have optical depths above 3 are
- * too bright. Under even light from all sides on a cube that absorbs nothing, in 16 cells and seen
- * face on, pixels are off by 0.001 in the mean at a depth of 0.1, 0.01 at 1, 0.03 at 3 and 0.06 at
- * 10; of 500 random settings with 4 to 8 cells and depths to 1e3 14 have a pixel above 1.05, 1.62
- * at most. A light of colour 1 lights thin white matter to 1, and thick white matter to up to 4, as
- * a white wall that faces it would be in these units; light of colour 1 from all sides together,
- * to 1.
- *
- * D does not depend on the eye. It is found by threads on the CPU in the cells of a grid
- * (ScatteringGridSize) around the blocks that can be seen, which have the mean extinction and
- * albedo of their matter, and is kept until volume, functions, clipping, cropping or lights have
- * changed. The slices look it up between the cells' middles. Volumes that a vtkShadowedScenePass
- * draws together have one grid around all of them, so that light goes from one to another and D has
- * the shadows of all, each finds D by its own mode and phase function in all their matter, and
- * those that do not scatter on take light; the grid's cells are as small as the smallest that one
- * of them has by itself, but for the largest number, 64 or what one of them asks for. Volumes that
- * are drawn by themselves know nothing of each other. Surfaces of a vtkShadowedScenePass cast their
- * shadows in D, and opaque ones that do stop light that was scattered: the cells that their
- * triangles go through take it, a layer of cells for a thin sheet, and send none on; so do the
- * copies that a vtkGlyph3DMapper draws. Surfaces that receive shadows are lit by D as well, by its
- * first two moments, within the box of the cells and, by an estimate, beyond it; in physically
- * based shading it is light of the environment for the diffuse part alone. Translucent surfaces are
- * lit so where the pass draws them in order with volumes. Where lights have soft shadows D is of up
- * to 16 samples of each. Lights that cast no shadows are scattered once; one of ShadowAttenuation a
- * below 1 gives D its share a, and is not taken from by as much, so that then light is gained.
- *
- * **Input**: vtkImageData, point or cell scalars by ScalarMode, ArrayName, ArrayId as in VTK's
- * other mappers, of any type and of
- * - one component: colour and opacity functions of it;
- * - two to four independent components: the functions and the weight of each, extinctions added,
- *   colours weighted by extinction;
- * - two without IndependentComponents: colour of the first, opacity of the second;
- * - four without: RGB, 0 to 255 in unsigned char and 0 to 1 otherwise, and the opacity function of
- * the fourth. Three without IndependentComponents are an error. Samples with NaN or infinity in any
- * component are transparent, with a ramp of one voxel around them; they are counted and warned of
- * once for each input.
- *
- * Samples of points reach from the first sample to the last; values of cells fill the image's
- * bounds, level within half a voxel of them.
- *
- * Selection (vtkHardwareSelector) finds the volume as a whole, wherever a line of sight meets
- * matter before an opaque prop.
- *
- * Cropping, clipping planes and the camera's near and far planes cut the matter exactly along the
- * ray, whatever the direction matrix of the image is. Where region flags leave several pieces of a
- * ray within one slab, these are one piece of their length around their common center. Light takes
- * no notice of the camera's planes. Opaque props occlude by depth, within a slab too. Translucent
- * polygons are behind the volume wherever they are: UseDepthPeelingForVolumes is not supported, is
- * warned of once, and draws the picture that is drawn without it. The only BlendMode is composite.
- *
- * Opaque actors cast shadows in the volume, and the volume on them, where vtkShadowedScenePass
- * draws the renderer; there volumes of several mappers share slices, and cast shadows on each
- * other.
- *
- * Errors (vtkErrorMacro; the picture of the frame before stays where there is one): no scalars, a
- * blend mode or number of components that is not supported, a volume larger than the graphics
- * card's three-dimensional textures, textures that do not fit into its memory or beyond
- * MaximumTextureMemory, a projective light whose image has no samples (the others still shine).
+ * **Errors** are reported by vtkErrorMacro. They are: no scalars, an unsupported blend mode or
+ * number of components, a volume larger than the graphics card's 3D textures, or textures that
+ * exceed its memory or MaximumTextureMemory. The image rendered for the previous frame remains
+ * visible. An invalid image of a light is an error that only skips this light.
  *
  * @sa vtkAreaLight vtkProjectiveLight vtkShadowedScenePass vtkShadowedSliceSettings
  */
@@ -210,16 +91,18 @@ public:
 
   ///@{
   /**
-   * The modes, as vtkShadowedSliceSettings has them.
+   * Modes of vtkShadowedSliceSettings.
    */
   using vtkShadowedSliceSettings::ACCUMULATED_CONVOLUTION;
-  using vtkShadowedSliceSettings::BILINEAR_LIGHT;
+  using vtkShadowedSliceSettings::BILINEAR_LIGHT; // deprecated
+  using vtkShadowedSliceSettings::BILINEAR_LOOKUP;
   using vtkShadowedSliceSettings::FORWARD_SCATTERING;
   using vtkShadowedSliceSettings::FULL_SCATTERING;
   using vtkShadowedSliceSettings::HENYEY_GREENSTEIN_PHASE;
   using vtkShadowedSliceSettings::ISOTROPIC_PHASE;
   using vtkShadowedSliceSettings::LightLookups;
-  using vtkShadowedSliceSettings::NEAREST_LIGHT;
+  using vtkShadowedSliceSettings::NEAREST_LIGHT; // deprecated
+  using vtkShadowedSliceSettings::NEAREST_LOOKUP;
   using vtkShadowedSliceSettings::NO_SCATTERING;
   using vtkShadowedSliceSettings::PhaseFunctions;
   using vtkShadowedSliceSettings::SAMPLE_LAYERS;
@@ -232,8 +115,8 @@ public:
 
   ///@{
   /**
-   * Whether lights cast shadows in the volume. Off, no light has a buffer, and nothing of shadows
-   * is drawn, kept or in the shaders. Default on.
+   * Turn shadows on or off. If off, no light buffers are allocated and the shaders contain no
+   * shadow code. Default on.
    */
   vtkSetMacro(Shadows, bool);
   vtkGetMacro(Shadows, bool);
@@ -242,19 +125,21 @@ public:
 
   ///@{
   /**
-   * The largest number of lights that cast shadows, the brightest ones; the others shine through. A
-   * light kit has five lights, of which one matters. Default 16. Valid: 0 to 16.
+   * Set the maximum number of lights that cast shadows, brightest first. The remaining lights cast
+   * no shadows. A vtkLightKit has five lights, but usually only the key light needs shadows.
+   * Default 16. Valid: 0 to 16.
    */
-  vtkSetClampMacro(MaximumNumberOfShadows, int, 0, 16);
-  vtkGetMacro(MaximumNumberOfShadows, int);
+  vtkSetClampMacro(MaximumNumberOfShadowLights, int, 0, 16);
+  vtkGetMacro(MaximumNumberOfShadowLights, int);
+  interlumeDeprecatedMacro(MaximumNumberOfShadows, MaximumNumberOfShadowLights, int);
   ///@}
 
   ///@{
   /**
-   * The distance of the slices, in world units. 0, the default: half the length within one voxel of
-   * a line along the slices' normal, or, where that is more, what a line of sight goes along the
-   * normal in half its length within one voxel. Valid: 0 and above. No more than 65,536 slices are
-   * drawn: a smaller distance is enlarged to that, and the report has the one in use.
+   * Set the slice spacing in world units. With 0, the default, it is half the length of a voxel
+   * along the slice normal, or half the length of a voxel along the view direction, projected onto
+   * the normal, if that is larger. Valid: 0 and above. At most 65,536 slices are drawn; a smaller
+   * spacing is increased to that limit. The report contains the spacing in use.
    */
   vtkSetClampMacro(SliceSpacing, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SliceSpacing, double);
@@ -262,12 +147,12 @@ public:
 
   ///@{
   /**
-   * The number of columns and rows of the buffer of each light. 0, the default: as many as the
-   * volume has voxels across, seen from the light, 64 to 2048; layers of voxels that are all within
-   * less than 1/2048 of the buffer do not count. For hard shadows on dense matter, up to one and a
-   * half times as many, if the image has the pixels. Steep ramps of opacity under oblique light
-   * want two to three times the number of voxels. Valid: 0, and 16 to 8192, up to what the graphics
-   * card can do.
+   * Set the number of columns and rows of each light's buffer. With 0, the default, it is the
+   * number of voxels across the volume as seen from the light, limited to 64 to 2048. An axis is
+   * ignored if the entire volume is thinner along it than 1/2048 of the buffer. For hard shadows in
+   * a dense medium, the buffer is up to 1.5 times as large if the frame has enough pixels. Steep
+   * opacity ramps under oblique light need two to three times the number of voxels. Valid: 0, and
+   * 16 to 8192, limited by the graphics card.
    */
   void SetLightBufferSize(int size);
   vtkGetMacro(LightBufferSize, int);
@@ -275,21 +160,20 @@ public:
 
   ///@{
   /**
-   * Whether the nearest sample of the light's buffer is taken, or the four around. Default
-   * BILINEAR_LIGHT. Valid: see LightLookups; clamped.
+   * Set nearest or bilinear lookup in the light buffers. Default BILINEAR_LOOKUP. Valid: see
+   * LightLookups; clamped.
    */
-  vtkSetClampMacro(LightLookup, int, NEAREST_LIGHT, BILINEAR_LIGHT);
+  vtkSetClampMacro(LightLookup, int, NEAREST_LOOKUP, BILINEAR_LOOKUP);
   vtkGetMacro(LightLookup, int);
-  void SetLightLookupToNearest() { this->SetLightLookup(NEAREST_LIGHT); }
-  void SetLightLookupToBilinear() { this->SetLightLookup(BILINEAR_LIGHT); }
+  void SetLightLookupToNearest() { this->SetLightLookup(NEAREST_LOOKUP); }
+  void SetLightLookupToBilinear() { this->SetLightLookup(BILINEAR_LOOKUP); }
   ///@}
 
   ///@{
   /**
-   * The number of pixels of the viewport for each pixel of the picture, along an edge; the picture
-   * is interpolated between its pixels, and not across the edges of opaque surfaces in front of or
-   * in the volume. Surfaces narrower than a pixel of the picture may be missed by it. Default 1.
-   * Valid: 0.25 to 100.
+   * Set the number of viewport pixels per pixel of the volume's rendered image, along an edge. The
+   * rendered image is interpolated to the viewport, but not across the edges of opaque surfaces.
+   * Surfaces narrower than one of its pixels may be missed. Default 1. Valid: 0.25 to 100.
    */
   vtkSetClampMacro(ImageSampleDistance, double, 0.25, 100.0);
   vtkGetMacro(ImageSampleDistance, double);
@@ -297,9 +181,9 @@ public:
 
   ///@{
   /**
-   * Whether slices and pixels are made coarser where the renderer allots less time than the last
-   * picture took, as while a view is turned. Default on. Only automatic values are changed: a
-   * SliceSpacing that is set stays.
+   * Turn on or off coarser slices and pixels when the renderer allocates less time than the last
+   * frame took, as during interaction. Only automatic values change; SliceSpacing is kept if it is
+   * set. Default on.
    */
   vtkSetMacro(AutoAdjustSampleDistances, bool);
   vtkGetMacro(AutoAdjustSampleDistances, bool);
@@ -308,11 +192,11 @@ public:
 
   ///@{
   /**
-   * The change of a scalar from one voxel to the next, as a share of its range, from which on
-   * matter is shaded as a surface. Below it, light is scattered evenly in proportion: the factor
-   * N.L goes from 1 at no change to its own value, and the specular part from nothing to its own
-   * value. Smoke and surfaces in one volume want a few hundredths, so does data with noise. Default
-   * 0: every gradient is one of a surface. Valid: 0 to 1.
+   * Set the minimum scalar change between neighboring voxels at which the medium is shaded as a
+   * surface, as a fraction of the scalar range. Below it, shading changes linearly toward isotropic
+   * scattering: at zero change the factor N.L is 1 and the specular part is 0. Use a few hundredths
+   * for noisy data, or for smoke and surfaces in one volume. Default 0: every nonzero gradient is a
+   * surface. Valid: 0 to 1.
    */
   vtkSetClampMacro(SurfaceGradient, double, 0.0, 1.0);
   vtkGetMacro(SurfaceGradient, double);
@@ -320,9 +204,9 @@ public:
 
   ///@{
   /**
-   * Whether surfaces are lit from both sides: N is turned towards each light, as VTK's other volume
-   * mappers turn it by vtkRenderer::TwoSidedLighting. Matter whose values grow towards the eye, as
-   * where the volume ends within it, is dark otherwise. Default false: equation 2.6 as it stands.
+   * Turn two-sided lighting on or off. If on, normals are flipped toward each light, as other
+   * volume mappers do with vtkRenderer::TwoSidedLighting. If off, a medium whose values increase
+   * toward the camera is dark, for example where the volume ends inside the medium. Default off.
    */
   vtkSetMacro(TwoSidedLighting, bool);
   vtkGetMacro(TwoSidedLighting, bool);
@@ -331,8 +215,18 @@ public:
 
   ///@{
   /**
-   * The way to find the soft shadows of each vtkAreaLight; see the description of the class.
-   * Default SAMPLE_LAYERS. Valid: see SoftShadowMethods; clamped.
+   * Set the method for the soft shadows of vtkAreaLight:
+   * - ACCUMULATED_CONVOLUTION blurs one buffer from slice to slice. It ignores the emitter's shape
+   *   and image, and penumbras shrink as slices and buffers get finer.
+   * - SAMPLE_LAYERS stores one layer of transmittance for each light sample. It converges as
+   *   samples, buffers and slices are refined.
+   * - SAMPLED_LIGHTS renders each sample as a separate light. It is the slow reference. In a
+   *   vtkShadowedScenePass, it acts as SAMPLE_LAYERS.
+   *
+   * A light inside the volume, or too close or too large for soft shadows, casts hard shadows from
+   * its center, except with SAMPLED_LIGHTS. The report counts such lights. See
+   * Documentation/methods/soft-shadows.md. Default SAMPLE_LAYERS. Valid: see SoftShadowMethods;
+   * clamped.
    */
   vtkSetClampMacro(SoftShadowMethod, int, ACCUMULATED_CONVOLUTION, SAMPLED_LIGHTS);
   vtkGetMacro(SoftShadowMethod, int);
@@ -346,10 +240,10 @@ public:
 
   ///@{
   /**
-   * The number of samples of the emitter of each vtkAreaLight: layers, or lights, by
-   * SoftShadowMethod. Accumulated convolution has none. In a vtkShadowedScenePass layers are at
-   * least as many as the pass has samples, where surfaces cast the light's shadows. Default 8.
-   * Valid: 1 to 1024.
+   * Set the number of samples of each vtkAreaLight for SAMPLE_LAYERS and SAMPLED_LIGHTS. Wide
+   * penumbras of sharp edges need 16 to 24 samples, since fewer are visible as steps. In a
+   * vtkShadowedScenePass where surfaces cast the light's shadows, at least the pass's
+   * NumberOfLightSamples is used. Default 8. Valid: 1 to 1024.
    */
   vtkSetClampMacro(NumberOfLightSamples, int, 1, 1024);
   vtkGetMacro(NumberOfLightSamples, int);
@@ -357,10 +251,10 @@ public:
 
   ///@{
   /**
-   * The colour of light that the matter lets through, as a function of the scalar: channel k of a
-   * light is attenuated with extinction tau (1 - colour_k), so that white lets all light pass and
-   * black none. Light buffers have three channels then, else one. For volumes of one component or
-   * of two without IndependentComponents. Default null: black.
+   * Set the color of the light that the medium transmits, as a function of the scalar. Channel k of
+   * a light is attenuated with the extinction tau (1 - color_k): white transmits all light, black
+   * none. Light buffers then have three channels instead of one. For volumes with one component or
+   * two dependent components. Default null: black.
    */
   void SetTransmissionColor(vtkColorTransferFunction* function);
   vtkColorTransferFunction* GetTransmissionColor() const { return this->TransmissionColor; }
@@ -368,23 +262,36 @@ public:
 
   ///@{
   /**
-   * How light is scattered on its way to the eye; see the description of the class. Default
-   * NO_SCATTERING. Valid: see ScatteringModes; clamped.
+   * Set how light is scattered toward the camera: not at all, once, many times, each time by less
+   * than a right angle (forward), or many times in all directions (full). See
+   * Documentation/methods/scattering.md. Default NO_SCATTERING. Valid: see ScatteringModes;
+   * clamped.
    */
-  vtkSetClampMacro(MultipleScattering, int, NO_SCATTERING, FULL_SCATTERING);
-  vtkGetMacro(MultipleScattering, int);
-  void SetMultipleScatteringToOff() { this->SetMultipleScattering(NO_SCATTERING); }
-  void SetMultipleScatteringToSingle() { this->SetMultipleScattering(SINGLE_SCATTERING); }
-  void SetMultipleScatteringToForward() { this->SetMultipleScattering(FORWARD_SCATTERING); }
-  void SetMultipleScatteringToFull() { this->SetMultipleScattering(FULL_SCATTERING); }
+  vtkSetClampMacro(ScatteringMode, int, NO_SCATTERING, FULL_SCATTERING);
+  vtkGetMacro(ScatteringMode, int);
+  void SetScatteringModeToOff() { this->SetScatteringMode(NO_SCATTERING); }
+  void SetScatteringModeToSingle() { this->SetScatteringMode(SINGLE_SCATTERING); }
+  void SetScatteringModeToForward() { this->SetScatteringMode(FORWARD_SCATTERING); }
+  void SetScatteringModeToFull() { this->SetScatteringMode(FULL_SCATTERING); }
+  interlumeDeprecatedMacro(MultipleScattering, ScatteringMode, int);
+  VTK_DEPRECATION("Use SetScatteringModeToOff.") void SetMultipleScatteringToOff()
+  {
+    this->SetScatteringModeToOff();
+  }
+  VTK_DEPRECATION("Use SetScatteringModeToSingle.")
+  void SetMultipleScatteringToSingle() { this->SetScatteringModeToSingle(); }
+  VTK_DEPRECATION("Use SetScatteringModeToForward.")
+  void SetMultipleScatteringToForward() { this->SetScatteringModeToForward(); }
+  VTK_DEPRECATION("Use SetScatteringModeToFull.")
+  void SetMultipleScatteringToFull() { this->SetScatteringModeToFull(); }
   ///@}
 
   ///@{
   /**
-   * The share of light that goes on where it meets matter, red, green and blue, as a function of
-   * the scalar; the rest is absorbed. Values are clamped to 0 to 1. Only where MultipleScattering
-   * is on, and for volumes of one component or of two without IndependentComponents. Default null:
-   * the colours of the volume's property.
+   * Set the single-scattering albedo in red, green and blue, as a function of the scalar. The
+   * medium absorbs the light that it does not scatter. Values are clamped to 0 to 1. Used only if
+   * ScatteringMode is on, for volumes with one component or two dependent components. Default null:
+   * the colors of the volume property.
    */
   void SetScatteringAlbedo(vtkColorTransferFunction* function);
   vtkColorTransferFunction* GetScatteringAlbedo() const { return this->ScatteringAlbedo; }
@@ -392,9 +299,8 @@ public:
 
   ///@{
   /**
-   * The distribution of scattered light over the angle to where it came from: even in all
-   * directions, Henyey and Greenstein's with Anisotropy, or PhaseTable. Only where
-   * MultipleScattering is on. Default ISOTROPIC_PHASE. Valid: see PhaseFunctions; clamped.
+   * Set the phase function: isotropic, Henyey-Greenstein with Anisotropy, or PhaseTable. Used only
+   * if ScatteringMode is on. Default ISOTROPIC_PHASE. Valid: see PhaseFunctions; clamped.
    */
   vtkSetClampMacro(PhaseFunction, int, ISOTROPIC_PHASE, TABLE_PHASE);
   vtkGetMacro(PhaseFunction, int);
@@ -405,9 +311,9 @@ public:
 
   ///@{
   /**
-   * The mean cosine g of HENYEY_GREENSTEIN_PHASE, (1 - g^2) / (4 pi (1 + g^2 - 2 g cos)^1.5): above
-   * 0 light is scattered forwards, as by clouds and tissue, below 0 backwards. Default 0, which is
-   * isotropic. Valid: -0.999 to 0.999.
+   * Set the mean cosine g of HENYEY_GREENSTEIN_PHASE, (1 - g^2) / (4 pi (1 + g^2 - 2 g cos)^1.5).
+   * Positive values scatter light forward, as in clouds and tissue; negative values scatter it
+   * backward. Default 0: isotropic. Valid: -0.999 to 0.999.
    */
   vtkSetClampMacro(Anisotropy, double, -0.999, 0.999);
   vtkGetMacro(Anisotropy, double);
@@ -415,10 +321,10 @@ public:
 
   ///@{
   /**
-   * The phase function of TABLE_PHASE over the cosine of the angle, from -1, light that goes back,
-   * to 1, light that goes on; it is sampled at 4096 cosines and scaled so that its integral over
-   * the sphere is 1. Values below 0 or that are not finite, or all 0, are an error. Default null:
-   * isotropic.
+   * Set the phase function of TABLE_PHASE over the cosine of the scattering angle, from -1
+   * (backscattered light) to 1 (forward-scattered light). It is sampled at 4096 cosines and scaled
+   * so that its integral over the sphere is 1. Negative values, non-finite values and a function
+   * that is 0 everywhere are errors. Default null: isotropic.
    */
   void SetPhaseTable(vtkPiecewiseFunction* function);
   vtkPiecewiseFunction* GetPhaseTable() const { return this->PhaseTable; }
@@ -426,10 +332,10 @@ public:
 
   ///@{
   /**
-   * What FORWARD_SCATTERING adds to the variance of light's angle to each of two axes across it, in
-   * square radians, for each unit of scattering optical depth: the same whatever the distance of
-   * slices and cells. 0, the default: that of the phase function's forward half, half of the mean
-   * square of the sine. Valid: 0 and above.
+   * Set the variance that FORWARD_SCATTERING adds to the angle of light about each of two
+   * perpendicular axes, in square radians per unit of scattering optical depth. It does not depend
+   * on the slice spacing or the cell size. With 0, the default, it is computed from the forward
+   * half of the phase function: half of the mean squared sine. Valid: 0 and above.
    */
   vtkSetClampMacro(ForwardSpread, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ForwardSpread, double);
@@ -437,10 +343,9 @@ public:
 
   ///@{
   /**
-   * What all scattered light is multiplied by on its way to the eye, as by the exposure of a
-   * camera; surfaces receive it as it is. At 1, the default, thick white matter is up to four times
-   * as bright as a light of colour 1; at 0.25 it is as a white wall that faces the light. Valid: 0
-   * and above.
+   * Set the exposure factor for scattered light that reaches the camera. Light on surfaces is not
+   * affected. With 1, the default, a thick white medium is up to four times as bright as a light of
+   * color 1. With 0.25, it is as bright as a white wall that faces the light. Valid: 0 and above.
    */
   vtkSetClampMacro(ScatteringBrightness, double, 0.0, VTK_FLOAT_MAX);
   vtkGetMacro(ScatteringBrightness, double);
@@ -448,9 +353,9 @@ public:
 
   ///@{
   /**
-   * The number of layers of cells behind a place, away from the light, from which light comes back
-   * to it in FULL_SCATTERING (C. Zhang, dissertation, 2.6, keeps three slices). 0, the default:
-   * all. Valid: 0 and above.
+   * Set the number of cell layers behind a point, away from the light, whose backscattered light
+   * FULL_SCATTERING includes. (C. Zhang, dissertation, 2.6, uses three slices.) With 0, the
+   * default, all layers are included. Valid: 0 and above.
    */
   vtkSetClampMacro(BackwardLayers, int, 0, VTK_INT_MAX);
   vtkGetMacro(BackwardLayers, int);
@@ -458,9 +363,9 @@ public:
 
   ///@{
   /**
-   * The number of cells along the volume's longest edge in which FORWARD_SCATTERING and
-   * FULL_SCATTERING find scattered light. 0, the default: 32, or one for each voxel where there are
-   * fewer. Valid: 0, and 4 to 128.
+   * Set the number of cells, along the volume's longest edge, of the grid on which
+   * FORWARD_SCATTERING and FULL_SCATTERING compute scattered light. With 0, the default, it is 32,
+   * or the number of voxels along that edge if that is smaller. Valid: 0, and 4 to 128.
    */
   void SetScatteringGridSize(int size);
   vtkGetMacro(ScatteringGridSize, int);
@@ -468,50 +373,54 @@ public:
 
   ///@{
   /**
-   * The largest number of bytes that textures and buffers of one picture may take; more is an
-   * error. Default 0: what the graphics card gives. Valid: 0 and above.
+   * Set the maximum size of all textures and buffers of a frame, in bytes. Exceeding it is an
+   * error. Default 0: only the graphics card limits the size. Valid: 0 and above.
    */
   vtkSetClampMacro(MaximumTextureMemory, vtkIdType, 0, VTK_ID_MAX);
   vtkGetMacro(MaximumTextureMemory, vtkIdType);
   ///@}
 
   /**
-   * Sets a medium that is evaluated by functions of its own instead of the scalars; for mappers of
-   * such media. Default null.
+   * For internal use: set a medium that is evaluated by custom shader functions instead of the
+   * scalars. Default null.
    */
   void SetMedium(vtkSliceMedium* medium);
+  VTK_DEPRECATION("Use SetMedium.")
+  void SetMatter(vtkSliceMedium* medium) { this->SetMedium(medium); }
 
   /**
-   * Returns the report of the last image:
-   * - ShadowedLights: lights that cast shadows in the volume
-   * - AreaLightsWithHardShadows: area lights too close or too large for soft shadows
-   * - Slices: slices of all sweeps; SliceSpacing: their distance in world units
+   * Returns the report of the last frame:
+   * - ShadowedLights: number of lights that cast shadows in the volume
+   * - AreaLightsWithHardShadows: number of area lights too close or too large for soft shadows
+   * - Slices: number of slices in all sweeps
+   * - SliceSpacing: slice spacing in world units
    * - LightBufferSize: columns and rows of the largest light buffer
-   * - ImageSampleDistance: viewport pixels per pixel of the image, along an edge
-   * - NonFiniteVoxels: voxels with NaN or infinity, which are transparent
+   * - ImageSampleDistance: viewport pixels per pixel of the volume's rendered image, along an edge
+   * - NonFiniteVoxels: number of voxels with NaN or infinity, which are transparent
    * - TextureBytes: bytes of the textures of the volume and its functions
-   * - ScatteringSeconds: time of the last computation of multiply scattered light
-   * - Seconds: time of the image
+   * - ScatteringSeconds: duration of the last computation of multiply scattered light
+   * - Seconds: rendering time of the frame
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
   /**
-   * Reads the transmittance of the whole volume along each ray of a light, as its buffer holds it
-   * after the last picture, into an image of floats of one or three components, and in its field
-   * data `BufferFromWorld` (16 values, rows of a matrix to texture coordinates 0 to 1 after
-   * division by the fourth). Only for lights seen through a plane: a light inside or close to the
-   * volume returns false, as does one that casts no shadows.
+   * Read a light's buffer of the last frame: the transmittance of the entire volume along each ray
+   * of the light. \a image receives floating-point scalars with one or three components. Its field
+   * data array `BufferFromWorld` has the 16 row-wise elements of the matrix from world coordinates
+   * to texture coordinates, which range from 0 to 1 after division by the fourth coordinate.
+   * Returns false if the light casts no shadows, or if it is inside or very close to the volume,
+   * since such a light has no planar buffer.
    */
   bool ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkImageData* image);
 
   /**
-   * For internal use by vtkShadowedScenePass: begins an image of the volume, which Render shows if
-   * the pass has rendered it by then.
+   * For internal use by vtkShadowedScenePass: begin rendering the volume for a frame. If the pass
+   * has drawn the volume before Render is called, Render only shows it.
    */
   interlume::VolumeImage& UpdateImage(vtkRenderer* renderer, vtkVolume* volume);
 
   /**
-   * WARNING: for the renderer only.
+   * WARNING: for use by vtkRenderer only.
    */
   void Render(vtkRenderer* renderer, vtkVolume* volume) override;
   void ReleaseGraphicsResources(vtkWindow* window) override;

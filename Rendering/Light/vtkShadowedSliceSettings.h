@@ -4,60 +4,63 @@
 
 #include "vtkColorTransferFunction.h" // for the smart pointer
 #include "vtkPiecewiseFunction.h"     // for the smart pointer
-#include "vtkSmartPointer.h"          // for functions
-#include "vtkType.h"                  // for bytes
+#include "vtkSmartPointer.h"          // for the functions
+#include "vtkType.h"                  // for vtkIdType
 
 /**
  * @class   vtkShadowedSliceSettings
- * @brief   what vtkShadowedSliceMapper can be told, with its defaults and its modes
+ * @brief   settings of vtkShadowedSliceMapper, with their defaults and modes
  *
- * The mapper is made of them, so that VTK's macros for setters serve them, and hands them on as a
- * whole. Each is documented at its setter there; blend mode, cropping and clipping planes are kept
- * by the mapper's superclasses.
+ * The mapper inherits from this struct, so VTK's setter macros work and all settings can be copied
+ * at once. Each setting is documented at its setter in the mapper. The mapper's superclasses store
+ * the blend mode, cropping and clipping planes.
  *
  * @sa vtkShadowedSliceMapper
  */
 struct vtkShadowedSliceSettings
 {
   /**
-   * The ways to look up the light's buffer.
+   * Lookup in a light's buffer.
    */
   enum LightLookups
   {
-    NEAREST_LIGHT = 0,
-    BILINEAR_LIGHT = 1
+    NEAREST_LOOKUP = 0,
+    BILINEAR_LOOKUP = 1,
+    /// Deprecated names.
+    NEAREST_LIGHT = NEAREST_LOOKUP,
+    BILINEAR_LIGHT = BILINEAR_LOOKUP
   };
 
   /**
-   * The ways to find the soft shadows of a vtkAreaLight.
+   * Methods for the soft shadows of a vtkAreaLight.
    */
   enum SoftShadowMethods
   {
-    /// One buffer, smeared as it goes through the slices (C. Zhang, dissertation, 2.4).
+    /// One buffer, blurred from slice to slice (C. Zhang, dissertation, 2.4).
     ACCUMULATED_CONVOLUTION = 0,
-    /// One layer of transmittance for each sample of the emitter, all of one light pass.
+    /// One layer of transmittance for each sample of the emitter, all updated in one light pass.
     SAMPLE_LAYERS = 1,
-    /// Each sample of the emitter as a light of its own.
+    /// Each sample of the emitter is a separate light.
     SAMPLED_LIGHTS = 2
   };
 
   /**
-   * The ways in which light is scattered on its way to the eye.
+   * Modes of scattering toward the camera.
    */
   enum ScatteringModes
   {
-    /// Light is reflected by material coefficients.
+    /// No scattering: the volume property's material coefficients determine reflection.
     NO_SCATTERING = 0,
-    /// Light is scattered once, by albedo and phase function.
+    /// Light is scattered once, with an albedo and a phase function.
     SINGLE_SCATTERING = 1,
-    /// Light is scattered on and on, away from its source (C. Zhang, dissertation, 2.6).
+    /// Multiple scattering, forward only (C. Zhang, dissertation, 2.6).
     FORWARD_SCATTERING = 2,
-    /// Light is scattered on and on in all directions.
+    /// Multiple scattering in all directions.
     FULL_SCATTERING = 3
   };
 
   /**
-   * The distributions of scattered light over the angle to where it came from.
+   * Phase functions.
    */
   enum PhaseFunctions
   {
@@ -67,10 +70,10 @@ struct vtkShadowedSliceSettings
   };
 
   bool Shadows = true;
-  int MaximumNumberOfShadows = 16;
+  int MaximumNumberOfShadowLights = 16;
   double SliceSpacing = 0.0;
   int LightBufferSize = 0;
-  int LightLookup = BILINEAR_LIGHT;
+  int LightLookup = BILINEAR_LOOKUP;
   double ImageSampleDistance = 1.0;
   bool AutoAdjustSampleDistances = true;
   double SurfaceGradient = 0.0;
@@ -79,7 +82,7 @@ struct vtkShadowedSliceSettings
   int NumberOfLightSamples = 8;
   vtkSmartPointer<vtkColorTransferFunction> TransmissionColor;
   vtkIdType MaximumTextureMemory = 0;
-  int MultipleScattering = NO_SCATTERING;
+  int ScatteringMode = NO_SCATTERING;
   vtkSmartPointer<vtkColorTransferFunction> ScatteringAlbedo;
   int PhaseFunction = ISOTROPIC_PHASE;
   double Anisotropy = 0.0;

@@ -5,28 +5,30 @@
 #include "InterlumeLightModule.h" // for the export macro
 #include "vtkObject.h"
 
-#include <string> // for sources
+#include <string> // for the source
 
 class vtkShaderProgram;
 
 /**
  * @class   vtkSliceMedium
- * @brief   a medium that slices evaluate by GLSL functions instead of a volume's scalars
+ * @brief   a medium defined by GLSL functions instead of a volume's scalars
  *
- * A mapper of such a medium has a vtkShadowedSliceMapper of its own and calls its SetMedium. The
- * scalars of that mapper then only determine, by its transfer functions, which blocks of 16^3 cells
- * are not empty, and are not uploaded.
+ * A mapper for such a medium owns a vtkShadowedSliceMapper and passes the medium to SetMedium. The
+ * scalars and transfer functions of that vtkShadowedSliceMapper then only determine which blocks of
+ * 16^3 cells are not empty. The scalars are not uploaded.
  *
- * **Functions** in the source, with any uniforms and textures whose names no slice has:
- * - `float mediumAt(vec3 p, mat3 size, out vec3 color)` returns the extinction per unit of length
- *   in world coordinates, and the color, at a position in the volume's texture coordinates, 0 to 1
- *   with samples half a voxel inside. The columns of `size` are the extent of the sample in the
- *   same coordinates: a piece of the ray and the two edges of a pixel of the image or the light
- *   buffer; 0 if unknown.
- * - `vec3 axisAt(vec3 p)`, if HasReflection: the axis that light is reflected by, 0 for none.
- * - `vec2 reflectionOf(vec3 axis, vec3 l, vec3 eye)`, if HasReflection: the diffuse and specular
- *   share of light, the power included. l is the unit vector toward the light and eye the one
- *   toward the camera, both in world coordinates.
+ * The source defines these functions, and any uniforms and textures whose names do not occur in the
+ * slice shaders:
+ * - `float mediumAt(vec3 p, mat3 size, out vec3 color)` returns the extinction per unit length in
+ *   world coordinates, and the color, at the position \a p. Positions are texture coordinates of
+ *   the volume: 0 to 1, with the first and last samples half a voxel inside. The columns of \a size
+ *   are the extent of the sample in the same coordinates: a segment of the ray, and the two edges
+ *   of a pixel of the frame or the light buffer. They are 0 if unknown.
+ * - `vec3 axisAt(vec3 p)`, if HasReflection: returns the axis that reflects light, or 0 if there is
+ *   none.
+ * - `vec2 reflectionOf(vec3 axis, vec3 l, vec3 eye)`, if HasReflection: returns the diffuse and the
+ *   specular fraction of the reflected light, with the specular power already applied. The unit
+ *   vectors \a l and \a eye point toward the light and the camera, in world coordinates.
  *
  * @sa vtkShadowedSliceMapper
  */
@@ -35,19 +37,19 @@ class INTERLUMELIGHT_EXPORT vtkSliceMedium : public vtkObject
 public:
   vtkAbstractTypeMacro(vtkSliceMedium, vtkObject);
 
-  /// Returns the functions.
+  /// Returns the GLSL source of the functions.
   virtual std::string GetSource() = 0;
-  /// Returns whether light is reflected by axes of the medium if the property's Shade is on;
-  /// otherwise it is scattered evenly.
+  /// Returns true if the medium reflects light by axes when the property's Shade is on. Otherwise
+  /// the medium scatters light isotropically.
   virtual bool HasReflection() = 0;
 
   ///@{
-  /// Binds the textures that a program reads and sets its uniforms; unbinds the textures.
+  /// Bind the textures that the program samples and set its uniforms, and unbind the textures.
   virtual void Activate(vtkShaderProgram* program) = 0;
   virtual void Deactivate() = 0;
   ///@}
 
-  /// Receives the errors and warnings of an image, once for one state of the mapper.
+  /// Receives the errors and warnings of a frame, once for each state of the mapper.
   virtual void ReportError(const std::string& text) = 0;
 
 protected:

@@ -2,7 +2,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Lays a picture, as colour times opacity, over the scene.
+// Composites an image over the scene, as color times opacity.
 in vec2 texCoord;
 uniform sampler2D image;
 uniform vec2 share;
@@ -19,7 +19,8 @@ void main()
   color.a = 0.0;
 #endif
 #ifdef SELECTION
-  // A colour that names a cell, and its depth.
+  // The color identifies a cell. The fourth channel is the cell's depth, or negative if there is no
+  // cell.
   if (color.a < 0.0)
   {
     discard;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //VTK::System::Dec
 
-// Draws one colour where there is something of the volume in front of all else.
+// Draws one color where the image of the prop is not transparent.
 in vec2 texCoord;
 uniform sampler2D image;
 uniform vec3 selectionColor;

@@ -1,4 +1,4 @@
-// What is cut from a volume: what is beside its box, behind clipping planes, in cropped regions.
+// Clips view rays to the box of a volume, clipping planes and cropping regions.
 
 uniform vec3 boxLower;
 uniform vec3 boxUpper;
@@ -6,22 +6,22 @@ uniform vec3 boxUpper;
 uniform vec4 clippingPlanes[CLIPPING_PLANES];
 #endif
 #ifdef CROPPING
-// The axes of the volume, one a column, and the thresholds along them.
+// Axes of the volume, one per column, and the thresholds along them.
 uniform mat3 croppingAxes;
 uniform vec3 croppingLower;
 uniform vec3 croppingUpper;
 uniform int croppingFlags;
 #endif
 
-// Returns one over a direction in the box's coordinates, as far as that goes.
+// Returns the reciprocal of a direction in box coordinates. Components near 0 are replaced.
 vec3 inverseOf(vec3 q)
 {
   return 1.0 / mix(q, vec3(1e-12), lessThan(abs(q), vec3(1e-12)));
 }
 
-// Finds the part of x + s d between lower and upper that is in the box and kept by the planes. In
-// the box's coordinates x is p, and one over d is inverse.
-void cutToMatter(vec3 x, vec3 d, vec3 p, vec3 inverse, inout float lower, inout float upper)
+// Clips the interval [lower, upper] of s on the ray x + s d to the box and the clipping planes. p
+// is x in box coordinates, and inverse is the reciprocal of d in box coordinates.
+void cutToMedium(vec3 x, vec3 d, vec3 p, vec3 inverse, inout float lower, inout float upper)
 {
   vec3 a = (boxLower - p) * inverse;
   vec3 b = (boxUpper - p) * inverse;
@@ -51,7 +51,7 @@ void cutToMatter(vec3 x, vec3 d, vec3 p, vec3 inverse, inout float lower, inout 
 }
 
 #ifdef CROPPING
-// Returns true if cropping takes the region at x away.
+// Returns true if cropping removes the region at x.
 bool isCropped(vec3 x)
 {
   vec3 v = x * croppingAxes;
@@ -59,8 +59,8 @@ bool isCropped(vec3 x)
   return (croppingFlags & (1 << (region.x + 3 * region.y + 9 * region.z))) == 0;
 }
 
-// Makes lower and upper the ends of a segment that is as long as the parts of x + s d between them
-// that cropping leaves, around the center of these.
+// Replaces the interval [lower, upper] of s on the ray x + s d by one interval. It has the total
+// length and the center of mass of the parts that cropping leaves.
 void cutToRegions(vec3 x, vec3 d, inout float lower, inout float upper)
 {
   vec3 inverse = inverseOf(d * croppingAxes);
@@ -69,7 +69,7 @@ void cutToRegions(vec3 x, vec3 d, inout float lower, inout float upper)
   float from = lower;
   float size = 0.0;
   float moment = 0.0;
-  // Six thresholds part a line.
+  // Six thresholds divide a line into up to seven parts.
   for (int i = 0; i < 7 && from < upper; ++i)
   {
     vec3 next = min(mix(first, vec3(upper), lessThanEqual(first, vec3(from))),

@@ -2,7 +2,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Turns the sums of the tetrahedra into colour times opacity.
+// Converts a sum or maximum over tetrahedra to color times opacity.
 in vec2 texCoord;
 uniform sampler2D image;
 #ifdef LARGEST_SCALAR

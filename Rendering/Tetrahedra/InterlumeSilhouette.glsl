@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Makes the silhouette of a tetrahedron: see TetrahedronSilhouette, whose words are used here.
+// Computes the silhouette of a tetrahedron. See TetrahedronSilhouette for the terms.
 
 uniform samplerBuffer points;
 uniform usamplerBuffer corners;
 uniform samplerBuffer volumes;
-// The rows of the matrix from the mesh to x and y of pixels, before the division by depth and the
-// offset, and to z of the eye.
+// Rows of the matrix from mesh coordinates to pixel x, pixel y and eye z. Pixel x and y are not yet
+// multiplied by depth nor shifted by pixelOffset.
 uniform vec4 eyeRows[3];
 uniform vec2 pixelOffset;
 uniform vec2 viewport;
-// The factor from six times the volume in mesh coordinates to that in pixels and depth.
+// Factor that converts six times the volume from mesh coordinates to pixels and depth.
 uniform float volumeScale;
 #ifdef TETRAHEDRON_STRIDE
 uniform int tetrahedronStride;
@@ -25,14 +25,14 @@ uniform samplerBuffer colors;
 #endif
 
 #ifdef SURFACE
-// The faces of each tetrahedron that are boundary triangles, bit k for that opposite corner k; for
-// each point its normal, then its texture coordinates.
+// Faces of each tetrahedron that are boundary triangles: bit k for the face opposite corner k. For
+// each point, its normal and its texture coordinates.
 uniform isamplerBuffer faces;
 uniform samplerBuffer surfacePoints;
 #endif
 
-// The inputs of the fragments. The outputs of a geometry shader are undefined after a vertex is
-// emitted, so each is kept beside it.
+// Inputs of the fragment shader. The outputs of a geometry shader are undefined after EmitVertex(),
+// so `shape` keeps a copy.
 flat out vec4 edgesX;
 flat out vec4 edgesY;
 flat out vec4 edgesOne;
@@ -43,7 +43,7 @@ flat out vec4 scalarPlane;
 #endif
 #ifdef DELTA_T
 flat out vec4 deltaTPlane;
-// The largest values at the corners.
+// Largest extent in time at the corners.
 flat out float largestDeltaT;
 #endif
 #ifdef POINT_COLORS
@@ -53,8 +53,8 @@ flat out mat4 colorPlane;
 flat out vec4 cellColor;
 #endif
 #ifdef SURFACE
-// The faces that are boundary triangles, marked by 1: on the base side, and on the other side next
-// to each edge.
+// 1 if a face is a boundary triangle: the face on the base side, and the face next to each edge on
+// the other side.
 flat out float baseFace;
 flat out vec4 otherFaces;
 flat out mat3x4 normalPlane;
@@ -63,14 +63,14 @@ flat out mat2x4 texturePlane;
 
 struct Shape
 {
-  // The function for each edge of the silhouette: lambda = edgesOne + x * edgesX + y * edgesY from
-  // the thick point.
+  // Function for each edge of the silhouette: edgesOne + x * edgesX + y * edgesY, with x and y
+  // relative to the thick point. lambda is the smallest of the four values.
   vec4 edgesX;
   vec4 edgesY;
   vec4 edgesOne;
   vec2 thick;
-  // The planes of values: a value on the base side at the thick point, its slopes in x and y, and
-  // the difference to the other side.
+  // Planes of values: the value on the base side at the thick point, its slopes in x and y, and the
+  // difference to the other side.
   vec4 depthPlane;
   vec4 scalarPlane;
   vec4 deltaTPlane;
@@ -86,18 +86,18 @@ Shape shape;
 
 struct Corner
 {
-  // The place in pixels from the first corner, and the depth.
+  // Position in pixels relative to the first corner, and depth.
   vec2 place;
   float depth;
-  // The signed area of the face across.
+  // Signed area of the opposite face.
   float area;
   float scalar;
   float deltaT;
   vec4 color;
-  // The mark of the face across, 1 if it is a boundary triangle.
+  // 1 if the opposite face is a boundary triangle.
   float face;
   vec3 normal;
-  vec2 texturePlace;
+  vec2 texturePosition;
 };
 
 float cross2(vec2 a, vec2 b)
@@ -115,8 +115,7 @@ void swap(bool condition, inout Corner a, inout Corner b)
   }
 }
 
-// Returns the slopes of the affine function with values v at three points, divided by the area
-// later.
+// Returns the slopes of the affine function with values v at three points.
 vec2 slopes(vec3 v, vec2 a, vec2 b, vec2 c)
 {
   vec2 ab = b - a;
@@ -126,17 +125,18 @@ vec2 slopes(vec3 v, vec2 a, vec2 b, vec2 c)
   return area == 0.0 ? vec2(0.0) : slope / area;
 }
 
-// The least number of pixels over which lambda falls to 0, where a silhouette is drawn wider than
-// it is. An edge that the thick point is on, as where two corners coincide, has no slope of its
-// own: the other edges alone would continue the tetrahedron beyond it.
+// Minimum number of pixels over which lambda decreases to 0, if a silhouette is widened. This limit
+// gives a slope to an edge that contains the thick point, as when two corners coincide. If such an
+// edge were ignored, the other edges would extrapolate the tetrahedron across it.
 const float STEEPEST = 1.0 / 1024.0;
-// The least difference that a pixel's coordinates in single precision tell. Where a silhouette is
-// not drawn wider, the card's rounding of corners, on which neighbours agree, then decides alone:
-// with lambda either could leave the pixel to the other.
+// Smallest difference of pixel coordinates that single precision resolves. An edge that is closer
+// to the thick point is ignored unless the silhouette is widened, so only the GPU's vertex rounding
+// decides which tetrahedron covers a pixel. Neighbors round in the same way, but with lambda, both
+// could reject a pixel.
 const float DIGITS = 1.0 / 32768.0;
 
-// Sets the edge from a to b of a silhouette that turns left, or right with turn < 0, on which the
-// area of thick point, a and b is atThick.
+// Sets the edge from a to b of a silhouette that is counterclockwise, or clockwise if turn < 0.
+// atThick is twice the signed area of the triangle of a, b and the thick point.
 void setEdge(int i, vec2 a, vec2 b, float atThick, float turn, bool isWide)
 {
   vec2 edge = turn > 0.0 ? b - a : a - b;
@@ -149,8 +149,8 @@ void setEdge(int i, vec2 a, vec2 b, float atThick, float turn, bool isWide)
   shape.edgesOne[i] = isUsed ? 0.5 + 0.5 * max(toThick, 0.0) / ramp : 1.0;
 }
 
-// Fetches a corner; first is the mesh position of the first corner, from which place and depth are
-// then counted.
+// Fetches a corner. Pixel position and depth are relative to the first corner, which has the mesh
+// position `first`.
 Corner fetch(uint id, vec3 first)
 {
   Corner corner;
@@ -168,10 +168,10 @@ Corner fetch(uint id, vec3 first)
 #endif
   corner.face = 0.0;
   corner.normal = vec3(0.0);
-  corner.texturePlace = vec2(0.0);
+  corner.texturePosition = vec2(0.0);
 #ifdef SURFACE
   corner.normal = texelFetch(surfacePoints, 2 * int(id)).xyz;
-  corner.texturePlace = texelFetch(surfacePoints, 2 * int(id) + 1).xy;
+  corner.texturePosition = texelFetch(surfacePoints, 2 * int(id) + 1).xy;
 #endif
   corner.color = vec4(0.0);
 #ifdef POINT_COLORS
@@ -180,9 +180,10 @@ Corner fetch(uint id, vec3 first)
   return corner;
 }
 
-// Projects from eye coordinates counted from those of the first corner to pixels counted from its
-// pixel, which is returned, and depths. Differences are taken before anything is divided or
-// rounded, so that small and thin tetrahedra keep their shape.
+// Projects corners and returns the pixel position of the first corner. On input, corners are in eye
+// coordinates relative to the first corner, whose eye coordinates are `eye`. On output, they have
+// depths and pixel positions relative to the first corner. Differences are computed before
+// divisions and rounding, so small and thin tetrahedra keep their shape.
 vec2 project(inout Corner c[4], vec3 eye)
 {
   vec2 first = eye.xy;
@@ -197,7 +198,7 @@ vec2 project(inout Corner c[4], vec3 eye)
     c[k].deltaT *= depth;
     c[k].color *= depth;
     c[k].normal *= depth;
-    c[k].texturePlace *= depth;
+    c[k].texturePosition *= depth;
   }
   first /= w;
 #else
@@ -209,7 +210,7 @@ vec2 project(inout Corner c[4], vec3 eye)
   return first + pixelOffset;
 }
 
-// Returns the plane of one value over the base triangle (a, b, c).
+// Returns the plane of a value over the base triangle (a, b, c).
 vec4 makePlane(float atThick, float difference, vec3 v, Corner a, Corner b, Corner c)
 {
   return vec4(atThick, slopes(v, a.place, b.place, c.place), difference);
@@ -218,7 +219,8 @@ vec4 makePlane(float atThick, float difference, vec3 v, Corner a, Corner b, Corn
 #define PLANE(value)                                                                               \
   makePlane(base.value, other.value - base.value, vec3(a.value, b.value, c.value), a, b, c)
 
-// Sets what belongs to one base triangle; base and other are the sides at the thick point.
+// Sets the planes of values over a base triangle (a, b, c). base and other are at the thick point,
+// on the base side and on the other side of the tetrahedron.
 void setPlanes(Corner base, Corner other, float depthDifference, Corner a, Corner b, Corner c)
 {
   shape.depthPlane =
@@ -234,7 +236,7 @@ void setPlanes(Corner base, Corner other, float depthDifference, Corner a, Corne
 #endif
 #ifdef SURFACE
   shape.normalPlane = mat3x4(PLANE(normal.x), PLANE(normal.y), PLANE(normal.z));
-  shape.texturePlane = mat2x4(PLANE(texturePlace.x), PLANE(texturePlace.y));
+  shape.texturePlane = mat2x4(PLANE(texturePosition.x), PLANE(texturePosition.y));
 #endif
 }
 
@@ -246,12 +248,13 @@ Corner mixCorners(Corner a, Corner b, float t)
   a.deltaT = mix(a.deltaT, b.deltaT, t);
   a.color = mix(a.color, b.color, t);
   a.normal = mix(a.normal, b.normal, t);
-  a.texturePlace = mix(a.texturePlace, b.texturePlace, t);
+  a.texturePosition = mix(a.texturePosition, b.texturePosition, t);
   return a;
 }
 
-// The margin of thin silhouettes. Graphics cards round corners to parts of a pixel, which these do
-// not survive: they are drawn wider than they are, and where lambda is below 0 there is nothing.
+// Width in pixels of the margin around thin silhouettes. GPUs round vertices to a fraction of a
+// pixel, so thin silhouettes would lose pixels. They are drawn wider, and lambda clamped to 0 makes
+// the margin transparent.
 const float MARGIN = 1.0 / 64.0;
 const float THIN = 0.5;
 const float THINNEST = 2e-3;
@@ -262,27 +265,26 @@ vec2 outward(vec2 a, vec2 b)
   return vec2(edge.y, -edge.x) / max(length(edge), 1e-20);
 }
 
-// Returns the corner between its neighbours, moved out by margin, which is below 0 for polygons
-// that turn right.
+// Returns the corner, moved outward by margin, which is negative for clockwise polygons.
 vec2 widen(vec2 before, vec2 corner, vec2 after, float margin)
 {
   vec2 first = outward(before, corner);
   vec2 second = outward(corner, after);
-  // Sharp corners are cut off.
+  // Limit the offset of sharp corners.
   return corner + margin * (first + second) / max(1.0 + dot(first, second), 0.02);
 }
 
-// The corners of the silhouette as a strip, in pixels: three, or four, of which the last three are a
-// second half with planes of its own.
+// Three or four corners of the silhouette as a triangle strip, in pixels. The last three of four
+// corners are the second half of the silhouette, which has its own planes.
 vec2 strip[4];
-// The corners in the order of the silhouette, and both sides at the thick point with how far they
-// are apart in depth.
+// Corners in the order of the silhouette, values at the thick point on the base side and on the
+// other side, and the difference of their depths.
 Corner c[4];
 Corner base;
 Corner other;
 float difference;
 
-// Makes the silhouette. Returns its number of corners, 0 where nothing is to be drawn.
+// Computes the silhouette. Returns its number of corners, or 0 if nothing is to be drawn.
 int makeSilhouette(int tetrahedron)
 {
 #ifdef TETRAHEDRON_STRIDE
@@ -303,7 +305,7 @@ int makeSilhouette(int tetrahedron)
     c, vec3(dot(eyeRows[0], position), dot(eyeRows[1], position), dot(eyeRows[2], position)));
   vec2 low = origin + min(min(c[0].place, c[1].place), min(c[2].place, c[3].place));
   vec2 high = origin + max(max(c[0].place, c[1].place), max(c[2].place, c[3].place));
-  // There is no pixel's centre between them.
+  // Skip tetrahedra whose bounding rectangle contains no pixel center.
   if (any(greaterThan(ceil(max(low, 0.0) - 0.5), min(high, viewport) - 0.5)))
   {
     return 0;
@@ -319,7 +321,7 @@ int makeSilhouette(int tetrahedron)
     return 0;
   }
   int positive = int(dot(vec4(greaterThan(areas, vec4(0.0))), vec4(1.0)));
-  // The volume keeps its digits when the tetrahedron is thin, where a sum over depths would not.
+  // The volume remains accurate for thin tetrahedra, unlike a sum over depths.
   float thickness = texelFetch(volumes, tetrahedron).x * volumeScale / sum;
 #ifdef PERSPECTIVE
   thickness *= c[0].depth * c[1].depth * c[2].depth * c[3].depth;
@@ -344,7 +346,7 @@ int makeSilhouette(int tetrahedron)
 
   if (positive != 2)
   {
-    // A corner inside the triangle of the others: it goes last.
+    // A corner is inside the triangle of the others. Move it to the end.
     float sign = positive == 1 ? 1.0 : -1.0;
     for (int k = 0; k < 3; ++k)
     {
@@ -361,7 +363,7 @@ int makeSilhouette(int tetrahedron)
       whole, margin > 0.0);
     setEdge(2, c[2].place, c[0].place, cross2(c[0].place - c[2].place, c[3].place - c[2].place),
       whole, margin > 0.0);
-    // The base side at the thick point follows from these weights.
+    // Barycentric weights of the thick point on the base side.
     vec3 weights = abs(vec3(c[0].area, c[1].area, c[2].area));
     weights /= weights.x + weights.y + weights.z;
     base = mixCorners(c[0], c[1], weights.y / max(weights.x + weights.y, 1e-30));
@@ -377,15 +379,15 @@ int makeSilhouette(int tetrahedron)
     return 3;
   }
 
-  // Two crossing edges: the positive corners become 0 and 2.
+  // Two edges cross. The corners with positive area become corners 0 and 2.
   swap(c[0].area <= 0.0 && c[1].area > 0.0, c[0], c[1]);
   swap(c[0].area <= 0.0, c[0], c[3]);
   swap(c[2].area <= 0.0 && c[1].area > 0.0, c[2], c[1]);
   swap(c[2].area <= 0.0, c[2], c[3]);
   float share = c[2].area / sum;
-  float otherShare = abs(c[3].area) / (abs(c[1].area) + abs(c[3].area));
+  float otherFraction = abs(c[3].area) / (abs(c[1].area) + abs(c[3].area));
   base = mixCorners(c[0], c[2], share);
-  other = mixCorners(c[1], c[3], otherShare);
+  other = mixCorners(c[1], c[3], otherFraction);
   shape.thick = origin + base.place;
   float turn = cross2(c[2].place - c[0].place, c[3].place - c[1].place);
   for (int i = 0; i < 4; ++i)
@@ -408,8 +410,8 @@ int makeSilhouette(int tetrahedron)
   return 4;
 }
 
-// Sets the planes of a silhouette of so many corners, for its second half or else its first. A
-// triangle of a strip takes what its last corner has.
+// Sets the planes of a silhouette with size corners, for its first or second half. Flat outputs of
+// a triangle are taken from its last vertex.
 void setHalf(int size, bool isSecond)
 {
   if (size == 3)
@@ -424,7 +426,7 @@ void setHalf(int size, bool isSecond)
   }
 }
 
-// Sets the outputs of a corner at that pixel.
+// Sets the outputs of a corner at a pixel position.
 void setOutputs(vec2 pixel)
 {
   edgesX = shape.edgesX;

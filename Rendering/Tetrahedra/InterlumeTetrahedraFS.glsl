@@ -2,10 +2,10 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Draws one segment of a line of sight; see FragmentIntegration, whose words are used here.
+// Draws the segment of a view ray. See FragmentIntegration for the terms.
 //VTK::Output::Dec
 
-// Sums, or colour times opacity, by blend mode.
+// Output: sums, or color times opacity, depending on the blend mode.
 flat in vec4 edgesX;
 flat in vec4 edgesY;
 flat in vec4 edgesOne;
@@ -29,14 +29,14 @@ flat in vec4 cellColor;
 #endif
 #ifdef OPAQUE
 uniform sampler2D opaqueDepth;
-// Coefficients of depth: constant, value of the buffer, x, y.
+// Coefficients of depth: the constant, and the factors of the depth buffer value, x and y.
 uniform vec4 depthOfBuffer;
 uniform int pixelStride;
 #endif
 uniform float lengthScale;
 #if defined(PERSPECTIVE) || defined(SURFACE)
-// The eye point on a pixel's view ray where z is -1 in perspective and 0 in parallel projection:
-// coefficients of x and y for the pixel's x, y and 1.
+// Eye x and y of the point on a pixel's view ray where z is -1 in perspective and 0 in parallel
+// projection. Each has three coefficients, for the pixel's x, y and 1.
 uniform vec3 eyeOfPixel[2];
 
 vec2 getEye()
@@ -50,33 +50,33 @@ uniform float opacityOfExtinction;
 #endif
 
 #ifdef SURFACE
-// The boundary triangles, see BoundaryShading.
+// Boundary triangles, see BoundaryShading.
 flat in float baseFace;
 flat in vec4 otherFaces;
 flat in mat3x4 normalPlane;
 flat in mat2x4 texturePlane;
 const int MAXIMUM_LIGHTS = 8;
 uniform int numberOfLights;
-// The places of the lights; the fourth is 1 for a place, 0 for a direction.
-uniform vec4 lightPlaces[MAXIMUM_LIGHTS];
+// Positions of the lights (w = 1), or directions toward them (w = 0).
+uniform vec4 lightPositions[MAXIMUM_LIGHTS];
 uniform vec3 lightColors[MAXIMUM_LIGHTS];
 uniform vec4 surfaceColor;
-uniform vec4 surfaceShares;
+uniform vec4 surfaceCoefficients;
 uniform vec3 specularColor;
 uniform vec3 normalRows[3];
 #ifndef PERSPECTIVE
-// The change of the eye point along a view ray, for a unit of depth.
+// Change of the eye coordinates along a view ray, per unit of depth.
 uniform vec2 tilt;
 #endif
 #ifdef SURFACE_TEXTURE
 uniform sampler2D surfaceTexture;
 #endif
 
-vec4 shade(float depth, vec3 meshNormal, vec2 texturePlace)
+vec4 shade(float depth, vec3 meshNormal, vec2 texturePosition)
 {
   vec4 base = surfaceColor;
 #ifdef SURFACE_TEXTURE
-  base *= texture(surfaceTexture, texturePlace);
+  base *= texture(surfaceTexture, texturePosition);
 #endif
 #ifdef PERSPECTIVE
   vec3 eye = vec3(getEye(), -1.0) / depth;
@@ -88,25 +88,25 @@ vec4 shade(float depth, vec3 meshNormal, vec2 texturePlace)
   normal = normal / max(length(normal), 1e-30);
   vec3 view = normalize(-eye);
   normal = dot(normal, view) < 0.0 ? -normal : normal;
-  vec3 color = base.rgb * surfaceShares.x;
+  vec3 color = base.rgb * surfaceCoefficients.x;
   for (int i = 0; i < numberOfLights; ++i)
   {
-    vec3 towards = normalize(lightPlaces[i].xyz - lightPlaces[i].w * eye);
-    float cosine = dot(normal, towards);
+    vec3 toward = normalize(lightPositions[i].xyz - lightPositions[i].w * eye);
+    float cosine = dot(normal, toward);
     float shine =
-      pow(max(dot(2.0 * cosine * normal - towards, view), 1e-30), surfaceShares.w);
+      pow(max(dot(2.0 * cosine * normal - toward, view), 1e-30), surfaceCoefficients.w);
     color += cosine > 0.0
       ? lightColors[i] *
-        (base.rgb * surfaceShares.y * cosine + specularColor * surfaceShares.z * shine)
+        (base.rgb * surfaceCoefficients.y * cosine + specularColor * surfaceCoefficients.z * shine)
       : vec3(0.0);
   }
   return vec4(min(color, 1.0) * base.a, base.a);
 }
 #endif
 
-// The optical depth up to which series are used; a thicker segment is taken in parts.
+// Series are used up to this optical depth. Thicker segments are split.
 const float LIMIT = 0.5;
-// The opacity from which on all else is hidden.
+// Opacity that hides everything behind it.
 const float OPAQUE_ENOUGH = 0.999995;
 
 float thinOpacityOf(float x)
@@ -116,7 +116,7 @@ float thinOpacityOf(float x)
       x * (0.5 - x * (1.0 / 6.0 - x * (1.0 / 24.0 - x * (1.0 / 120.0 - x * (1.0 / 720.0))))));
 }
 
-// Returns optical depth over a unit of length, and how extinction falls or rises.
+// Returns optical depth per unit length, and the relative change of extinction.
 vec2 getMoments(float t0, float t1, float d0, float d1)
 {
 #ifdef DELTA_T
@@ -124,16 +124,16 @@ vec2 getMoments(float t0, float t1, float d0, float d1)
   float b = t0 * d1 + t1 * d0;
   float c = t1 * d1;
   float mean = (2.0 * a + b + 2.0 * c) / 6.0;
-  float centre = (a + b + 3.0 * c) / 12.0 / max(mean, 1e-37);
-  return vec2(mean, clamp(6.0 * centre - 3.0, -1.0, 1.0));
+  float center = (a + b + 3.0 * c) / 12.0 / max(mean, 1e-37);
+  return vec2(mean, clamp(6.0 * center - 3.0, -1.0, 1.0));
 #else
   float sum = t0 + t1;
   return vec2(0.5 * sum, (t1 - t0) / max(sum, 1e-37));
 #endif
 }
 
-// Returns the weights of the front and the back colour, and what is passed on: opacity or optical
-// depth. With OPACITY and EXACT a depth is at most LIMIT.
+// Returns the weights of the front and back colors, and their sum: opacity or optical depth. With
+// OPACITY and EXACT, depth must be at most LIMIT.
 vec3 getWeights(float depth, float delta)
 {
 #ifdef OPACITY
@@ -212,7 +212,8 @@ void main()
   vec2 time = vec2(1.0);
 #ifdef DELTA_T
   ENDS(deltaTPlane, times)
-  // Beside a thin silhouette, in a pixel that rounding gave to it, the plane is far from its corners.
+  // In a pixel that a thin silhouette covers only because of rounding, the interpolated value can
+  // be far outside the range of the values at the corners.
   time = clamp(times, 0.0, largestDeltaT);
 #endif
 #ifdef POINT_COLORS
@@ -232,7 +233,7 @@ void main()
   bool isCut = false;
 #endif
 #ifdef OPAQUE
-  // The segment is cut where an opaque surface is, or the far plane.
+  // Cut the segment at an opaque surface or the far plane.
   float buffered = texelFetch(opaqueDepth, min(pixelStride * ivec2(gl_FragCoord.xy) + pixelStride / 2,
     textureSize(opaqueDepth, 0) - 1), 0).r;
   float wall = dot(depthOfBuffer, vec4(1.0, buffered, gl_FragCoord.xy));
@@ -286,8 +287,8 @@ void main()
 #ifdef SCALARS
   float rise = scalars.y - scalars.x;
 #endif
-  // Parts go from control point to control point, and are no thicker than LIMIT. Most segments are
-  // one part.
+  // Integrate in parts that end at control points and have an optical depth of at most LIMIT. Most
+  // segments have one part.
   while (true)
   {
     float to = 1.0;
@@ -295,7 +296,7 @@ void main()
     float start = texelFetch(starts, piece).x;
     float bound = rise > 0.0 ? texelFetch(starts, piece + 1).x : start;
     to = rise == 0.0 ? 1.0 : clamp((bound - scalars.x) / rise, from, 1.0);
-    // Where the scalar falls, the first piece has no other below it.
+    // If the scalar decreases, piece 0 is the last piece and extends to the end of the segment.
     to = rise < 0.0 && piece == 0 ? 1.0 : to;
     vec4 value = texelFetch(pieces, 2 * piece);
     vec4 slope = texelFetch(pieces, 2 * piece + 1);
@@ -309,15 +310,15 @@ void main()
     vec2 moments =
       getMoments(first.a, last.a, mix(time.x, time.y, from), mix(time.x, time.y, to));
     float depth = part * moments.x;
-    bool isWhole = true;
+    bool isUncut = true;
 #ifdef OPACITY
     if (depth > LIMIT)
     {
-      isWhole = false;
+      isUncut = false;
 #ifdef DELTA_T
       float share = LIMIT / depth;
 #else
-      // The place where linear extinction has come to LIMIT.
+      // Fraction of the part at which the optical depth of linear extinction reaches LIMIT.
       float growth = (last.a - first.a) / part;
       float root = sqrt(max(first.a * first.a + 2.0 * growth * LIMIT, 0.0));
       float share = min(2.0 * LIMIT / (first.a + root) / part, 1.0);
@@ -339,7 +340,7 @@ void main()
 #else
     sum += color;
 #endif
-    if (isWhole)
+    if (isUncut)
     {
       if (to >= 1.0)
       {
@@ -361,7 +362,7 @@ void main()
   vec4 result = vec4(weights.x * front.rgb + weights.y * back.rgb, weights.z);
 #endif
 #ifdef SURFACE
-  // Lambda's edge tells the face on the other side.
+  // The edge that determines lambda also determines the face on the other side.
   shares = mix(shares, vec4(1e30), vec4(equal(abs(edgesX) + abs(edgesY), vec4(0.0))));
   float least = min(min(shares.x, shares.y), min(shares.z, shares.w));
   float otherFace = least == shares.x ? otherFaces.x
@@ -374,20 +375,20 @@ void main()
     vec3 baseNormal = plane * mat3(normalPlane[0].xyz, normalPlane[1].xyz, normalPlane[2].xyz);
     vec3 otherNormal =
       baseNormal + lambda * vec3(normalPlane[0].w, normalPlane[1].w, normalPlane[2].w);
-    vec2 basePlace = vec2(dot(texturePlane[0].xyz, plane), dot(texturePlane[1].xyz, plane));
-    vec2 otherPlace = basePlace + lambda * vec2(texturePlane[0].w, texturePlane[1].w);
+    vec2 baseTexturePosition = vec2(dot(texturePlane[0].xyz, plane), dot(texturePlane[1].xyz, plane));
+    vec2 otherTexturePosition = baseTexturePosition + lambda * vec2(texturePlane[0].w, texturePlane[1].w);
     if (isFace.y > 0.0 && !isCut)
     {
       vec4 behind = shade(baseIsBack ? baseDepth : otherDepth,
         (baseIsBack ? baseNormal : otherNormal) * weight.y,
-        (baseIsBack ? basePlace : otherPlace) * weight.y);
+        (baseIsBack ? baseTexturePosition : otherTexturePosition) * weight.y);
       result += (1.0 - result.a) * behind;
     }
     if (isFace.x > 0.0)
     {
       vec4 before = shade(baseIsBack ? otherDepth : baseDepth,
         (baseIsBack ? otherNormal : baseNormal) * weight.x,
-        (baseIsBack ? otherPlace : basePlace) * weight.x);
+        (baseIsBack ? otherTexturePosition : baseTexturePosition) * weight.x);
       result = before + (1.0 - before.a) * result;
     }
   }

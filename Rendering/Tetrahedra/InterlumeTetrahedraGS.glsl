@@ -2,7 +2,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// One point is one tetrahedron.
+// Each input point represents a tetrahedron.
 layout(points) in;
 layout(triangle_strip, max_vertices = 4) out;
 

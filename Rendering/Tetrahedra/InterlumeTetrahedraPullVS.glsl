@@ -2,8 +2,8 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Four vertices are one tetrahedron, in the order of drawing; each makes the silhouette and takes
-// its corner of the strip. No geometry shader is needed.
+// Each group of four vertices represents a tetrahedron, in drawing order. Each vertex computes the
+// silhouette and outputs its corner of the strip, so no geometry shader is needed.
 #ifdef ORDERED
 uniform usamplerBuffer order;
 #endif
@@ -23,7 +23,7 @@ void main()
     setOutputs(vec2(-viewport));
     return;
   }
-  // The fourth corner of a triangle is its third once more.
+  // The fourth corner of a triangle repeats the third.
   setHalf(size, corner == 3);
   setOutputs(strip[corner]);
 }

@@ -2,7 +2,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// One point is one tetrahedron, in the order of drawing.
+// Each vertex represents a tetrahedron, in drawing order.
 #ifdef ORDERED
 uniform usamplerBuffer order;
 #endif

@@ -16,10 +16,10 @@ vtkStandardNewMacro(vtkTemporalColorTransferFunction);
 
 namespace
 {
-/// The number of equal parts within which the map over u in [0,1] is straight.
+/// Number of equal parts of u in [0,1]. The color is linear in u within each part.
 constexpr int PARTS = 4;
 
-/// Nodes as the superclass takes them.
+/// A node, as in AddRGBPoint.
 struct Node
 {
   double Time;
@@ -28,39 +28,41 @@ struct Node
   double Blue;
 };
 
-/// Returns the node of C. Zhang, dissertation, Ohio State 2006, figure 3.26, at u = part / PARTS.
+/// Returns the node at u = part / PARTS (C. Zhang, dissertation, Ohio State 2006, figure 3.26).
 Node GetNode(double time, double part)
 {
   const auto clamp = [](double value) { return std::min(std::max(value, 0.0), 1.0); };
   return { time, clamp(part - 2.0), clamp(std::min(part, PARTS - part)), clamp(2.0 - part) };
 }
 
-/// Returns the nodes. They are at the steps, where u has a kink in time, and at the parts' ends,
-/// where colour has one in u. Places are counted from the first step, as many to a slab as there
-/// are parts.
+/// Returns the nodes. Nodes are at the time steps, where the slope of u over time changes, and at
+/// the ends of the parts of u, where the slope of the color over u changes. Node positions are
+/// integers, so equal positions compare equal. The unit is chosen so that both kinds of nodes are
+/// at integers: consecutive time steps are `parts` units apart, and the ends of parts are `slabs`
+/// units apart.
 std::vector<Node> GetNodes(const std::vector<double>& times)
 {
   const int slabs = static_cast<int>(times.size()) - 1;
-  // Two steps have the map from the middle to the end of that of more.
+  // Two steps use the second half of the range of u.
   const int first = slabs == 1 ? 2 : 0;
   const int parts = PARTS - first;
-  std::set<int> places;
+  std::set<int> positions;
   for (int step = 0; step <= slabs; ++step)
   {
-    places.insert(parts * step);
+    positions.insert(parts * step);
   }
   for (int part = 0; part <= parts; ++part)
   {
-    places.insert(slabs * part);
+    positions.insert(slabs * part);
   }
   std::vector<Node> nodes;
-  for (const int place : places)
+  for (const int position : positions)
   {
-    const auto step = static_cast<std::size_t>(place / parts);
-    const double share = static_cast<double>(place % parts) / parts;
+    const auto step = static_cast<std::size_t>(position / parts);
+    const double fraction = static_cast<double>(position % parts) / parts;
     const double next = step < times.size() - 1 ? times[step + 1] : times[step];
-    nodes.push_back(GetNode(
-      (1.0 - share) * times[step] + share * next, first + static_cast<double>(place) / slabs));
+    nodes.push_back(GetNode((1.0 - fraction) * times[step] + fraction * next,
+      first + static_cast<double>(position) / slabs));
   }
   return nodes;
 }
@@ -78,7 +80,7 @@ interlume::Error FindError(const std::vector<double>& times, const std::vector<N
     nodes.begin(), nodes.end(), [](const Node& a, const Node& b) { return !(a.Time < b.Time); });
   if (found != nodes.end())
   {
-    return "times do not increase at " + std::to_string(found->Time);
+    return "the time after " + std::to_string(found->Time) + " is not greater";
   }
   return {};
 }
@@ -88,14 +90,14 @@ void vtkTemporalColorTransferFunction::SetTimes(int n, const double* times)
 {
   if (n < 2 || !times)
   {
-    vtkErrorMacro("Colours need two times or more, not " << (times ? n : 0) << ".");
+    vtkErrorMacro("SetTimes needs two times or more, but got " << (times ? n : 0) << ".");
     return;
   }
   const std::vector<double> steps(times, times + n);
   const std::vector<Node> nodes = GetNodes(steps);
   if (const interlume::Error error = FindError(steps, nodes))
   {
-    vtkErrorMacro("Colours need finite times that increase: " << error << ".");
+    vtkErrorMacro("SetTimes needs finite and increasing times, but " << error << ".");
     return;
   }
   this->RemoveAllPoints();

@@ -7,24 +7,25 @@
 
 /**
  * @class   vtkTemporalColorTransferFunction
- * @brief   colour by time: what appears, what stays and what fades between time steps
+ * @brief map time to colors that distinguish regions that appear, persist or disappear
  *
- * This is a colour transfer function of the point array `Time` of vtkTimeVaryingIntervalVolume,
- * whose nodes, RGB with straight lines between them, come from the times of the steps (C. Zhang,
- * dissertation, Ohio State 2006, figures 3.21 and 3.26):
+ * The transfer function maps the point array `Time` of vtkTimeVaryingIntervalVolume to RGB.
+ * SetTimes derives its nodes from the times of the time steps, and colors are linear between nodes
+ * (C. Zhang, dissertation, Ohio State 2006, figures 3.21 and 3.26):
  *
  * - two steps: green at t1, yellow midway, red at t2;
  * - three steps: blue at t1, cyan midway, green at t2, yellow midway, red at t3;
- * - n steps: the map of three steps over u in [0,1]. At step i, from 0, u is i / (n - 1), and
- *   between steps it is linear in time.
+ * - n steps: the colors of three steps, as a function of u in [0,1]. At step i (from 0), u is i /
+ *   (n - 1), and it is linear in time between steps.
  *
- * Added up over the time that a place is within the interval, the colours tell when it was: with
- * three steps and additive blending, blue faded, red appeared, and what stayed is white.
+ * With additive blending, the sum of the colors over time shows when a location was inside the
+ * interval. For three steps, blue regions disappear, red regions appear, and white regions persist.
  *
- * Errors (vtkErrorMacro, the nodes stay as they were): fewer than two times, a time that is not
- * finite, times that do not increase or have no number midway between them.
+ * Errors (vtkErrorMacro, the nodes remain unchanged): fewer than two times, a time that is not
+ * finite, times that do not increase, and times so close that no floating-point number lies midway
+ * between them.
  *
- * @sa vtkTimeWeightedTetrahedraMapper
+ * @sa vtkTimeWeightedTetrahedraMapper vtkTimeVaryingIntervalVolume
  */
 class INTERLUMETETRAHEDRA_EXPORT vtkTemporalColorTransferFunction : public vtkColorTransferFunction
 {
@@ -34,8 +35,8 @@ public:
 
   ///@{
   /**
-   * Replaces all nodes by those for the steps at these times, in units of time. Default: no nodes.
-   * Valid: two times or more, finite and increasing.
+   * Replace all nodes by the nodes for these time steps. Default: no nodes. Valid: at least two
+   * times, finite and increasing.
    */
   void SetTimes(int n, const double* times) VTK_SIZEHINT(times, n);
   void SetTimes(double t1, double t2);

@@ -173,10 +173,13 @@ interlume::Error vtkTimeWeightedTetrahedraMapper::FindArrays(
   if (!arrays.Scalars)
   {
     return this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME && this->ArrayName && *this->ArrayName
-      ? std::string("the input has no array \"") + this->ArrayName + "\" to colour by"
-      : std::string("the input has no scalars to colour by");
+      ? std::string("the input has no array \"") + this->ArrayName +
+        "\" to color by; select an existing point or cell array with SelectScalarArray"
+      : std::string(
+          "the input has no scalars to color by; set active scalars or select an array with "
+          "SelectScalarArray");
   }
-  arrays.ScalarsAreOfCells = arrays.Scalars->GetNumberOfTuples() == grid->GetNumberOfCells() &&
+  arrays.HasCellScalars = arrays.Scalars->GetNumberOfTuples() == grid->GetNumberOfCells() &&
     (cellFlag == 1 || this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA);
   const std::string extent = this->HasDeltaTArrayName ? this->DeltaTArrayName : DELTA_T;
   arrays.DeltaT = grid->GetPointData()->GetArray(extent.c_str());
@@ -186,7 +189,7 @@ interlume::Error vtkTimeWeightedTetrahedraMapper::FindArrays(
   using interlume::Error;
   namespace ArrayCheck = interlume::ArrayCheck;
   for (const Error& error :
-    { arrays.ScalarsAreOfCells ? Error() : ArrayCheck::FindPointError(grid, arrays.Scalars, 0),
+    { arrays.HasCellScalars ? Error() : ArrayCheck::FindPointError(grid, arrays.Scalars, 0),
       hasExtent
         ? ArrayCheck::FindPointError(grid, "input", extent, 1).Within("", " for the extent in time")
         : Error(),
@@ -215,7 +218,7 @@ bool vtkTimeWeightedTetrahedraMapper::DrawsInSoftware(vtkRenderWindow* window) c
   {
     return this->RenderPath == SOFTWARE_PATH;
   }
-  // Before the first picture the window has no context to ask.
+  // Before the first image, the window has no context to query.
   openGL->Initialize();
   return interlume::SoftwareOpenGL::IsUsed(openGL);
 }
@@ -228,7 +231,8 @@ bool vtkTimeWeightedTetrahedraMapper::GatherPieces(
   {
     return false;
   }
-  // The box of the piece, whether it has an extent in time, and whether it is left to OpenGL.
+  // The six bounds of the partition; 1 if it has an extent in time, otherwise 0; 1 if it is drawn
+  // with OpenGL, otherwise 0.
   constexpr double none = std::numeric_limits<double>::max();
   std::array<double, 8> own{ { none, -none, none, -none, none, -none,
     this->HasExtentInTime(this->GetDataSetInput()) ? 1.0 : 0.0,
@@ -241,19 +245,19 @@ bool vtkTimeWeightedTetrahedraMapper::GatherPieces(
     static_cast<std::size_t>(controller->GetNumberOfProcesses()));
   controller->AllGather(own.data(), all.data()->data(), 8);
   std::vector<interlume::PieceOrder::Box> boxes;
-  vtkBoundingBox whole;
+  vtkBoundingBox allBounds;
   bool isInTime = false;
-  bool isLeftToOpenGL = false;
+  bool usesOpenGL = false;
   for (const std::array<double, 8>& piece : all)
   {
     interlume::PieceOrder::Box box;
     std::copy_n(piece.begin(), 6, box.begin());
     boxes.push_back(box);
-    whole.AddBox(vtkBoundingBox(box.data()));
+    allBounds.AddBox(vtkBoundingBox(box.data()));
     isInTime = isInTime || piece[6] > 0.0;
-    isLeftToOpenGL = isLeftToOpenGL || piece[7] > 0.0;
+    usesOpenGL = usesOpenGL || piece[7] > 0.0;
   }
-  if (!whole.IsValid())
+  if (!allBounds.IsValid())
   {
     return false;
   }
@@ -266,13 +270,13 @@ bool vtkTimeWeightedTetrahedraMapper::GatherPieces(
   if (blend == COMPOSITE_BLEND)
   {
     order = std::make_unique<interlume::PieceOrder>(boxes);
-    if (isInTime || isLeftToOpenGL || !order->IsPossible())
+    if (isInTime || usesOpenGL || !order->IsPossible())
     {
       return false;
     }
   }
   std::array<double, 6> bounds{};
-  whole.GetBounds(bounds.data());
+  allBounds.GetBounds(bounds.data());
   this->Pieces =
     std::make_unique<interlume::PieceExchange>(controller, blend, bounds, std::move(order));
   return true;
@@ -284,7 +288,7 @@ double* vtkTimeWeightedTetrahedraMapper::GetOwnBounds()
   auto* input = vtkPointSet::SafeDownCast(this->GetDataSetInput());
   if (input && input->GetPoints() && !interlume::FiniteNumbers::AreFinite(bounds, 6))
   {
-    // VTK includes points at infinity, which are not drawn.
+    // The superclass includes points at infinity, but they are not drawn.
     vtkBoundingBox box;
     for (vtkIdType p = 0; p < input->GetNumberOfPoints(); ++p)
     {
@@ -316,11 +320,6 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   {
     return;
   }
-  if (this->Peels->ConsumeFirstDeferral())
-  {
-    vtkWarningMacro(<< "UseDepthPeelingForVolumes is not supported: the volume is drawn over "
-                       "translucent polygons, as without it");
-  }
   auto* grid = vtkUnstructuredGrid::SafeDownCast(this->GetInput());
   int width = 0;
   int height = 0;
@@ -341,7 +340,7 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
     this->GetNumberOfInputConnections(1) > 0 ? this->GetExecutive()->GetInputData(1, 0) : nullptr);
   interlume::Error error = hasGrid ? this->FindArrays(grid, request.Arrays) : interlume::Error();
   request.Grid = hasGrid && !error ? grid : nullptr;
-  // A piece that cannot be drawn must not keep those of the other processes waiting.
+  // Other processes wait for this one, so it must participate even if its partition has an error.
   if (request.Grid || request.Pieces)
   {
     const interlume::Error drawing = this->Renderer->Render(renderer, volume, request, report);
@@ -349,7 +348,7 @@ void vtkTimeWeightedTetrahedraMapper::Render(vtkRenderer* renderer, vtkVolume* v
   }
   report.CopyTo(this->Report);
   this->TimeToDraw = report.Seconds;
-  // An error is given once for one state of the input and of the mapper, not for every picture.
+  // Report an error once for each state of the input and the mapper, not for every image.
   const vtkMTimeType state = std::max(grid ? grid->GetMTime() : 0, this->GetMTime());
   if (error && state != this->ErrorTime)
   {

@@ -5,11 +5,11 @@
 #include "InterlumeTetrahedraModule.h" // for the export macro
 #include "vtkInterlumeReport.h"        // for GetReport()
 #include "vtkNew.h"
-#include "vtkSmartPointer.h" // for the boundary's looks
+#include "vtkSmartPointer.h" // for the boundary's property and texture
 #include "vtkUnstructuredGridVolumeMapper.h"
 
 #include <map>    // for the priorities
-#include <memory> // for what is kept from picture to picture
+#include <memory> // for the private classes
 #include <string> // for array names
 
 class vtkMultiProcessController;
@@ -30,67 +30,57 @@ struct TetrahedraArrays;
 
 /**
  * @class   vtkTimeWeightedTetrahedraMapper
- * @brief   draws tetrahedra as a volume, each with its extent in time
+ * @brief   render tetrahedra as a volume, weighted by their extent in time
  *
- * Along a line of sight the optical depth of one tetrahedron is the integral of
- * tau(f(s)) Dt(s) ds, with the extinction tau, the scalar f and the extent in time Dt all linear
- * between entry and exit (C. Zhang, dissertation, Ohio State 2006, 3.5.4). A tetrahedron is drawn
- * as its silhouette of one or two triangles (P. Shirley, A. Tuchman, "A polygonal approximation to
- * direct scalar volume rendering", 1990, with the thick vertex carried as a number), which is exact
- * in parallel and in perspective.
+ * Draws each tetrahedron by the method of projected tetrahedra (P. Shirley, A. Tuchman 1990), on
+ * the GPU or on the CPU. Along a view ray, extinction, color and the extent in time Dt are linear
+ * within each tetrahedron. The optical depth is the integral of extinction times Dt (C. Zhang,
+ * dissertation, Ohio State 2006, 3.5.4), and color and opacity follow from it by exact integration.
+ * See Documentation/methods/projected-tetrahedra.md for the method, sorting and accuracy, and
+ * Documentation/measurements.md for times.
  *
- * Input port 0: a vtkUnstructuredGrid of VTK_TETRA cells. Input port 1, optional: boundary
- * triangles, see SetBoundaryConnection.
+ * **Input**: port 0 is a vtkUnstructuredGrid of VTK_TETRA cells. Port 1 is optional and takes
+ * boundary triangles (see SetBoundaryConnection). ScalarMode, ArrayName and ArrayId select the
+ * scalars, as in other volume mappers. The scalars have
+ * - one component at points: color and opacity functions of the interpolated scalar;
+ * - one component at cells, such as `IntervalId`: one color and opacity for each tetrahedron;
+ * - several independent components: the component or magnitude that the vector mode of the color
+ *   function selects;
+ * - two dependent components: color by the first, opacity by the second;
+ * - three or four dependent components: color as RGB (unsigned char 0 to 255, other types 0 to 1),
+ *   opacity by the fourth component or, without it, by the mean of the three.
  *
- * Colour comes from the volume's property and the scalars that ScalarMode, ArrayName, ArrayId
- * choose, as in VTK's other mappers:
- * - point scalars of one component: colour and opacity functions of the interpolated scalar, whose
- *   straight pieces are integrated exactly wherever their ends lie within a tetrahedron;
- * - cell scalars (`IntervalId`): one colour and opacity for each tetrahedron;
- * - two components without IndependentComponents: colour of the first, opacity of the second;
- * - four without IndependentComponents: RGB and the opacity function of the fourth; three: RGB and
- *   the opacity function of their mean. Unsigned char colours are 0 to 255, others 0 to 1.
+ * Extinction per unit length is the value of the scalar opacity function divided by
+ * ScalarOpacityUnitDistance. It may exceed 1, as in VTK's mappers for unstructured grids.
  *
- * With several independent components the vector mode of the colour function chooses one or the
- * magnitude.
+ * **Accuracy**: the software path computes every pixel in visibility order, including tetrahedra
+ * seen edge-on and points that coincide on the screen. With OpenGL, the GPU rounds vertices to a
+ * fraction of a pixel, so tetrahedra or whole meshes that are thinner than this on the screen may
+ * be drawn too wide or missed.
  *
- * Extinction is the scalar opacity function divided by the property's ScalarOpacityUnitDistance,
- * per unit of length, as in VTK's mappers for unstructured grids; it may exceed 1.
+ * **Other props**: opaque props hide the volume by depth. Translucent polygons are always drawn
+ * behind the volume, except the boundary triangles of port 1. UseDepthPeelingForVolumes is ignored
+ * with a warning. Along each view ray, hardware selection returns the first tetrahedron that is not
+ * fully transparent there.
  *
- * Every pixel of the software path is within 1e-3 of the integral in each channel, in order of
- * visibility, also where faces are seen edge-on and points coincide on the screen. A line of sight
- * passes its pixel's centre by 4e-9 of the pixel, so that a mesh seen from the side and thinner
- * than a millionth of a pixel is off by what changes over that: 5e-4 at 1e-6, 5e-3 at 1e-7.
+ * **Cameras and clipping**: all projections of vtkCamera are supported, including stereo, view
+ * shear, off-axis projection and user transforms. Tetrahedra are cut exactly at the near plane, at
+ * the far plane and at any number of clipping planes (AddClippingPlane).
  *
- * With OpenGL a pixel whose centre is within 1/256 pixel of the edge of a tetrahedron's silhouette
- * can be on its other side, since graphics cards round corners. So what is thinner than that on the
- * screen can be drawn or missed as a whole: a plate seen from the side (every pixel of it, to
- * 0.92), the middle of a fan of 2,000 needles seen along their axis (172 of 9,216 pixels, to 0.37),
- * a pixel at the corner of a squashed mesh (to 0.78). The software path has none of that.
+ * **Parallel rendering**: after GatherPieces, each process draws its partition with SOFTWARE_PATH,
+ * and the processes exchange floating-point sums. Each pixel is shown by one process: the process
+ * with the closest opaque surface, or the first process if there is no surface. The result is the
+ * same as with a single process, up to rounding error, and does not change if the processes' images
+ * are then composited. COMPOSITE_BLEND also requires input without Dt, SOFTWARE_PATH in all
+ * processes, and bounding boxes that axis-aligned planes can separate. Otherwise each process draws
+ * only its partition, and a compositor must blend the 8-bit images in visibility order.
  *
- * Opaque props occlude: a segment that runs into one is cut there, and so is one that runs into the
- * far plane. Each tetrahedron with a vertex before the near plane is clipped, and so is each with a
- * vertex on the far side of a clipping plane (AddClippingPlane; planes of the world, any number):
- * values and colors are those at the cut, and boundary triangles end there. Every kind of camera is
- * drawn as VTK projects it: stereo, view shear, off-axis, with user transforms. Selection
- * (vtkHardwareSelector) finds the first tetrahedron on a line of sight that is not wholly
- * transparent. Translucent polygons other than boundary triangles are behind the volume wherever
- * they are: UseDepthPeelingForVolumes is not supported, is warned of once, and draws the picture
- * that is drawn without it.
+ * **Errors** (vtkErrorMacro, nothing is drawn): cells other than tetrahedra, missing scalars, a
+ * missing array for Dt or layers that was set by name, a wrong number of components or tuples, an
+ * invalid clipping plane, a singular camera or volume matrix. Tetrahedra with NaN or infinity are
+ * skipped and counted in GetReport().
  *
- * **Pieces of one volume in several processes** make one picture after GatherPieces: each process
- * draws its piece by SOFTWARE_PATH, what the blend mode sums up along the lines of sight is
- * exchanged in floats, and each pixel is shown by one process, the one with the nearest opaque
- * surface there, else the first. So the picture is that of one process but for rounding, wherever
- * the pieces are, and laying the processes' pictures over each other adds nothing to it. With
- * COMPOSITE_BLEND that holds for pieces whose boxes planes part, one after the other, so that they
- * have an order from everywhere, where all processes take SOFTWARE_PATH by themselves or are told
- * to. Elsewhere each process composites its piece alone, and the pictures, rounded to 8 bits, have
- * to be laid over each other in order: graphics cards are faster at that.
- *
- * Errors (vtkErrorMacro, nothing drawn): cells that are no tetrahedra, missing scalars, an array
- * for Dt or layers that is named and missing, a wrong number of components, a clipping plane
- * without a normal. Tetrahedra with NaN or infinity are left out and counted in GetReport().
+ * @sa vtkIntervalVolume vtkTimeVaryingIntervalVolume vtkTemporalColorTransferFunction
  */
 class INTERLUMETETRAHEDRA_EXPORT vtkTimeWeightedTetrahedraMapper
   : public vtkUnstructuredGridVolumeMapper
@@ -101,82 +91,84 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * How the segments of a line of sight are put together.
+   * Blend modes, which combine the segments of a view ray.
    */
   enum BlendModes
   {
-    /// Front to back in order of visibility: COMPOSITE_BLEND of the superclass, 0.
-    /// The largest scalar's colour and opacity: MAXIMUM_INTENSITY_BLEND of the superclass, 1.
-    /// Sum of colour times opacity, without order; saturates.
+    // COMPOSITE_BLEND = 0 of the superclass: front to back in visibility order.
+    // MAXIMUM_INTENSITY_BLEND = 1 of the superclass: color and opacity of the largest scalar.
+
+    /// Sum of color times opacity, clamped to 1. Needs no order.
     ADDITIVE_BLEND = 2,
-    /// Each layer on its own (as OPTICAL_DEPTH_BLEND), then the layers by priority, whatever lies
-    /// in front.
+    /// OPTICAL_DEPTH_BLEND within each layer. Layers are composited by priority, independent of
+    /// depth.
     PRIORITY_BLEND = 3,
-    /// 1 - exp(-sum of optical depth), with the mean of colour weighted by optical depth: needs no
-    /// order; exact for one colour.
+    /// Opacity 1 - exp(-sum of optical depths), and the mean color weighted by optical depth. Needs
+    /// no order. Exact if there is a single color.
     OPTICAL_DEPTH_BLEND = 4,
-    /// OPTICAL_DEPTH_BLEND with Dt, whose tetrahedra overlap so that no order exists; else
-    /// COMPOSITE_BLEND.
+    /// OPTICAL_DEPTH_BLEND if the input has Dt, because such tetrahedra overlap and have no
+    /// visibility order. Otherwise COMPOSITE_BLEND.
     AUTOMATIC_BLEND = 5
   };
 
   /**
-   * How colour and opacity of one segment are found.
+   * Integration modes for the color and opacity of one segment.
    */
   enum IntegrationModes
   {
-    /// The mean of colour and of extinction at both ends, as the source has it.
+    /// Mean of the colors and extinctions at both ends, as in the original projected tetrahedra.
     AVERAGE_COLOR = 0,
-    /// The exact integral over linear colour and extinction (K. Moreland, E. Angel, "A fast high
-    /// accuracy volume renderer for unstructured data", 2004), from control point to control point.
+    /// Exact integral with linear color and extinction (K. Moreland, E. Angel, "A fast high
+    /// accuracy volume renderer for unstructured data", 2004), between the control points of the
+    /// transfer functions.
     LINEAR_SEGMENT = 1
   };
 
   /**
-   * Order of the tetrahedra.
+   * Sort modes, which determine the order in which tetrahedra are drawn.
    */
   enum SortModes
   {
     NO_SORT = 0,
-    /// Distance of the centroid, from the eye in perspective, along the view in parallel.
+    /// Distance of the centroid to the camera, or depth in parallel projection. Approximate.
     CENTROID_SORT = 1,
-    /// Visibility over shared faces (P. Williams, "Visibility-ordering meshed polyhedra", 1992),
-    /// with the gaps of a mesh that is not convex closed along lines of sight.
+    /// Visibility order across shared faces (P. Williams, "Visibility-ordering meshed polyhedra",
+    /// 1992) and across the gaps of nonconvex meshes.
     MPVONC_SORT = 2,
-    /// NO_SORT where the blend mode or one colour makes order irrelevant; MPVONC_SORT up to
-    /// 1,000,000 tetrahedra without Dt; else CENTROID_SORT.
+    /// NO_SORT if the blend mode needs no order or there is a single color. MPVONC_SORT up to
+    /// 1,000,000 tetrahedra without Dt. Otherwise CENTROID_SORT.
     AUTOMATIC_SORT = 3
   };
 
   /**
-   * Who draws.
+   * Render paths.
    */
   enum RenderPaths
   {
-    /// Silhouettes by shaders and a float framebuffer, OpenGL 3.2 core.
+    /// Shaders and a floating-point framebuffer, with OpenGL 3.2 core.
     OPENGL_PATH = 0,
-    /// Threads and tiles on the CPU.
+    /// Multithreaded rendering in tiles on the CPU.
     SOFTWARE_PATH = 1,
-    /// SOFTWARE_PATH where OpenGL is itself software, else OPENGL_PATH.
+    /// SOFTWARE_PATH if OpenGL is a software implementation, otherwise OPENGL_PATH.
     AUTOMATIC_PATH = 2
   };
 
   /**
-   * Which shader makes the silhouettes of tetrahedra with OPENGL_PATH.
+   * Shaders that compute the silhouettes of tetrahedra with OPENGL_PATH.
    */
   enum SilhouetteShaders
   {
-    /// A geometry shader, of one point for each tetrahedron.
+    /// A geometry shader, with one point for each tetrahedron.
     GEOMETRY_SHADER = 0,
-    /// A vertex shader, whose four vertices for each tetrahedron pull it from buffers.
+    /// A vertex shader that reads tetrahedra from buffers, with four vertices for each tetrahedron.
     VERTEX_SHADER = 1,
-    /// GEOMETRY_SHADER where OpenGL is software, VERTEX_SHADER on a graphics card.
+    /// GEOMETRY_SHADER if OpenGL is a software implementation, VERTEX_SHADER on a GPU.
     AUTOMATIC_SHADER = 2
   };
 
   ///@{
   /**
-   * The blend mode. Default AUTOMATIC_BLEND. Valid: COMPOSITE_BLEND (0) to AUTOMATIC_BLEND (5).
+   * Set the blend mode. Default AUTOMATIC_BLEND. Valid: COMPOSITE_BLEND (0) to AUTOMATIC_BLEND (5).
    */
   void SetBlendModeToAdditive() { this->SetBlendMode(ADDITIVE_BLEND); }
   void SetBlendModeToPriority() { this->SetBlendMode(PRIORITY_BLEND); }
@@ -186,7 +178,7 @@ public:
 
   ///@{
   /**
-   * The integration mode. Default LINEAR_SEGMENT. Valid: see IntegrationModes; clamped.
+   * Set/Get the integration mode. Default LINEAR_SEGMENT. Valid: see IntegrationModes; clamped.
    */
   vtkSetClampMacro(IntegrationMode, int, AVERAGE_COLOR, LINEAR_SEGMENT);
   vtkGetMacro(IntegrationMode, int);
@@ -194,7 +186,7 @@ public:
 
   ///@{
   /**
-   * The sort mode. Default AUTOMATIC_SORT. Valid: see SortModes; clamped.
+   * Set/Get the sort mode. Default AUTOMATIC_SORT. Valid: see SortModes; clamped.
    */
   vtkSetClampMacro(SortMode, int, NO_SORT, AUTOMATIC_SORT);
   vtkGetMacro(SortMode, int);
@@ -202,7 +194,7 @@ public:
 
   ///@{
   /**
-   * The render path. Default AUTOMATIC_PATH. Valid: see RenderPaths; clamped.
+   * Set/Get the render path. Default AUTOMATIC_PATH. Valid: see RenderPaths; clamped.
    */
   vtkSetClampMacro(RenderPath, int, OPENGL_PATH, AUTOMATIC_PATH);
   vtkGetMacro(RenderPath, int);
@@ -210,8 +202,8 @@ public:
 
   ///@{
   /**
-   * The shader that makes silhouettes with OPENGL_PATH; pictures are the same but for the rounding
-   * of shaders. Default AUTOMATIC_SHADER. Valid: see SilhouetteShaders; clamped.
+   * Set/Get the shader for OPENGL_PATH. Both shaders draw the same image up to rounding error.
+   * Default AUTOMATIC_SHADER. Valid: see SilhouetteShaders; clamped.
    */
   vtkSetClampMacro(SilhouetteShader, int, GEOMETRY_SHADER, AUTOMATIC_SHADER);
   vtkGetMacro(SilhouetteShader, int);
@@ -219,9 +211,10 @@ public:
 
   ///@{
   /**
-   * The name of the point array with the extent in time, one component, in the unit that the scalar
-   * opacity unit distance is given for; values >= 0. Default null: `DeltaT` where the input has it,
-   * else 1 everywhere. The empty name: 1 everywhere.
+   * Set/Get the name of the point array with the extent in time: one component, values >= 0, in the
+   * time unit of the extinction. Default null: use `DeltaT` if the input has this array, otherwise
+   * an extent of 1 everywhere. With an empty name the extent is 1 everywhere. Setting the name of a
+   * missing array is an error.
    */
   void SetDeltaTArrayName(const char* name);
   const char* GetDeltaTArrayName() const;
@@ -229,8 +222,8 @@ public:
 
   ///@{
   /**
-   * The name of the cell array that tells layers apart, one component, taken as integers. Default
-   * `IntervalId`. It is read in PRIORITY_BLEND only.
+   * Set/Get the name of the cell array with the layers: one component, truncated to integers.
+   * Default `IntervalId`. Used in PRIORITY_BLEND only.
    */
   void SetLayerArrayName(const char* name);
   const char* GetLayerArrayName() const;
@@ -238,23 +231,23 @@ public:
 
   ///@{
   /**
-   * The priority of a layer: the higher is drawn over the lower, equal ones by layer number.
-   * Default: the layer's number.
+   * Set/Get the priority of a layer. Layers with higher priority are drawn over layers with lower
+   * priority. Layers with equal priorities are ordered by number. Default: the layer's number.
    */
   void SetLayerPriority(int layer, double priority);
   double GetLayerPriority(int layer) const;
   void RemoveAllLayerPriorities();
-  /// Returns the priorities that are set, by layer.
+  /// Get the priorities that were set, by layer.
   const std::map<int, double>& GetLayerPriorities() const { return this->LayerPriorities; }
   ///@}
 
   ///@{
   /**
-   * The triangles that are drawn where the line of sight passes them, between the volume in front
-   * and behind: a vtkPolyData or vtkUnstructuredGrid whose triangles are faces of tetrahedra and
-   * whose points are those of port 0, with the same ids (port 1 of vtkIntervalVolume). Point
-   * normals and texture coordinates are used where it has them. Only COMPOSITE_BLEND has a place
-   * for them; other modes leave them out and report 0 triangles. Default none.
+   * Set the boundary triangles, which are composited between the tetrahedra on both sides. The
+   * input is a vtkPolyData or vtkUnstructuredGrid, such as port 1 of vtkIntervalVolume. Its
+   * triangles must be faces of tetrahedra, and its points must have the ids or exact coordinates of
+   * points of port 0. Point normals and texture coordinates are used if present. Triangles are
+   * drawn in COMPOSITE_BLEND only; other modes report 0 triangles. Default none.
    */
   void SetBoundaryConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
   void SetBoundaryData(vtkDataSet* triangles);
@@ -262,8 +255,8 @@ public:
 
   ///@{
   /**
-   * The colour, opacity, ambient, diffuse and specular of the boundary triangles. Default: a white
-   * vtkProperty of opacity 0.5.
+   * Set/Get the property of the boundary triangles: color, opacity, and ambient, diffuse and
+   * specular coefficients. Default: a white vtkProperty with opacity 0.5. Null is ignored.
    */
   void SetBoundaryProperty(vtkProperty* property);
   vtkProperty* GetBoundaryProperty() const;
@@ -271,8 +264,8 @@ public:
 
   ///@{
   /**
-   * An image over the boundary's texture coordinates; its colour and opacity multiply the
-   * property's. Default none.
+   * Set/Get the texture of the boundary triangles. Its color and opacity multiply those of the
+   * property. Default none.
    */
   void SetBoundaryTexture(vtkTexture* texture);
   vtkTexture* GetBoundaryTexture() const;
@@ -280,8 +273,8 @@ public:
 
   ///@{
   /**
-   * Whether pictures get coarser, in pixels and then in tetrahedra, while the time allocated to the
-   * volume is less than a full picture took. Still pictures are always full. Default on.
+   * If on, render with fewer pixels and fewer tetrahedra if full detail would take longer than the
+   * render time allocated to the volume. Still images always have full detail. Default on.
    */
   vtkSetMacro(AutoAdjustLevelOfDetail, bool);
   vtkGetMacro(AutoAdjustLevelOfDetail, bool);
@@ -289,35 +282,37 @@ public:
   ///@}
 
   /**
-   * Makes the input a piece of a volume whose others are the inputs of this mapper in the other
-   * processes of \a controller. All of them must call it together, whenever the input or the blend
-   * mode has changed, and must draw every picture that is no selection together, from the same
-   * view; GetBounds are then those of all pieces. Returns whether the pieces make one picture: in
-   * every blend mode that needs no order, and with COMPOSITE_BLEND where they have one (see above);
-   * \a window tells AUTOMATIC_PATH there whether OpenGL is software, and without it counts as a
-   * graphics card. With false, null or one process the input is drawn as without it.
+   * Render the input as one partition of a volume that is distributed over the processes of \a
+   * controller. All processes must call this together whenever the input or the blend mode has
+   * changed. They must then render every image together, with the same camera. Selections are an
+   * exception. GetBounds then returns the bounds of all partitions.
+   *
+   * Returns true if all partitions are combined in one image (see the class comment).
+   * AUTOMATIC_PATH tests whether the OpenGL of \a window is software; without a window it assumes a
+   * GPU. If this returns false, or if \a controller is null or has one process, only the input is
+   * drawn.
    */
   bool GatherPieces(vtkMultiProcessController* controller, vtkRenderWindow* window = nullptr);
 
   /**
-   * Returns whether a dataset has the array for the extent in time.
+   * Return true if a dataset has the array for the extent in time.
    */
   bool HasExtentInTime(vtkDataSet* data) const;
 
   using Superclass::GetBounds;
-  /// Returns the bounds of the points that have finite coordinates.
+  /// Get the bounds of the points that have finite coordinates.
   double* GetBounds() VTK_SIZEHINT(6) override;
 
   /**
-   * Returns the report of the last image:
-   * - `Tetrahedra`, `TetrahedraDrawn`: tetrahedra of the input and drawn ones;
-   * - `NonFiniteTetrahedra`: tetrahedra skipped because of NaN or infinity at a corner;
+   * Get the report of the last image:
+   * - `Tetrahedra`, `TetrahedraDrawn`: number of tetrahedra of the input and of tetrahedra drawn;
+   * - `NonFiniteTetrahedra`: tetrahedra skipped because of NaN or infinity at a point;
    * - `FlatTetrahedra`: tetrahedra skipped because they have no volume;
-   * - `UnmatchedTriangles`: boundary triangles skipped because they are no face of a tetrahedron;
-   * - `RenderPath`, `PathReason`: the chosen path of RenderPaths, and why;
-   * - `SortReason`: why tetrahedra were sorted as they were, or not at all;
-   * - `PixelStride`: the level of detail, 1 for a full image;
-   * - `Seconds`: seconds of this image.
+   * - `UnmatchedTriangles`: boundary triangles skipped because they are not faces of tetrahedra;
+   * - `RenderPath`, `PathReason`: the path (see RenderPaths), and the reason for it;
+   * - `SortReason`: the reason for the sort mode;
+   * - `PixelStride`: number of viewport pixels per computed pixel along an edge; 1 in full detail;
+   * - `Seconds`: seconds to render this image.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 
@@ -335,11 +330,11 @@ private:
   vtkTimeWeightedTetrahedraMapper(const vtkTimeWeightedTetrahedraMapper&) = delete;
   void operator=(const vtkTimeWeightedTetrahedraMapper&) = delete;
 
-  /// Returns the bounds of this process's piece.
+  /// Returns the bounds of this process's partition.
   double* GetOwnBounds();
-  /// Returns whether a picture in a window is left to SOFTWARE_PATH.
+  /// Returns true if images in a window are drawn with SOFTWARE_PATH.
   bool DrawsInSoftware(vtkRenderWindow* window) const;
-  /// Sets the arrays to be read. Returns an error if they or the cells cannot be used.
+  /// Finds the input arrays. Returns an error if they or the cells cannot be used.
   interlume::Error FindArrays(vtkUnstructuredGrid* grid, interlume::TetrahedraArrays& arrays);
 
   int IntegrationMode = LINEAR_SEGMENT;
@@ -354,11 +349,11 @@ private:
   vtkSmartPointer<vtkTexture> BoundaryTexture;
   bool AutoAdjustLevelOfDetail = true;
   vtkNew<vtkInterlumeReport> Report;
-  /// The other pieces of the volume; null where the input is drawn alone.
+  /// Communication with the other processes; null if only this input is drawn.
   std::unique_ptr<interlume::PieceExchange> Pieces;
   std::unique_ptr<interlume::PeelingDeferral> Peels;
   std::unique_ptr<interlume::TetrahedraRenderer> Renderer;
-  /// The modification time of the input and the mapper when the last error was given.
+  /// Later of the modification times of the input and the mapper when the last error was reported.
   vtkMTimeType ErrorTime = 0;
 };
 

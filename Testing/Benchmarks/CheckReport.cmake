@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cmake -D PAGE=index.html -D SUITES=13 -D "QUESTIONS=name;name" -P CheckReport.cmake
-# Fails unless the report's page begins with one table of claims, goes on with the questions, each with a picture
-# that is there, an answer and a caption, and has one folded table for each suite. QUESTIONS: plots with a default.
+# Checks that the report page begins with one table of claims, continues with the questions, and ends with a
+# collapsed table for each suite. Every question needs an existing image, an answer and a caption. QUESTIONS
+# lists the plots that have a default.
 cmake_minimum_required(VERSION 3.16)
 file(READ "${PAGE}" page)
 get_filename_component(folder "${PAGE}" DIRECTORY)
@@ -19,27 +20,27 @@ string(REGEX MATCHALL "<table>" all "${page}")
 list(LENGTH all all)
 math(EXPR unfolded "${all} - ${folded}")
 if (NOT tables EQUAL SUITES OR NOT unfolded EQUAL 1)
-  message(FATAL_ERROR "${PAGE} has ${tables} folded tables of rows for ${SUITES} suites, and ${unfolded} others")
+  message(FATAL_ERROR "${PAGE} has ${tables} collapsed tables of rows for ${SUITES} suites, and ${unfolded} other tables")
 endif ()
 
 string(REGEX MATCHALL "<figure id=\"[^\"]+\">" figures "${page}")
 list(LENGTH figures asked)
 if (NOT page MATCHES "<p>${asked} questions; the default, ringed, is on the Pareto front in [0-9]+ of [0-9]+ plots")
-  message(FATAL_ERROR "${PAGE} does not say how many of ${asked} questions have their default on the front")
+  message(FATAL_ERROR "${PAGE} has no sentence about the defaults of ${asked} questions on the Pareto front")
 endif ()
 foreach (figure IN LISTS figures)
   string(REGEX REPLACE "<figure id=\"([^\"]+)\">" "\\1" name "${figure}")
   if (NOT EXISTS "${folder}/${name}.svg")
-    message(FATAL_ERROR "${PAGE} shows ${name}.svg, which is not there")
+    message(FATAL_ERROR "${PAGE} shows ${name}.svg, which does not exist")
   endif ()
   string(REGEX MATCH "<figure id=\"${name}\"><h3>[^<]+[?]</h3>\n<p class=\"answer\">(<span class=\"failed\">)?([^<]+)(</span>)?</p>\n<a href=\"${name}.svg\"><img [^>]+></a>\n<figcaption>[^<]+[.] Rows: "
     whole "${page}")
   set(answer "${CMAKE_MATCH_2}")
   if (NOT whole)
-    message(FATAL_ERROR "${PAGE}: no question, answer, picture and caption of ${name}")
+    message(FATAL_ERROR "${PAGE}: no question, answer, image and caption of ${name}")
   endif ()
   if (name IN_LIST QUESTIONS AND NOT answer MATCHES "^The default, .+, is (within|on|not on) .*front")
-    message(FATAL_ERROR "${PAGE}: no default of ${name}: ${answer}")
+    message(FATAL_ERROR "${PAGE}: no sentence about the default of ${name}: ${answer}")
   endif ()
   list(REMOVE_ITEM QUESTIONS "${name}")
 endforeach ()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Claims of a suite: which rows they concern, whether they are met, and how rows are named; of rows
-// that were written and read too, also where what was measured is no number.
+// Tests claims of a suite: the rows that they select, their evaluation, the names of cases, and
+// rows that were written and read again, including NaN values.
 #include "Benchmarks/Results/BenchClaim.h"
 #include "Support/Checks/ReferenceCheck.h"
 
@@ -17,7 +17,7 @@ BenchRow MakeRow(const char* theCase, const char* method, const nlohmann::ordere
   return row;
 }
 
-/// The names of the cases of a claim of all rows whose number is their position.
+/// Returns the case names of a claim that selects all rows.
 std::string NamesOf(const std::vector<BenchRow>& rows)
 {
   const auto number = [&rows](const BenchRow& row) -> std::optional<double>
@@ -35,7 +35,7 @@ int main()
 {
   reference::Check check;
   const auto isNamed = [&check](const std::vector<BenchRow>& rows, const std::string& expected)
-  { check.That(NamesOf(rows) == expected, "named: " + NamesOf(rows)); };
+  { check.That(NamesOf(rows) == expected, "names of cases: " + NamesOf(rows)); };
   isNamed({ MakeRow("disk", "a", 1), MakeRow("fin", "b", 2) }, "disk; fin; ");
   isNamed({ MakeRow("disk", "a", 1), MakeRow("disk", "a", 2), MakeRow("fin", "a", 1) },
     "disk, 1; disk, 2; fin; ");
@@ -44,26 +44,26 @@ int main()
   isNamed(
     { MakeRow("disk", "a", 0.1), MakeRow("disk", "a", 0.1 * 0.1) }, "disk, 0.1; disk, 0.01; ");
 
-  std::vector<BenchRow> peers = { MakeRow("disk", "a", 1), MakeRow("disk", "a", 1) };
-  peers[0].Peer = "clip";
-  peers[1].Peer = "contour";
-  isNamed(peers, "disk, clip; disk, contour; ");
+  std::vector<BenchRow> baselines = { MakeRow("disk", "a", 1), MakeRow("disk", "a", 1) };
+  baselines[0].Baseline = "clip";
+  baselines[1].Baseline = "contour";
+  isNamed(baselines, "disk, clip; disk, contour; ");
 
   std::vector<BenchRow> rows = { MakeRow("disk", "a", 1), MakeRow("disk", "b", 2),
     MakeRow("fin", "a", 1) };
   rows[0].Counts["steps"] = 2;
   rows[1].Counts["steps"] = 9;
-  const BenchClaim most = BenchClaim::AtMost("few", 2.0, rows, CountOf("a", "steps"));
-  check.Equal(most.Cases.size(), 1, "a row of another method or without the count");
-  check.That(most.IsMet() && most.Cases[0].Case == "disk", "the only one of its case");
-  check.That(
-    !BenchClaim::AtLeast("many", 2.5, rows, CountOf("a", "steps")).IsMet(), "below the bound");
+  const BenchClaim claim = BenchClaim::AtMost("few", 2.0, rows, CountOf("a", "steps"));
+  check.Equal(claim.Cases.size(), 1, "rows of other methods or without the count are skipped");
+  check.That(claim.IsMet() && claim.Cases[0].Case == "disk", "the row of disk meets the claim");
+  check.That(!BenchClaim::AtLeast("many", 2.5, rows, CountOf("a", "steps")).IsMet(),
+    "a count below the lower bound fails the claim");
 
   rows[0].Error = std::nan("");
   rows[0].Counts["steps"] = std::nan("");
   const BenchRow read = BenchRow::FromJson(nlohmann::ordered_json::parse(rows[0].ToJson().dump()));
-  check.That(read.Error && std::isnan(*read.Error), "an error that is no number");
+  check.That(read.Error && std::isnan(*read.Error), "a NaN error survives writing and reading");
   const BenchClaim missed = BenchClaim::AtMost("few", 2.0, { read }, CountOf("a", "steps"));
-  check.That(missed.Cases.size() == 1 && !missed.IsMet(), "a count that is none misses its bound");
+  check.That(missed.Cases.size() == 1 && !missed.IsMet(), "a NaN count fails the claim");
   return check.Result();
 }

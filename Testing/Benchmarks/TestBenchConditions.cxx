@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Conditions of runs that are put together: each keeps its command, date and load.
+// Tests that joined runs keep their commands, dates and loads.
 #include "Benchmarks/Results/BenchMachine.h"
 #include "Support/Checks/ReferenceCheck.h"
 
@@ -24,28 +24,28 @@ int main()
   const auto second = MakeRun("costs b", "2026-03-02", 1.5);
   auto third = MakeRun("costs c", "2026-03-05", 0.0);
   third.erase("load");
-  check.That(JoinConditions({ first }) == first, "one run stays as it is");
+  check.That(JoinConditions({ first }) == first, "a single run is unchanged");
 
   const auto joined = JoinConditions({ first, second });
-  check.That(joined["command"] == "costs a; costs b", "the commands of all");
-  check.That(joined["date"] == "2026-03-02 to 2026-03-04", "the first and the last date");
-  check.That(!joined.contains("load"), "no load of one for all");
-  check.That(joined["size"] == "full" && joined["threads"] == 2, "what is the same");
+  check.That(joined["command"] == "costs a; costs b", "all commands are listed");
+  check.That(joined["date"] == "2026-03-02 to 2026-03-04", "the date is a range");
+  check.That(!joined.contains("load"), "loads are not merged");
+  check.That(joined["size"] == "full" && joined["threads"] == 2, "equal settings remain");
   check.That(joined["parts"] ==
       nlohmann::ordered_json::array(
         { MakePart("costs a", "2026-03-04", 0.5), MakePart("costs b", "2026-03-02", 1.5) }),
-    "each with its date and load: " + joined.dump());
+    "each part has its date and load: " + joined.dump());
   check.That(ConditionsInOneLine(joined) ==
       "full size, up to 2 threads, 2026-03-02 to 2026-03-04, loads before 0.5 on 2026-03-04, 1.5 "
       "on "
       "2026-03-02",
-    "in one line: " + ConditionsInOneLine(joined));
+    "text in one line: " + ConditionsInOneLine(joined));
 
   const auto again = JoinConditions({ joined, third });
-  check.Equal(again["parts"].size(), 3, "parts of parts are parts");
-  check.That(again["command"] == "costs a; costs b; costs c", "with their commands");
-  check.That(again["date"] == "2026-03-02 to 2026-03-05", "and dates");
-  check.That(!again["parts"][2].contains("load"), "a load that is not known is none");
-  check.That(JoinConditions({ first, first })["date"] == "2026-03-04", "one date");
+  check.Equal(again["parts"].size(), 3, "nested parts are flattened");
+  check.That(again["command"] == "costs a; costs b; costs c", "their commands are listed");
+  check.That(again["date"] == "2026-03-02 to 2026-03-05", "the date range is extended");
+  check.That(!again["parts"][2].contains("load"), "an unknown load is omitted");
+  check.That(JoinConditions({ first, first })["date"] == "2026-03-04", "equal dates are merged");
   return check.Result();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Exponents and claims on rows that are made up.
+// Tests growth exponents and their claims on synthetic rows.
 #include "Benchmarks/Growth/Growth.h"
 
 #include <algorithm>
@@ -12,35 +12,35 @@
 
 namespace
 {
-bool Right = true;
+bool Success = true;
 
 void Expect(bool condition, const std::string& what)
 {
   if (!condition)
   {
     std::cerr << "ERROR: " << what << std::endl;
-    Right = false;
+    Success = false;
   }
 }
 
 void ExpectNear(double measured, double exact, const std::string& what)
 {
-  // Written so that NaN fails.
+  // The condition fails for NaN.
   Expect(std::abs(measured - exact) <= 1e-9 * std::max(1.0, std::abs(exact)),
     what + ": " + std::to_string(measured) + ", expected " + std::to_string(exact));
 }
 
-/// A quantity of theory 1 in time, 0 in memory.
+/// Returns a quantity with expected exponents 1 for time and 0 for memory.
 growth::Quantity MakeQuantity(const std::string& name)
 {
   growth::Quantity made;
   made.Name = name;
   made.Time = { 1.0, 1.0, "one after the other" };
-  made.Memory = { 0.0, 0.0, "nothing is kept" };
+  made.Memory = { 0.0, 0.0, "no data are stored" };
   return made;
 }
 
-/// Rows of 1, 2, 4 and 8 things, of 2 n^time processor seconds, 3 / n seconds and about 10,000
+/// Adds rows for n = 1, 2, 4 and 8, with 2 n^time processor seconds, 3 / n seconds and about 10,000
 /// n^memory KiB.
 void AddSizes(
   const growth::Quantity& quantity, double timePower, double memoryPower, BenchRows& rows)
@@ -57,11 +57,11 @@ void AddSizes(
 const BenchRow& Find(
   const std::string& theCase, const std::string& method, const std::vector<BenchRow>& rows)
 {
-  static const BenchRow none;
+  static const BenchRow unmeasured;
   const auto found = std::find_if(rows.begin(), rows.end(),
     [&](const BenchRow& row) { return row.Case == theCase && row.Method == method; });
   Expect(found != rows.end(), "no row " + theCase + " " + method);
-  return found == rows.end() ? none : *found;
+  return found == rows.end() ? unmeasured : *found;
 }
 
 double GetExponent(
@@ -81,10 +81,10 @@ void TestClaims()
   ExpectNear(GetExponent("right", growth::MemoryExponent, rows.Get()), 0.0, "constant memory");
   for (const BenchClaim& claim : growth::CheckExponents(rows.Get()))
   {
-    Expect(claim.IsMet(), "not met: " + claim.Text);
+    Expect(claim.IsMet(), "the claim must be met: " + claim.Text);
   }
 
-  // Beyond the margin on either side of theory.
+  // These exponents are outside the margin around the expected exponent, above and below it.
   const growth::Quantity slow = MakeQuantity("slow");
   AddSizes(slow, 1.2, 0.2, rows);
   growth::AddExponentRows(slow, rows);
@@ -96,15 +96,16 @@ void TestClaims()
   {
     Expect(claims[i].Cases.size() == 3 && claims[i].Cases[0].Met && !claims[i].Cases[1].Met &&
         !claims[i].Cases[2].Met,
-      "not one of three is met: " + claims[i].ToJson().dump());
+      "one of three cases meets the claim: " + claims[i].ToJson().dump());
   }
 
-  // From 2/3 to 1 is as theory says, and what is between as well.
+  // Exponents within the expected range from 2/3 to 1 meet the claim.
   growth::Quantity between = MakeQuantity("between");
-  between.Time.Least = 2.0 / 3.0;
+  between.Time.Minimum = 2.0 / 3.0;
   AddSizes(between, 0.8, 0.0, rows);
   growth::AddExponentRows(between, rows);
-  Expect(growth::CheckExponents(rows.Get())[0].Cases.back().Met, "0.8 is not from 2/3 to 1");
+  Expect(growth::CheckExponents(rows.Get())[0].Cases.back().Met,
+    "0.8 is accepted for a range from 2/3 to 1");
 }
 
 void TestOneSize()
@@ -115,33 +116,35 @@ void TestOneSize()
   BenchRows first("growth");
   first.Add(rows.Get().front());
   growth::AddExponentRows(one, first);
-  Expect(growth::CheckExponents(first.Get())[0].Cases.empty(), "one point makes no exponent");
+  Expect(growth::CheckExponents(first.Get())[0].Cases.empty(), "a single point has no exponent");
 }
 
-/// Memory of some pages is none, and memory that was not measured has no exponent.
+/// Tests that a few pages of memory count as constant, and that memory without measurements has no
+/// exponent.
 void TestMemory()
 {
   const growth::Quantity quantity = MakeQuantity("pages");
   BenchRows pages("growth");
-  BenchRows none("growth");
+  BenchRows unmeasured("growth");
   for (const int n : { 1, 2, 4 })
   {
     nlohmann::ordered_json found = { { "n", n }, { "input_kib", 1.0 }, { "seconds", 9.0 },
       { "processor_seconds", 1.0 * n } };
-    none.Add(growth::MakeSizeRow(none, quantity, found, BenchOptions()));
+    unmeasured.Add(growth::MakeSizeRow(unmeasured, quantity, found, BenchOptions()));
     found["kib"] = 10 * n;
     pages.Add(growth::MakeSizeRow(pages, quantity, found, BenchOptions()));
   }
   growth::AddExponentRows(quantity, pages);
-  growth::AddExponentRows(quantity, none);
+  growth::AddExponentRows(quantity, unmeasured);
   ExpectNear(GetExponent("pages", growth::TimeExponent, pages.Get()), 1.0, "time");
   ExpectNear(GetExponent("pages", growth::MemoryExponent, pages.Get()), 0.0, "memory of pages");
-  Expect(std::none_of(none.Get().begin(), none.Get().end(),
+  Expect(std::none_of(unmeasured.Get().begin(), unmeasured.Get().end(),
            [](const BenchRow& row) { return row.Method == growth::MemoryExponent; }),
-    "an exponent of memory that was not measured");
+    "no exponent without memory measurements");
 }
 
-/// Each with a name of its own, four to six sizes, and a reason.
+/// Tests that each quantity has a unique name, four to six sizes, and reasons for its expected
+/// exponents.
 void TestQuantities()
 {
   std::set<std::string> names;
@@ -149,13 +152,14 @@ void TestQuantities()
   options.Threads = 8;
   for (const growth::Quantity& quantity : growth::MakeQuantities(options))
   {
-    Expect(names.insert(quantity.Name).second, "two quantities are " + quantity.Name);
-    Expect(quantity.Sizes.size() >= 4 && quantity.Sizes.size() <= 6, "sizes of " + quantity.Name);
+    Expect(names.insert(quantity.Name).second, "unique name " + quantity.Name);
+    Expect(quantity.Sizes.size() >= 4 && quantity.Sizes.size() <= 6,
+      "four to six sizes of " + quantity.Name);
     Expect(quantity.Make && !quantity.Time.Reason.empty() && !quantity.Memory.Reason.empty() &&
-        quantity.Time.Least <= quantity.Time.Most,
-      "theory of " + quantity.Name);
+        quantity.Time.Minimum <= quantity.Time.Maximum,
+      "expected exponents of " + quantity.Name);
   }
-  Expect(names.size() == 6, "not all quantities are there");
+  Expect(names.size() == 6, "there are six quantities");
 }
 }
 
@@ -165,5 +169,5 @@ int main()
   TestClaims();
   TestOneSize();
   TestMemory();
-  return Right ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Success ? EXIT_SUCCESS : EXIT_FAILURE;
 }

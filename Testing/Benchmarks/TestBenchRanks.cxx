@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What runs of several numbers of processes are put together to, on rows that are made up.
+// Tests joined results of runs with several numbers of processes, on synthetic rows.
 #include "Benchmarks/Ranks/RankRows.h"
 #include "Support/Checks/ReferenceCheck.h"
 
@@ -8,7 +8,7 @@
 
 namespace
 {
-/// Processes that take the seconds given.
+/// Returns a run whose processes take the given times and memory.
 BenchResults MakeRun(const std::vector<double>& seconds, const std::vector<double>& kib)
 {
   const int number = static_cast<int>(seconds.size());
@@ -46,15 +46,15 @@ int main()
   constexpr double tolerance = 1e-12;
   check.Near(Get(joined, "weak scaling", 1, "efficiency"), 1.0, tolerance, "efficiency of one");
   check.Near(Get(joined, "weak scaling", 2, "efficiency"), 0.5, tolerance, "efficiency of two");
-  check.Near(Get(joined, "weak scaling", 2, "most_processor_seconds"), 8.0, tolerance, "slowest");
+  check.Near(Get(joined, "weak scaling", 2, "most_processor_seconds"), 8.0, tolerance,
+    "time of the slowest process");
   check.Near(Get(joined, "weak scaling", 2, "work"), 40.0, tolerance, "work");
-  check.Near(
-    Get(joined, "memory", 2, "share"), 0.75, tolerance, "share of the one that takes most");
-  check.That(joined.Conditions.at("parts").size() == 2, "conditions of both");
+  check.Near(Get(joined, "memory", 2, "share"), 0.75, tolerance, "fraction of the largest process");
+  check.That(joined.Conditions.at("parts").size() == 2, "conditions of both runs");
   check.Near(joined.Suites.at(ranks::Suite).at("took").get<double>(), 10.0, tolerance, "took");
 
   const BenchResults unknown = ranks::Join({ MakeRun({ 3.0 }, {}) });
-  check.Near(Get(unknown, "memory", 1, "kib"), -1.0, 0.0, "memory that nobody can tell");
-  check.Near(Get(unknown, "memory", 1, "share"), -1.0, 0.0, "nor its share");
+  check.Near(Get(unknown, "memory", 1, "kib"), -1.0, 0.0, "unknown memory is omitted");
+  check.Near(Get(unknown, "memory", 1, "share"), -1.0, 0.0, "its fraction is omitted");
   return check.Result();
 }

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the error rows are measured with: the exact trilinear region, the splits into tetrahedra,
-// the picture of a field, regions that move, time steps in memory.
+// Tests the references for error measurements: the exact trilinear region, splits into tetrahedra,
+// the image of a field, moving regions, and time steps in memory.
 #include "Benchmarks/Data/AnalyticCases.h"
 #include "Benchmarks/Data/CellSplits.h"
-#include "Benchmarks/Data/KeptTimeSteps.h"
+#include "Benchmarks/Data/StoredTimeSteps.h"
 #include "Benchmarks/Data/MovingFields.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
 #include "Benchmarks/Intervals/TrilinearRegion.h"
 #include "Benchmarks/Measures/PowerFit.h"
 #include "Benchmarks/Measures/TetrahedronSums.h"
 #include "Benchmarks/SpaceTime/RegionError.h"
-#include "Benchmarks/Tetrahedra/FieldPicture.h"
+#include "Benchmarks/Tetrahedra/FieldImage.h"
 #include "Benchmarks/Tetrahedra/TetrahedraScene.h"
-#include "Support/Pictures/ReferenceVolumePicture.h"
+#include "Support/Images/ReferenceVolumeImage.h"
 
 #include "vtkIntervalVolume.h"
 
@@ -30,15 +30,15 @@
 
 namespace
 {
-bool Right = true;
+bool Success = true;
 
 void ExpectNear(double measured, double exact, double tolerance, const std::string& what)
 {
-  // Written so that NaN fails.
+  // The condition fails for NaN.
   if (!(std::abs(measured - exact) <= tolerance))
   {
     std::cerr << "ERROR: " << what << ": " << measured << ", expected " << exact << std::endl;
-    Right = false;
+    Success = false;
   }
 }
 
@@ -47,10 +47,11 @@ void TestPlane()
   const AnalyticCase plane = { "plane", "", [](double x, double y, double z) { return x + y + z; },
     0.0, 1.0, 0.0, 0.0, {} };
   const TrilinearRegion region(plane.Sample(4));
-  // A corner of the unit cube cut off at distance c along each axis holds c^3 / 6.
+  // A plane that cuts the axes at distance c removes a corner of volume c^3 / 6 from the unit cube.
   ExpectNear(region.GetVolume(-1.0, 0.5), 0.125 / 6.0, 1e-5, "volume below a plane");
-  ExpectNear(region.GetVolume(-1.0, 0.5, 9), 0.125 / 6.0, 1e-8, "the same, finer");
-  ExpectNear(region.GetVolume(-1.0, 4.0), 1.0, 1e-14, "volume of everything");
+  ExpectNear(region.GetVolume(-1.0, 0.5, 9), 0.125 / 6.0, 1e-8,
+    "volume below a plane with finer subdivision");
+  ExpectNear(region.GetVolume(-1.0, 4.0), 1.0, 1e-14, "volume of the cube");
   const double point[3] = { 0.2, 0.1, 0.4 };
   ExpectNear(region.GetDistance(point, 1.0), 0.3 / std::sqrt(3.0), 1e-14, "distance to a plane");
 }
@@ -63,11 +64,11 @@ void TestProduct()
     {
       const TrilinearRegion region(analytic.Sample(9));
       ExpectNear(region.GetVolume(analytic.Lower, analytic.Upper), *analytic.Volume, 1e-6,
-        "the trilinear field's closed form");
+        "volume of the product field in closed form");
       return;
     }
   }
-  ExpectNear(0.0, 1.0, 0.0, "no case product");
+  ExpectNear(0.0, 1.0, 0.0, "there is a case named product");
 }
 
 void TestSampling()
@@ -90,24 +91,23 @@ void TestSplit(int pieces)
   auto image = MakeAnalyticCases().front().Sample(cells + 1);
   auto grid = SplitIntoTetrahedra(image, pieces);
   const TetrahedronSums sums = SumTetrahedra(grid);
-  ExpectNear(sums.Tetrahedra, pieces * cells * cells * cells, 0.0, name + ", number");
-  ExpectNear(sums.Inverted, 0.0, 0.0, name + ", inverted");
+  ExpectNear(sums.Tetrahedra, pieces * cells * cells * cells, 0.0, name + ", number of tetrahedra");
+  ExpectNear(sums.Inverted, 0.0, 0.0, name + ", inverted tetrahedra");
   ExpectNear(sums.Volume, 8.0, 1e-13, name + ", volume");
-  // Pieces that match leave only the faces of the box: 2 triangles a square.
+  // If the tetrahedra match, the surface is the box with 2 triangles per square.
   vtkNew<vtkDataSetSurfaceFilter> surface;
   surface->SetInputData(grid);
   surface->Update();
   ExpectNear(
-    surface->GetOutput()->GetNumberOfCells(), 12 * cells * cells, 0.0, name + ", outer faces");
+    surface->GetOutput()->GetNumberOfCells(), 12 * cells * cells, 0.0, name + ", boundary faces");
 }
 
-/// The picture of a field on ever finer meshes tends to the picture without a mesh, with the square
-/// of the edge.
-void TestFieldPicture()
+/// Tests that images of a field on refined meshes converge to the exact image with second order.
+void TestFieldImage()
 {
   auto property = tetrahedra::MakeProperty();
   auto camera = tetrahedra::MakeCamera();
-  reference::PictureSettings settings;
+  reference::CameraSettings settings;
   settings.Size = { { 24, 24 } };
   const auto exact = IntegrateField(tetrahedra::GetField, tetrahedra::GetLow(),
     tetrahedra::GetHigh(), property, camera, settings.Size, 2000);
@@ -115,41 +115,44 @@ void TestFieldPicture()
   for (int level = 0; level < 2; ++level)
   {
     auto grid = tetrahedra::MakeGrid(level == 0 ? 12 : 24);
-    errors[level] = reference::ComparePictures(
-      reference::MakeReferencePicture(grid, property, camera, settings), exact)
+    errors[level] = reference::CompareImages(
+      reference::MakeReferenceImage(grid, property, camera, settings), exact)
                       .Mean;
   }
-  ExpectNear(errors[1], 0.0, 4e-3, "error of the picture of a mesh");
-  ExpectNear(errors[0] / errors[1], 4.0, 1.0, "error of a mesh half as fine");
+  ExpectNear(errors[1], 0.0, 4e-3, "error of the fine mesh");
+  ExpectNear(errors[0] / errors[1], 4.0, 1.0, "error ratio of a mesh twice as coarse");
 }
 
-double GetHandedOutTime(KeptTimeSteps* steps, double wanted)
+double GetOutputTime(StoredTimeSteps* steps, double requested)
 {
-  steps->UpdateTimeStep(wanted);
+  steps->UpdateTimeStep(requested);
   return steps->GetOutputDataObject(0)->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP());
 }
 
-void TestKeptSteps()
+void TestStoredSteps()
 {
   vtkNew<vtkAnalyticFieldSource> source;
   source->SetFieldToLinear();
   source->SetDimensions(3, 4, 5);
   source->SetNumberOfTimeSteps(3);
   source->SetTimeRange(1.0, 2.0);
-  vtkNew<KeptTimeSteps> steps;
+  vtkNew<StoredTimeSteps> steps;
   steps->AddStepsOf(source);
   ExpectNear(steps->GetNumberOfSteps(), 3, 0.0, "number of steps in memory");
   for (int step = 0; step < 3; ++step)
   {
     ExpectNear(steps->GetTimeOf(step), 1.0 + 0.5 * step, 1e-15, "time of a step");
-    ExpectNear(GetHandedOutTime(steps, 1.0 + 0.5 * step), 1.0 + 0.5 * step, 1e-15, "the step");
+    ExpectNear(
+      GetOutputTime(steps, 1.0 + 0.5 * step), 1.0 + 0.5 * step, 1e-15, "output time of a step");
     // f = x + t, and x = -1 at the first point.
     auto* image = vtkImageData::SafeDownCast(steps->GetOutputDataObject(0));
-    ExpectNear(image->GetScalarComponentAsDouble(0, 0, 0, 0), 0.5 * step, 1e-6, "its values");
-    ExpectNear(static_cast<double>(image->GetNumberOfPoints()), 60, 0.0, "its points");
+    ExpectNear(
+      image->GetScalarComponentAsDouble(0, 0, 0, 0), 0.5 * step, 1e-6, "first value of a step");
+    ExpectNear(
+      static_cast<double>(image->GetNumberOfPoints()), 60, 0.0, "number of points of a step");
   }
-  ExpectNear(GetHandedOutTime(steps, 1.7), 1.5, 1e-15, "the step before a time");
-  ExpectNear(GetHandedOutTime(steps, 0.0), 1.0, 1e-15, "the step of a time before all");
+  ExpectNear(GetOutputTime(steps, 1.7), 1.5, 1e-15, "the previous step is used between steps");
+  ExpectNear(GetOutputTime(steps, 0.0), 1.0, 1e-15, "the first step is used for earlier times");
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> MakeRegion(const interval4d::MovingField& field, double time)
@@ -172,7 +175,7 @@ void TestMovingFields()
       ExpectNear(error.Volume, 0.0, 3e-3, field.Name + ", volume");
       ExpectNear(error.SymmetricDifference, 0.0, 2e-2, field.Name + ", symmetric difference");
     }
-    // The linear field's planes go 0.05 along z in a unit of time, through a box of 2 x 2.
+    // The planes of the linear field move by 0.05 along z per unit of time, through a box of 2 x 2.
     if (field.Name == "linear")
     {
       const auto error = interval4d::MeasureRegion(field, 1.4, MakeRegion(field, 1.0));
@@ -192,10 +195,10 @@ void TestPowerFit()
 
 int main()
 {
-  TestKeptSteps();
+  TestStoredSteps();
   TestMovingFields();
   TestPowerFit();
-  TestFieldPicture();
+  TestFieldImage();
   TestPlane();
   TestProduct();
   TestSampling();
@@ -203,5 +206,5 @@ int main()
   {
     TestSplit(pieces);
   }
-  return Right ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Success ? EXIT_SUCCESS : EXIT_FAILURE;
 }

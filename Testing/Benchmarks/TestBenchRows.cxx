@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads what interlume-bench wrote: every field as documented, every kind of row there.
+// Checks the file that interlume-bench wrote: all fields as documented, and a row of every kind.
 #include <nlohmann/json.hpp>
 
 #include <cmath>
@@ -12,14 +12,14 @@
 
 namespace
 {
-bool Right = true;
+bool Success = true;
 
 void Expect(bool condition, const std::string& what)
 {
   if (!condition)
   {
     std::cerr << "ERROR: " << what << std::endl;
-    Right = false;
+    Success = false;
   }
 }
 
@@ -42,10 +42,12 @@ void CheckRow(const nlohmann::json& row)
     Expect(row.contains(field) && row[field].is_string() && !row[field].get<std::string>().empty(),
       std::string("no ") + field + " in " + text);
   }
-  Expect(row.contains("error") == row.contains("error_norm"), "half an error in " + text);
+  Expect(row.contains("error") == row.contains("error_norm"),
+    "error without error_norm, or the reverse, in " + text);
   if (row.contains("error"))
   {
-    Expect(row["error"].is_number() && row["error"] >= 0.0, "no number as error in " + text);
+    Expect(row["error"].is_number() && row["error"] >= 0.0,
+      "error is negative or not a number in " + text);
     Expect(row["error_norm"].is_string(), "no error_norm in " + text);
   }
   if (row.contains("seconds"))
@@ -66,14 +68,14 @@ void CheckRow(const nlohmann::json& row)
     for (const auto& count : row["counts"].items())
     {
       Expect(count.value().is_number() || (count.key() == "device" && count.value().is_string()),
-        "count " + count.key() + " is no number in " + text);
+        "count " + count.key() + " is not a number in " + text);
     }
   }
 }
 
 void CheckMethods(const nlohmann::json& rows)
 {
-  const std::map<std::string, std::set<std::string>> wanted = {
+  const std::map<std::string, std::set<std::string>> expected = {
     { "interval",
       { "interval-volume clip2", "interval-volume clip2-tetrahedra", "threads-2 threads-1",
         "drag new-memory", "drag-tied new-memory", "memory", "inverted", "hexahedra clip2",
@@ -83,12 +85,12 @@ void CheckMethods(const nlohmann::json& rows)
         "isotable-image flyingedges" } },
     { "tetrahedra",
       { "opengl projectedtetrahedra", "software projectedtetrahedra", "projectedtetrahedra",
-        "opengl, average colour projectedtetrahedra",
-        "software, average colour projectedtetrahedra" } },
+        "opengl, average color projectedtetrahedra",
+        "software, average color projectedtetrahedra" } },
     { "interval4d",
       { "warm", "threads-2 threads-1", "cold warm", "later-slabs", "memory", "throughput",
         "slice interpolate", "interpolate", "sampled", "slice", "slice-again interpolate" } },
-    // Rows against gpu-shadows need VTK 9.2.
+    // Rows for the baseline gpu-shadows need VTK 9.2.
     { "shadows",
       { "shadows shadows-off", "shadows-off gpu", "unlit no-lights", "spacing", "buffer" } },
     { "soft-shadows",
@@ -119,10 +121,10 @@ void CheckMethods(const nlohmann::json& rows)
   std::map<std::string, std::set<std::string>> seen;
   for (const auto& row : rows)
   {
-    const std::string peer = row.contains("peer") ? " " + row["peer"].get<std::string>() : "";
-    seen[row.at("suite")].insert(row.at("method").get<std::string>() + peer);
+    const std::string baseline = row.contains("peer") ? " " + row["peer"].get<std::string>() : "";
+    seen[row.at("suite")].insert(row.at("method").get<std::string>() + baseline);
   }
-  for (const auto& suite : wanted)
+  for (const auto& suite : expected)
   {
     for (const std::string& method : suite.second)
     {
@@ -131,15 +133,15 @@ void CheckMethods(const nlohmann::json& rows)
   }
 }
 
-/// Every question: methods to compare, errors, and one default.
+/// Checks that every question has several methods to compare, errors, and one default.
 void CheckQuestions(const nlohmann::json& rows)
 {
-  std::set<std::string> wanted = { "contour-error", "critical-points", "vortex-axis",
+  std::set<std::string> expected = { "contour-error", "critical-points", "vortex-axis",
     "stream-surface-resolution", "lic-step", "flow-texture-voxels" };
 #ifdef INTERLUME_ENABLE_TETGEN
-  wanted.insert("mesher-bounds");
+  expected.insert("mesher-bounds");
 #endif
-  std::map<std::string, int> ways;
+  std::map<std::string, int> methods;
   std::map<std::string, int> defaults;
   for (const auto& row : rows)
   {
@@ -149,16 +151,16 @@ void CheckQuestions(const nlohmann::json& rows)
       continue;
     }
     Expect(row.contains("error") && row.contains("seconds"), "no error or time in " + row.dump());
-    Expect(row.at("error") < 10.0, "all of it wrong: " + row.dump());
-    ++ways[name];
+    Expect(row.at("error") < 10.0, "error of 10 or more in " + row.dump());
+    ++methods[name];
     defaults[name] += row.contains("counts") && row["counts"].contains("default") ? 1 : 0;
   }
-  for (const std::string& name : wanted)
+  for (const std::string& name : expected)
   {
-    Expect(ways[name] > 1, "nothing to compare in " + name);
+    Expect(methods[name] > 1, "fewer than two methods in " + name);
     Expect(defaults[name] == 1, std::to_string(defaults[name]) + " defaults of " + name);
   }
-  Expect(ways.size() == wanted.size(), "a question that no name is wanted of");
+  Expect(methods.size() == expected.size(), "unexpected question among the rows");
 }
 }
 
@@ -179,15 +181,15 @@ int main(int argc, char* argv[])
   const auto& conditions = results.at("conditions");
   Expect(conditions.at("size") == "tiny" && conditions.at("threads") > 0 &&
       conditions.at("date").get<std::string>().size() == 10,
-    "not these conditions: " + conditions.dump());
+    "unexpected conditions: " + conditions.dump());
   Expect(!results.at("rows").empty(), "no rows");
   for (const auto& row : results.at("rows"))
   {
     CheckRow(row);
     const std::string suite = row.value("suite", "");
-    Expect(results.at("suites").contains(suite), "nothing said of the suite " + suite);
+    Expect(results.at("suites").contains(suite), "no entry in suites for " + suite);
   }
   CheckMethods(results.at("rows"));
   CheckQuestions(results.at("rows"));
-  return Right ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Success ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is timed with one thread has one, and with two two, whatever came before.
+// Tests that timed work uses the requested number of threads, regardless of earlier settings.
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceThreads.h"
@@ -20,11 +20,12 @@ int main()
     for (const int threads : { 1, 1, 2, 2, 1, 2, 1 })
     {
       check.SetContext(backend + std::string(", ") + ThreadsParameter(threads));
-      const bool isAlone = threads == 1 || std::thread::hardware_concurrency() == 1;
+      const bool isSingle = threads == 1 || std::thread::hardware_concurrency() == 1;
       TimeOnce(WithThreads(threads,
         [&]()
         {
-          check.That(reference::HasThreads(isAlone) != isAlone, "that many threads");
+          check.That(
+            reference::HasThreads(isSingle) != isSingle, "the requested number of threads is used");
           return vtkSmartPointer<vtkObjectBase>();
         }));
     }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""TestMeasurementTables.py GENERATOR: what make_measurements.py makes of made-up measurements and templates."""
+"""TestMeasurementTables.py GENERATOR: checks pages that make_measurements.py generates from synthetic
+measurements and templates."""
 
 import json
 import sys
@@ -24,8 +25,8 @@ def interval_row(case, peer, own_seconds, peer_seconds, runs=5):
             "ratio": peer_seconds / own_seconds, "counts": {"cells": 8, "tetrahedra": 1234}}
 
 
-class Folder:
-    """A README.md and Documentation/ of one sentence and one table each."""
+class Project:
+    """A temporary project with a README.md and a page template of one table each."""
 
     def __init__(self, page="{{table interval}}\n", readme="{{readme}}\n"):
         self.temporary = tempfile.TemporaryDirectory()
@@ -66,12 +67,12 @@ MISSED = "{{missed interval: is faster}} The limit."
 
 class TestPages(unittest.TestCase):
     def test_numbers(self):
-        folder = Folder()
+        folder = Project()
         folder.add(FAST + SLOW)
         self.assertIn("| wavelet-97 | 1,234 | 5 | 100 | – |", folder.page())
 
     def test_the_first_vtk_with_rows_has_the_table(self):
-        folder = Folder()
+        folder = Project()
         folder.add([dict(row, method="other") for row in SLOW])
         folder.add(FAST, version="9.6.2")
         self.assertIn("| wavelet-97 |", folder.page())
@@ -79,7 +80,7 @@ class TestPages(unittest.TestCase):
         self.assertNotIn("| wavelet-97 |", folder.page())
 
     def test_conditions(self):
-        folder = Folder(page="{{machines}}\n\n{{runs}}\n")
+        folder = Project(page="{{machines}}\n\n{{runs}}\n")
         folder.add(FAST)
         page = folder.page()
         self.assertIn("one, 2 cores, 3.5 GiB, TBB, gcc 12 Release (VTK 9.1)", page)
@@ -88,18 +89,18 @@ class TestPages(unittest.TestCase):
         self.assertIn("| `interval --quick --threads 3` |", folder.page())
 
     def test_one_run_is_no_median(self):
-        folder = Folder()
+        folder = Project()
         folder.add([interval_row("wavelet-97", "clip2", 1.0, 5.0, runs=1)])
         self.assertIn("| 5* |", folder.page())
 
     def test_the_parts_of_a_run_have_loads(self):
-        folder = Folder(page="{{runs}}\n")
+        folder = Project(page="{{runs}}\n")
         folder.add(FAST, command="a; b", parts=[{"command": "a", "date": "2026-01-02", "load": 0.5},
                                                 {"command": "b", "date": "2026-01-04", "load": 1.5}])
         self.assertIn("| `a …` | [2026-01-02](measurements/vtk-9.1/interval.json), 0.5 to 1.5 |", folder.page())
 
     def test_losses_first_and_a_column_for_each_vtk(self):
-        folder = Folder()
+        folder = Project()
         folder.add(FAST + SLOW)
         folder.add(FAST, version="9.6.2")
         readme = folder.readme()
@@ -110,7 +111,7 @@ class TestPages(unittest.TestCase):
         self.assertTrue(readme.startswith("A\n") and readme.endswith("\nB\n"))
 
     def test_targets(self):
-        folder = Folder(page=f"{{{{targets interval}}}}\n\n- {MISSED}\n")
+        folder = Project(page=f"{{{{targets interval}}}}\n\n- {MISSED}\n")
         folder.add(FAST, claims=CLAIMS)
         page = folder.page()
         self.assertIn("Targets met: 1/2.", page)
@@ -119,29 +120,29 @@ class TestPages(unittest.TestCase):
         self.assertIn("- *is faster*: not missed. The limit.", folder.page())
 
     def test_missed_targets_need_their_limits(self):
-        folder = Folder(page="{{targets interval}}\n")
+        folder = Project(page="{{targets interval}}\n")
         folder.add(FAST, claims=CLAIMS)
-        with self.assertRaisesRegex(ValueError, "no {{missed interval: is faster}} says what limits it"):
+        with self.assertRaisesRegex(ValueError, "The page lacks {{missed interval: is faster}} and the reason"):
             folder.run()
 
     def test_targets_are_of_the_first_vtk_with_cases(self):
-        folder = Folder(page="{{targets interval}}\n")
+        folder = Project(page="{{targets interval}}\n")
         folder.add(FAST, claims=[dict(CLAIMS[1], cases=[])])
         folder.add(FAST, version="9.6.2", claims=[dict(CLAIMS[0], text="is faster")])
         self.assertIn("Targets met: 1/1.", folder.page())
 
     def test_values(self):
-        folder = Folder(page="It is {{value interval.memory}}.\n")
-        folder.add([{"suite": "interval", "case": case, "method": "memory", "counts": {"peak_share": share}}
-                    for case, share in (("a", 1.25), ("b", 1.0), ("c", 1.5))])
+        folder = Project(page="It is {{value interval.memory}}.\n")
+        folder.add([{"suite": "interval", "case": case, "method": "memory", "counts": {"peak_share": fraction}}
+                    for case, fraction in (("a", 1.25), ("b", 1.0), ("c", 1.5))])
         self.assertIn("It is 1 to 1.5.", folder.page())
 
     def test_long_pages_are_refused(self):
         with self.assertRaisesRegex(ValueError, "3001 words"):
-            Folder(page="word " * 3001).run()
+            Project(page="word " * 3001).run()
 
     def test_null_is_no_number(self):
-        folder = Folder(page=f"{{{{table interval}}}}\n\n{MISSED}\n")
+        folder = Project(page=f"{{{{table interval}}}}\n\n{MISSED}\n")
         row = interval_row("wavelet-97", "clip2", 1.0, 5.0)
         row["counts"]["tetrahedra"] = None
         claim = {"text": "is faster", "met": False, "cases": [{"case": "wavelet-97", "number": None, "met": False}]}
@@ -151,7 +152,7 @@ class TestPages(unittest.TestCase):
         self.assertIn("wavelet-97 no number.", page)
 
     def test_a_changed_page_is_found(self):
-        folder = Folder()
+        folder = Project()
         folder.add(FAST)
         folder.run()
         self.assertEqual(folder.run("--check"), 0)
@@ -160,14 +161,14 @@ class TestPages(unittest.TestCase):
         self.assertEqual(folder.run("--check"), 1)
 
     def test_a_changed_measurement_is_found(self):
-        folder = Folder()
+        folder = Project()
         folder.add(FAST)
         folder.run()
         folder.add([dict(row, ratio=row["ratio"] + 1) for row in FAST])
         self.assertEqual(folder.run("--check"), 1)
 
     def test_numbers_typed_into_the_readme_are_refused(self):
-        folder = Folder()
+        folder = Project()
         folder.add(FAST)
         path = folder.root / "README.md"
         path.write_text(path.read_text(encoding="utf-8") + "It is 4.8 times faster.\n", encoding="utf-8")
@@ -177,30 +178,30 @@ class TestPages(unittest.TestCase):
     def test_numbers_typed_by_hand_are_refused(self):
         for words in ("It is 4.8 times faster.", "It takes 12 ms.", "That is 5 % more.", "It is off by 1e-6."):
             with self.assertRaisesRegex(ValueError, "typed by hand"):
-                Folder(page=words + "\n").run()
+                Project(page=words + "\n").run()
         for words in ("512² pixels, VTK 9.1, two threads.", "`0.5`", "{{\"0.5\"}} of a cell"):
-            Folder(page=words + "\n").run()
+            Project(page=words + "\n").run()
 
     def test_unknown_names_are_refused(self):
         for field in ("{{table nothing}}", "{{value nothing}}", "{{nothing}}"):
             with self.assertRaises(ValueError):
-                Folder(page=field + "\n").run()
+                Project(page=field + "\n").run()
 
     def test_ambiguous_rows_are_refused(self):
-        folder = Folder()
+        folder = Project()
         folder.add(FAST + FAST)
         with self.assertRaisesRegex(ValueError, "2 rows"):
             folder.run()
 
     def test_the_folder_has_the_version(self):
-        folder = Folder()
+        folder = Project()
         folder.add(FAST)
         (folder.data / "vtk-9.1").rename(folder.data / "vtk-9.3")
         with self.assertRaisesRegex(ValueError, "is of VTK 9.1"):
             folder.run()
 
     def test_a_report_is_split(self):
-        folder = Folder()
+        folder = Project()
         folder.add(FAST)
         report = folder.data / "vtk-9.1" / "interval.json"
         taken = folder.root / "rows.json"
@@ -222,5 +223,5 @@ class TestNumbers(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    # Folders go with their objects.
+    # The temporary directories are removed with their objects.
     unittest.main(warnings="ignore")

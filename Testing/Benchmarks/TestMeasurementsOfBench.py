@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""TestMeasurementsOfBench.py GENERATOR SOURCE ROWS [COSTS] [RANKS]: the templates of SOURCE with what interlume-bench
-wrote to ROWS, and interlume-bench-costs and interlume-bench-ranks to COSTS and RANKS, where they were built.
+"""TestMeasurementsOfBench.py GENERATOR SOURCE ROWS [COSTS] [RANKS]: checks the tables that the templates of SOURCE
+make from the output of interlume-bench (ROWS), interlume-bench-costs (COSTS) and interlume-bench-ranks (RANKS).
 
-Every table of a suite is made of it and is on a page, and none of them is empty.
+Every table must be on a page and have no empty lines.
 """
 
 import shutil
@@ -17,8 +17,8 @@ from pages import Pages, table_text  # noqa: E402
 from results import Results, split_report  # noqa: E402
 from tables import TABLES  # noqa: E402
 
-# Their rows are of the full run alone: by sizes, by scenes of the gallery, or by a peer that VTK 9.1 lacks.
-OF_FULL_RUNS = {"tetrahedra", "flow.tubes", "shadows.equal-error", "mixed", "scattering", "scene-costs"}
+# Tables whose rows need a full run: larger sizes, scenes of the gallery, or a VTK class that VTK 9.1 does not have.
+NEED_FULL_RUN = {"tetrahedra", "flow.tubes", "shadows.equal-error", "mixed", "scattering", "scene-costs"}
 
 with tempfile.TemporaryDirectory() as name:
     folder = Path(name)
@@ -33,21 +33,21 @@ with tempfile.TemporaryDirectory() as name:
     for path in measured:
         split_report(path, data)
     results = Results(data)
-    wrong = []
-    # The graphics card has no suite. The others are of programs that may not have been built.
-    may_lack = {"graphics-card"} | {suite for suite, file in (("scene-costs", "costs.json"), ("ranks", "ranks.json"))
+    errors = []
+    # The suite graphics-card does not exist here. The other suites belong to programs that are not always built.
+    optional = {"graphics-card"} | {suite for suite, file in (("scene-costs", "costs.json"), ("ranks", "ranks.json"))
                                if file not in {path.name for path in measured}}
     for name, table in TABLES.items():
         runs = results.of(table["suite"])
-        if not runs and table["suite"] not in may_lack:
-            wrong.append(f"{name}: no suite {table['suite']} in {measured}")
+        if not runs and table["suite"] not in optional:
+            errors.append(f"{name}: no suite {table['suite']} in {measured}")
         for run in runs:
             text = table_text(run, table)
             empty = [line for line in text.splitlines()[2:] if set(line.split("|")[2:-1]) == {" – "}]
-            if (not text or empty) and name not in OF_FULL_RUNS:
-                wrong.append(f"{name}: {empty or 'no lines'}")
+            if (not text or empty) and name not in NEED_FULL_RUN:
+                errors.append(f"{name}: {empty or 'no lines'}")
         if not any(f"{{{{table {name}}}}}" in words for words in templates_text):
-            wrong.append(f"{name} is on no page")
+            errors.append(f"{name} is on no page")
     Pages(data, explains=False).written(folder)
-    if wrong:
-        sys.exit("ERROR: " + "\n".join(wrong))
+    if errors:
+        sys.exit("ERROR: " + "\n".join(errors))

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""TestProfileRows.py GENERATOR: what profile_suites.py counts of made-up samples as perf prints them."""
+"""TestProfileRows.py GENERATOR: checks how profile_suites.py evaluates synthetic samples in the format of
+perf."""
 
 import sys
 import unittest
@@ -45,7 +46,7 @@ class TestNames(unittest.TestCase):
             self.assertEqual(name_of(symbol, library), name)
 
 
-class TestShares(unittest.TestCase):
+class TestFractions(unittest.TestCase):
     def test_samples_are_in_order_of_time(self):
         self.assertEqual(read_samples(SCRIPT.splitlines(keepends=True)),
                          [(12.1, "kernel (pages)"), (12.5, "Extractor::ProcessRow"), (12.9, "compiled shaders"),
@@ -59,13 +60,13 @@ class TestShares(unittest.TestCase):
 
     def test_rows_are_found(self):
         case, method, parameter = PROFILED["contour"][1][0]
-        rows = [{"case": one, "method": way, "parameter": which, "spans": [[12, 13]]}
-                for one, way, which in PROFILED["contour"][1]]
-        made = profiled_rows("contour", {"rows": rows}, read_samples(SCRIPT.splitlines()))
-        self.assertEqual(len(made), len(rows))
-        self.assertEqual((made[0]["case"], made[0]["method"], made[0]["parameter"]),
+        rows = [{"case": one, "method": method_name, "parameter": which, "spans": [[12, 13]]}
+                for one, method_name, which in PROFILED["contour"][1]]
+        result = profiled_rows("contour", {"rows": rows}, read_samples(SCRIPT.splitlines()))
+        self.assertEqual(len(result), len(rows))
+        self.assertEqual((result[0]["case"], result[0]["method"], result[0]["parameter"]),
                          ("contour: " + case, method, parameter))
-        self.assertEqual(made[0]["counts"]["samples"], 3)
+        self.assertEqual(result[0]["counts"]["samples"], 3)
         with self.assertRaisesRegex(ValueError, "contour has no row"):
             profiled_rows("contour", {"rows": rows[1:]}, [])
 
@@ -74,12 +75,12 @@ class TestShares(unittest.TestCase):
             return {"vtk": "9.1.0", "conditions": {"date": date, "load": 1, "size": "full"}, "suites": {},
                     "rows": [{"case": case, "method": method, "parameter": parameter, "spans": []}
                              for case, method, parameter in PROFILED[suite][1]]}
-        all_of = joined("contour", {"rows": [], "conditions": {}}, results("contour", "first"), [])
-        all_of = joined("interval", all_of, results("interval", "second"), [])
-        all_of = joined("contour", all_of, results("contour", "third"), [])
-        self.assertEqual([part["date"] for part in all_of["conditions"]["parts"]], ["second", "third"])
-        self.assertEqual(len(all_of["rows"]), len(PROFILED["interval"][1]) + len(PROFILED["contour"][1]))
-        self.assertTrue(all_of["rows"][0]["case"].startswith("interval: "))
+        combined = joined("contour", {"rows": [], "conditions": {}}, results("contour", "first"), [])
+        combined = joined("interval", combined, results("interval", "second"), [])
+        combined = joined("contour", combined, results("contour", "third"), [])
+        self.assertEqual([part["date"] for part in combined["conditions"]["parts"]], ["second", "third"])
+        self.assertEqual(len(combined["rows"]), len(PROFILED["interval"][1]) + len(PROFILED["contour"][1]))
+        self.assertTrue(combined["rows"][0]["case"].startswith("interval: "))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// For the tests of the examples: whether a file they wrote holds what it should. A .vtu has
-// tetrahedra whose point array lies in a range; a .png is not of one colour.
+// Checks the output files of the examples. A .vtu file must have tetrahedra whose point array is
+// within a range, and a .png file must have more than one color.
 //
 //   CheckOutput FILE.vtu ARRAY LOWER UPPER [ARRAY LOWER UPPER]
 //   CheckOutput FILE.png
@@ -31,13 +31,13 @@ bool HasTetrahedra(vtkUnstructuredGrid* grid)
   return grid->GetNumberOfCells() > 0;
 }
 
-/// Interpolated values are rounded to the array's precision.
-bool LiesWithin(vtkUnstructuredGrid* grid, const char* name, double lower, double upper)
+/// Returns whether the range is within the bounds, up to the precision of the array.
+bool IsWithin(vtkUnstructuredGrid* grid, const char* name, double lower, double upper)
 {
   vtkDataArray* array = grid->GetPointData()->GetArray(name);
   if (!array)
   {
-    std::cerr << "no array " << name << "\n";
+    std::cerr << "there is no point array " << name << "\n";
     return false;
   }
   double range[2];
@@ -52,17 +52,17 @@ bool CheckMesh(int argc, char* argv[])
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   reader->SetFileName(argv[1]);
   reader->Update();
-  bool good = HasTetrahedra(reader->GetOutput());
+  bool isValid = HasTetrahedra(reader->GetOutput());
   for (int i = 2; i + 2 < argc; i += 3)
   {
-    good =
-      LiesWithin(reader->GetOutput(), argv[i], std::atof(argv[i + 1]), std::atof(argv[i + 2])) &&
-      good;
+    isValid =
+      IsWithin(reader->GetOutput(), argv[i], std::atof(argv[i + 1]), std::atof(argv[i + 2])) &&
+      isValid;
   }
-  return good;
+  return isValid;
 }
 
-bool CheckPicture(const char* path)
+bool CheckImage(const char* path)
 {
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(path);
@@ -77,15 +77,15 @@ int main(int argc, char* argv[])
 {
   if (argc < 2)
   {
-    std::cerr << "the first argument is a file\n";
+    std::cerr << "usage: CheckOutput FILE [ARRAY LOWER UPPER...]\n";
     return EXIT_FAILURE;
   }
   const std::string path = argv[1];
-  const bool picture = path.size() > 4 && path.compare(path.size() - 4, 4, ".png") == 0;
-  const bool good = picture ? CheckPicture(argv[1]) : CheckMesh(argc, argv);
-  if (!good)
+  const bool isImage = path.size() > 4 && path.compare(path.size() - 4, 4, ".png") == 0;
+  const bool isValid = isImage ? CheckImage(argv[1]) : CheckMesh(argc, argv);
+  if (!isValid)
   {
-    std::cerr << path << " does not hold what it should\n";
+    std::cerr << path << " does not have the expected content\n";
   }
-  return good ? EXIT_SUCCESS : EXIT_FAILURE;
+  return isValid ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The example that paints on an inflow, driven by events as vtkInteractorEventRecorder has them:
-// the pixels of the file against the brush's formula, the view of the flow, what was sent for it.
+// Tests the example that paints on an inflow surface, driven by events in the format of
+// vtkInteractorEventRecorder: pixels of the file against a formula of the brush, the view of the
+// flow, and uploads to the graphics card.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "PainterWindow.h"
@@ -35,7 +36,7 @@ using namespace reference;
 constexpr int Columns = 96;
 constexpr int Rows = 64;
 
-/// A straight flow along x through a box, and the plane where it comes in.
+/// Returns a straight flow along x through a box, with the plane at which it enters.
 vtkSmartPointer<vtkImageData> MakeFlow(vtkTerminationPlane* plane)
 {
   vtkNew<vtkImageData> field;
@@ -60,16 +61,16 @@ vtkSmartPointer<vtkImageData> MakeFlow(vtkTerminationPlane* plane)
   return vtkImageData::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
-/// What was sent to the graphics card for several pictures.
+/// Number of uploads to the graphics card in several frames.
 struct Uploads
 {
   int Grid = 0;
   int Inflow = 0;
   int Others = 0;
-  int Pictures = 0;
+  int Images = 0;
 };
 
-/// A window with a recorder that plays what it is told.
+/// A window with a recorder that plays given events.
 class Session
 {
 public:
@@ -87,7 +88,7 @@ public:
 
   PainterWindow& GetPainter() { return this->Painter; }
 
-  /// Moves the mouse to a place of the page, and sends the event.
+  /// Queues an event at a position on the canvas.
   void Send(const std::string& event, double column, double row)
   {
     vtkRenderer* left = this->Painter.GetLeft();
@@ -99,21 +100,21 @@ public:
   void SendAt(const std::string& event, int x, int y)
   {
     this->Events += event + " " + std::to_string(x) + " " + std::to_string(y) + " 0 0 0 0\n";
-    // Where the page has this pixel, for the formula.
+    // Store the canvas position of this pixel for the formula.
     vtkRenderer* left = this->Painter.GetLeft();
     left->SetDisplayPoint(x, y, 0.0);
     left->DisplayToWorld();
-    this->Place = { { left->GetWorldPoint()[0], left->GetWorldPoint()[1] } };
+    this->CanvasPosition = { { left->GetWorldPoint()[0], left->GetWorldPoint()[1] } };
   }
   void Press(char key)
   {
     this->Events += "CharEvent 10 10 0 " + std::to_string(static_cast<int>(key)) + " 1 " +
       std::string(1, key) + "\n";
   }
-  /// Returns where on the page the last event was.
-  const PaintCanvas::Place& GetPlace() const { return this->Place; }
+  /// Returns the canvas position of the last event.
+  const PaintCanvas::Position& GetCanvasPosition() const { return this->CanvasPosition; }
 
-  /// Plays what was sent; returns what that uploaded.
+  /// Plays the queued events and returns the uploads that they caused.
   Uploads Play()
   {
     this->Sum = Uploads();
@@ -143,7 +144,7 @@ private:
     this->Sum.Inflow += report->GetNumber("InflowUploads");
     this->Sum.Others += report->GetNumber("DetailUploads") + report->GetNumber("GateUploads") +
       report->GetNumber("TransferUploads") + report->GetNumber("ArrayUploads");
-    ++this->Sum.Pictures;
+    ++this->Sum.Images;
   }
 
   vtkNew<vtkTerminationPlane> Plane;
@@ -151,7 +152,7 @@ private:
   PainterWindow Painter;
   vtkNew<vtkInteractorEventRecorder> Recorder;
   std::string Events;
-  PaintCanvas::Place Place{ { 0.0, 0.0 } };
+  PaintCanvas::Position CanvasPosition{ { 0.0, 0.0 } };
   Uploads Sum;
 };
 
@@ -168,17 +169,19 @@ int GetByte(vtkImageData* image, int column, int row, int component)
   return static_cast<int>(image->GetScalarComponentAsDouble(column, row, 0, component));
 }
 
-double GetDistance(const PaintCanvas::Place& a, const PaintCanvas::Place& b, double x, double y)
+double GetDistance(
+  const PaintCanvas::Position& a, const PaintCanvas::Position& b, double x, double y)
 {
-  const double way[2] = { b[0] - a[0], b[1] - a[1] };
-  const double length = way[0] * way[0] + way[1] * way[1];
-  const double part =
-    length > 0.0 ? std::clamp(((x - a[0]) * way[0] + (y - a[1]) * way[1]) / length, 0.0, 1.0) : 0.0;
-  return std::hypot(x - a[0] - part * way[0], y - a[1] - part * way[1]);
+  const double direction[2] = { b[0] - a[0], b[1] - a[1] };
+  const double length = direction[0] * direction[0] + direction[1] * direction[1];
+  const double fraction = length > 0.0
+    ? std::clamp(((x - a[0]) * direction[0] + (y - a[1]) * direction[1]) / length, 0.0, 1.0)
+    : 0.0;
+  return std::hypot(x - a[0] - fraction * direction[0], y - a[1] - fraction * direction[1]);
 }
 
-/// Every pixel of a file against the lines that were painted, all with one brush.
-void CheckFile(const std::string& file, const std::vector<PaintCanvas::Place>& line,
+/// Checks every pixel of a file against painted lines, all drawn with one brush.
+void CheckFile(const std::string& file, const std::vector<PaintCanvas::Position>& line,
   const PaintCanvas::Brush& brush, Check& check)
 {
   const vtkSmartPointer<vtkImageData> image = Read(file);
@@ -186,7 +189,7 @@ void CheckFile(const std::string& file, const std::vector<PaintCanvas::Place>& l
   check.Equal(image->GetDimensions()[1], Rows, "rows");
   check.Equal(image->GetNumberOfScalarComponents(), 4, "RGBA");
   int painted = 0;
-  int wrong = 0;
+  int errors = 0;
   for (int row = 0; row < Rows; ++row)
   {
     for (int column = 0; column < Columns; ++column)
@@ -200,18 +203,19 @@ void CheckFile(const std::string& file, const std::vector<PaintCanvas::Place>& l
       painted += isInside ? 1 : 0;
       for (int c = 0; c < 4; ++c)
       {
-        const auto expected = std::lround(255.0 * brush.Colour[static_cast<std::size_t>(c)]);
+        const auto expected = std::lround(255.0 * brush.Color[static_cast<std::size_t>(c)]);
         const int found = GetByte(image, column, row, c);
-        wrong += isInside && found != expected ? 1 : 0;
-        wrong += distance > brush.Radius + 0.51 && found != 0 ? 1 : 0;
+        errors += isInside && found != expected ? 1 : 0;
+        errors += distance > brush.Radius + 0.51 && found != 0 ? 1 : 0;
       }
     }
   }
-  check.That(painted > 100 && painted < Columns * Rows / 2, "paint on a part of the page");
-  check.Equal(wrong, 0, "values that differ from the brush's");
+  check.That(painted > 100 && painted < Columns * Rows / 2, "only part of the canvas is painted");
+  check.Equal(errors, 0, "values that differ from the brush color");
 }
 
-/// The values that differ in the right half of the right view, where the flow is and not the page.
+/// Returns the number of different values in the right half of the right view, which shows only the
+/// flow.
 vtkIdType CountChanges(
   const std::vector<unsigned char>& one, const std::vector<unsigned char>& other, std::size_t width)
 {
@@ -225,7 +229,7 @@ vtkIdType CountChanges(
   return changes;
 }
 
-/// A stroke: the file, the view, what was sent; then back.
+/// Tests a stroke: the file, the view, the uploads, and undoing it.
 void TestStroke(const std::string& folder, Check& check)
 {
   Session session;
@@ -237,29 +241,30 @@ void TestStroke(const std::string& folder, Check& check)
 
   session.Press('[');
   session.Press('3');
-  check.That(session.Play().Pictures >= 2, "keys draw the brush");
+  check.That(session.Play().Images >= 2, "keys redraw the brush");
   const PaintCanvas::Brush brush = painter.GetBrush();
-  check.Near(brush.Radius, 0.8 * PaintCanvas::Brush().Radius, 1e-12, "a smaller brush");
-  check.That(brush.Colour[1] > 0.8 && brush.Colour[0] < 0.2 && brush.Colour[2] < 0.2, "green");
+  check.Near(brush.Radius, 0.8 * PaintCanvas::Brush().Radius, 1e-12, "radius of the smaller brush");
+  check.That(
+    brush.Color[1] > 0.8 && brush.Color[0] < 0.2 && brush.Color[2] < 0.2, "the brush is green");
 
-  std::vector<PaintCanvas::Place> line;
+  std::vector<PaintCanvas::Position> line;
   session.Send("LeftButtonPressEvent", 24.0, 20.0);
-  line.push_back(session.GetPlace());
-  for (const PaintCanvas::Place& to : { PaintCanvas::Place{ { 48.0, 44.0 } },
-         PaintCanvas::Place{ { 70.0, 44.0 } }, PaintCanvas::Place{ { 74.0, 20.0 } } })
+  line.push_back(session.GetCanvasPosition());
+  for (const PaintCanvas::Position& to : { PaintCanvas::Position{ { 48.0, 44.0 } },
+         PaintCanvas::Position{ { 70.0, 44.0 } }, PaintCanvas::Position{ { 74.0, 20.0 } } })
   {
     session.Send("MouseMoveEvent", to[0], to[1]);
-    line.push_back(session.GetPlace());
+    line.push_back(session.GetCanvasPosition());
   }
   session.Send("LeftButtonReleaseEvent", 74.0, 20.0);
   session.Send("MouseMoveEvent", 10.0, 55.0);
   session.Press('s');
   const Uploads sent = session.Play();
   CheckFile(file, line, brush, check);
-  check.Equal(sent.Inflow, 4, "the texture is sent for each event that paints");
-  check.Equal(sent.Grid, 0, "no voxel is sent");
-  check.Equal(sent.Others, 0, "no other texture is sent");
-  check.That(sent.Pictures >= 5, "a picture for each event that paints, and one without haste");
+  check.Equal(sent.Inflow, 4, "uploads of the texture, one per painting event");
+  check.Equal(sent.Grid, 0, "uploads of voxels");
+  check.Equal(sent.Others, 0, "uploads of other textures");
+  check.That(sent.Images >= 5, "one frame per painting event, and one at full quality");
   const std::vector<unsigned char> painted = session.GrabRight();
   const vtkIdType changes =
     CountChanges(before, painted, static_cast<std::size_t>(painter.GetRight()->GetSize()[0]));
@@ -273,22 +278,22 @@ void TestStroke(const std::string& folder, Check& check)
   check.That(session.GrabRight() == painted, "the right view with the stroke from its file");
   session.Press('c');
   session.Play();
-  check.That(session.GrabRight() == before, "the right view of an empty page");
+  check.That(session.GrabRight() == before, "the right view of an empty canvas");
   session.Press('z');
   session.Play();
-  check.That(session.GrabRight() == painted, "clearing undone");
+  check.That(session.GrabRight() == painted, "clearing is undone");
 
-  // The eraser takes opacity alone away.
+  // The eraser only removes opacity.
   session.Press('x');
   session.Send("LeftButtonPressEvent", 48.0, 44.0);
   session.Send("LeftButtonReleaseEvent", 48.0, 44.0);
   session.Play();
-  check.Equal(GetByte(painter.GetCanvas().GetPaint(), 48, 44, 3), 0, "erased");
-  check.Equal(GetByte(painter.GetCanvas().GetPage(), 48, 44, 0), 255, "white paper");
-  check.That(GetByte(painter.GetCanvas().GetPaint(), 24, 20, 3) > 0, "the rest is left");
+  check.Equal(GetByte(painter.GetCanvas().GetPaint(), 48, 44, 3), 0, "opacity after erasing");
+  check.Equal(GetByte(painter.GetCanvas().GetPage(), 48, 44, 0), 255, "the canvas is white");
+  check.That(GetByte(painter.GetCanvas().GetPaint(), 24, 20, 3) > 0, "other paint is unchanged");
 }
 
-/// A slider, which paints nothing, and a turn of the view, which sends nothing.
+/// Tests that a slider does not paint, and that rotating the view does not upload anything.
 void TestControls(Check& check)
 {
   Session session;
@@ -300,13 +305,13 @@ void TestControls(Check& check)
   session.SendAt("LeftButtonReleaseEvent", size[0] * 24 / 100, level);
   session.Play();
   const double radius = painter.GetBrush().Radius;
-  check.That(radius > 35.0 && radius < 55.0, "a brush of " + std::to_string(radius));
-  check.That(!painter.GetCanvas().Undo(), "a slider paints nothing");
+  check.That(radius > 35.0 && radius < 55.0, "radius of the brush is " + std::to_string(radius));
+  check.That(!painter.GetCanvas().Undo(), "a slider does not paint");
   session.SendAt("LeftButtonPressEvent", size[0] * 82 / 100, level);
   session.SendAt("LeftButtonReleaseEvent", size[0] * 82 / 100, level);
   session.Play();
-  const auto& colour = painter.GetBrush().Colour;
-  check.That(colour[2] > 0.7 && colour[0] < 0.3, "hue by its slider");
+  const auto& color = painter.GetBrush().Color;
+  check.That(color[2] > 0.7 && color[0] < 0.3, "the slider changes the hue");
 
   const std::vector<unsigned char> before = session.GrabRight();
   const int x = painter.GetRight()->GetOrigin()[0] + 100;
@@ -314,12 +319,12 @@ void TestControls(Check& check)
   session.SendAt("MouseMoveEvent", x + 30, 130);
   session.SendAt("LeftButtonReleaseEvent", x + 30, 130);
   const Uploads sent = session.Play();
-  check.Equal(sent.Inflow + sent.Grid + sent.Others, 0, "a turn of the view sends nothing");
-  check.That(session.GrabRight() != before, "the view has turned");
-  check.That(!painter.GetCanvas().Undo(), "a turn paints nothing");
+  check.Equal(sent.Inflow + sent.Grid + sent.Others, 0, "uploads caused by rotating the view");
+  check.That(session.GrabRight() != before, "the view is rotated");
+  check.That(!painter.GetCanvas().Undo(), "rotating does not paint");
 }
 
-/// An image of another size and type, and what is none.
+/// Tests an image of another size and type, and a missing file.
 void TestFiles(const std::string& folder, Check& check)
 {
   vtkNew<vtkImageData> image;
@@ -341,7 +346,7 @@ void TestFiles(const std::string& folder, Check& check)
   writer->SetFileName(file.c_str());
   writer->Write();
   PaintCanvas canvas(Columns, Rows);
-  check.That(canvas.Load(file).empty(), "an image of 16 bits");
+  check.That(canvas.Load(file).empty(), "a 16-bit image is loaded");
   for (const int column : { 10, 80 })
   {
     for (const int row : { 10, 50 })
@@ -354,9 +359,9 @@ void TestFiles(const std::string& folder, Check& check)
       }
     }
   }
-  check.That(!canvas.Load(folder + "/no such file.png").empty(), "no file");
-  check.Equal(GetByte(canvas.GetPaint(), 10, 10, 1), 90, "paint stays");
-  check.That(!canvas.Undo(), "nothing was kept");
+  check.That(!canvas.Load(folder + "/no such file.png").empty(), "a missing file is an error");
+  check.Equal(GetByte(canvas.GetPaint(), 10, 10, 1), 90, "the paint is unchanged");
+  check.That(!canvas.Undo(), "there is nothing to undo");
 }
 
 }
@@ -365,7 +370,7 @@ int main(int argc, char* argv[])
 {
   if (argc < 2)
   {
-    std::cerr << "the first argument is a folder for results\n";
+    std::cerr << "usage: TestInflowPainter RESULT_DIRECTORY\n";
     return EXIT_FAILURE;
   }
   Check check;

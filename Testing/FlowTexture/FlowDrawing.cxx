@@ -3,7 +3,7 @@
 
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
-#include "Support/Pictures/PictureSettings.h"
+#include "Support/Images/CameraSettings.h"
 
 #include "vtkCamera.h"
 #include "vtkFloatArray.h"
@@ -20,14 +20,14 @@ namespace reference
 
 namespace
 {
-FlowEnd TwoSurfaces(const Place3& x)
+FlowEnd TwoSurfaces(const Position3& x)
 {
   const bool isLeft = x[0] < 0.1;
   return { x[1] < 0.35, isLeft ? 0 : 8, x[1] + 0.5, x[2] + 0.5, isLeft ? x[0] + 0.6 : x[0] };
 }
 }
 
-RgbaPicture DrawFlow(vtkImplicitFlowVolumeMapper* mapper, vtkImageData* voxels,
+RgbaImage DrawFlow(vtkImplicitFlowVolumeMapper* mapper, vtkImageData* voxels,
   const FlowScene& scene, vtkVolumeProperty* property)
 {
   vtkNew<vtkVolumeProperty> plain;
@@ -37,17 +37,17 @@ RgbaPicture DrawFlow(vtkImplicitFlowVolumeMapper* mapper, vtkImageData* voxels,
   VolumeStage stage(scene.Size);
   stage.SetVolume(mapper, used);
   stage.SetCamera(scene.Camera);
-  const RgbaPicture picture = stage.Capture();
+  const RgbaImage image = stage.Capture();
   mapper->ReleaseGraphicsResources(nullptr);
-  return picture;
+  return image;
 }
 
-FlowEnd Uniform(const Place3& x)
+FlowEnd Uniform(const Position3& x)
 {
   return { true, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
 }
 
-vtkSmartPointer<vtkCamera> LookAlong(const Place3& direction, bool isParallel)
+vtkSmartPointer<vtkCamera> LookAlong(const Position3& direction, bool isParallel)
 {
   return LookAt({ { 0.0, 0.0, 0.0 } }, 0.87, direction, isParallel);
 }
@@ -62,7 +62,7 @@ FlowScene MakeBlobScene()
 {
   FlowScene scene;
   scene.Flow = &Uniform;
-  scene.Paint = [](const FlowEnd& answer) { return Blob(answer.U, answer.V); };
+  scene.Paint = [](const FlowEnd& end) { return Blob(end.U, end.V); };
   scene.UnitDistance = 0.3;
   scene.Camera = LookAlong({ { -0.5, 0.6, -0.4 } });
   return scene;
@@ -73,17 +73,17 @@ vtkSmartPointer<vtkImageData> MakeTwoFlows()
   vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(13, &TwoSurfaces, { { { 8, 1, 0 } } });
   vtkNew<vtkFloatArray> speed;
   speed->SetName("Speed");
-  vtkNew<vtkFloatArray> ways;
-  ways->SetName("Ways");
-  ways->SetNumberOfComponents(3);
+  vtkNew<vtkFloatArray> vectors;
+  vectors->SetName("Ways");
+  vectors->SetNumberOfComponents(3);
   for (vtkIdType i = 0; i < voxels->GetNumberOfPoints(); ++i)
   {
     const double* x = voxels->GetPoint(i);
     speed->InsertNextValue(static_cast<float>(x[0] * x[0] + x[2]));
-    ways->InsertNextTuple3(1.0, x[1], -x[0]);
+    vectors->InsertNextTuple3(1.0, x[1], -x[0]);
   }
   voxels->GetPointData()->AddArray(speed);
-  voxels->GetPointData()->AddArray(ways);
+  voxels->GetPointData()->AddArray(vectors);
   return voxels;
 }
 
@@ -104,21 +104,21 @@ void SetCoefficients(
   property->SetSpecular(0.0);
 }
 
-LightError CompareLight(const RgbaPicture& found, const RgbaPicture& expected)
+LightError CompareLight(const RgbaImage& found, const RgbaImage& expected)
 {
   LightError error;
   for (int pixel = 0; pixel < found.Width * found.Height; ++pixel)
   {
     const double* drawn = found.At(pixel % found.Width, pixel / found.Width);
-    const double* wanted = expected.At(pixel % found.Width, pixel / found.Width);
-    if (wanted[3] < 0.1 || std::abs(drawn[3] - wanted[3]) > 0.01)
+    const double* reference = expected.At(pixel % found.Width, pixel / found.Width);
+    if (reference[3] < 0.1 || std::abs(drawn[3] - reference[3]) > 0.01)
     {
       continue;
     }
     ++error.Pixels;
     for (int c = 0; c < 3; ++c)
     {
-      const double off = std::abs(drawn[c] / drawn[3] - wanted[c] / wanted[3]);
+      const double off = std::abs(drawn[c] / drawn[3] - reference[c] / reference[3]);
       error.Mean += off / 3.0;
       error.Largest = std::max(error.Largest, off);
     }
@@ -127,7 +127,7 @@ LightError CompareLight(const RgbaPicture& found, const RgbaPicture& expected)
   return error;
 }
 
-FlowShow::FlowShow()
+FlowFixture::FlowFixture()
   : Stage(std::array<int, 2>{ { 40, 40 } })
   , Voxels(MakeTwoFlows())
   , Camera(LookAlong({ { -0.4, 0.6, -0.9 } }))
@@ -137,13 +137,13 @@ FlowShow::FlowShow()
   this->Stage.SetCamera(this->Camera);
 }
 
-vtkInterlumeReport* FlowShow::Draw()
+vtkInterlumeReport* FlowFixture::Draw()
 {
   this->Stage.Render();
   return this->Mapper->GetReport();
 }
 
-void FlowShow::Apply(const State& state)
+void FlowFixture::Apply(const State& state)
 {
   const auto is = [&state](int i) { return state[i] > 0.5; };
   this->Gate->RemoveAllPoints();
@@ -163,35 +163,35 @@ void FlowShow::Apply(const State& state)
   this->Mapper->SetCropping(is(14));
   this->Mapper->SetCroppingRegionPlanes(-0.3, 0.4, -0.5, 0.2, -0.1, 0.5);
   this->Mapper->SetCroppingRegionFlags(state[14] > 0.75 ? VTK_CROP_FENCE : VTK_CROP_SUBVOLUME);
-  this->Mapper->SetPaintFilter(is(15));
+  this->Mapper->SetTextureFilter(is(15));
   this->Camera->SetParallelProjection(is(16));
 }
 
-void CheckRandomStates(const std::function<std::unique_ptr<FlowShow>()>& make,
-  const std::function<void(vtkInterlumeReport*)>& see, Check& check)
+void CheckRandomStates(const std::function<std::unique_ptr<FlowFixture>()>& make,
+  const std::function<void(vtkInterlumeReport*)>& inspect, Check& check)
 {
-  const std::unique_ptr<FlowShow> kept = make();
+  const std::unique_ptr<FlowFixture> reused = make();
   Random random(21);
   double largest = 0.0;
   for (int change = 0; change < 24; ++change)
   {
-    FlowShow::State state;
+    FlowFixture::State state;
     for (double& value : state)
     {
       value = random.Get(0.0, 1.0);
     }
-    kept->Apply(state);
-    const RgbaPicture after = kept->Stage.Capture();
-    const std::unique_ptr<FlowShow> fresh = make();
+    reused->Apply(state);
+    const RgbaImage after = reused->Stage.Capture();
+    const std::unique_ptr<FlowFixture> fresh = make();
     fresh->Apply(state);
-    const PictureError error = ComparePictures(after, fresh->Stage.Capture());
-    vtkInterlumeReport* report = kept->Mapper->GetReport();
+    const ImageError error = CompareImages(after, fresh->Stage.Capture());
+    vtkInterlumeReport* report = reused->Mapper->GetReport();
     check.Near(error.Max, 0.0, 0.0,
       "change " + std::to_string(change) + ", " + report->GetText("Features"), 1.0);
-    see(report);
+    inspect(report);
     largest = std::max(largest, LargestAlpha(after));
   }
-  check.That(largest > 0.2, "something is seen");
+  check.That(largest > 0.2, "some image is not empty");
 }
 
 }

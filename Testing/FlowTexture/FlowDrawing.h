@@ -2,8 +2,8 @@
 #ifndef FlowDrawing_h
 #define FlowDrawing_h
 
-#include "Support/Pictures/FlowPictures.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/FlowImages.h"
+#include "Support/Images/VolumeStage.h"
 
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkNew.h"
@@ -17,56 +17,55 @@ namespace reference
 
 class Check;
 
-/// The mapper's picture of voxels with the scene's camera and unit distance.
-RgbaPicture DrawFlow(vtkImplicitFlowVolumeMapper* mapper, vtkImageData* voxels,
+/// Draws voxels with a mapper, with the scene's camera and unit distance.
+RgbaImage DrawFlow(vtkImplicitFlowVolumeMapper* mapper, vtkImageData* voxels,
   const FlowScene& scene, vtkVolumeProperty* property = nullptr);
 
-/// Uniform flow along x, which takes its paint from the plane x = -0.5.
-FlowEnd Uniform(const Place3& x);
+/// Uniform flow along x that starts at the plane x = -0.5.
+FlowEnd Uniform(const Position3& x);
 
-/// A camera that sees the whole cube along \a direction.
-vtkSmartPointer<vtkCamera> LookAlong(const Place3& direction, bool isParallel = false);
+/// Returns a camera that shows the full cube along \a direction.
+vtkSmartPointer<vtkCamera> LookAlong(const Position3& direction, bool isParallel = false);
 
-/// A smooth spot of paint in uniform flow.
+/// A smooth spot of color for uniform flow.
 Color4 Blob(double u, double v);
 FlowScene MakeBlobScene();
 
-/// Voxels of two termination surfaces, 0 and 8, with the arrays Speed, and Ways of three
-/// components.
+/// Returns voxels with two termination surfaces, 0 and 8, and the arrays Speed and Ways (three
+/// components).
 vtkSmartPointer<vtkImageData> MakeTwoFlows();
 
-/// Paint whose red goes up and down along u, \a frequency radians in all.
+/// Returns a texture whose red oscillates along u with \a frequency radians in total.
 vtkSmartPointer<vtkImageData> MakeStripes(double frequency, double alpha);
 
-/// Unit distance and coefficients of paint without highlights.
+/// Sets the unit distance and the lighting coefficients, without specular light.
 void SetCoefficients(
   vtkVolumeProperty* property, double unitDistance, double ambient, double diffuse);
 
-/// Errors of colors divided by opacity, in pixels whose opacity is the expected one, so that they
-/// show no edge.
+/// Errors of colors divided by opacity, in pixels with the expected opacity, which excludes edges.
 struct LightError
 {
   double Mean = 0.0;
   double Largest = 0.0;
   int Pixels = 0;
 };
-LightError CompareLight(const RgbaPicture& found, const RgbaPicture& expected);
+LightError CompareLight(const RgbaImage& found, const RgbaImage& expected);
 
 /**
- * @struct  FlowShow
- * @brief   a mapper of MakeTwoFlows(), what can be changed about it, and a stage that draws it
+ * @struct  FlowFixture
+ * @brief   a mapper of MakeTwoFlows() with adjustable settings, and a stage that draws it
  */
-struct FlowShow
+struct FlowFixture
 {
   using State = std::array<double, 17>;
 
-  FlowShow();
-  virtual ~FlowShow() = default;
+  FlowFixture();
+  virtual ~FlowFixture() = default;
 
   vtkInterlumeReport* Draw();
 
-  /// Sets gate, arrays, shading, cuts, filter and projection by the last eight of numbers from 0 to
-  /// 1, for any state before.
+  /// Sets gate, arrays, shading, clipping, filter and projection from the last eight numbers of \a
+  /// state, each from 0 to 1. The result does not depend on earlier settings.
   virtual void Apply(const State& state);
 
   VolumeStage Stage;
@@ -77,10 +76,10 @@ struct FlowShow
   vtkNew<vtkImplicitFlowVolumeMapper> Mapper;
 };
 
-/// Checks that the picture after many random states is that of a new mapper. \a see is called with
-/// the report of each.
-void CheckRandomStates(const std::function<std::unique_ptr<FlowShow>()>& make,
-  const std::function<void(vtkInterlumeReport*)>& see, Check& check);
+/// Checks that the image after many random states equals that of a new mapper. \a inspect is called
+/// with the report of each state.
+void CheckRandomStates(const std::function<std::unique_ptr<FlowFixture>()>& make,
+  const std::function<void(vtkInterlumeReport*)>& inspect, Check& check);
 
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkImplicitFlowVolumeMapper sends when one thing changes, what it does not have for what is
-// off, and that a picture after many changes is that of a mapper made anew.
+// Uploads of vtkImplicitFlowVolumeMapper after single changes, resources of features that are off,
+// and images after many changes compared with images of a new mapper.
 #include "FlowDrawing.h"
 
-#include "Support/Pictures/PictureSettings.h"
+#include "Support/Images/CameraSettings.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
@@ -39,10 +39,10 @@ vtkSmartPointer<vtkImageData> MakeBlock()
   return image;
 }
 
-/// A show of paint without light.
-struct Show : FlowShow
+/// A fixture with textures, without light.
+struct Fixture : FlowFixture
 {
-  Show()
+  Fixture()
   {
     this->Gate->AddPoint(0.0, 1.0);
     this->Gate->AddPoint(0.5, 0.1);
@@ -52,7 +52,7 @@ struct Show : FlowShow
 
   void Apply(const State& state) override
   {
-    this->FlowShow::Apply(state);
+    this->FlowFixture::Apply(state);
     const auto is = [&state](int i) { return state[i] > 0.5; };
     this->Mapper->RemoveAllInflowTextures();
     this->Mapper->SetInflowTexture(0, is(0) ? MakeStripes(30.0 * state[0], 0.4) : nullptr);
@@ -83,13 +83,13 @@ struct Uploads
 void CheckUploads(
   Check& check, vtkInterlumeReport* report, const Uploads& expected, const std::string& what)
 {
-  check.Near(report->GetNumber("GridUploads"), expected.Grid, 0.0, what + ": textures of voxels");
-  check.Near(report->GetNumber("InflowUploads"), expected.Inflow, 0.0, what + ": inflow textures");
-  check.Near(report->GetNumber("DetailUploads"), expected.Detail, 0.0, what + ": detail textures");
-  check.Near(report->GetNumber("GateUploads"), expected.Gate, 0.0, what + ": gates");
-  check.Near(
-    report->GetNumber("TransferUploads"), expected.Transfer, 0.0, what + ": transfer functions");
-  check.Near(report->GetNumber("ArrayUploads"), expected.Array, 0.0, what + ": arrays");
+  check.Equal(report->GetCount("GridUploads"), expected.Grid, what + ": voxel textures");
+  check.Equal(report->GetCount("InflowUploads"), expected.Inflow, what + ": inflow textures");
+  check.Equal(report->GetCount("DetailUploads"), expected.Detail, what + ": detail textures");
+  check.Equal(report->GetCount("GateUploads"), expected.Gate, what + ": gates");
+  check.Equal(
+    report->GetCount("TransferUploads"), expected.Transfer, what + ": transfer functions");
+  check.Equal(report->GetCount("ArrayUploads"), expected.Array, what + ": arrays");
   const int sum = expected.Grid + expected.Inflow + expected.Detail + expected.Gate +
     expected.Transfer + expected.Array;
   check.That((report->GetNumber("UploadedBytes") > 0) == (sum > 0), what + ": bytes");
@@ -97,103 +97,106 @@ void CheckUploads(
 
 void TestCounters(Check& check)
 {
-  Show show;
-  vtkImplicitFlowVolumeMapper* mapper = show.Mapper;
+  Fixture fixture;
+  vtkImplicitFlowVolumeMapper* mapper = fixture.Mapper;
   vtkSmartPointer<vtkImageData> first = MakeStripes(20.0, 0.3);
   vtkSmartPointer<vtkImageData> second = MakeStripes(9.0, 0.6);
   mapper->SetInflowTexture(0, first);
   mapper->SetInflowTexture(8, second);
   const auto expect = [&](const Uploads& uploads, const std::string& what)
-  { CheckUploads(check, show.Draw(), uploads, what); };
-  // Cells, places and groups; two images and which surface has which.
-  expect({ 3, 3, 0, 0, 0, 0 }, "the first picture");
-  check.Near(
-    mapper->GetReport()->GetNumber("Textures"), 6, 0.0, "textures without anything that is off");
+  { CheckUploads(check, fixture.Draw(), uploads, what); };
+  // The first image uploads cells, positions and groups, two inflow textures, and the table of
+  // surfaces.
+  expect({ 3, 3, 0, 0, 0, 0 }, "first image");
+  check.Equal(
+    mapper->GetReport()->GetCount("Textures"), 6, "no textures for features that are off");
   check.That(mapper->GetReport()->GetText("Features") == "splits surfaces paint_filter",
     "features: " + mapper->GetReport()->GetText("Features"));
-  expect({}, "the same again");
-  show.Camera->Azimuth(5.0);
+  expect({}, "drawing again");
+  fixture.Camera->Azimuth(5.0);
   expect({}, "another view");
   second->GetPointData()->GetScalars()->SetComponent(3, 0, 0.9);
   second->GetPointData()->GetScalars()->Modified();
   second->Modified();
-  expect({ 0, 1, 0, 0, 0, 0 }, "a changed image");
+  expect({ 0, 1, 0, 0, 0, 0 }, "a changed inflow texture");
   mapper->SetInflowTexture(0, MakeStripes(5.0, 0.4));
-  expect({ 0, 1, 0, 0, 0, 0 }, "another image");
-  mapper->SetTimeGate(show.Gate);
-  // The times are sent when they are needed first.
-  expect({ 1, 0, 0, 1, 0, 0 }, "a gate");
-  check.Near(mapper->GetReport()->GetNumber("Textures"), 8, 0.0, "textures with a gate");
+  expect({ 0, 1, 0, 0, 0, 0 }, "another inflow texture");
+  mapper->SetTimeGate(fixture.Gate);
+  // Advection times are uploaded when they are first required.
+  expect({ 1, 0, 0, 1, 0, 0 }, "a time gate");
+  check.Equal(mapper->GetReport()->GetCount("Textures"), 8, "textures with a time gate");
   mapper->SetTimePhase(0.3);
   expect({}, "another phase");
   mapper->SetTimePeriod(0.7);
   expect({}, "another period");
-  show.Gate->AddPoint(0.7, 0.8);
-  expect({ 0, 0, 0, 1, 0, 0 }, "a changed gate");
+  fixture.Gate->AddPoint(0.7, 0.8);
+  expect({ 0, 0, 0, 1, 0, 0 }, "a changed time gate");
   mapper->SetDetailTexture(MakeStripes(3.0, 0.9));
-  expect({ 0, 0, 1, 0, 0, 0 }, "a detail");
+  expect({ 0, 0, 1, 0, 0, 0 }, "a detail texture");
   mapper->SetDetailModeToOver();
   expect({}, "another mode");
   mapper->SetDetailTexture(MakeBlock());
-  expect({ 0, 0, 1, 0, 0, 0 }, "a detail of three dimensions in place of two");
+  expect(
+    { 0, 0, 1, 0, 0, 0 }, "a three-dimensional detail texture instead of a two-dimensional one");
   mapper->SetOpacityArray("Speed");
-  expect({ 0, 0, 0, 0, 1, 1 }, "a further array");
-  show.Property->GetScalarOpacity()->AddPoint(0.2, 0.4);
+  expect({ 0, 0, 0, 0, 1, 1 }, "an additional array");
+  fixture.Property->GetScalarOpacity()->AddPoint(0.2, 0.4);
   expect({ 0, 0, 0, 0, 1, 0 }, "a changed transfer function");
   mapper->SetShadingArray("Ways");
   expect({}, "a shading array without Shade");
-  show.Property->ShadeOn();
+  fixture.Property->ShadeOn();
   expect({ 0, 0, 0, 0, 0, 1 }, "shading");
   mapper->SetTimeGate(nullptr);
   mapper->SetDetailTexture(nullptr);
   mapper->SetOpacityArray(nullptr);
-  show.Property->ShadeOff();
-  expect({}, "all off again");
-  check.Near(mapper->GetReport()->GetNumber("Textures"), 6, 0.0, "textures with all off again");
+  fixture.Property->ShadeOff();
+  expect({}, "all features off again");
+  check.Equal(mapper->GetReport()->GetCount("Textures"), 6, "textures with all features off again");
   check.That(mapper->GetReport()->GetText("Features") == "splits surfaces paint_filter",
-    "features with all off again: " + mapper->GetReport()->GetText("Features"));
-  show.Voxels->GetPointData()->GetArray("AdvectionTime")->Modified();
-  show.Voxels->Modified();
+    "features with all features off again: " + mapper->GetReport()->GetText("Features"));
+  fixture.Voxels->GetPointData()->GetArray("AdvectionTime")->Modified();
+  fixture.Voxels->Modified();
   expect({ 3, 0, 0, 0, 0, 0 }, "changed voxels");
 }
 
-/// Opacity by an array does not change if the array and the function move together.
+/// Opacity by an array is unchanged if the array and the transfer function are shifted together.
 void TestOpacityArray(Check& check)
 {
-  RgbaPicture pictures[2];
+  RgbaImage rendered[2];
   for (const int isMoved : { 0, 1 })
   {
-    Show show;
-    show.Mapper->SetInflowTexture(0, MakeStripes(20.0, 0.3));
+    Fixture fixture;
+    fixture.Mapper->SetInflowTexture(0, MakeStripes(20.0, 0.3));
     const double shift = 40.0 * isMoved;
-    vtkDataArray* speed = show.Voxels->GetPointData()->GetArray("Speed");
+    vtkDataArray* speed = fixture.Voxels->GetPointData()->GetArray("Speed");
     double range[2];
     speed->GetRange(range);
     for (vtkIdType i = 0; i < speed->GetNumberOfTuples(); ++i)
     {
       speed->SetComponent(i, 0, speed->GetComponent(i, 0) + shift);
     }
-    vtkPiecewiseFunction* opacity = show.Property->GetScalarOpacity();
+    vtkPiecewiseFunction* opacity = fixture.Property->GetScalarOpacity();
     opacity->RemoveAllPoints();
     opacity->AddPoint(range[0] + shift, 0.0);
     opacity->AddPoint(range[1] + shift, 0.8);
-    show.Mapper->SetOpacityArray("Speed");
-    pictures[isMoved] = show.Stage.Capture();
+    fixture.Mapper->SetOpacityArray("Speed");
+    rendered[isMoved] = fixture.Stage.Capture();
   }
-  const PictureError error = ComparePictures(pictures[1], pictures[0]);
-  check.Near(error.Max, 0.0, 1e-3, "opacity array and function moved together", 1.0);
+  const ImageError error = CompareImages(rendered[1], rendered[0]);
+  check.Near(error.Max, 0.0, 1e-3, "opacity array and transfer function shifted together", 1.0);
 }
 
 void TestRandom(Check& check)
 {
-  CheckRandomStates([] { return std::make_unique<Show>(); }, [](vtkInterlumeReport*) {}, check);
+  CheckRandomStates([] { return std::make_unique<Fixture>(); }, [](vtkInterlumeReport*) {}, check);
 }
 
-/// Images of other dimensions that share their arrays, which have changed after all of them, and
-/// arrays of other ranges under one function that has: each as by a mapper made anew.
+/// Several vtkImageData of different dimensions share their arrays, which are modified later, and
+/// arrays of different ranges share one modified transfer function. Each frame must equal the frame
+/// of a new mapper.
 void TestShared(Check& check)
 {
-  const FlowFormula flow = [](const Place3& x) {
+  const FlowFormula flow = [](const Position3& x) {
     return FlowEnd{ x[1] < 0.4, 0, x[1] + 0.5, x[2] + 0.5, x[0] + 0.5 };
   };
   vtkSmartPointer<vtkImageData> first = MakeFlowVoxels(12, flow);
@@ -216,46 +219,46 @@ void TestShared(Check& check)
     images.back()->SetExtent(3, size[0] + 2, -2, size[1] - 3, 0, size[2] - 1);
     images.back()->SetSpacing(0.06, -0.07, 0.08);
   }
-  const auto prepare = [](Show& show, vtkImageData* image, const char* opacity)
+  const auto prepare = [](Fixture& fixture, vtkImageData* image, const char* opacity)
   {
-    show.Camera =
-      LookAt(Place3{ { image->GetCenter()[0], image->GetCenter()[1], image->GetCenter()[2] } },
+    fixture.Camera =
+      LookAt(Position3{ { image->GetCenter()[0], image->GetCenter()[1], image->GetCenter()[2] } },
         0.5 * image->GetLength(), { { -0.4, 0.6, -0.9 } }, false);
-    show.Stage.SetCamera(show.Camera);
-    show.Mapper->SetInflowTexture(0, MakeStripes(20.0, 0.5));
-    show.Mapper->SetInputData(static_cast<vtkDataSet*>(image));
-    show.Mapper->SetOpacityArray(opacity);
-    show.Mapper->SetShadingArray(opacity);
-    show.Property->ShadeOn();
+    fixture.Stage.SetCamera(fixture.Camera);
+    fixture.Mapper->SetInflowTexture(0, MakeStripes(20.0, 0.5));
+    fixture.Mapper->SetInputData(static_cast<vtkDataSet*>(image));
+    fixture.Mapper->SetOpacityArray(opacity);
+    fixture.Mapper->SetShadingArray(opacity);
+    fixture.Property->ShadeOn();
   };
   vtkNew<vtkPiecewiseFunction> function;
   function->AddPoint(0.0, 0.0);
   function->AddPoint(1.0, 0.9);
   function->AddPoint(5.0, 0.1);
-  const auto draw = [&](Show& show, int step)
+  const auto draw = [&](Fixture& fixture, int step)
   {
-    prepare(show, images[static_cast<std::size_t>(step) % images.size()],
+    prepare(fixture, images[static_cast<std::size_t>(step) % images.size()],
       step % 2 == 0 ? "Slow" : "Fast");
-    show.Property->SetScalarOpacity(function);
-    return show.Stage.Capture();
+    fixture.Property->SetScalarOpacity(function);
+    return fixture.Stage.Capture();
   };
-  std::vector<RgbaPicture> expected;
+  std::vector<RgbaImage> expected;
   for (int step = 0; step < 6; ++step)
   {
-    Show anew;
-    expected.push_back(draw(anew, step));
-    check.That(LargestAlpha(expected.back()) > 0.2, "something is seen of shared arrays");
+    Fixture fresh;
+    expected.push_back(draw(fresh, step));
+    check.That(LargestAlpha(expected.back()) > 0.2, "the image of shared arrays is not empty");
   }
   for (const char* name : { "Slow", "Fast" })
   {
     first->GetPointData()->GetArray(name)->Modified();
   }
   function->Modified();
-  Show kept;
+  Fixture reused;
   for (const int step : { 0, 3, 1, 5, 2, 4, 1, 0, 3, 2 })
   {
     const double error =
-      ComparePictures(draw(kept, step), expected[static_cast<std::size_t>(step)]).Max;
+      CompareImages(draw(reused, step), expected[static_cast<std::size_t>(step)]).Max;
     check.Near(error, 0.0, 0.0, "shared arrays, step " + std::to_string(step), 1.0);
   }
 }

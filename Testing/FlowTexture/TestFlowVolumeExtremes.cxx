@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extremes and bad input of vtkImplicitFlowVolumeMapper, each by its name.
+// Extreme and invalid input of vtkImplicitFlowVolumeMapper.
 #include "FlowDrawing.h"
 
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Pages/StabilityCase.h"
-#include "Support/Pictures/PictureSettings.h"
+#include "Support/Images/CameraSettings.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -41,40 +41,40 @@ public:
     this->Catalogue.SetClass("vtkImplicitFlowVolumeMapper");
   }
 
-  /// The largest difference of two pictures.
-  void Same(const std::string& name, const std::string& extreme, const RgbaPicture& found,
-    const RgbaPicture& expected, double bound, bool isSeen = true)
+  /// Records the largest difference of two images.
+  void ExpectImage(const std::string& name, const std::string& extreme, const RgbaImage& found,
+    const RgbaImage& expected, double bound, bool isSeen = true)
   {
-    const bool isRight = (LargestAlpha(expected) > 0.05) == isSeen;
+    const bool isVisibilityExpected = (LargestAlpha(expected) > 0.05) == isSeen;
     this->Catalogue.Measure(name, extreme,
-      isSeen ? "the picture without it, largest channel difference" : "nothing is drawn",
-      isRight ? ComparePictures(found, expected).Max : NotANumber, bound);
+      isSeen ? "the image without the extreme, largest channel difference" : "nothing is drawn",
+      isVisibilityExpected ? CompareImages(found, expected).Max : NotANumber, bound);
   }
 
-  /// An error that has these words, once, and no picture.
+  /// Expects one error that contains \a words, and an empty image.
   template <typename Change>
-  void Wrong(const std::string& name, const std::string& extreme, const std::string& words,
+  void ExpectError(const std::string& name, const std::string& extreme, const std::string& words,
     const Change& change)
   {
     vtkNew<vtkImplicitFlowVolumeMapper> mapper;
     mapper->SetInflowTexture(0, MakePaint(17, 17, &Blob));
     vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(9, &Uniform);
     vtkNew<vtkVolumeProperty> property;
-    RgbaPicture found;
+    RgbaImage found;
     const std::string message = ErrorsOf(mapper,
       [&]()
       {
         change(mapper, voxels, property);
         found = DrawFlow(mapper, voxels, MakeScene(), property);
       });
-    this->Catalogue.Check(name, extreme, "an error that names it: " + words, message,
+    this->Catalogue.Check(name, extreme, "an error that contains " + words, message,
       message.find(words) != std::string::npos && LargestAlpha(found) == 0.0);
   }
 
   StabilityCatalogue Catalogue;
 };
 
-RgbaPicture Draw(
+RgbaImage Draw(
   vtkImageData* voxels, const FlowScene& scene, vtkImageData* paint = MakePaint(129, 129, &Blob))
 {
   vtkNew<vtkImplicitFlowVolumeMapper> mapper;
@@ -86,7 +86,7 @@ void TestSizes(FlowTable& table)
 {
   const FlowScene plain = MakeScene();
   vtkSmartPointer<vtkImageData> paint = MakePaint(129, 129, &Blob);
-  const RgbaPicture expected = Draw(MakeFlowVoxels(17, &Uniform), plain, paint);
+  const RgbaImage expected = Draw(MakeFlowVoxels(17, &Uniform), plain, paint);
   for (const double scale : { 1e-6, 1e6 })
   {
     vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(17, &Uniform);
@@ -95,21 +95,22 @@ void TestSizes(FlowTable& table)
     FlowScene scene = MakeScene();
     scene.UnitDistance *= scale;
     scene.Camera = LookAt({ { 0.0, 0.0, 0.0 } }, 0.87 * scale, { { -0.5, 0.6, -0.4 } }, false);
-    table.Same(scale < 1.0 ? "size-1e-6" : "size-1e+6", "a volume of that size",
+    table.ExpectImage(scale < 1.0 ? "size-1e-6" : "size-1e+6", "a volume of that size",
       Draw(voxels, scene, paint), expected, 1e-4);
   }
   vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(17, &Uniform);
   voxels->SetOrigin(1e6 - 0.5, -1e6 - 0.5, 1e6 - 0.5);
   FlowScene far = MakeScene();
   far.Camera = LookAt({ { 1e6, -1e6, 1e6 } }, 0.87, { { -0.5, 0.6, -0.4 } }, false);
-  table.Same("far-1e+6", "a volume of size 1, 1e6 away", Draw(voxels, far, paint), expected, 1e-3);
+  table.ExpectImage(
+    "far-1e+6", "a volume of size 1, 1e6 away", Draw(voxels, far, paint), expected, 1e-3);
 
-  // Two points along each axis are one cell: uniform flow is linear in it.
+  // Two points along each axis form a single cell, in which uniform flow is linear.
   FlowScene coarse = MakeScene();
   vtkNew<vtkImplicitFlowVolumeMapper> mapper;
   mapper->SetInflowTexture(0, paint);
   mapper->SetSampleDistance(1.0 / 32.0);
-  table.Same("one-cell", "two points along each axis",
+  table.ExpectImage("one-cell", "two points along each axis",
     DrawFlow(mapper, MakeFlowVoxels(2, &Uniform), coarse), expected, 2e-3);
   vtkNew<vtkImplicitFlowVolumeMapper> tiny;
   tiny->SetInflowTexture(0, paint);
@@ -117,32 +118,32 @@ void TestSizes(FlowTable& table)
   FlowScene small = MakeScene();
   small.Size = { { 4, 4 } };
   tiny->SetSampleDistance(1e-12);
-  tiny->PaintFilterOff();
+  tiny->TextureFilterOff();
   tiny->SetSampleDistance(1e-12);
-  const RgbaPicture many = DrawFlow(tiny, MakeFlowVoxels(3, &Uniform), small);
-  table.Same("samples-1e-12", "samples 1e-12 apart, of which there are 6,000", many,
-    MakeFlowPicture(small), 1e-2);
+  const RgbaImage many = DrawFlow(tiny, MakeFlowVoxels(3, &Uniform), small);
+  table.ExpectImage("samples-1e-12", "samples 1e-12 apart, limited to 6,000", many,
+    MakeFlowReferenceImage(small), 1e-2);
 
-  // From within the volume, against the formula.
+  // A camera inside the volume, compared with the formula.
   FlowScene inside = MakeScene();
   inside.Camera->SetPosition(0.1, 0.05, 0.1);
   inside.Camera->SetFocalPoint(-0.4, 0.1, -0.3);
   inside.Camera->SetClippingRange(0.001, 3.0);
-  table.Same("eye-inside", "the eye inside the volume",
-    Draw(MakeFlowVoxels(33, &Uniform), inside, paint), MakeFlowPicture(inside), 5e-3);
+  table.ExpectImage("eye-inside", "the camera inside the volume",
+    Draw(MakeFlowVoxels(33, &Uniform), inside, paint), MakeFlowReferenceImage(inside), 5e-3);
 }
 
 void TestValues(FlowTable& table)
 {
   FlowScene scene = MakeScene();
-  const auto hole = [](const Place3& x) { return std::abs(x[0]) < 0.2 && x[1] > -0.1; };
-  const auto holed = [&](const Place3& x)
+  const auto hole = [](const Position3& x) { return std::abs(x[0]) < 0.2 && x[1] > -0.1; };
+  const auto holed = [&](const Position3& x)
   {
-    FlowEnd answer = Uniform(x);
-    answer.IsReached = !hole(x);
-    return answer;
+    FlowEnd end = Uniform(x);
+    end.IsReached = !hole(x);
+    return end;
   };
-  const RgbaPicture expected = Draw(MakeFlowVoxels(17, holed), scene);
+  const RgbaImage expected = Draw(MakeFlowVoxels(17, holed), scene);
   for (const char* name : { "TerminationUV", "AdvectionTime" })
   {
     for (const double value : { NotANumber, std::numeric_limits<double>::infinity() })
@@ -150,7 +151,7 @@ void TestValues(FlowTable& table)
       vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(17, &Uniform);
       for (vtkIdType i = 0; i < voxels->GetNumberOfPoints(); ++i)
       {
-        Place3 x;
+        Position3 x;
         voxels->GetPoint(i, x.data());
         if (hole(x))
         {
@@ -161,72 +162,76 @@ void TestValues(FlowTable& table)
       vtkNew<vtkImplicitFlowVolumeMapper> mapper;
       mapper->AddObserver(vtkCommand::WarningEvent, observer);
       mapper->SetInflowTexture(0, MakePaint(129, 129, &Blob));
-      const RgbaPicture found = DrawFlow(mapper, voxels, scene);
+      const RgbaImage found = DrawFlow(mapper, voxels, scene);
       const std::string kind = std::isnan(value) ? "nan" : "infinity";
-      table.Same(kind + "-" + name, kind + " in " + name, found, expected, 0.0);
+      table.ExpectImage(kind + "-" + name, kind + " in " + name, found, expected, 0.0);
       table.Catalogue.Check(kind + "-warning-" + name, kind + " in " + name, "a warning",
         observer->GetWarningMessage(),
         observer->GetWarningMessage().find("not finite") != std::string::npos);
     }
   }
   FlowScene nothing = MakeScene();
-  const auto none = [](const Place3&) { return FlowEnd{ false, -1, 0.0, 0.0, 0.0 }; };
-  const RgbaPicture empty = Draw(MakeFlowVoxels(9, none), nothing);
-  table.Same("nothing-reached", "no sample reached a surface", empty, empty, 0.0, false);
+  const auto none = [](const Position3&) { return FlowEnd{ false, -1, 0.0, 0.0, 0.0 }; };
+  const RgbaImage empty = Draw(MakeFlowVoxels(9, none), nothing);
+  table.ExpectImage("nothing-reached", "no sample reached a surface", empty, empty, 0.0, false);
 
-  // Surfaces without a texture have the default colour.
+  // Surfaces without a texture have the default color.
   vtkNew<vtkImplicitFlowVolumeMapper> mapper;
   mapper->SetDefaultColor(0.2, 0.4, 0.6, 0.5);
-  const RgbaPicture plain = DrawFlow(mapper, MakeFlowVoxels(9, &Uniform), scene);
+  const RgbaImage plain = DrawFlow(mapper, MakeFlowVoxels(9, &Uniform), scene);
   FlowScene colored = MakeScene();
   colored.Paint = [](const FlowEnd&) { return Color4{ { 0.2, 0.4, 0.6, 0.5 } }; };
-  table.Same("no-texture", "an id without a texture", plain, MakeFlowPicture(colored), 1e-3);
+  table.ExpectImage(
+    "no-texture", "an id without a texture", plain, MakeFlowReferenceImage(colored), 1e-3);
 
-  // Places far beyond the texture have its edge.
-  const auto beyond = [](const Place3& x) { return FlowEnd{ true, 0, 1e6 + x[0], -1e6, 1e30 }; };
+  // Coordinates far outside the texture use its edge.
+  const auto outside = [](const Position3& x) {
+    return FlowEnd{ true, 0, 1e6 + x[0], -1e6, 1e30 };
+  };
   FlowScene edge = MakeScene();
   edge.Paint = [](const FlowEnd&) { return Color4{ { 1.0, 0.0, 0.5, 0.4 } }; };
-  table.Same("places-1e+6", "u and v a million beyond the texture",
-    Draw(MakeFlowVoxels(9, beyond), edge,
+  table.ExpectImage("places-1e+6", "u and v a million outside the texture",
+    Draw(MakeFlowVoxels(9, outside), edge,
       MakePaint(8, 8,
         [](double u, double v) {
           return u > 0.9 && v < 0.1 ? Color4{ { 1, 0, 0.5, 0.4 } } : Color4{ { 0, 1, 0, 1 } };
         })),
-    MakeFlowPicture(edge), 1e-3);
+    MakeFlowReferenceImage(edge), 1e-3);
 
-  // Opaque paint in an instant, and paint that is nearly nothing.
+  // An opaque texture, and a texture of very low opacity.
   FlowScene thin = MakeScene();
-  // Textures have sixteen bits.
+  // Textures have 16 bits.
   constexpr double faint = 66.0 / 65535.0;
   thin.Paint = [=](const FlowEnd&) { return Color4{ { 1.0, 1.0, 1.0, faint } }; };
-  table.Same("alpha-1e-3", "paint of opacity 1e-3, a unit distance of the volume's size / 3",
+  table.ExpectImage("alpha-1e-3",
+    "a texture of opacity 1e-3, with a unit distance of a third of the volume's size",
     Draw(MakeFlowVoxels(9, &Uniform), thin,
       MakePaint(4, 4,
         [](double, double) {
           return Color4{ { 1, 1, 1, faint } };
         })),
-    MakeFlowPicture(thin), 2e-6, false);
+    MakeFlowReferenceImage(thin), 2e-6, false);
   FlowScene solid = MakeScene();
   solid.Paint = [](const FlowEnd&) { return Color4{ { 0.3, 0.6, 0.9, 1.0 } }; };
-  table.Same("alpha-1", "opaque paint",
+  table.ExpectImage("alpha-1", "an opaque texture",
     Draw(MakeFlowVoxels(9, &Uniform), solid,
       MakePaint(4, 4,
         [](double, double) {
           return Color4{ { 0.3, 0.6, 0.9, 1.0 } };
         })),
-    MakeFlowPicture(solid), 1e-4);
+    MakeFlowReferenceImage(solid), 1e-4);
 }
 
-void TestWrong(FlowTable& table)
+void TestErrors(FlowTable& table)
 {
   using Mapper = vtkImplicitFlowVolumeMapper;
   for (const char* name : { "FlowStatus", "TerminationId", "TerminationUV", "AdvectionTime" })
   {
-    table.Wrong(std::string("missing-") + name, std::string("no array ") + name, name,
+    table.ExpectError(std::string("missing-") + name, std::string("no array ") + name, name,
       [&](Mapper*, vtkImageData* voxels, vtkVolumeProperty*)
       { voxels->GetPointData()->RemoveArray(name); });
   }
-  table.Wrong("components", "TerminationUV with one component", "TerminationUV",
+  table.ExpectError("components", "TerminationUV with one component", "TerminationUV",
     [](Mapper*, vtkImageData* voxels, vtkVolumeProperty*)
     {
       auto one = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(VTK_FLOAT));
@@ -234,7 +239,7 @@ void TestWrong(FlowTable& table)
       one->SetNumberOfTuples(voxels->GetNumberOfPoints());
       voxels->GetPointData()->AddArray(one);
     });
-  table.Wrong("image-3d", "an inflow texture of three dimensions", "inflow texture of id 0",
+  table.ExpectError("image-3d", "a three-dimensional inflow texture", "inflow texture of id 0",
     [](Mapper* mapper, vtkImageData*, vtkVolumeProperty*)
     {
       vtkNew<vtkImageData> image;
@@ -242,7 +247,7 @@ void TestWrong(FlowTable& table)
       image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
       mapper->SetInflowTexture(0, image);
     });
-  table.Wrong("image-int", "an inflow texture of int", "type int",
+  table.ExpectError("image-int", "an inflow texture of int", "type int",
     [](Mapper* mapper, vtkImageData*, vtkVolumeProperty*)
     {
       vtkNew<vtkImageData> image;
@@ -250,14 +255,14 @@ void TestWrong(FlowTable& table)
       image->AllocateScalars(VTK_INT, 4);
       mapper->SetInflowTexture(0, image);
     });
-  table.Wrong("image-empty", "a detail texture without scalars", "detail texture",
+  table.ExpectError("image-empty", "a detail texture without scalars", "detail texture",
     [](Mapper* mapper, vtkImageData*, vtkVolumeProperty*)
     {
       vtkNew<vtkImageData> image;
       image->SetDimensions(3, 3, 1);
       mapper->SetDetailTexture(image);
     });
-  table.Wrong("image-large", "an inflow texture of 100,000 columns", "at most",
+  table.ExpectError("image-large", "an inflow texture of 100,000 columns", "at most",
     [](Mapper* mapper, vtkImageData*, vtkVolumeProperty*)
     {
       vtkNew<vtkImageData> image;
@@ -265,18 +270,18 @@ void TestWrong(FlowTable& table)
       image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
       mapper->SetInflowTexture(0, image);
     });
-  table.Wrong("memory", "a limit of 1000 bytes", "MaximumTextureMemory",
+  table.ExpectError("memory", "a limit of 1000 bytes", "MaximumTextureMemory",
     [](Mapper* mapper, vtkImageData*, vtkVolumeProperty*)
     { mapper->SetMaximumTextureMemory(1000); });
-  table.Wrong("opacity-array", "an opacity array that is not there", "\"Nothing\"",
+  table.ExpectError("opacity-array", "an opacity array that does not exist", "\"Nothing\"",
     [](Mapper* mapper, vtkImageData*, vtkVolumeProperty*) { mapper->SetOpacityArray("Nothing"); });
-  table.Wrong("shading-array", "a shading array of two components", "2 components",
+  table.ExpectError("shading-array", "a two-component shading array", "2 components",
     [](Mapper* mapper, vtkImageData*, vtkVolumeProperty* property)
     {
       property->ShadeOn();
       mapper->SetShadingArray("TerminationUV");
     });
-  table.Wrong("blend-mode", "maximum intensity", "composite",
+  table.ExpectError("blend-mode", "maximum intensity", "composite",
     [](Mapper* mapper, vtkImageData*, vtkVolumeProperty*)
     { mapper->SetBlendModeToMaximumIntensity(); });
 
@@ -291,7 +296,7 @@ void TestWrong(FlowTable& table)
   vtkNew<vtkVolumeProperty> property;
   stage.SetVolume(mapper, property);
   const std::string message = ErrorsOf(mapper, [&]() { stage.Render(); });
-  table.Catalogue.Check("unstructured", "an unstructured grid", "an error that says what to do",
+  table.Catalogue.Check("unstructured", "an unstructured grid", "an error that names the solution",
     message, message.find("SAMPLES_OF_IMAGE") != std::string::npos);
 }
 }
@@ -301,6 +306,6 @@ int TestFlowVolumeExtremes(int argc, char* argv[])
   FlowTable table(argc, argv);
   TestSizes(table);
   TestValues(table);
-  TestWrong(table);
+  TestErrors(table);
   return table.Catalogue.GetExitCode();
 }

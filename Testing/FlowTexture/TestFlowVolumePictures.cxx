@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkImplicitFlowVolumeMapper against pictures that trace each sample of a line of sight by
-// formula: an image through uniform flow, a rotation, a strained flow on finer and finer voxels.
+// Compares vtkImplicitFlowVolumeMapper with images that evaluate the flow by formula at each sample
+// of a view ray: uniform flow, a rotation, and a strained flow with increasing resolution.
 #include "FlowDrawing.h"
 
 #include "Support/Arrays/ReferenceIndices.h"
@@ -23,7 +23,7 @@ using namespace reference;
 constexpr double PI = 3.14159265358979324;
 constexpr double TOLERANCE = 1.0 / 255.0;
 
-/// Blocks of colours and of opacity 0 and 1, with sharp edges.
+/// Blocks of colors with opacity 0 or 1 and sharp edges.
 Color4 Blocks(double u, double v)
 {
   const int i = static_cast<int>(6.0 * u);
@@ -32,7 +32,7 @@ Color4 Blocks(double u, double v)
     (i + 2 * j) % 5 == 0 ? 0.0 : 1.0 } };
 }
 
-/// A painted image comes through uniform flow unchanged, in any cross-section.
+/// Uniform flow shows the inflow texture unchanged in every cross-section.
 void TestImage(Check& check)
 {
   vtkSmartPointer<vtkImageData> paint = MakePaint(65, 65, &Blocks);
@@ -54,16 +54,17 @@ void TestImage(Check& check)
     mapper->SetInflowTexture(0, paint);
     mapper->AddClippingPlane(near);
     mapper->AddClippingPlane(far);
-    const RgbaPicture found = DrawFlow(mapper, voxels, scene);
+    const RgbaImage found = DrawFlow(mapper, voxels, scene);
     scene.Flow = &Uniform;
-    scene.Paint = [&](const FlowEnd& answer) { return LookUpPaint(paint, answer.U, answer.V); };
-    scene.IsKept = [at](const Place3& x) { return std::abs(x[0] - at) < 0.06; };
-    const RgbaPicture expected = MakeFlowPicture(scene, 100);
-    // Everywhere, edges too, within what is between a texel's neighbours; the mean away from them.
+    scene.Paint = [&](const FlowEnd& end) { return LookUpPaint(paint, end.U, end.V); };
+    scene.IsRetained = [at](const Position3& x) { return std::abs(x[0] - at) < 0.06; };
+    const RgbaImage expected = MakeFlowReferenceImage(scene, 100);
+    // At edges, the reference allows for the interpolation between neighboring texels. The direct
+    // comparison with the texture excludes edges.
     double sum = 0.0;
     double largest = 0.0;
     int count = 0;
-    // The camera sees u from left to right.
+    // In the image, u increases from left to right.
     const double pixel = 2.0 * scene.Camera->GetParallelScale() / scene.Size[1];
     for (const auto& [j, i] : AllIndices(scene.Size[1], scene.Size[0]))
     {
@@ -91,20 +92,21 @@ void TestImage(Check& check)
         count += isEdge ? 0 : 1;
       }
     }
-    const PictureError error = ComparePictures(found, expected);
+    const ImageError error = CompareImages(found, expected);
     std::cout << "cross-section at " << at << ": mean " << sum / count << ", largest " << largest
-              << " away from edges of " << count << "; against the formula " << error << "\n";
-    check.That(count > 4 * 5000 && sum / count <= TOLERANCE, "the image's mean error");
-    check.That(largest <= 2.0 * TOLERANCE, "the image within edges of a texel");
-    check.That(error.Mean <= TOLERANCE, "the picture by formula");
+              << " excluding edges, in " << count
+              << " values; difference from the formula: " << error << "\n";
+    check.That(count > 4 * 5000 && sum / count <= TOLERANCE, "the mean error of the image");
+    check.That(largest <= 2.0 * TOLERANCE, "the largest error of the image away from edges");
+    check.That(error.Mean <= TOLERANCE, "the mean error against the formula");
   }
 }
 
-/// Smooth paint: discs of colour.
-Color4 Discs(const FlowEnd& answer)
+/// A smooth texture: two spots of color.
+Color4 Spots(const FlowEnd& end)
 {
-  const double u = std::min(std::max(answer.U, 0.0), 1.0);
-  const double v = std::min(std::max(answer.V, 0.0), 1.0);
+  const double u = std::min(std::max(end.U, 0.0), 1.0);
+  const double v = std::min(std::max(end.V, 0.0), 1.0);
   const double a = std::hypot(u - 0.35, v - 0.4) / 0.2;
   const double b = std::hypot(u - 0.6, v - 0.65) / 0.25;
   const double one = std::exp(-a * a);
@@ -112,76 +114,76 @@ Color4 Discs(const FlowEnd& answer)
   return { { 0.9 * one, 0.2 + 0.5 * two, 0.8 * two, std::min(0.9 * one + 0.4 * two, 0.95) } };
 }
 
-vtkSmartPointer<vtkImageData> PaintDiscs()
+vtkSmartPointer<vtkImageData> MakeSpotTexture()
 {
-  return MakePaint(257, 257, [](double u, double v) { return Discs({ true, 0, u, v, 0.0 }); });
+  return MakePaint(257, 257, [](double u, double v) { return Spots({ true, 0, u, v, 0.0 }); });
 }
 
-/// Turns around the z axis, from the half plane of y = 0, x > 0, in 2 pi.
-FlowEnd Rotation(const Place3& x)
+/// A rotation around the z axis from the half plane y = 0, x > 0, with a period of 2 pi.
+FlowEnd Rotation(const Position3& x)
 {
   const double radius = std::hypot(x[0], x[1]);
   const double angle = std::atan2(x[1], x[0]);
   return { true, 4, radius / 0.75, x[2] + 0.5, angle < 0.0 ? angle + 2.0 * PI : angle };
 }
 
-/// Strained and swirling flow from the plane x = -0.5.
-FlowEnd Strain(const Place3& x)
+/// A strained, swirling flow from the plane x = -0.5.
+FlowEnd Strain(const Position3& x)
 {
   const double time = x[0] + 0.5;
-  const double turn = 1.2 * time;
-  const double y = (x[1] * std::cos(turn) + x[2] * std::sin(turn)) * std::exp(0.4 * time);
-  const double z = (x[2] * std::cos(turn) - x[1] * std::sin(turn)) * std::exp(-0.3 * time);
+  const double angle = 1.2 * time;
+  const double y = (x[1] * std::cos(angle) + x[2] * std::sin(angle)) * std::exp(0.4 * time);
+  const double z = (x[2] * std::cos(angle) - x[1] * std::sin(angle)) * std::exp(-0.3 * time);
   return { true, 0, 0.5 + 0.6 * y, 0.5 + 0.6 * z, time };
 }
 
-/// Errors on voxels of half the size, again and again, with pieces of half the length.
+/// Checks the order of the error while the voxel size and the sample distance are halved.
 void TestOrder(Check& check, const std::string& name, const FlowFormula& flow,
-  const Place3& direction, double order, double bound)
+  const Position3& direction, double order, double bound)
 {
   FlowScene scene;
   scene.Flow = flow;
-  scene.Paint = &Discs;
+  scene.Paint = &Spots;
   scene.UnitDistance = 0.4;
   scene.Camera = LookAlong(direction);
-  const RgbaPicture expected = MakeFlowPicture(scene);
-  vtkSmartPointer<vtkImageData> paint = PaintDiscs();
+  const RgbaImage expected = MakeFlowReferenceImage(scene);
+  vtkSmartPointer<vtkImageData> paint = MakeSpotTexture();
   double before = 0.0;
   for (const int n : { 9, 17, 33, 65 })
   {
     vtkNew<vtkImplicitFlowVolumeMapper> mapper;
     mapper->SetInflowTexture(vtkImplicitFlowVolumeMapper::ALL, paint);
-    // The formula is asked at points, not over pixels.
-    mapper->PaintFilterOff();
-    const PictureError error =
-      ComparePictures(DrawFlow(mapper, MakeFlowVoxels(n, flow), scene), expected);
+    // The formula is evaluated at points, without filtering over pixels.
+    mapper->TextureFilterOff();
+    const ImageError error =
+      CompareImages(DrawFlow(mapper, MakeFlowVoxels(n, flow), scene), expected);
     std::cout << name << ", " << n << " voxels: " << error << ", order "
               << std::log2(before / error.Mean) << "\n";
-    // On the finest voxels what is left is the end of a line of sight at an opacity of 0.9999.
+    // On the finest voxels, the error is dominated by ending rays at an opacity of 0.9999.
     check.That(before == 0.0 || n == 65 || std::log2(before / error.Mean) >= order,
-      name + ": the order with " + std::to_string(n) + " voxels");
-    check.That(n < 65 || error.Mean <= bound, name + ": the error");
+      name + ": the order of the error with " + std::to_string(n) + " voxels");
+    check.That(n < 65 || error.Mean <= bound, name + ": the mean error");
     before = error.Mean;
   }
 }
 
-/// A rotation comes round to itself: just after a turn there is what was put in.
+/// In a rotation, the color just before one full turn equals the color at its start.
 void TestTurn(Check& check)
 {
   const auto section = [](double angle)
   {
-    // A wedge of 0.1, seen from outside, always in the same place of the picture.
+    // A wedge of 0.2 radians, seen from outside, always at the same position in the image.
     FlowScene scene;
     scene.Size = { { 64, 64 } };
     scene.UnitDistance = 0.05;
     scene.Camera = LookAlong({ { std::sin(angle), -std::cos(angle), 0.0 } }, true);
     scene.Camera->SetViewUp(0.0, 0.0, 1.0);
     vtkNew<vtkPlane> planes[3];
-    const double ways[2] = { angle - 0.1, angle + 0.1 };
+    const double angles[2] = { angle - 0.1, angle + 0.1 };
     for (int i = 0; i < 2; ++i)
     {
       const double sign = i == 0 ? 1.0 : -1.0;
-      planes[i]->SetNormal(-sign * std::sin(ways[i]), sign * std::cos(ways[i]), 0.0);
+      planes[i]->SetNormal(-sign * std::sin(angles[i]), sign * std::cos(angles[i]), 0.0);
     }
     planes[2]->SetNormal(std::cos(angle), std::sin(angle), 0.0);
     vtkNew<vtkImplicitFlowVolumeMapper> mapper;
@@ -189,14 +191,15 @@ void TestTurn(Check& check)
     {
       mapper->AddClippingPlane(plane);
     }
-    mapper->SetInflowTexture(4, PaintDiscs());
+    mapper->SetInflowTexture(4, MakeSpotTexture());
     return DrawFlow(mapper, MakeFlowVoxels(49, &Rotation), scene);
   };
-  const RgbaPicture first = section(0.11);
-  const PictureError error = ComparePictures(section(2.0 * PI - 0.11), first);
-  std::cout << "a whole turn: " << error << "\n";
-  check.That(LargestAlpha(first) > 0.5, "the section is seen");
-  check.That(error.Mean <= TOLERANCE && error.Max <= 0.05, "a turn returns onto itself");
+  const RgbaImage first = section(0.11);
+  const ImageError error = CompareImages(section(2.0 * PI - 0.11), first);
+  std::cout << "a full turn: " << error << "\n";
+  check.That(LargestAlpha(first) > 0.5, "the section is visible");
+  check.That(error.Mean <= TOLERANCE && error.Max <= 0.05,
+    "the image after a full turn equals the first image");
 }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkImplicitFlowVolumeMapper among other props: opaque ones by depth, clipping planes, cropping,
-// several renderers, selection, and the same flow through vtkFlowVolume.
+// vtkImplicitFlowVolumeMapper with other props: occlusion by opaque props, clipping planes,
+// cropping, several renderers, selection, and the same flow drawn with vtkFlowVolume.
 #include "FlowDrawing.h"
 
 #include "Support/Arrays/ReferenceIndices.h"
-#include "Support/Pictures/PictureSettings.h"
+#include "Support/Images/CameraSettings.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
@@ -42,7 +42,7 @@ vtkSmartPointer<vtkImageData> MakeBlob()
   return MakePaint(129, 129, &Blob);
 }
 
-/// Half of the cube by each way to cut.
+/// Compares each kind of clipping with the formula.
 void TestCuts(Check& check)
 {
   FlowScene scene = MakeBlobScene();
@@ -50,45 +50,45 @@ void TestCuts(Check& check)
                          vtkImplicitFlowVolumeMapper* mapper, const std::string& what, double bound)
   {
     mapper->SetInflowTexture(0, MakeBlob());
-    const PictureError error = ComparePictures(
-      DrawFlow(mapper, MakeFlowVoxels(33, &Uniform), scene), MakeFlowPicture(scene, 800));
+    const ImageError error = CompareImages(
+      DrawFlow(mapper, MakeFlowVoxels(33, &Uniform), scene), MakeFlowReferenceImage(scene, 800));
     std::cout << what << ": " << error << "\n";
-    check.That(error.Max <= bound, what + ": off by " + std::to_string(error.Max));
+    check.That(error.Max <= bound, what + ": largest error " + std::to_string(error.Max));
   };
-  vtkNew<vtkImplicitFlowVolumeMapper> whole;
-  compare(whole, "whole", 2e-3);
-  scene.IsKept = [](const Place3& x) { return x[0] + 2.0 * x[2] > 0.1; };
+  vtkNew<vtkImplicitFlowVolumeMapper> full;
+  compare(full, "full cube", 2e-3);
+  scene.IsRetained = [](const Position3& x) { return x[0] + 2.0 * x[2] > 0.1; };
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(0.1, 0.0, 0.0);
   plane->SetNormal(1.0, 0.0, 2.0);
   vtkNew<vtkImplicitFlowVolumeMapper> clipped;
   clipped->AddClippingPlane(plane);
   compare(clipped, "clipped", 2e-3);
-  scene.IsKept = [](const Place3& x)
+  scene.IsRetained = [](const Position3& x)
   { return x[0] > -0.3 && x[0] < 0.2 && x[1] > -0.1 && x[2] < 0.25; };
   vtkNew<vtkImplicitFlowVolumeMapper> cropped;
   cropped->CroppingOn();
   cropped->SetCroppingRegionPlanes(-0.3, 0.2, -0.1, 0.6, -0.6, 0.25);
   compare(cropped, "cropped", 2e-3);
-  scene.IsKept = [](const Place3& x) {
+  scene.IsRetained = [](const Position3& x) {
     return !(x[0] > -0.3 && x[0] < 0.2 && x[1] > -0.1 && x[1] < 0.6 && x[2] > -0.6 && x[2] < 0.25);
   };
   vtkNew<vtkImplicitFlowVolumeMapper> inverse;
   inverse->CroppingOn();
   inverse->SetCroppingRegionPlanes(-0.3, 0.2, -0.1, 0.6, -0.6, 0.25);
   inverse->SetCroppingRegionFlags(0x7ffdfff);
-  compare(inverse, "all but a box", 2e-3);
+  compare(inverse, "cube without a box", 2e-3);
 
-  // A cube of a flow that is the same in every turned image of it.
-  scene.Flow = [](const Place3&) { return FlowEnd{ true, 0, 0.5, 0.45, 0.5 }; };
-  const double turn[9] = { 0.8, -0.6, 0.0, 0.48, 0.64, -0.6, -0.36, -0.48, -0.8 };
-  vtkSmartPointer<vtkImageData> turned = MakeFlowVoxels(9, scene.Flow);
-  turned->SetDirectionMatrix(turn);
-  Place3 center;
-  turned->GetCenter(center.data());
-  turned->SetOrigin(-0.5 - center[0], -0.5 - center[1], -0.5 - center[2]);
-  // Samples farther apart than the regions are wide cut as exactly.
-  RgbaPicture pictures[2];
+  // A rotated cube of constant flow.
+  scene.Flow = [](const Position3&) { return FlowEnd{ true, 0, 0.5, 0.45, 0.5 }; };
+  const double axes[9] = { 0.8, -0.6, 0.0, 0.48, 0.64, -0.6, -0.36, -0.48, -0.8 };
+  vtkSmartPointer<vtkImageData> rotated = MakeFlowVoxels(9, scene.Flow);
+  rotated->SetDirectionMatrix(axes);
+  Position3 center;
+  rotated->GetCenter(center.data());
+  rotated->SetOrigin(-0.5 - center[0], -0.5 - center[1], -0.5 - center[2]);
+  // Clipping remains exact if the sample distance exceeds the width of the regions.
+  RgbaImage images[2];
   for (const bool isClipped : { false, true })
   {
     vtkNew<vtkImplicitFlowVolumeMapper> mapper;
@@ -98,8 +98,8 @@ void TestCuts(Check& check)
     mapper->SetCroppingRegionPlanes(-0.3, 0.2, -0.1, 0.33, -0.31, 0.25);
     for (int side = 0; side < 6 && isClipped; ++side)
     {
-      Place3 normal{};
-      Place3 origin{};
+      Position3 normal{};
+      Position3 origin{};
       normal[static_cast<std::size_t>(side) / 2] = side % 2 == 0 ? 1.0 : -1.0;
       origin[static_cast<std::size_t>(side) / 2] = mapper->GetCroppingRegionPlanes()[side];
       vtkNew<vtkPlane> face;
@@ -107,39 +107,39 @@ void TestCuts(Check& check)
       face->SetOrigin(origin.data());
       mapper->AddClippingPlane(face);
     }
-    pictures[isClipped ? 1 : 0] = DrawFlow(mapper, turned, scene);
+    images[isClipped ? 1 : 0] = DrawFlow(mapper, rotated, scene);
   }
-  check.That(LargestAlpha(pictures[1]) > 0.3, "something is seen of the turned volume");
-  check.Near(ComparePictures(pictures[0], pictures[1]).Max, 0.0, 1e-5,
-    "a turned volume, cropped as by six clipping planes", 1.0);
+  check.That(LargestAlpha(images[1]) > 0.3, "the image of the rotated volume is not empty");
+  check.Near(CompareImages(images[0], images[1]).Max, 0.0, 1e-5,
+    "cropping of a rotated volume equals six clipping planes", 1.0);
 }
 
-/// Two thin sheets with nothing before, between and behind them, which is passed over.
+/// Two thin sheets, with empty space around them that is skipped.
 void TestSheets(Check& check)
 {
   FlowScene scene = MakeBlobScene();
-  // Borders lie in the middle between the voxels that reached a surface and those that did not.
+  // Borders are halfway between voxels that reached a surface and voxels that did not.
   const double h = 1.0 / 32.0;
-  const auto sheets = [h](const Place3& x)
+  const auto sheets = [h](const Position3& x)
   {
-    FlowEnd answer = Uniform(x);
-    answer.IsReached = std::abs(x[0]) < 1.5 * h || std::abs(x[0] - 10.0 * h) < 0.5 * h;
-    return answer;
+    FlowEnd end = Uniform(x);
+    end.IsReached = std::abs(x[0]) < 1.5 * h || std::abs(x[0] - 10.0 * h) < 0.5 * h;
+    return end;
   };
   vtkNew<vtkImplicitFlowVolumeMapper> mapper;
   mapper->SetInflowTexture(0, MakeBlob());
   mapper->SetSampleDistance(0.1 * h);
   scene.Flow = sheets;
   scene.UnitDistance = 0.05;
-  const PictureError error = ComparePictures(
-    DrawFlow(mapper, MakeFlowVoxels(33, sheets), scene), MakeFlowPicture(scene, 4000));
+  const ImageError error = CompareImages(
+    DrawFlow(mapper, MakeFlowVoxels(33, sheets), scene), MakeFlowReferenceImage(scene, 4000));
   std::cout << "two sheets: " << error << "\n";
-  check.That(error.Max <= 0.02, "sheets within empty cells");
+  check.That(error.Max <= 0.02, "sheets inside empty cells");
   check.That(
     mapper->GetReport()->GetNumber("EmptyCells") > 20 * 32 * 32, "empty cells are counted");
 }
 
-/// A pane hides what is behind it, whichever way the window draws.
+/// An opaque plate hides the part of the volume behind it, in parallel and perspective projection.
 void TestOpaque(Check& check)
 {
   for (const bool isParallel : { false, true })
@@ -152,10 +152,10 @@ void TestOpaque(Check& check)
     source->SetPoint2(0.05, -3.0, 3.0);
     vtkNew<vtkPolyDataMapper> surface;
     surface->SetInputConnection(source->GetOutputPort());
-    vtkNew<vtkActor> pane;
-    pane->SetMapper(surface);
-    pane->GetProperty()->LightingOff();
-    pane->GetProperty()->SetColor(0.0, 0.0, 0.0);
+    vtkNew<vtkActor> plate;
+    plate->SetMapper(surface);
+    plate->GetProperty()->LightingOff();
+    plate->GetProperty()->SetColor(0.0, 0.0, 0.0);
     vtkNew<vtkImplicitFlowVolumeMapper> mapper;
     mapper->SetInflowTexture(0, MakeBlob());
     vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(33, &Uniform);
@@ -165,33 +165,34 @@ void TestOpaque(Check& check)
     VolumeStage stage(scene.Size);
     stage.SetVolume(mapper, property);
     stage.SetCamera(scene.Camera);
-    stage.AddActor(pane);
-    const RgbaPicture found = stage.Capture();
+    stage.AddActor(plate);
+    const RgbaImage found = stage.Capture();
     check.Contains(mapper->GetReport()->GetText("Features"), "opaque");
-    scene.IsKept = [](const Place3& x) { return x[0] > 0.05; };
-    const RgbaPicture expected = MakeFlowPicture(scene, 800);
+    scene.IsRetained = [](const Position3& x) { return x[0] > 0.05; };
+    const RgbaImage expected = MakeFlowReferenceImage(scene, 800);
     double largest = 0.0;
     for (const auto& [j, i, c] : AllIndices(scene.Size[1], scene.Size[0], 3))
     {
       largest = std::max(largest, std::abs(found.At(i, j)[c] - expected.At(i, j)[c]));
     }
-    std::cout << "before a pane, parallel " << isParallel << ": " << largest << "\n";
-    check.That(largest < 2e-3, "a pane hides what is behind it");
+    std::cout << "in front of a plate, parallel " << isParallel << ": " << largest << "\n";
+    check.That(largest < 2e-3, "a plate hides the volume behind it");
 
-    // The selector finds the volume before the pane, and the pane beside it.
+    // The selector finds the volume in front of the plate, and the plate next to the volume.
     vtkNew<vtkHardwareSelector> selector;
     selector->SetRenderer(stage.GetRenderer());
     selector->SetArea(0, 0, 47, 47);
     stage.Render();
-    check.That(selector->CaptureBuffers(), "a selection");
-    const unsigned int middle[2] = { 24, 24 };
+    check.That(selector->CaptureBuffers(), "the selection succeeds");
+    const unsigned int center[2] = { 24, 24 };
     const unsigned int corner[2] = { 1, 1 };
-    check.That(selector->GetPixelInformation(middle, 0).Prop == stage.GetVolume(), "the volume");
-    check.That(selector->GetPixelInformation(corner, 0).Prop == pane, "the pane");
+    check.That(
+      selector->GetPixelInformation(center, 0).Prop == stage.GetVolume(), "the volume is selected");
+    check.That(selector->GetPixelInformation(corner, 0).Prop == plate, "the plate is selected");
   }
 }
 
-/// Two renderers side by side have a picture each.
+/// Two renderers next to each other show the same image.
 void TestRenderers(Check& check)
 {
   FlowScene scene = MakeBlobScene();
@@ -214,8 +215,8 @@ void TestRenderers(Check& check)
     window->AddRenderer(renderers[i]);
   }
   window->Render();
-  check.Near(mapper->GetReport()->GetNumber("GridUploads"), 0, 0.0,
-    "one set of textures for both renderers");
+  check.Equal(
+    mapper->GetReport()->GetCount("GridUploads"), 0, "both renderers share their textures");
   vtkNew<vtkUnsignedCharArray> pixels;
   window->GetRGBACharPixelData(0, 0, 95, 47, 0, pixels);
   int largest = 0;
@@ -226,11 +227,12 @@ void TestRenderers(Check& check)
     largest = std::max(largest, std::abs(a - pixels->GetTypedComponent(96 * j + 48 + i, c)));
     brightest = std::max(brightest, a);
   }
-  check.That(brightest > 50 && largest <= 1, "the same picture twice");
+  check.That(brightest > 50 && largest <= 1, "both images are equal");
 }
 
-/// The same Gaussian inflow by tetrahedra and by a texture: silhouettes and optical depths.
-void TestRoutes(Check& check)
+/// The same Gaussian inflow drawn with tetrahedra and with a texture: silhouettes and optical
+/// depths.
+void TestFlowVolume(Check& check)
 {
   const int n = 41;
   auto field = vtkSmartPointer<vtkImageData>::New();
@@ -250,14 +252,16 @@ void TestRoutes(Check& check)
   plane->SetOrigin(-0.5, -0.9, -0.9);
   plane->SetPoint1(-0.5, 0.9, -0.9);
   plane->SetPoint2(-0.5, -0.9, 0.9);
-  // What comes in beside the field is beyond its edge: only a core of the field is drawn.
+  // Flow that enters through the sides of the field has no inflow value. Only a core of the field
+  // is drawn.
   vtkNew<vtkImplicitFlowField> flow;
   flow->SetInputData(field);
   flow->AddTerminationSurface(plane);
   flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
   flow->Update();
   auto* samples = vtkImageData::SafeDownCast(flow->GetOutputDataObject(0));
-  // exp(-(r / width)^2) above a limit, as extinction: alpha in a unit distance follows.
+  // The extinction is exp(-(r / width)^2) above a limit. It determines the opacity per unit
+  // distance.
   const double limit = 0.15;
   const double width = 0.11;
   const double strength = 6.0;
@@ -288,7 +292,7 @@ void TestRoutes(Check& check)
         return Color4{ { 1.0, 1.0, 1.0, value > limit ? 1.0 - std::exp(-strength * value) : 0.0 } };
       }));
   textured->SetSampleDistance(0.25 / (n - 1));
-  const RgbaPicture by = DrawFlow(textured, samples, scene);
+  const RgbaImage texturedImage = DrawFlow(textured, samples, scene);
 
   vtkNew<vtkTimeWeightedTetrahedraMapper> tetrahedra;
   tetrahedra->SetInputData(vtkUnstructuredGrid::SafeDownCast(volume->GetOutputDataObject(0)));
@@ -297,53 +301,54 @@ void TestRoutes(Check& check)
   std::vector<FunctionNode> nodes;
   for (int i = 0; i <= 100; ++i)
   {
-    // The tetrahedra's function is extinction per unit of length.
+    // The opacity function of the tetrahedra is the extinction per unit length.
     nodes.push_back({ 0.01 * i, { { 1.0, 1.0, 1.0 } }, strength * 0.01 * i });
   }
   vtkSmartPointer<vtkVolumeProperty> property = MakeProperty(nodes, 1.0);
   VolumeStage stage(scene.Size);
   stage.SetVolume(tetrahedra, property);
   stage.SetCamera(scene.Camera);
-  const RgbaPicture with = stage.Capture();
+  const RgbaImage tetrahedraImage = stage.Capture();
   double depths[2] = { 0.0, 0.0 };
-  double apart = 0.0;
-  int beyond = 0;
+  double difference = 0.0;
+  int outside = 0;
   int inside = 0;
   const auto depthOf = [](const double* pixel) { return -std::log(1.0 - pixel[3]); };
   for (int j = 2; j < scene.Size[1] - 2; ++j)
   {
     for (int i = 2; i < scene.Size[0] - 2; ++i)
     {
-      const double a = depthOf(by.At(i, j));
-      const double b = depthOf(with.At(i, j));
+      const double a = depthOf(texturedImage.At(i, j));
+      const double b = depthOf(tetrahedraImage.At(i, j));
       depths[0] += a;
       depths[1] += b;
-      apart += std::abs(a - b);
-      // A silhouette is within a pixel where a neighbour has what the other picture has.
+      difference += std::abs(a - b);
+      // Silhouettes match within a pixel if a neighbor has the visibility of the other image.
       for (const bool isSeen : { true, false })
       {
-        const auto has = [&](const RgbaPicture& picture, int x, int y)
-        { return (picture.At(x, y)[3] > 0.02) == isSeen; };
+        const auto has = [&](const RgbaImage& image, int x, int y)
+        { return (image.At(x, y)[3] > 0.02) == isSeen; };
         bool isNear = false;
         for (int k = 0; k < 9; ++k)
         {
-          isNear = isNear || has(with, i + k % 3 - 1, j + k / 3 - 1);
+          isNear = isNear || has(tetrahedraImage, i + k % 3 - 1, j + k / 3 - 1);
         }
-        beyond += has(by, i, j) && !isNear ? 1 : 0;
+        outside += has(texturedImage, i, j) && !isNear ? 1 : 0;
       }
       inside += b > 0.02 ? 1 : 0;
     }
   }
-  std::cout << "two routes: depth " << depths[0] << " and " << depths[1] << ", apart " << apart
-            << ", beyond silhouettes " << beyond << " of " << inside << " pixels\n";
-  check.That(inside > 500, "the flow is seen");
-  check.That(beyond == 0, "silhouettes within a pixel");
-  check.That(std::abs(depths[0] / depths[1] - 1.0) <= 0.02, "the optical depth");
-  check.That(apart <= 0.02 * depths[1], "the optical depth, pixel by pixel");
+  std::cout << "texture and tetrahedra: depth " << depths[0] << " and " << depths[1]
+            << ", difference " << difference << ", outside silhouettes " << outside << " of "
+            << inside << " pixels\n";
+  check.That(inside > 500, "the flow is visible");
+  check.That(outside == 0, "silhouettes match within a pixel");
+  check.That(std::abs(depths[0] / depths[1] - 1.0) <= 0.02, "the total optical depth");
+  check.That(difference <= 0.02 * depths[1], "the optical depth of pixels");
 }
 }
 
 int TestFlowVolumeScene(int, char*[])
 {
-  return RunChecks({ TestCuts, TestSheets, TestOpaque, TestRenderers, TestRoutes });
+  return RunChecks({ TestCuts, TestSheets, TestOpaque, TestRenderers, TestFlowVolume });
 }

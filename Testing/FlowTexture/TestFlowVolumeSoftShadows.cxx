@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Soft shadows of a vtkAreaLight on paint: against the mean of many lights by formula, beside a
-// light without extent, and how even light is on sharp edges of dense paint.
+// Soft shadows of a vtkAreaLight in the volume: compared with the mean of many point lights by
+// formula and with hard shadows, and stripes on sharp edges of dense texture.
 #include "FlowDrawing.h"
 
 #include "Support/Checks/ReferenceCheck.h"
@@ -22,7 +22,7 @@ using namespace reference;
 
 constexpr double UnitDistance = 0.1;
 
-/// Paint between two places of u, and of v.
+/// Dense texture between two values of u and of v.
 struct Slab
 {
   std::array<double, 2> U;
@@ -34,7 +34,7 @@ struct Slab
 const std::vector<Slab> Slabs{ { { { 0.2, 0.28 } }, { { 0.35, 0.65 } }, 0.8 },
   { { { 0.7, 0.85 } }, { { 0.0, 1.0 } }, 0.5 } };
 
-Color4 PaintSlabs(double u, double v)
+Color4 GetSlabColor(double u, double v)
 {
   double alpha = 0.0;
   for (const Slab& slab : Slabs)
@@ -45,15 +45,15 @@ Color4 PaintSlabs(double u, double v)
   return { { 1.0, 1.0, 1.0, alpha } };
 }
 
-/// The transmittance of the slabs from a place to a light, exactly.
-double GetTransmittance(const Place3& x, const Place3& light)
+/// Returns the exact transmittance of the slabs from a point to a light.
+double GetTransmittance(const Position3& x, const Position3& light)
 {
-  Place3 way;
+  Position3 path;
   double length = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    way[i] = light[i] - x[i];
-    length += way[i] * way[i];
+    path[i] = light[i] - x[i];
+    length += path[i] * path[i];
   }
   length = std::sqrt(length);
   double depth = 0.0;
@@ -65,8 +65,8 @@ double GetTransmittance(const Place3& x, const Place3& light)
     double upper = 1.0;
     for (int i = 0; i < 3; ++i)
     {
-      const double a = (bounds[i][0] - x[i]) / way[i];
-      const double b = (bounds[i][1] - x[i]) / way[i];
+      const double a = (bounds[i][0] - x[i]) / path[i];
+      const double b = (bounds[i][1] - x[i]) / path[i];
       lower = std::max(lower, std::min(a, b));
       upper = std::min(upper, std::max(a, b));
     }
@@ -75,8 +75,9 @@ double GetTransmittance(const Place3& x, const Place3& light)
   return std::exp(-depth);
 }
 
-/// The light's place; its emitter is a square across the line from there to the origin.
-const Place3 LightPlace{ { 0.31, -1.7, 0.42 } };
+/// Position of the light. Its emitter is a square perpendicular to the line from there to the
+/// origin.
+const Position3 LightPosition{ { 0.31, -1.7, 0.42 } };
 
 vtkSmartPointer<vtkAreaLight> MakeLight(double size)
 {
@@ -84,7 +85,7 @@ vtkSmartPointer<vtkAreaLight> MakeLight(double size)
   light->SetLightTypeToSceneLight();
   light->SetPositional(true);
   light->SetConeAngle(180.0);
-  light->SetPosition(LightPlace[0], LightPlace[1], LightPlace[2]);
+  light->SetPosition(LightPosition[0], LightPosition[1], LightPosition[2]);
   light->SetFocalPoint(0.0, 0.0, 0.0);
   light->SetShapeToSquare();
   light->SetSize(size, size);
@@ -93,39 +94,39 @@ vtkSmartPointer<vtkAreaLight> MakeLight(double size)
 
 FlowScene MakeScene(vtkAreaLight* light, int samples)
 {
-  std::vector<Place3> places;
+  std::vector<Position3> positions;
   for (const vtkAreaLight::Sample& sample : light->GetSamples(samples))
   {
-    places.push_back({ { sample.Position[0], sample.Position[1], sample.Position[2] } });
+    positions.push_back({ { sample.Position[0], sample.Position[1], sample.Position[2] } });
   }
   FlowScene scene;
   scene.Flow = &Uniform;
   scene.UnitDistance = UnitDistance;
   scene.Camera = LookAlong({ { -0.5, 0.6, -0.4 } });
-  scene.Paint = [places](const FlowEnd& answer)
+  scene.Paint = [positions](const FlowEnd& end)
   {
-    Color4 color = PaintSlabs(answer.U, answer.V);
+    Color4 color = GetSlabColor(end.U, end.V);
     double light = 0.0;
-    for (const Place3& place : places)
+    for (const Position3& position : positions)
     {
       light += color[3] > 0.0
-        ? GetTransmittance({ { answer.Time - 0.5, answer.U - 0.5, answer.V - 0.5 } }, place)
+        ? GetTransmittance({ { end.Time - 0.5, end.U - 0.5, end.V - 0.5 } }, position)
         : 0.0;
     }
     for (int c = 0; c < 3; ++c)
     {
-      color[c] *= 0.1 + 0.9 * light / static_cast<double>(places.size());
+      color[c] *= 0.1 + 0.9 * light / static_cast<double>(positions.size());
     }
     return color;
   };
   return scene;
 }
 
-RgbaPicture Draw(vtkImplicitFlowVolumeMapper* mapper, vtkAreaLight* light, const FlowScene& scene,
-  Color4 (*paint)(double, double))
+RgbaImage Draw(vtkImplicitFlowVolumeMapper* mapper, vtkAreaLight* light, const FlowScene& scene,
+  Color4 (*color)(double, double))
 {
   mapper->SetInputData(static_cast<vtkDataSet*>(MakeFlowVoxels(33, &Uniform)));
-  mapper->SetInflowTexture(0, MakePaint(513, 513, paint));
+  mapper->SetInflowTexture(0, MakePaint(513, 513, color));
   mapper->ShadowsOn();
   vtkNew<vtkVolumeProperty> property;
   SetCoefficients(property, UnitDistance, 0.1, 0.9);
@@ -142,39 +143,41 @@ void TestFormula(Check& check)
   {
     const vtkSmartPointer<vtkAreaLight> light = MakeLight(size);
     const FlowScene scene = MakeScene(light, size > 0.0 ? 144 : 1);
-    const RgbaPicture expected = MakeFlowPicture(scene, 400);
+    const RgbaImage expected = MakeFlowReferenceImage(scene, 400);
     vtkNew<vtkImplicitFlowVolumeMapper> mapper;
-    const RgbaPicture found = Draw(mapper, light, scene, &PaintSlabs);
+    const RgbaImage found = Draw(mapper, light, scene, &GetSlabColor);
     const LightError error = CompareLight(found, expected);
     vtkInterlumeReport* report = mapper->GetReport();
-    std::cout << "emitter of " << size << ": light off by " << error.Mean << " in the mean of "
+    std::cout << "emitter of size " << size << ": mean light error " << error.Mean << " in "
               << error.Pixels << " pixels; " << report->GetNumber("LightBufferSize") << " columns, "
               << report->GetText("Features") << "\n";
-    const std::string name = "emitter of " + std::to_string(size);
-    check.That(error.Pixels > 100, name + " is seen");
-    check.That(error.Mean <= 0.007 + 0.008 * size, name + ": off by " + std::to_string(error.Mean));
+    const std::string name = "emitter of size " + std::to_string(size);
+    check.That(error.Pixels > 100, name + " is visible");
+    check.That(error.Mean <= 0.007 + 0.008 * size,
+      name + ": mean light error " + std::to_string(error.Mean));
     if (size > 0.0)
     {
-      // What a light without extent would be off by.
-      const RgbaPicture point = Draw(mapper, MakeLight(0.0), scene, &PaintSlabs);
+      // The error of a light without extent.
+      const RgbaImage point = Draw(mapper, MakeLight(0.0), scene, &GetSlabColor);
       const double hard = CompareLight(point, expected).Mean;
-      std::cout << "a light without extent instead: off by " << hard << "\n";
-      check.That(hard > 2.0 * error.Mean, name + ": softer than a light without extent");
+      std::cout << "a light without extent instead: mean light error " << hard << "\n";
+      check.That(hard > 2.0 * error.Mean, name + ": closer than hard shadows");
     }
   }
 }
 
-Color4 PaintDense(double u, double)
+Color4 GetDenseColor(double u, double)
 {
   return { { 1.0, 1.0, 1.0, u > 0.25 && u < 0.35 ? 0.98 : 0.0 } };
 }
 
-/// The root mean square of how far light on a dense slab's front is from that of the finest buffer.
-double GetStripes(const FlowScene& scene, int size, const RgbaPicture* finest, RgbaPicture& found)
+/// Returns the root mean square difference of the light on a dense slab's front from that with the
+/// finest buffer.
+double GetStripes(const FlowScene& scene, int size, const RgbaImage* finest, RgbaImage& found)
 {
   vtkNew<vtkImplicitFlowVolumeMapper> mapper;
   mapper->SetLightBufferSize(size);
-  found = Draw(mapper, MakeLight(0.0), scene, &PaintDense);
+  found = Draw(mapper, MakeLight(0.0), scene, &GetDenseColor);
   double sum = 0.0;
   int pixels = 0;
   for (int j = 0; finest && j < scene.Size[1]; ++j)
@@ -183,8 +186,8 @@ double GetStripes(const FlowScene& scene, int size, const RgbaPicture* finest, R
     {
       if (finest->At(i, j)[3] > 0.95 && found.At(i, j)[3] > 0.95)
       {
-        const double off = found.At(i, j)[0] - finest->At(i, j)[0];
-        sum += off * off;
+        const double difference = found.At(i, j)[0] - finest->At(i, j)[0];
+        sum += difference * difference;
         ++pixels;
       }
     }
@@ -192,23 +195,23 @@ double GetStripes(const FlowScene& scene, int size, const RgbaPicture* finest, R
   return std::sqrt(sum / std::max(pixels, 1));
 }
 
-/// Light on a sharp edge of dense paint shows the columns of the light's buffer; by itself it has
-/// so many that they are faint.
+/// Columns of the light buffer show as stripes on a sharp edge of dense texture. The default buffer
+/// size makes them faint.
 void TestStripes(Check& check)
 {
   FlowScene scene;
   scene.UnitDistance = UnitDistance;
   scene.Size = { { 96, 96 } };
   scene.Camera = LookAlong({ { -0.5, 0.6, -0.4 } });
-  RgbaPicture finest(96, 96);
+  RgbaImage finest(96, 96);
   GetStripes(scene, 512, nullptr, finest);
-  RgbaPicture picture(96, 96);
-  const double coarse = GetStripes(scene, 56, &finest, picture);
-  const double automatic = GetStripes(scene, 0, &finest, picture);
-  std::cout << "stripes of a column for each voxel " << coarse << ", by itself " << automatic
-            << "\n";
-  check.That(automatic < 0.65 * coarse, "stripes by itself");
-  check.That(automatic < 0.02, "stripes by itself: " + std::to_string(automatic));
+  RgbaImage image(96, 96);
+  const double coarse = GetStripes(scene, 56, &finest, image);
+  const double automatic = GetStripes(scene, 0, &finest, image);
+  std::cout << "stripes with one column per voxel: " << coarse
+            << ", with the default size: " << automatic << "\n";
+  check.That(automatic < 0.65 * coarse, "the default size has weaker stripes");
+  check.That(automatic < 0.02, "stripes with the default size: " + std::to_string(automatic));
 }
 }
 

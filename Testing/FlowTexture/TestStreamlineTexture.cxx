@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkStreamlineTexture: what its levels hold, how many lines are seen at which distance, that they
-// never average, grids, colours, uploads.
+// vtkStreamlineTexture: contents of mipmap levels, number of visible lines by distance, contrast,
+// grids, colors, uploads.
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
@@ -39,10 +39,11 @@ namespace
 using namespace reference;
 
 constexpr int WINDOW = 512;
-// The target and texture filters of graphics cards have eight bits.
+// Render targets and texture filters of graphics cards have 8 bits.
 constexpr double TOLERANCE = 2.0 / 255.0;
 
-/// A quad in the window, unlit, texture coordinates 0 to \a scale; the window is \a height high.
+/// An unlit quad with texture coordinates from 0 to the given maxima. Initially it fills the
+/// window.
 class Quad
 {
 public:
@@ -74,7 +75,7 @@ public:
     this->SetPixels(WINDOW);
   }
 
-  /// How many pixels the quad's side has.
+  /// Sets the side length of the quad in pixels.
   void SetPixels(double pixels)
   {
     this->Renderer->GetActiveCamera()->SetParallelScale(0.5 * WINDOW / pixels);
@@ -82,14 +83,14 @@ public:
   }
 
   using Row = std::vector<std::array<double, 4>>;
-  /// Pixels of the middle row, or column, in 0 ... 1.
+  /// Returns the pixels of the center row or column, from 0 to 1.
   Row Draw(bool isColumn = false)
   {
     this->Window->Render();
-    const int middle = WINDOW / 2;
+    const int center = WINDOW / 2;
     vtkNew<vtkFloatArray> pixels;
-    this->Window->GetRGBAPixelData(isColumn ? middle : 0, isColumn ? 0 : middle,
-      isColumn ? middle : WINDOW - 1, isColumn ? WINDOW - 1 : middle, 0, pixels);
+    this->Window->GetRGBAPixelData(isColumn ? center : 0, isColumn ? 0 : center,
+      isColumn ? center : WINDOW - 1, isColumn ? WINDOW - 1 : center, 0, pixels);
     Row row;
     for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
     {
@@ -113,12 +114,12 @@ struct Level
   std::vector<unsigned char> Texels;
 };
 
-std::vector<Level> ReadLevels(Quad& quad, vtkStreamlineTexture* texture, int number)
+std::vector<Level> ReadLevels(Quad& quad, vtkStreamlineTexture* texture, int count)
 {
   quad.Window->MakeCurrent();
   texture->GetTextureObject()->Activate();
   std::vector<Level> levels;
-  for (int i = 0; i < number; ++i)
+  for (int i = 0; i < count; ++i)
   {
     Level level;
     glGetTexLevelParameteriv(GL_TEXTURE_2D, i, GL_TEXTURE_WIDTH, &level.Width);
@@ -131,20 +132,20 @@ std::vector<Level> ReadLevels(Quad& quad, vtkStreamlineTexture* texture, int num
   return levels;
 }
 
-/// What is covered by lines of texels \a i, centred at multiples of \a period, by brute force.
+/// Returns the fraction of texel \a i covered by lines at multiples of \a period, by brute force.
 double GetCoverage(int i, int period, double width)
 {
   constexpr int parts = 1000;
   int covered = 0;
   for (int part = 0; part < parts; ++part)
   {
-    const double place = (i + (part + 0.5) / parts) / period;
-    covered += std::abs(place - std::round(place)) < 0.5 * width ? 1 : 0;
+    const double position = (i + (part + 0.5) / parts) / period;
+    covered += std::abs(position - std::round(position)) < 0.5 * width ? 1 : 0;
   }
   return static_cast<double>(covered) / parts;
 }
 
-/// Every level against the square wave.
+/// Compares every level with the square wave.
 void TestLevels(Check& check, int lines, int texels, double width, int direction)
 {
   check.SetContext("levels of " + std::to_string(lines) + " lines of " + std::to_string(texels) +
@@ -161,16 +162,16 @@ void TestLevels(Check& check, int lines, int texels, double width, int direction
   Quad quad(1.0, 1.0);
   quad.Actor->SetTexture(texture);
   quad.Draw();
-  const int number = static_cast<int>(std::lround(std::log2(lines))) + 1;
-  check.Equal(texture->GetNumberOfLevels(), number, "number of levels");
-  const std::vector<Level> levels = ReadLevels(quad, texture, number + 1);
-  check.Equal(levels[number].Width, 0, "no level after the last");
-  for (int k = 0; k < number; ++k)
+  const int count = static_cast<int>(std::lround(std::log2(lines))) + 1;
+  check.Equal(texture->GetNumberOfLevels(), count, "number of levels");
+  const std::vector<Level> levels = ReadLevels(quad, texture, count + 1);
+  check.Equal(levels[count].Width, 0, "there is no further level");
+  for (int k = 0; k < count; ++k)
   {
     const Level& level = levels[k];
     const bool isAlongS = direction == vtkStreamlineTexture::S;
     const int length = isAlongS ? level.Width : level.Height;
-    check.Equal(isAlongS ? level.Height : level.Width, 1, "texels across");
+    check.Equal(isAlongS ? level.Height : level.Width, 1, "texels across the lines");
     check.Equal(length, (lines >> k) * texels, "texels of level " + std::to_string(k));
     double largest = 0.0;
     for (int i = 0; i < length; ++i)
@@ -178,20 +179,20 @@ void TestLevels(Check& check, int lines, int texels, double width, int direction
       const double coverage = GetCoverage(i, texels, width);
       for (int channel = 0; channel < 4; ++channel)
       {
-        const double of = channel < 3 ? line[channel] : 1.0;
-        const double expected = background[channel] + coverage * (of - background[channel]);
+        const double target = channel < 3 ? line[channel] : 1.0;
+        const double expected = background[channel] + coverage * (target - background[channel]);
         largest = std::max(largest, std::abs(level.Texels[4 * i + channel] / 255.0 - expected));
       }
     }
     check.That(largest <= 1.01 / 255.0,
-      "level " + std::to_string(k) + " is off by " + std::to_string(largest));
+      "level " + std::to_string(k) + ": largest error " + std::to_string(largest));
   }
 }
 
-/// Places where a row goes from light to dark, and its range of values.
+/// Positions where a row changes from bright to dark, and its range of values.
 struct Lines
 {
-  std::vector<int> Places;
+  std::vector<int> Positions;
   double Darkest = 1.0;
   double Lightest = 0.0;
 };
@@ -204,13 +205,13 @@ Lines FindLines(const Quad::Row& row, int first, int last)
     lines.Lightest = std::max(lines.Lightest, row[i][0]);
     if (i > first && row[i - 1][0] >= 0.5 && row[i][0] < 0.5)
     {
-      lines.Places.push_back(i);
+      lines.Positions.push_back(i);
     }
   }
   return lines;
 }
 
-/// Lines that are seen of a quad whose side has so many pixels; how far apart they are.
+/// Checks the distance of visible lines in pixels for different sizes of the quad.
 void TestDistances(StabilityCatalogue& catalogue, int direction)
 {
   vtkNew<vtkStreamlineTexture> texture;
@@ -231,26 +232,27 @@ void TestDistances(StabilityCatalogue& catalogue, int direction)
     quad.SetPixels(pixels);
     const int half = static_cast<int>(std::min(pixels, static_cast<double>(WINDOW)) / 2.0);
     const Lines lines = FindLines(quad.Draw(isColumn), WINDOW / 2 - half, WINDOW / 2 + half - 1);
-    const double apart = 2.0 * half / static_cast<double>(lines.Places.size());
-    const auto seen = static_cast<double>(lines.Places.size()) * pixels / (2.0 * half);
-    catalogue.Measure(name.str(), extreme, "logarithm to 2 of the lines' distance over 16 pixels",
-      std::log2(apart / 16.0), std::log2(1.5));
+    const double distance = 2.0 * half / static_cast<double>(lines.Positions.size());
+    const auto seen = static_cast<double>(lines.Positions.size()) * pixels / (2.0 * half);
+    catalogue.Measure(name.str(), extreme,
+      "logarithm to base 2 of the distance of lines over 16 pixels", std::log2(distance / 16.0),
+      std::log2(1.5));
     bool isOrdered = seen >= before;
     for (const auto& farther : all)
     {
       isOrdered = isOrdered && (2.0 * farther.first > pixels || seen >= 1.5 * farther.second);
     }
     catalogue.Check(name.str() + "-order", extreme,
-      "no fewer lines than from farther away, and more than from twice as far",
+      "at least as many lines as from farther away, and more than from twice as far",
       std::to_string(seen) + " lines", isOrdered);
     all.emplace_back(pixels, seen);
     before = seen;
-    catalogue.Measure(name.str() + "-contrast", extreme, "what lines and what is between them lack",
+    catalogue.Measure(name.str() + "-contrast", extreme, "loss of contrast of lines and gaps",
       std::max(1.0 - lines.Lightest, lines.Darkest - 0.25), 0.05);
   }
 }
 
-/// Far more texture coordinates than pixels: one line over 0 ... 1 is left, and it keeps contrast.
+/// With far more lines than pixels, the coarsest level shows one line with contrast.
 void TestFarAway(StabilityCatalogue& catalogue)
 {
   vtkNew<vtkStreamlineTexture> texture;
@@ -259,19 +261,20 @@ void TestFarAway(StabilityCatalogue& catalogue)
   quad.Actor->SetTexture(texture);
   quad.SetPixels(16.0);
   const Lines lines = FindLines(quad.Draw(), WINDOW / 2 - 8, WINDOW / 2 + 7);
-  catalogue.Measure("far-away", "256 lines over 16 pixels", "contrast that is lost",
+  catalogue.Measure("far-away", "256 lines over 16 pixels", "loss of contrast",
     1.0 - lines.Lightest + lines.Darkest, 0.5);
-  // The same number of lines over each piece of a texture that repeats.
+  // Each period of a repeated texture has the same number of lines.
   Quad repeated(64.0, 1.0);
   repeated.Actor->SetTexture(texture);
   const Lines all = FindLines(repeated.Draw(), 0, WINDOW - 1);
   catalogue.Measure("repeated", "texture coordinates to 64 over 512 pixels",
-    "lines more or less than 64", static_cast<double>(all.Places.size()) - 64.0, 1.0);
+    "difference from 64 lines", static_cast<double>(all.Positions.size()) - 64.0, 1.0);
   catalogue.Measure("repeated-contrast", "texture coordinates to 64 over 512 pixels",
-    "contrast that is lost", 1.0 - all.Lightest + all.Darkest, 0.3);
+    "loss of contrast", 1.0 - all.Lightest + all.Darkest, 0.3);
 }
 
-/// A grid has lines at the same distance in both directions, however different the coordinates.
+/// Lines of a grid have the same distance in both directions, even if the ranges of coordinates
+/// differ.
 void TestGrid(Check& check)
 {
   check.SetContext("grid: ");
@@ -283,39 +286,39 @@ void TestGrid(Check& check)
   vtkStreamlineTexture::AddTo(quad.Actor, streamlines, timelines);
   for (const bool isColumn : { false, true })
   {
-    // Beside the lines through the middle.
+    // The camera is moved off the lines through the center.
     quad.Renderer->GetActiveCamera()->SetFocalPoint(7.0 / WINDOW, 7.0 / WINDOW, 0.0);
     quad.Renderer->GetActiveCamera()->SetPosition(7.0 / WINDOW, 7.0 / WINDOW, 1.0);
     const Lines lines = FindLines(quad.Draw(isColumn), 8, WINDOW - 16);
-    const double apart = (WINDOW - 24.0) / static_cast<double>(lines.Places.size());
-    check.That(apart >= 16.0 / 1.5 && apart <= 16.0 * 1.5,
-      (isColumn ? "timelines " : "streamlines ") + std::to_string(apart) + " pixels apart");
+    const double distance = (WINDOW - 24.0) / static_cast<double>(lines.Positions.size());
+    check.That(distance >= 16.0 / 1.5 && distance <= 16.0 * 1.5,
+      (isColumn ? "timelines " : "streamlines ") + std::to_string(distance) + " pixels apart");
     check.That(lines.Lightest >= 0.95 && lines.Darkest <= 0.3, "contrast");
   }
   vtkStreamlineTexture::AddTo(quad.Actor, nullptr, timelines);
-  check.That(quad.Actor->GetTexture() == timelines.Get(), "timelines alone");
-  check.That(quad.Actor->GetProperty()->GetAllTextures().empty(), "nothing laid over them");
+  check.That(quad.Actor->GetTexture() == timelines.Get(), "timelines only");
+  check.That(quad.Actor->GetProperty()->GetAllTextures().empty(), "no second texture is left");
 }
 
-/// Lines over the mapper's colours: those stay between the lines; without background they are seen
-/// through.
-void TestColours(Check& check)
+/// Lines are drawn over the mapper's colors, which show between the lines. Without a background,
+/// the gaps are transparent.
+void TestColors(Check& check)
 {
-  check.SetContext("colours: ");
+  check.SetContext("colors: ");
   Quad quad(1.0, 1.0);
-  vtkNew<vtkUnsignedCharArray> colours;
-  colours->SetNumberOfComponents(3);
+  vtkNew<vtkUnsignedCharArray> colors;
+  colors->SetNumberOfComponents(3);
   for (vtkIdType i = 0; i < quad.Data->GetNumberOfPoints(); ++i)
   {
-    colours->InsertNextTuple3(51.0, 204.0, 102.0);
+    colors->InsertNextTuple3(51.0, 204.0, 102.0);
   }
-  quad.Data->GetPointData()->SetScalars(colours);
+  quad.Data->GetPointData()->SetScalars(colors);
   quad.Renderer->SetBackground(0.8, 0.1, 0.3);
   vtkNew<vtkStreamlineTexture> texture;
   texture->SetNumberOfLines(8);
   texture->SetLineWidth(0.5);
   quad.Actor->SetTexture(texture);
-  // Lines 64 pixels apart, 32 wide, one at the left.
+  // Lines are 64 pixels apart and 32 wide, starting at the left.
   const auto expect = [&](const std::string& name, const std::array<double, 3>& line,
                         const std::array<double, 3>& between)
   {
@@ -327,10 +330,10 @@ void TestColours(Check& check)
     }
   };
   check.Equal(texture->IsTranslucent(), 0, "translucent");
-  expect("white", { { 0.0, 0.0, 0.0 } }, { { 0.2, 0.8, 0.4 } });
+  expect("white background", { { 0.0, 0.0, 0.0 } }, { { 0.2, 0.8, 0.4 } });
   texture->SetLineColor(1.0, 0.5, 0.5);
   texture->SetBackgroundColor(0.5, 1.0, 1.0, 1.0);
-  expect("colours", { { 0.2, 0.4, 0.2 } }, { { 0.1, 0.8, 0.4 } });
+  expect("line and background color", { { 0.2, 0.4, 0.2 } }, { { 0.1, 0.8, 0.4 } });
   texture->SetBackgroundColor(1.0, 1.0, 1.0, 0.0);
   check.Equal(texture->IsTranslucent(), 1, "translucent");
   expect("no background", { { 0.2, 0.4, 0.2 } }, { { 0.8, 0.1, 0.3 } });
@@ -338,18 +341,19 @@ void TestColours(Check& check)
   expect("half a background", { { 0.2, 0.4, 0.2 } }, { { 0.5, 0.45, 0.35 } });
 }
 
-/// Settings that change upload once, drawing again does not; resources can be released.
+/// A changed setting uploads the texture once, and drawing again does not. Resources can be
+/// released.
 void TestUploads(Check& check)
 {
   check.SetContext("uploads: ");
   vtkNew<vtkStreamlineTexture> texture;
   Quad quad(1.0, 1.0);
   quad.Actor->SetTexture(texture);
-  check.Equal(texture->GetNumberOfUploads(), 0, "before");
+  check.Equal(texture->GetNumberOfUploads(), 0, "no upload before drawing");
   quad.Draw();
   quad.SetPixels(100.0);
   quad.Draw();
-  check.Equal(texture->GetNumberOfUploads(), 1, "drawn twice");
+  check.Equal(texture->GetNumberOfUploads(), 1, "one upload for two images");
   texture->SetLineWidth(0.5);
   texture->SetTexelsPerLine(8);
   const Quad::Row wide = quad.Draw();
@@ -357,38 +361,38 @@ void TestUploads(Check& check)
   check.Equal(texture->GetNumberOfUploads(), 2, "after a change");
   texture->SetLineWidth(0.5);
   quad.Draw();
-  check.Equal(texture->GetNumberOfUploads(), 2, "the same setting");
+  check.Equal(texture->GetNumberOfUploads(), 2, "no upload for an unchanged setting");
   texture->ReleaseGraphicsResources(quad.Window);
   vtkTextureObject* released = texture->GetTextureObject();
-  check.That(!released || released->GetHandle() == 0, "no texture");
-  check.That(quad.Draw() == wide, "the same picture after a release");
-  check.Equal(texture->GetNumberOfUploads(), 3, "after a release");
-  // Another window.
+  check.That(!released || released->GetHandle() == 0, "the texture is released");
+  check.That(quad.Draw() == wide, "the image is equal after a release");
+  check.Equal(texture->GetNumberOfUploads(), 3, "one upload after a release");
+  // The texture is used in another window.
   Quad other(1.0, 1.0);
   other.Actor->SetTexture(texture);
   other.SetPixels(100.0);
   quad.Actor->SetTexture(nullptr);
-  check.That(other.Draw() == wide, "the same picture in another window");
-  check.Equal(texture->GetNumberOfUploads(), 4, "in another window");
-  // Fewer lines leave no level behind.
+  check.That(other.Draw() == wide, "the image is equal in another window");
+  check.Equal(texture->GetNumberOfUploads(), 4, "one upload in another window");
+  // Fewer lines have fewer levels.
   texture->SetNumberOfLines(4);
   other.Draw();
   check.Equal(texture->GetNumberOfLevels(), 3, "levels of four lines");
   other.SetPixels(400.0);
-  check.Equal(static_cast<long long>(FindLines(other.Draw(), 56, 455).Places.size()), 4,
-    "lines of four, near");
+  check.Equal(static_cast<long long>(FindLines(other.Draw(), 56, 455).Positions.size()), 4,
+    "four lines in a close view");
 }
 
 void TestSettings(StabilityCatalogue& catalogue)
 {
   vtkNew<vtkStreamlineTexture> texture;
-  for (const int wrong : { 0, -4, 3, 8192 })
+  for (const int number : { 0, -4, 3, 8192 })
   {
-    const std::string errors = ErrorsOf(texture, [&]() { texture->SetNumberOfLines(wrong); });
-    const std::string number = std::to_string(wrong);
-    catalogue.Check("lines-" + number, number + " lines", "an error that says so, and 256 lines",
-      errors,
-      errors.find("NumberOfLines " + number) != std::string::npos &&
+    const std::string errors = ErrorsOf(texture, [&]() { texture->SetNumberOfLines(number); });
+    const std::string text = std::to_string(number);
+    catalogue.Check("lines-" + text, text + " lines",
+      "an error that names the number, and 256 lines remain", errors,
+      errors.find("NumberOfLines " + text) != std::string::npos &&
         texture->GetNumberOfLines() == 256);
   }
   texture->SetNumberOfLines(1);
@@ -405,21 +409,21 @@ void TestSettings(StabilityCatalogue& catalogue)
   Quad::Row row;
   const auto draw = [&]() { row = quad.Draw(); };
   const bool isSilent = ErrorsOf(texture, draw).empty();
-  catalogue.Measure("width-0", "one line of no width", "what it takes of the light",
+  catalogue.Measure("width-0", "one line of zero width", "fraction of light that is lost",
     isSilent ? 1.0 - row[WINDOW / 2][0] : std::nan(""), 0.01);
   texture->SetLineWidth(1.0);
-  catalogue.Measure("width-1", "one line as wide as lines are apart", "what it leaves of the light",
-    quad.Draw()[WINDOW / 2][0], 0.01);
-  // More than there is room for.
+  catalogue.Measure("width-1", "one line as wide as the line spacing",
+    "fraction of light that is left", quad.Draw()[WINDOW / 2][0], 0.01);
+  // The texture exceeds the maximum size.
   texture->SetNumberOfLines(4096);
   texture->SetTexelsPerLine(256);
   texture->SetLineWidth(0.5);
   texture->SetDirection(vtkStreamlineTexture::S);
   quad.SetPixels(1000.0);
   const std::string errors = ErrorsOf(texture, draw);
-  catalogue.Check("no-room", "4096 lines of 256 texels", "an error that says there is no room",
-    errors, errors.find("no room for 4096 lines") != std::string::npos);
-  catalogue.Measure("no-room-lines", "4096 lines of 256 texels", "how light lines are",
+  catalogue.Check("no-room", "4096 lines of 256 texels", "an error that names the number of lines",
+    errors, errors.find("does not allow 4096 lines") != std::string::npos);
+  catalogue.Measure("no-room-lines", "4096 lines of 256 texels", "brightness of lines",
     FindLines(row, 0, WINDOW - 1).Darkest, 0.1);
 }
 
@@ -440,7 +444,7 @@ int TestStreamlineTexture(int argc, char* argv[])
   TestLevels(check, 1, 2, 1.0, vtkStreamlineTexture::S);
   TestLevels(check, 2, 7, 0.1, vtkStreamlineTexture::S);
   TestGrid(check);
-  TestColours(check);
+  TestColors(check);
   TestUploads(check);
   TestPrinted(check);
   StabilityCatalogue catalogue("TestStreamlineTexture", argc, argv);

@@ -29,7 +29,7 @@ namespace fuzz
 namespace
 {
 
-/// The arrays of the points are made as short as \a points.
+/// Shortens all point arrays to \a points tuples.
 void ShortenArrays(vtkDataSet* data, vtkIdType points)
 {
   for (int i = 0; i < data->GetPointData()->GetNumberOfArrays(); ++i)
@@ -38,8 +38,8 @@ void ShortenArrays(vtkDataSet* data, vtkIdType points)
   }
 }
 
-/// Makes the cells anew, without polyhedra, with something that contradicts the rest. Returns what
-/// the message has to name; nothing where there is nothing to damage.
+/// Rebuilds the cells without polyhedra and with one contradiction. Returns the text that the
+/// message must contain, or an empty string if there is no cell to damage.
 std::string DamageCells(FuzzRandom& random, vtkUnstructuredGrid* grid)
 {
   const vtkIdType points = grid->GetNumberOfPoints();
@@ -69,8 +69,8 @@ std::string DamageCells(FuzzRandom& random, vtkUnstructuredGrid* grid)
   {
     return {};
   }
-  const int cell = random.Whole(0, static_cast<int>(cells) - 1);
-  switch (random.Whole(0, 3))
+  const int cell = random.Integer(0, static_cast<int>(cells) - 1);
+  switch (random.Integer(0, 3))
   {
     case 0:
       ids->SetValue(offsets->GetValue(cell),
@@ -104,7 +104,7 @@ std::string DamageCells(FuzzRandom& random, vtkUnstructuredGrid* grid)
   return types->GetNumberOfValues() < cells ? "type" : "ell ";
 }
 
-/// Returns what the message has to name; nothing where there is nothing to damage.
+/// Returns the text that the message must contain, or an empty string if nothing was damaged.
 std::string Damage(FuzzRandom& random, vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))
@@ -114,7 +114,7 @@ std::string Damage(FuzzRandom& random, vtkDataSet* data)
   const vtkIdType points = data->GetNumberOfPoints();
   if (auto* grid = vtkStructuredGrid::SafeDownCast(data))
   {
-    const vtkIdType fewer = random.Whole(1, static_cast<int>(points) - 1);
+    const vtkIdType fewer = random.Integer(1, static_cast<int>(points) - 1);
     grid->GetPoints()->SetNumberOfPoints(fewer);
     ShortenArrays(grid, fewer);
     return "extent";
@@ -132,17 +132,17 @@ std::string Damage(FuzzRandom& random, vtkDataSet* data)
 
 void RunDamage(FuzzRandom& random, std::string& text, reference::Check& check)
 {
-  FuzzData made = MakeData(random);
-  AddVectors(random, made);
-  if (made.Data->GetNumberOfPoints() < 2)
+  FuzzData generated = MakeData(random);
+  AddVectors(random, generated);
+  if (generated.Data->GetNumberOfPoints() < 2)
   {
     return;
   }
-  const auto data = vtkSmartPointer<vtkDataSet>::Take(made.Data->NewInstance());
-  data->DeepCopy(made.Data);
-  const std::string named = Damage(random, data);
-  text = made.Text + ", damaged, message with " + named;
-  if (named.empty())
+  const auto data = vtkSmartPointer<vtkDataSet>::Take(generated.Data->NewInstance());
+  data->DeepCopy(generated.Data);
+  const std::string expected = Damage(random, data);
+  text = generated.Text + ", damaged, message with " + expected;
+  if (expected.empty())
   {
     return;
   }
@@ -175,7 +175,7 @@ void RunDamage(FuzzRandom& random, std::string& text, reference::Check& check)
   for (int i = 0; i < 3; ++i)
   {
     const std::string message = CheckRun(makers[i], true, check);
-    check.Contains(message, named);
+    check.Contains(message, expected);
   }
 }
 

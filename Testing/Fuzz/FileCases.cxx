@@ -11,46 +11,46 @@ namespace fuzz
 namespace
 {
 
-std::size_t PickPlace(FuzzRandom& random, const std::string& bytes)
+std::size_t PickPosition(FuzzRandom& random, const std::string& bytes)
 {
-  // Half of the places are in the head, where the words are.
-  const int most =
+  // Half of the positions are in the header, which contains text.
+  const int size =
     static_cast<int>(random.Chance(0.5) ? std::min<std::size_t>(bytes.size(), 2000) : bytes.size());
-  return static_cast<std::size_t>(random.Whole(0, std::max(most - 1, 0)));
+  return static_cast<std::size_t>(random.Integer(0, std::max(size - 1, 0)));
 }
 
-/// Changes bytes, a word or a length.
+/// Truncates the bytes, or changes a bit, a block or a digit.
 void Damage(FuzzRandom& random, std::string& bytes)
 {
-  const std::size_t place = PickPlace(random, bytes);
-  switch (random.Whole(0, 5))
+  const std::size_t position = PickPosition(random, bytes);
+  switch (random.Integer(0, 5))
   {
     case 0:
-      bytes.resize(place);
+      bytes.resize(position);
       break;
     case 1:
-      bytes[place] = static_cast<char>(bytes[place] ^ (1 << random.Whole(0, 7)));
+      bytes[position] = static_cast<char>(bytes[position] ^ (1 << random.Integer(0, 7)));
       break;
     case 2:
-      bytes.erase(place, static_cast<std::size_t>(random.Whole(1, 40)));
+      bytes.erase(position, static_cast<std::size_t>(random.Integer(1, 40)));
       break;
     case 3:
-      bytes.insert(place, bytes.substr(PickPlace(random, bytes), 40));
+      bytes.insert(position, bytes.substr(PickPosition(random, bytes), 40));
       break;
     case 4:
-      // A digit of a number, such as a size.
-      for (std::size_t i = place; i < bytes.size(); ++i)
+      // Changes a digit of a number, such as a size.
+      for (std::size_t i = position; i < bytes.size(); ++i)
       {
         if (bytes[i] >= '0' && bytes[i] <= '9')
         {
-          bytes[i] = static_cast<char>('0' + random.Whole(0, 9));
+          bytes[i] = static_cast<char>('0' + random.Integer(0, 9));
           break;
         }
       }
       break;
     default:
-      std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(place),
-        bytes.begin() + static_cast<std::ptrdiff_t>(std::min(place + 16, bytes.size())), '\0');
+      std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(position),
+        bytes.begin() + static_cast<std::ptrdiff_t>(std::min(position + 16, bytes.size())), '\0');
   }
 }
 
@@ -59,22 +59,23 @@ void Damage(FuzzRandom& random, std::string& bytes)
 void RunFiles(FuzzRandom& random, std::string& text, reference::Check& check)
 {
   const FileKind kind = random.Pick(GetFileKinds());
-  static std::map<std::string, std::string> made;
-  if (made.count(kind.Name) == 0)
+  static std::map<std::string, std::string> intact;
+  if (intact.count(kind.Name) == 0)
   {
-    made[kind.Name] = kind.MakeBytes();
-    check.That(made[kind.Name].size() > 1000, "there is a " + kind.Name);
+    intact[kind.Name] = kind.MakeBytes();
+    check.That(
+      intact[kind.Name].size() > 1000, "the intact " + kind.Name + " has more than 1000 bytes");
   }
-  std::string bytes = made[kind.Name];
-  const int times = random.Whole(0, 3);
+  std::string bytes = intact[kind.Name];
+  const int times = random.Integer(0, 3);
   for (int i = 0; i < times && !bytes.empty(); ++i)
   {
     Damage(random, bytes);
   }
   text = kind.Name + ", damaged " + std::to_string(times) + " times, " +
     std::to_string(bytes.size()) + " bytes";
-  const std::string fault = kind.Try(bytes);
-  check.That(fault.empty(), fault);
+  const std::string error = kind.Try(bytes);
+  check.That(error.empty(), error);
 }
 
 }

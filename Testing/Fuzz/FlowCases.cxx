@@ -69,7 +69,7 @@ vtkSmartPointer<vtkImplicitFlowField> MakeFilter(const Choice& choice)
   return filter;
 }
 
-/// Gives a share of the points a fill value.
+/// Sets 30 % of the vectors to one fill value, in some of the cases.
 void AddFillValues(FuzzRandom& random, FuzzData& data)
 {
   vtkDataArray* vectors = data.Data->GetPointData()->GetArray("v");
@@ -100,11 +100,11 @@ void RunFlow(FuzzRandom& random, std::string& text, reference::Check& check)
   AddFillValues(random, data);
   Choice choice;
   choice.Data = data.Data;
-  choice.Surface = random.Whole(0, 2);
+  choice.Surface = random.Integer(0, 2);
   choice.SampleMode = random.Pick<int>({ vtkImplicitFlowField::SAMPLES_OF_FIELD,
     vtkImplicitFlowField::SAMPLES_OF_IMAGE, vtkImplicitFlowField::SAMPLES_AUTOMATIC });
-  choice.Integrator = random.Whole(0, 3);
-  choice.Direction = random.Whole(0, 1);
+  choice.Integrator = random.Integer(0, 3);
+  choice.Direction = random.Integer(0, 1);
   choice.RefinementLevels = random.Chance(0.2) ? 1 : 0;
   choice.ComputesMore = random.Chance(0.3);
   choice.HasDomainFaces = random.Chance(0.5);
@@ -126,7 +126,7 @@ void RunFlow(FuzzRandom& random, std::string& text, reference::Check& check)
   double range[2];
   status->GetRange(range);
   check.That(range[0] >= vtkFlowStatus::REACHED_SURFACE && range[1] <= vtkFlowStatus::CLOSED_ORBIT,
-    "states from " + std::to_string(range[0]) + " to " + std::to_string(range[1]));
+    "valid statuses; found " + std::to_string(range[0]) + " to " + std::to_string(range[1]));
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputConnection(filter->GetOutputPort());
   vtkNew<vtkFlowVolume> volume;
@@ -134,7 +134,7 @@ void RunFlow(FuzzRandom& random, std::string& text, reference::Check& check)
   volume->SetNumberOfIntervals(1);
   volume->SetInterval(0, 0.2, 0.7);
   volume->Update();
-  check.That(volume->GetOutputDataObject(0) != nullptr, "a flow volume");
+  check.That(volume->GetOutputDataObject(0) != nullptr, "the flow volume has an output");
 }
 
 }

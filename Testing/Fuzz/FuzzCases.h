@@ -10,40 +10,37 @@
 #include <vector> // for the list
 
 /**
- * Families of cases: each makes data and a pipeline of its classes from the numbers it is given,
- * and expects what has to hold. They add what they have chosen to the text.
+ * Families of random cases. Each function creates data and a pipeline from a random generator,
+ * checks the results, and appends its choices to \a text for messages.
  */
 namespace fuzz
 {
 
-/// vtkIntervalVolume with criteria, boundaries and origins; volumes of parts add up on tame data,
-/// and changes leave no trace.
+/// Checks vtkIntervalVolume with criteria, boundaries and origins. On tame data the volumes of
+/// adjacent intervals add up. Changing the intervals and restoring them reproduces the output.
 void RunIntervals(FuzzRandom& random, std::string& text, reference::Check& check);
 
-/// vtkIsotableContour: points lie on the isovalue.
+/// Checks that vtkIsotableContour puts points on the isovalue.
 void RunContours(FuzzRandom& random, std::string& text, reference::Check& check);
 
-/// vtkTimeVaryingIntervalVolume and vtkSimplexTimeSlice over steps of one grid.
+/// Checks vtkTimeVaryingIntervalVolume and vtkSimplexTimeSlice on time steps of one grid.
 void RunTime(FuzzRandom& random, std::string& text, reference::Check& check);
 
-/// vtkImplicitFlowField, vtkInflowMapping and vtkFlowVolume: states are known ones, times within
-/// bounds.
+/// Checks vtkImplicitFlowField, vtkInflowMapping and vtkFlowVolume: statuses must be valid.
 void RunFlow(FuzzRandom& random, std::string& text, reference::Check& check);
 
-/// Grids whose arrays contradict each other: a message that names the cell or array, and nothing
-/// else.
+/// Checks inconsistent grids: filters must only report an error that names the cell or array.
 void RunDamage(FuzzRandom& random, std::string& text, reference::Check& check);
 
-/// Damaged checkpoints and slabs are refused with a word, and give the output that there is
-/// without.
+/// Checks damaged checkpoints and slabs: they must be reported and must not change the output.
 void RunFiles(FuzzRandom& random, std::string& text, reference::Check& check);
 
-/// vtkTimeWeightedTetrahedraMapper: pictures of both paths agree on tame data and are finite on
-/// all.
+/// Checks that images of vtkTimeWeightedTetrahedraMapper are finite, and that its two render paths
+/// agree on tame data.
 void RunTetrahedra(FuzzRandom& random, std::string& text, reference::Check& check);
 
-/// vtkShadowedSliceMapper with lights, soft or hard, in a scene or alone: finite, no more than what
-/// the lights give.
+/// Checks that images of vtkShadowedSliceMapper are finite with random lights, cameras, cropping
+/// and clipping planes.
 void RunShadows(FuzzRandom& random, std::string& text, reference::Check& check);
 
 struct Family

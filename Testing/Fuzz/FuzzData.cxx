@@ -40,12 +40,14 @@ const std::vector<double> ExtremeNumbers = { NaN, Infinity, -Infinity, Denormal,
 
 std::array<int, 3> MakeDimensions(FuzzRandom& random)
 {
-  // One or two points along an axis are no cells, or flat ones.
+  // One point along an axis makes a lower-dimensional image.
   const int smallest = random.Chance(0.1) ? 1 : 2;
-  return { { random.Whole(smallest, 7), random.Whole(smallest, 7), random.Whole(smallest, 7) } };
+  return { { random.Integer(smallest, 7), random.Integer(smallest, 7),
+    random.Integer(smallest, 7) } };
 }
 
-/// Coordinates that grow or fall. Unless \a isTame, some are equal, turn back, or are not finite.
+/// Returns increasing or decreasing coordinates. Unless \a isTame, some are equal, reverse their
+/// direction, or are not finite.
 vtkSmartPointer<vtkDoubleArray> MakeCoordinates(FuzzRandom& random, int count, bool isTame)
 {
   auto coordinates = vtkSmartPointer<vtkDoubleArray>::New();
@@ -63,7 +65,7 @@ vtkSmartPointer<vtkDoubleArray> MakeCoordinates(FuzzRandom& random, int count, b
   }
   if (!isTame && random.Chance(0.05))
   {
-    coordinates->SetValue(random.Whole(0, count - 1), random.Pick(ExtremeNumbers));
+    coordinates->SetValue(random.Integer(0, count - 1), random.Pick(ExtremeNumbers));
   }
   return coordinates;
 }
@@ -90,14 +92,14 @@ vtkSmartPointer<vtkDataSet> MakeStructured(FuzzRandom& random, bool isTame)
   const double jitter = isTame ? 0.0 : random.Pick<double>({ 0.0, 0.2, 1.0 });
   for (const auto& [k, j, i] : reference::AllIndices(dimensions[2], dimensions[1], dimensions[0]))
   {
-    // The last column of a closed grid is its first.
-    const double turn =
+    // The last column of a closed grid coincides with its first.
+    const double angle =
       6.283185307179586 * (i % std::max(dimensions[0] - 1, 1)) / std::max(dimensions[0] - 1, 1);
     double x[3] = { 1.0 * i, 1.0 * j, 1.0 * k };
     if (isClosed)
     {
-      x[0] = (1.0 + j) * std::cos(turn);
-      x[1] = (1.0 + j) * std::sin(turn);
+      x[0] = (1.0 + j) * std::cos(angle);
+      x[1] = (1.0 + j) * std::sin(angle);
     }
     for (double& value : x)
     {
@@ -109,9 +111,9 @@ vtkSmartPointer<vtkDataSet> MakeStructured(FuzzRandom& random, bool isTame)
   return grid;
 }
 
-/// Cells that a mesh should not have: points repeated, cells repeated, flat, of fewer dimensions,
-/// unused points.
-void AddRubbish(FuzzRandom& random, vtkUnstructuredGrid* mesh)
+/// Adds invalid cells: duplicates, cells with repeated points, lower-dimensional cells and inverted
+/// or self-intersecting hexahedra. Also adds unused points.
+void AddInvalidCells(FuzzRandom& random, vtkUnstructuredGrid* mesh)
 {
   const vtkIdType points = mesh->GetNumberOfPoints();
   const vtkIdType cells = mesh->GetNumberOfCells();
@@ -120,10 +122,10 @@ void AddRubbish(FuzzRandom& random, vtkUnstructuredGrid* mesh)
     return;
   }
   const auto any = [&]() { return static_cast<vtkIdType>(random.Next() % points); };
-  const int count = random.Whole(1, 6);
+  const int count = random.Integer(1, 6);
   for (int i = 0; i < count; ++i)
   {
-    switch (random.Whole(0, 5))
+    switch (random.Integer(0, 5))
     {
       case 0:
       {
@@ -177,8 +179,8 @@ vtkSmartPointer<vtkDataSet> MakeUnstructured(
     return empty;
   }
   const unsigned seed = static_cast<unsigned>(random.Next());
-  vtkSmartPointer<vtkUnstructuredGrid> mesh = reference::MakeMesh(
-    random.Pick(kinds), { { random.Whole(1, 4), random.Whole(1, 4), random.Whole(1, 3) } }, seed);
+  vtkSmartPointer<vtkUnstructuredGrid> mesh = reference::MakeMesh(random.Pick(kinds),
+    { { random.Integer(1, 4), random.Integer(1, 4), random.Integer(1, 3) } }, seed);
   if (random.Chance(0.3))
   {
     mesh = reference::TurnCells(mesh, seed);
@@ -193,12 +195,12 @@ vtkSmartPointer<vtkDataSet> MakeUnstructured(
   }
   if (!isTame && random.Chance(0.5))
   {
-    AddRubbish(random, mesh);
+    AddInvalidCells(random, mesh);
   }
   return mesh;
 }
 
-/// Moves, scales, squeezes or breaks coordinates of a dataset that has explicit ones.
+/// Moves, scales and flattens the explicit coordinates of a dataset, or makes one of them extreme.
 void Distort(FuzzRandom& random, FuzzData& data)
 {
   auto* grid = vtkPointSet::SafeDownCast(data.Data);
@@ -234,7 +236,7 @@ void AddValues(FuzzRandom& random, FuzzData& data)
   const auto array = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
   array->SetName("f");
   array->SetNumberOfTuples(data.Data->GetNumberOfPoints());
-  const int kind = random.Whole(0, 3);
+  const int kind = random.Integer(0, 3);
   const double scale = isReal && random.Chance(0.2) ? random.Pick<double>({ 1e-30, 1e20 }) : 1.0;
   double gradient[3] = { random.Between(-1.0, 1.0), random.Between(-1.0, 1.0), 0.3 };
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
@@ -244,11 +246,11 @@ void AddValues(FuzzRandom& random, FuzzData& data)
     double value = 0.5;
     if (kind == 0)
     {
-      value = isReal ? random.Unit() : random.Whole(0, 100);
+      value = isReal ? random.Unit() : random.Integer(0, 100);
     }
     else if (kind == 1)
     {
-      value = random.Whole(0, 3);
+      value = random.Integer(0, 3);
     }
     else if (kind == 2 && std::abs(x[0]) < 1e6)
     {
@@ -258,7 +260,7 @@ void AddValues(FuzzRandom& random, FuzzData& data)
   }
   if (isReal && !data.IsTame && random.Chance(0.3) && array->GetNumberOfTuples() > 0)
   {
-    const int count = random.Whole(1, 3);
+    const int count = random.Integer(1, 3);
     for (int i = 0; i < count; ++i)
     {
       array->SetTuple1(static_cast<vtkIdType>(random.Next() % array->GetNumberOfTuples()),
@@ -273,25 +275,26 @@ void AddValues(FuzzRandom& random, FuzzData& data)
 
 void AddFlags(FuzzRandom& random, FuzzData& data)
 {
-  const bool isOfCells = random.Chance(0.7);
+  const bool isCellArray = random.Chance(0.7);
   vtkNew<vtkUnsignedCharArray> flags;
   flags->SetName(vtkDataSetAttributes::GhostArrayName());
   const vtkIdType count =
-    isOfCells ? data.Data->GetNumberOfCells() : data.Data->GetNumberOfPoints();
+    isCellArray ? data.Data->GetNumberOfCells() : data.Data->GetNumberOfPoints();
   int hidden = vtkDataSetAttributes::HIDDENPOINT;
-  int twice = vtkDataSetAttributes::DUPLICATEPOINT;
-  if (isOfCells)
+  int duplicate = vtkDataSetAttributes::DUPLICATEPOINT;
+  if (isCellArray)
   {
     hidden = vtkDataSetAttributes::HIDDENCELL;
-    twice = vtkDataSetAttributes::DUPLICATECELL;
+    duplicate = vtkDataSetAttributes::DUPLICATECELL;
   }
   for (vtkIdType i = 0; i < count; ++i)
   {
     flags->InsertNextValue(static_cast<unsigned char>(
-      random.Chance(0.8) ? 0 : random.Pick<int>({ hidden, twice, hidden | twice })));
+      random.Chance(0.8) ? 0 : random.Pick<int>({ hidden, duplicate, hidden | duplicate })));
   }
-  data.Data->GetAttributes(isOfCells ? vtkDataObject::CELL : vtkDataObject::POINT)->AddArray(flags);
-  data.Text += isOfCells ? ", flags of cells" : ", flags of points";
+  data.Data->GetAttributes(isCellArray ? vtkDataObject::CELL : vtkDataObject::POINT)
+    ->AddArray(flags);
+  data.Text += isCellArray ? ", flags of cells" : ", flags of points";
 }
 
 void AddCellArray(FuzzData& data)
@@ -305,8 +308,8 @@ void AddCellArray(FuzzData& data)
   data.Data->GetCellData()->AddArray(array);
 }
 
-/// Adds a permutation as global ids of a random type. Unless the data are tame, they may be too
-/// short or floating-point numbers, which is an error.
+/// Adds a permutation as global ids of a random type. Unless the data are tame, the array may be
+/// too short or a floating-point array, which is an error.
 void AddGlobalIds(FuzzRandom& random, FuzzData& data)
 {
   static const std::vector<int> types = { VTK_ID_TYPE, VTK_INT, VTK_LONG_LONG, VTK_UNSIGNED_INT,
@@ -326,7 +329,7 @@ void AddGlobalIds(FuzzRandom& random, FuzzData& data)
     ids->GetDataTypeAsString();
 }
 
-/// Takes the name of the scalars and adds further arrays without one.
+/// Removes the name of the scalars and adds unnamed arrays.
 void AddUnnamedArrays(FuzzRandom& random, FuzzData& data)
 {
   if (random.Chance(0.5))
@@ -336,7 +339,7 @@ void AddUnnamedArrays(FuzzRandom& random, FuzzData& data)
   for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
   {
     vtkNew<vtkDoubleArray> array;
-    array->SetNumberOfComponents(random.Whole(1, 3));
+    array->SetNumberOfComponents(random.Integer(1, 3));
     array->SetNumberOfTuples(data.Data->GetNumberOfElements(association));
     array->Fill(random.Unit());
     data.Data->GetAttributes(association)->AddArray(array);
@@ -344,7 +347,7 @@ void AddUnnamedArrays(FuzzRandom& random, FuzzData& data)
   data.Text += ", unnamed arrays";
 }
 
-/// Values, flags and arrays, after the coordinates.
+/// Adds values, flags and arrays to a dataset that has coordinates.
 FuzzData Finish(FuzzRandom& random, FuzzData data)
 {
   if (!data.IsTame && random.Chance(0.4))
@@ -380,7 +383,7 @@ FuzzData MakeImage(FuzzRandom& random)
   data.IsTame = random.Chance(0.5);
   const auto dimensions = MakeDimensions(random);
   auto image = vtkSmartPointer<vtkImageData>::New();
-  const int first[3] = { random.Whole(-5, 5), random.Whole(0, 3), random.Whole(-3, 0) };
+  const int first[3] = { random.Integer(-5, 5), random.Integer(0, 3), random.Integer(-3, 0) };
   image->SetExtent(first[0], first[0] + dimensions[0] - 1, first[1], first[1] + dimensions[1] - 1,
     first[2], first[2] + dimensions[2] - 1);
   image->SetOrigin(
@@ -417,7 +420,7 @@ FuzzData MakeData(FuzzRandom& random)
 {
   FuzzData data;
   data.IsTame = random.Chance(0.4);
-  switch (random.Whole(0, 4))
+  switch (random.Integer(0, 4))
   {
     case 0:
       return MakeImage(random);
@@ -441,17 +444,17 @@ void AddVectors(FuzzRandom& random, FuzzData& data)
   vtkNew<vtkDoubleArray> vectors;
   vectors->SetName("v");
   vectors->SetNumberOfComponents(3);
-  const int kind = random.Whole(0, 3);
-  // Points without data have one value in all components.
+  const int kind = random.Integer(0, 3);
+  // Points without data have one fill value in all components.
   const double fill = random.Pick<double>({ 1e20, 9.96921e36, -9999.0, -30000.0 });
-  const double fillShare = !data.IsTame && random.Chance(0.2) ? random.Between(0.0, 0.5) : 0.0;
-  data.Text += fillShare > 0.0 ? ", fill values " + std::to_string(fill) : "";
+  const double fillFraction = !data.IsTame && random.Chance(0.2) ? random.Between(0.0, 0.5) : 0.0;
+  data.Text += fillFraction > 0.0 ? ", fill values " + std::to_string(fill) : "";
   for (vtkIdType i = 0; i < data.Data->GetNumberOfPoints(); ++i)
   {
     double x[3];
     data.Data->GetPoint(i, x);
     double v[3] = { 1.0, 0.2, 0.1 };
-    if (random.Chance(fillShare))
+    if (random.Chance(fillFraction))
     {
       std::fill_n(v, 3, fill);
     }
@@ -477,7 +480,7 @@ void AddVectors(FuzzRandom& random, FuzzData& data)
   if (!data.IsTame && random.Chance(0.3) && vectors->GetNumberOfTuples() > 0)
   {
     vectors->SetComponent(static_cast<vtkIdType>(random.Next() % vectors->GetNumberOfTuples()),
-      random.Whole(0, 2), random.Pick(ExtremeNumbers));
+      random.Integer(0, 2), random.Pick(ExtremeNumbers));
     data.Text += ", an extreme vector";
   }
   data.Data->GetPointData()->SetVectors(vectors);
@@ -492,15 +495,15 @@ double MakeBound(FuzzRandom& random, vtkDataArray* values)
     return random.Pick(ExtremeNumbers);
   }
   const double at = values->GetTuple1(static_cast<vtkIdType>(random.Next() % count));
-  const double beside = values->GetTuple1(static_cast<vtkIdType>(random.Next() % count));
-  switch (random.Whole(0, 3))
+  const double other = values->GetTuple1(static_cast<vtkIdType>(random.Next() % count));
+  switch (random.Integer(0, 3))
   {
     case 0:
       return at;
     case 1:
       return std::nextafter(at, Infinity);
     default:
-      return at + random.Between(-0.2, 1.2) * (beside - at);
+      return at + random.Between(-0.2, 1.2) * (other - at);
   }
 }
 

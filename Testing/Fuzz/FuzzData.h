@@ -14,8 +14,8 @@ class vtkImageData;
 class vtkUnstructuredGrid;
 
 /**
- * Datasets at random: of every type, with mixed, degenerate, repeated and inverted cells, ghost and
- * blank flags, numbers that are none, tiny, huge or tied, odd extents, and nothing at all.
+ * Random datasets of every type. They have mixed, degenerate, repeated and inverted cells, ghost
+ * and blanking flags, NaN, tiny, huge or tied values, and unusual or empty extents.
  */
 namespace fuzz
 {
@@ -23,26 +23,26 @@ namespace fuzz
 struct FuzzData
 {
   vtkSmartPointer<vtkDataSet> Data;
-  /// Cells are convex with planar faces, coordinates of moderate size, values finite; nothing is
-  /// hidden, degenerate or twice there. Volumes then add up.
+  /// True if cells are convex with planar faces, and all coordinates and values are finite and of
+  /// moderate size. No cell is hidden, degenerate or duplicated. Volumes of tame data must add up.
   bool IsTame = true;
-  std::string Text; ///< what it is, for a message
+  std::string Text; ///< description for messages
 };
 
-/// A dataset of any type with a point array `f` of one component, the active scalars, and sometimes
-/// a cell array `c`.
+/// Creates a dataset of any type with a one-component point array `f`, the active scalars. It may
+/// also have a cell array `c`.
 FuzzData MakeData(FuzzRandom& random);
 
-/// An image of a few cells with `f`.
+/// Creates an image of a few cells with the point array `f`.
 FuzzData MakeImage(FuzzRandom& random);
 
-/// Unstructured tetrahedra with `f`, sometimes degenerate, inverted or apart.
+/// Creates tetrahedra with the point array `f`, which may be degenerate, inverted or disconnected.
 FuzzData MakeTetrahedra(FuzzRandom& random);
 
-/// Adds a point array `v` of three components, smooth or not, and makes it the active vectors.
+/// Adds a three-component point array `v` as the active vectors, smooth or random.
 void AddVectors(FuzzRandom& random, FuzzData& data);
 
-/// A bound near, among or at the values of an array, or an extreme one.
+/// Returns an interval bound at, close to or between values of the array, or an extreme number.
 double MakeBound(FuzzRandom& random, vtkDataArray* values);
 
 }

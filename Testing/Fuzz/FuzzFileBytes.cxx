@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An entry for libFuzzer: the first byte chooses the file, the others are its bytes, at first those
-// that an earlier run has left. A finding is a run that does not give what it gives without the
-// file.
+// libFuzzer entry point. The first byte selects the kind of file and the rest are the content of
+// the file. The seed of each kind is an intact file. A run that fails FileKind::Try is a finding.
 #include "FuzzFiles.h"
 
 #include "vtkLogger.h"
@@ -11,19 +10,19 @@
 #include <cstdlib>
 #include <iostream>
 
-extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
+extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t capacity);
 
 extern "C" std::size_t LLVMFuzzerCustomMutator(
-  std::uint8_t* data, std::size_t size, std::size_t most, unsigned int seed)
+  std::uint8_t* data, std::size_t size, std::size_t capacity, unsigned int seed)
 {
   if (size > 2)
   {
-    return LLVMFuzzerMutate(data, size, most);
+    return LLVMFuzzerMutate(data, size, capacity);
   }
   const auto& kinds = fuzz::GetFileKinds();
   const std::size_t kind = seed % kinds.size();
   const std::string bytes = static_cast<char>(kind) + kinds[kind].MakeBytes();
-  const std::size_t taken = std::min(bytes.size(), most);
+  const std::size_t taken = std::min(bytes.size(), capacity);
   std::copy_n(bytes.begin(), taken, data);
   return taken;
 }
@@ -37,11 +36,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const auto& kinds = fuzz::GetFileKinds();
   const fuzz::FileKind& kind = kinds[data[0] % kinds.size()];
-  const std::string fault =
+  const std::string error =
     kind.Try(std::string(reinterpret_cast<const char*>(data + 1), size - 1));
-  if (!fault.empty())
+  if (!error.empty())
   {
-    std::cerr << kind.Name << ": " << fault << std::endl;
+    std::cerr << kind.Name << ": " << error << std::endl;
     std::abort();
   }
   return 0;

@@ -26,7 +26,7 @@ namespace
 
 namespace files = std::filesystem;
 
-/// A folder of this process that is gone with it.
+/// A temporary directory of this process, removed at its end.
 class Folder
 {
 public:
@@ -64,8 +64,8 @@ void Write(const files::path& path, const std::string& bytes)
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-/// Ends the execution in the middle.
-void AbortInTheMiddle(vtkObject* caller, unsigned long, void*, void*)
+/// Aborts the execution halfway.
+void AbortHalfway(vtkObject* caller, unsigned long, void*, void*)
 {
   auto* filter = vtkAlgorithm::SafeDownCast(caller);
   if (filter->GetProgress() > 0.5)
@@ -96,7 +96,7 @@ std::string MakeCheckpoint()
 {
   const auto filter = MakeFlow(true);
   vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(AbortInTheMiddle);
+  command->SetCallback(AbortHalfway);
   filter->AddObserver(vtkCommand::ProgressEvent, command);
   filter->Update();
   return Read(Folder::Get() / "flow.vtt");
@@ -116,10 +116,10 @@ std::string TryCheckpoint(const std::string& bytes)
   filter->Update();
   if (BytesOf(filter) != expected)
   {
-    return "the output is not that of a run without a file";
+    return "the output differs from a run without a checkpoint";
   }
   return filter->GetReport()->GetNumber("ResumedStreamlines") == 0 && messages.GetText().empty()
-    ? "the file is refused without a word"
+    ? "the checkpoint was rejected without a message"
     : "";
 }
 
@@ -134,7 +134,7 @@ std::string WriteSlabs()
   writer->SetInputConnection(source->GetOutputPort());
   writer->SetInterval(0, 0.5, 0.8);
   writer->SetFileName((Folder::Get() / "vortex.vtm").string().c_str());
-  return writer->Write() ? "" : "the slabs are not written";
+  return writer->Write() ? "" : "the writer failed to write the slabs";
 }
 
 files::path GetSlab()
@@ -152,16 +152,16 @@ std::string TrySlab(const std::string& bytes)
   static const std::string expected = MakeSlab();
   Write(GetSlab(), bytes);
   const Messages messages;
-  const std::string fault = WriteSlabs();
-  if (!fault.empty())
+  const std::string error = WriteSlabs();
+  if (!error.empty())
   {
-    return fault;
+    return error;
   }
   if (Read(GetSlab()) != expected)
   {
-    return "the slab is not what it is without a file";
+    return "the slab differs from a run without the file";
   }
-  return bytes != expected && messages.GetText().empty() ? "the file is replaced without a word"
+  return bytes != expected && messages.GetText().empty() ? "the slab was replaced without a message"
                                                          : "";
 }
 

@@ -6,8 +6,8 @@
 #include <vector> // for the list
 
 /**
- * Files of ours that a later run reads: whatever bytes are in the place of one, that run gives what
- * it gives without.
+ * Files that a later run of a filter reads. Regardless of the content of such a file, the run must
+ * produce the same result as without the file.
  */
 namespace fuzz
 {
@@ -15,14 +15,14 @@ namespace fuzz
 struct FileKind
 {
   std::string Name;
-  /// What an earlier run has left.
+  /// Returns the intact file, as written by an earlier run.
   std::string (*MakeBytes)();
-  /// Puts \a bytes in the place of that file and runs again. Returns what is wrong with that, or
-  /// nothing.
+  /// Writes \a bytes to the file and runs again. Returns an error message, or an empty string on
+  /// success.
   std::string (*Try)(const std::string& bytes);
 };
 
-/// The checkpoint of vtkImplicitFlowField, and a slab of vtkTimeSlabWriter.
+/// Returns the checkpoint of vtkImplicitFlowField and a slab of vtkTimeSlabWriter.
 const std::vector<FileKind>& GetFileKinds();
 
 }

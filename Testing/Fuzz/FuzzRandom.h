@@ -10,10 +10,10 @@ namespace fuzz
 
 /**
  * @class   FuzzRandom
- * @brief   choices at random, the same for the same seed on every machine
+ * @brief   random choices that are identical on every machine for the same seed
  *
  * SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators",
- * OOPSLA 2014); the distributions of the standard library differ between libraries.
+ * OOPSLA 2014) is used because distributions of the standard library differ between libraries.
  */
 class FuzzRandom
 {
@@ -29,15 +29,15 @@ public:
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
     return z ^ (z >> 31);
   }
-  /// In [0, 1).
+  /// Returns a number in [0, 1).
   double Unit() { return static_cast<double>(this->Next() >> 11) * 0x1p-53; }
   double Between(double lower, double upper) { return lower + (upper - lower) * this->Unit(); }
-  /// In [lower, upper].
-  int Whole(int lower, int upper)
+  /// Returns an integer in [lower, upper].
+  int Integer(int lower, int upper)
   {
     return lower + static_cast<int>(this->Next() % static_cast<std::uint64_t>(upper - lower + 1));
   }
-  bool Chance(double share) { return this->Unit() < share; }
+  bool Chance(double probability) { return this->Unit() < probability; }
   template <typename T>
   T Pick(const std::vector<T>& choices)
   {

@@ -86,8 +86,7 @@ void CheckArrays(vtkFieldData* arrays, vtkIdType count, reference::Check& check)
   {
     vtkAbstractArray* array = arrays->GetAbstractArray(i);
     check.Equal(array->GetNumberOfTuples(), count,
-      std::string("values of ") +
-        (array->GetName() ? array->GetName() : "an array without a name"));
+      std::string("values of ") + (array->GetName() ? array->GetName() : "an unnamed array"));
   }
 }
 
@@ -105,7 +104,7 @@ void CheckDataSet(vtkDataSet* data, reference::Check& check)
       areValid = areValid && ids->GetId(i) >= 0 && ids->GetId(i) < data->GetNumberOfPoints();
     }
   }
-  check.That(areValid, "cells have points of the output");
+  check.That(areValid, "all point ids of cells are valid");
 }
 
 }
@@ -137,12 +136,12 @@ std::string CheckRun(const std::function<vtkSmartPointer<vtkAlgorithm>()>& make,
       auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
       if (isExplained && (!output || output->GetNumberOfCells() == 0))
       {
-        check.That(!text.empty(), "an empty output is explained");
+        check.That(!text.empty(), "an empty output comes with a message");
       }
     }
     else
     {
-      check.That(bytes == expected, "the same bytes for three threads as for one");
+      check.That(bytes == expected, "the output with three threads equals the output with one");
     }
   }
   vtkSMPTools::SetBackend("Sequential");

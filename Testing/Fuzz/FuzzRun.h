@@ -4,7 +4,7 @@
 
 #include "vtkSmartPointer.h" // for the output window
 
-#include <functional> // for what is run
+#include <functional> // for the tested filter
 #include <string>     // for bytes and messages
 
 class vtkAlgorithm;
@@ -16,14 +16,14 @@ class Check;
 }
 
 /**
- * What is expected of any execution, whatever comes in.
+ * Expectations that hold for any execution of a filter.
  */
 namespace fuzz
 {
 
 /**
  * @class   Messages
- * @brief   collects errors and warnings, instead of showing them, for as long as it lives
+ * @brief   collects errors and warnings during its lifetime instead of showing them
  */
 class Messages
 {
@@ -37,16 +37,16 @@ private:
   vtkSmartPointer<Window> Collected;
 };
 
-/// The bytes of a dataset, composite or not, with all of its arrays.
+/// Returns a dataset, which may be composite, with all arrays in serialized form.
 std::string BytesOf(vtkDataObject* data);
 
-/// The bytes of all outputs of a filter.
+/// Returns all outputs of a filter in serialized form.
 std::string BytesOf(vtkAlgorithm* filter);
 
 /**
- * Updates a filter with one and with three threads, each from the start. The outputs are the same
- * bytes; every array has a value for each point, or cell; ids of cells are those of points; an
- * output without cells, where \a isExplained, comes with an error or a warning. Returns the
+ * Updates a new filter with one thread and another with three threads. The outputs must be
+ * identical. Every array must have a tuple per point or cell, and all point ids must be valid. If
+ * \a isExplained is true, an output without cells requires an error or a warning. Returns the
  * messages.
  */
 std::string CheckRun(const std::function<vtkSmartPointer<vtkAlgorithm>()>& make, bool isExplained,

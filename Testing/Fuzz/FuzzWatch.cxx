@@ -62,7 +62,7 @@ void FuzzWatch::Run()
     {
       std::cerr << this->Arguments << " did not end in " << this->Limit.count() << " seconds"
                 << std::endl;
-      // No destructor waits for the case.
+      // Exit at once: a destructor would wait for the case.
       std::_Exit(EXIT_FAILURE);
     }
     if (now >= next)

@@ -2,7 +2,7 @@
 #ifndef FuzzWatch_h
 #define FuzzWatch_h
 
-#include <chrono>             // for the time that a case takes
+#include <chrono>             // for the duration of a case
 #include <condition_variable> // for the end
 #include <mutex>              // for the case
 #include <string>             // for names
@@ -13,25 +13,25 @@ namespace fuzz
 
 /**
  * @class   FuzzWatch
- * @brief   tells how far a run is, and ends it where a case does not end by itself
+ * @brief   reports the progress of a run and ends a case that takes too long
  *
- * A line on the error stream every ten seconds, from a thread of its own, so that a long case is
- * named while it runs. A case that takes longer than the limit ends the program, which then names
- * it and fails.
+ * A separate thread prints a line to the error stream every ten seconds, so that a long case is
+ * named while it runs. If a case takes longer than the limit, the program prints its arguments and
+ * exits with an error.
  */
 class FuzzWatch
 {
 public:
-  /// \a limit are the most seconds a case may take by the clock on the wall.
+  /// Sets the maximum wall-clock time of a case, in seconds.
   explicit FuzzWatch(double limit);
   ~FuzzWatch();
   FuzzWatch(const FuzzWatch&) = delete;
   FuzzWatch& operator=(const FuzzWatch&) = delete;
 
-  /// Says which case begins, as arguments of this program, and how many of its family are done.
+  /// Starts a case: \a arguments reproduce it and \a done is the number of finished cases.
   void Begin(const std::string& arguments, int done, int count);
 
-  /// The case ended; until the next one begins nothing can last too long.
+  /// Ends the case. The limit applies again from the next call of Begin.
   void End();
 
 private:

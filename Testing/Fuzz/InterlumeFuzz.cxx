@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random pipelines through the public classes: see FuzzCases.h. A case is a family and a seed,
-// which make it again on every machine.
+// Runs random pipelines of the public classes: see FuzzCases.h. A family and a seed reproduce a
+// case on every machine.
 #include "FuzzCases.h"
 #include "FuzzWatch.h"
 
@@ -31,7 +31,7 @@ namespace
 
 std::string CurrentCase;
 
-/// Names the case that a signal ended, by what a signal handler may call.
+/// Prints the name of the case that a signal ended, with async-signal-safe functions only.
 void OnSignal(int signal)
 {
   const std::string& name = CurrentCase;
@@ -62,8 +62,8 @@ int main(int argc, char* argv[])
   bool isVerbose = false;
   app.add_option("--family", chosen, "Families to run; default all")->check(CLI::IsMember(names));
   app.add_option("--first", first, "The first seed; default 1");
-  app.add_option("--cases", count, "Cases of each family; default 50");
-  app.add_option("--limit", limit, "The most seconds a case may take; default 600")
+  app.add_option("--cases", count, "Number of cases per family; default 50");
+  app.add_option("--limit", limit, "Maximum duration of a case in seconds; default 600")
     ->check(CLI::PositiveNumber);
   app.add_flag("--verbose", isVerbose, "Print each case before it runs");
   CLI11_PARSE(app, argc, argv);
@@ -72,7 +72,7 @@ int main(int argc, char* argv[])
   {
     std::signal(signal, fuzz::OnSignal);
   }
-  // What is logged is collected as well.
+  // Logged messages are collected by fuzz::Messages.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   reference::Check check;
   fuzz::FuzzWatch watch(limit);
@@ -104,16 +104,16 @@ int main(int argc, char* argv[])
       }
       catch (const std::exception& error)
       {
-        check.That(false, std::string("an exception: ") + error.what());
+        check.That(false, std::string("no exception; caught ") + error.what());
       }
       watch.End();
       if (isVerbose || check.GetNumberOfFailures() > failures)
       {
-        std::cerr << "  " << family.Name << " " << seed << " is " << text << "\n";
+        std::cerr << "  " << family.Name << " " << seed << ": " << text << "\n";
       }
     }
     std::cout << family.Name << ": " << count << " cases, " << check.GetNumberOfFailures() - before
-              << " expectations not met" << std::endl;
+              << " failed expectations" << std::endl;
   }
   return check.Result();
 }

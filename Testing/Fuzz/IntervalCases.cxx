@@ -33,7 +33,7 @@ struct Choice
   vtkSmartPointer<vtkDataObject> Input;
   std::vector<Interval> Intervals;
   bool HasBoundaries = false;
-  bool KeepsOrigins = false;
+  bool HasOrigins = false;
   bool HasCriterion = false;
   int Precision = vtkAlgorithm::DOUBLE_PRECISION;
 };
@@ -53,7 +53,7 @@ vtkSmartPointer<vtkIntervalVolume> MakeFilter(const Choice& choice)
   filter->SetInputDataObject(choice.Input);
   filter->SetOutputPointsPrecision(choice.Precision);
   filter->SetGenerateBoundaries(choice.HasBoundaries);
-  filter->SetKeepOrigins(choice.KeepsOrigins);
+  filter->SetGenerateOriginArrays(choice.HasOrigins);
   if (choice.HasCriterion)
   {
     filter->AddCriterion("f", 0.2, 0.7);
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkIntervalVolume> MakeFilter(const Choice& choice)
 std::vector<Interval> MakeIntervals(FuzzRandom& random, vtkDataArray* values)
 {
   std::vector<Interval> intervals;
-  const int count = random.Whole(1, 4);
+  const int count = random.Integer(1, 4);
   for (int i = 0; i < count; ++i)
   {
     Interval interval = { { MakeBound(random, values), MakeBound(random, values) } };
@@ -73,7 +73,7 @@ std::vector<Interval> MakeIntervals(FuzzRandom& random, vtkDataArray* values)
     {
       interval = { { std::min(interval[0], interval[1]), std::max(interval[0], interval[1]) } };
     }
-    // Next to the one before, on itself, or anywhere.
+    // Some intervals are adjacent to the previous interval, and some are degenerate.
     if (i > 0 && random.Chance(0.3) && interval[1] >= intervals.back()[1])
     {
       interval[0] = intervals.back()[1];
@@ -87,7 +87,7 @@ std::vector<Interval> MakeIntervals(FuzzRandom& random, vtkDataArray* values)
   return intervals;
 }
 
-/// Two blocks, one of them sometimes nothing.
+/// Returns two blocks; the second is null in some cases.
 vtkSmartPointer<vtkDataObject> MakeBlocks(FuzzRandom& random, vtkDataSet* data)
 {
   auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
@@ -105,7 +105,8 @@ vtkUnstructuredGrid* GetGrid(vtkAlgorithm* filter)
   return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
-/// The largest magnitude of finite values: interpolated ones are rounded by that times an epsilon.
+/// Returns the largest magnitude of the finite values, which scales the rounding error of
+/// interpolation.
 double LargestValue(vtkDataArray* values)
 {
   double largest = 1e-300;
@@ -117,7 +118,8 @@ double LargestValue(vtkDataArray* values)
   return largest;
 }
 
-/// Values of the points of each interval's cells are within its bounds, but for rounding.
+/// Checks that the values at the points of each interval's cells are within the bounds, up to
+/// rounding error.
 void CheckValues(vtkUnstructuredGrid* grid, const std::vector<Interval>& intervals, double largest,
   reference::Check& check)
 {
@@ -127,7 +129,7 @@ void CheckValues(vtkUnstructuredGrid* grid, const std::vector<Interval>& interva
   {
     return;
   }
-  double worst = 0.0;
+  double largestError = 0.0;
   vtkNew<vtkIdList> points;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
@@ -136,14 +138,15 @@ void CheckValues(vtkUnstructuredGrid* grid, const std::vector<Interval>& interva
     for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
     {
       const double value = values->GetTuple1(points->GetId(i));
-      worst = std::max({ worst, (interval[0] - value) / largest, (value - interval[1]) / largest });
+      largestError = std::max(
+        { largestError, (interval[0] - value) / largest, (value - interval[1]) / largest });
     }
   }
-  check.Near(worst, 0.0, 1e-6, "values outside of their interval", 1.0);
+  check.Near(largestError, 0.0, 1e-6, "distance of values from their interval", 1.0);
 }
 
-/// Points are finite, whatever those of the input are; single precision, in which images give them
-/// by default, may overflow, of which the filter warns.
+/// Checks that all points are finite. In single precision, the default for images, coordinates may
+/// overflow, and the filter then warns.
 void CheckPoints(vtkUnstructuredGrid* grid, reference::Check& check)
 {
   vtkIdType nonFinite = 0;
@@ -156,13 +159,14 @@ void CheckPoints(vtkUnstructuredGrid* grid, reference::Check& check)
     std::to_string(nonFinite) + " points are not finite");
 }
 
-/// The volumes of two intervals that meet are that of both together, and all values have all.
+/// Checks that the interval of all values has the volume of the mesh, and that two adjacent
+/// intervals together have it, too.
 void CheckVolumes(vtkDataSet* data, FuzzRandom& random, reference::Check& check)
 {
   vtkDataArray* values = data->GetPointData()->GetScalars();
   double range[2];
   values->GetRange(range);
-  const double middle = range[0] + random.Unit() * (range[1] - range[0]);
+  const double bound = range[0] + random.Unit() * (range[1] - range[0]);
   const auto volume = [&](const std::vector<Interval>& intervals)
   {
     Choice choice;
@@ -173,14 +177,15 @@ void CheckVolumes(vtkDataSet* data, FuzzRandom& random, reference::Check& check)
     filter->Update();
     return reference::MeasureTetrahedra(GetGrid(filter));
   };
-  const auto whole = volume({ { range[0], range[1] } });
+  const auto full = volume({ { range[0], range[1] } });
   const double expected = static_cast<double>(reference::MeshVolume(data));
-  check.Near(static_cast<double>(whole.Sum), expected, 1e-10, "volume of all values", 1e-300);
-  // An interval without width has cells of the other as well.
-  if (range[0] < middle && middle < range[1])
+  check.Near(static_cast<double>(full.Sum), expected, 1e-10, "volume of the full range", 1e-300);
+  // A zero-width interval would count the cells at that value twice.
+  if (range[0] < bound && bound < range[1])
   {
-    const auto parts = volume({ { range[0], middle }, { middle, range[1] } });
-    check.Near(static_cast<double>(parts.Sum), expected, 1e-10, "volume of two intervals", 1e-300);
+    const auto parts = volume({ { range[0], bound }, { bound, range[1] } });
+    check.Near(
+      static_cast<double>(parts.Sum), expected, 1e-10, "volume of two adjacent intervals", 1e-300);
   }
 }
 
@@ -193,9 +198,9 @@ void RunIntervals(FuzzRandom& random, std::string& text, reference::Check& check
   Choice choice;
   choice.Intervals = MakeIntervals(random, values);
   choice.HasBoundaries = random.Chance(0.5);
-  choice.KeepsOrigins = random.Chance(0.3);
+  choice.HasOrigins = random.Chance(0.3);
   choice.HasCriterion = random.Chance(0.2);
-  choice.Precision = random.Whole(0, 2);
+  choice.Precision = random.Integer(0, 2);
   const bool isComposite = random.Chance(0.15);
   choice.Input = isComposite ? MakeBlocks(random, data.Data) : data.Data.Get();
   text = data.Text + (isComposite ? ", blocks" : "") + ", intervals";
@@ -205,7 +210,7 @@ void RunIntervals(FuzzRandom& random, std::string& text, reference::Check& check
   }
   CheckRun([&choice]() { return MakeFilter(choice); }, !isComposite, check);
 
-  // Other bounds and back again, by the index of values.
+  // Change the bounds and restore them; both updates use the cached value index.
   Messages messages;
   const auto filter = MakeFilter(choice);
   filter->Update();
@@ -219,7 +224,7 @@ void RunIntervals(FuzzRandom& random, std::string& text, reference::Check& check
   filter->Update();
   SetIntervals(filter, choice.Intervals);
   filter->Update();
-  check.That(BytesOf(filter) == before, "the same after other intervals");
+  check.That(BytesOf(filter) == before, "the output is restored with the intervals");
   if (data.IsTame && data.Data->GetNumberOfCells() > 0 &&
     data.Data->GetCell(0)->GetCellDimension() == 3)
   {
@@ -231,7 +236,7 @@ void RunContours(FuzzRandom& random, std::string& text, reference::Check& check)
 {
   const FuzzData data = MakeData(random);
   vtkDataArray* values = data.Data->GetPointData()->GetScalars();
-  std::vector<double> contours(static_cast<std::size_t>(random.Whole(1, 3)));
+  std::vector<double> contours(static_cast<std::size_t>(random.Integer(1, 3)));
   text = data.Text + ", contours";
   for (double& contour : contours)
   {
@@ -258,7 +263,7 @@ void RunContours(FuzzRandom& random, std::string& text, reference::Check& check)
   CheckPoints(grid, check);
   vtkDataArray* found = grid ? grid->GetPointData()->GetScalars() : nullptr;
   const double largest = LargestValue(values);
-  double worst = 0.0;
+  double largestError = 0.0;
   for (vtkIdType i = 0; found && i < found->GetNumberOfTuples(); ++i)
   {
     double nearest = 1.0;
@@ -266,9 +271,9 @@ void RunContours(FuzzRandom& random, std::string& text, reference::Check& check)
     {
       nearest = std::min(nearest, std::abs(found->GetTuple1(i) - contour) / largest);
     }
-    worst = std::max(worst, nearest);
+    largestError = std::max(largestError, nearest);
   }
-  check.Near(worst, 0.0, 1e-6, "values off the contours", 1.0);
+  check.Near(largestError, 0.0, 1e-6, "distance of values from the isovalues", 1.0);
 }
 
 }

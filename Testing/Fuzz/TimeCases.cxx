@@ -25,7 +25,7 @@ namespace fuzz
 namespace
 {
 
-/// Whether every value of a cell array is within bounds, with room for rounding.
+/// Checks that all values of an array are within bounds, with a tolerance for rounding.
 void CheckRange(
   vtkUnstructuredGrid* grid, const char* name, double lower, double upper, reference::Check& check)
 {
@@ -37,8 +37,8 @@ void CheckRange(
   }
   double range[2];
   array->GetRange(range);
-  const double room = 1e-6 * std::max(upper - lower, 1e-300);
-  check.That(range[0] >= lower - room && range[1] <= upper + room,
+  const double tolerance = 1e-6 * std::max(upper - lower, 1e-300);
+  check.That(range[0] >= lower - tolerance && range[1] <= upper + tolerance,
     std::string(name) + " from " + std::to_string(range[0]) + " to " + std::to_string(range[1]));
 }
 
@@ -48,7 +48,7 @@ void RunTime(FuzzRandom& random, std::string& text, reference::Check& check)
 {
   const FuzzData data = MakeData(random);
   std::vector<double> times = { random.Between(-5.0, 5.0) };
-  const int more = random.Whole(random.Chance(0.05) ? 0 : 1, 3);
+  const int more = random.Integer(random.Chance(0.05) ? 0 : 1, 3);
   for (int i = 0; i < more; ++i)
   {
     times.push_back(times.back() + random.Pick<double>({ 0.1, 1.0, 1e-6, 1e4 }));
@@ -64,8 +64,9 @@ void RunTime(FuzzRandom& random, std::string& text, reference::Check& check)
   {
     reference::AddRandomTimeField(steps, seed);
   }
-  const double lower = isTied ? random.Whole(0, 2) : random.Unit();
-  const double upper = isTied ? std::max<double>(lower, random.Whole(0, 2)) : lower + random.Unit();
+  const double lower = isTied ? random.Integer(0, 2) : random.Unit();
+  const double upper =
+    isTied ? std::max<double>(lower, random.Integer(0, 2)) : lower + random.Unit();
   const bool hasSimplices = random.Chance(0.5);
   const bool hasBoundaries = random.Chance(0.5);
   text = data.Text + ", " + std::to_string(times.size()) + (isTied ? " tied" : "") + " steps, [" +
@@ -97,7 +98,7 @@ void RunTime(FuzzRandom& random, std::string& text, reference::Check& check)
     slice->SetInputConnection(filter->GetOutputPort(2));
     slice->SetTime(random.Between(times.front(), times.back()));
     slice->Update();
-    check.That(slice->GetOutputDataObject(0) != nullptr, "a slice in time");
+    check.That(slice->GetOutputDataObject(0) != nullptr, "the time slice has an output");
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reads what `interlume-gallery --json` and its page say, and checks that a scene paid only for
-// what it used: a feature that is off leaves no triangle, no pass and no buffer. Argument: the
-// folder with gallery.json and index.html.
+// Reads the output of `interlume-gallery --json` and the gallery's page, and checks that a scene
+// has no cost for features that are off: no triangle, no pass and no buffer. Argument: the
+// directory with gallery.json and index.html.
 
 #include <nlohmann/json.hpp>
 
@@ -14,7 +14,7 @@
 
 namespace
 {
-/// Textures and passes of a panel, as TestGalleryCounters expects them of VTK 9.
+/// Number of textures and passes of a panel in VTK 9.
 constexpr int WINDOW_BUFFERS = 4;
 constexpr int OCCLUSION_BUFFERS = 5;
 constexpr int OCCLUSION_PASSES = 2;
@@ -43,37 +43,39 @@ public:
     const int panels = scene.at("panels");
 
     const bool isExtracted = scene.at("filters") > 0;
-    this->Expect((scene.at("tetrahedra") > 0) == isExtracted, "tetrahedra were made");
+    this->Expect((scene.at("tetrahedra") > 0) == isExtracted,
+      "there are tetrahedra if a filter extracts some");
     this->Expect(extraction.at("cells_visited") <= extraction.at("cells"),
-      "no more cells visited than there are");
+      "the visited cells are among the cells");
     this->Expect((extraction.at("cells_with_output") > 0) == (isExtracted && !has("flow")),
-      "cells gave output");
+      "some cells have output");
     this->Expect((has("boundaries") || has("stream-surfaces") || has("time-surfaces")) ==
         (scene.at("boundary_triangles") > 0),
-      "boundary triangles exactly where boundaries are on");
+      "there are boundary triangles only if boundaries are on");
     this->CheckFlow(scene, has("flow"));
     this->Expect(has("boundaries") ==
         (this->Scene == "interval-boundary" || this->Scene == "interval-constant" ||
           this->Scene == "time-boundaries"),
-      "boundaries on in interval-boundary, interval-constant and time-boundaries only");
+      "boundaries are on in interval-boundary, interval-constant and time-boundaries only");
     this->Expect(has("time-boundaries") ==
         (this->Scene == "time-isosurfaces" || this->Scene == "time-end-volumes" ||
           this->Scene == "time-priority"),
-      "boundaries of tetrahedra in the three scenes that show them only");
-    this->Expect(has("criteria") == (scene.at("criteria") > 0), "criteria as asked for");
+      "boundaries of tetrahedra are on in the three scenes about them only");
+    this->Expect(has("criteria") == (scene.at("criteria") > 0),
+      "there are criteria only if the feature is on");
     const int slabs = scene.at("slabs");
     this->Expect(has("time") == (slabs > 0 && scene.at("simplices") > 0),
-      "slabs and 4-simplices exactly where there is time");
+      "there are slabs and 4-simplices only for time-varying data");
     this->Expect(!isExtracted || has("flow") ||
         extraction.at("passes") == (has("time") ? slabs : (has("criteria") ? 2 : 1)),
-      "a pass for each slab, and a second one exactly where there is a criterion");
-    this->Expect(
-      has("time-slices") == (this->Scene == "time-slices"), "slices in time in time-slices only");
+      "one pass per slab, and a second pass only with criteria");
+    this->Expect(has("time-slices") == (this->Scene == "time-slices"),
+      "time slices are on in time-slices only");
     // Boundaries have no extent in time.
     this->HasTime = has("time") && !has("time-boundaries");
     int volumePasses = 0;
     int volumeBuffers = 0;
-    this->Expect(has("volumes") == !scene.at("volumes").empty(), "volumes as the features say");
+    this->Expect(has("volumes") == !scene.at("volumes").empty(), "volumes match the features");
     for (const nlohmann::json& volume : scene.at("volumes"))
     {
       this->CheckVolume(volume);
@@ -81,8 +83,7 @@ public:
       volumeBuffers += volume.at("buffers").get<int>();
     }
     int shadowedLights = 0;
-    this->Expect(
-      has("slices") == !scene.at("sliced_volumes").empty(), "slices as the features say");
+    this->Expect(has("slices") == !scene.at("sliced_volumes").empty(), "slices match the features");
     for (const nlohmann::json& volume : scene.at("sliced_volumes"))
     {
       this->CheckSlicedVolume(volume);
@@ -92,53 +93,54 @@ public:
       volumeBuffers +=
         volume.at("image_buffers").get<int>() + volume.at("light_buffers").get<int>();
     }
-    this->Expect(has("shadows") == (shadowedLights > 0), "shadows as the features say");
+    this->Expect(has("shadows") == (shadowedLights > 0), "shadows match the features");
     this->Expect(has("inflow-textures") == !scene.at("inflow_volumes").empty(),
-      "inflow textures as the features say");
+      "inflow textures match the features");
     for (const nlohmann::json& volume : scene.at("inflow_volumes"))
     {
       this->CheckInflowVolume(volume);
       volumePasses += volume.at("passes").get<int>();
-      // Each draws into an image of its own.
+      // Each volume has its own image buffer.
       ++volumeBuffers;
     }
     const int surfacePanels = scene.at("surface_panels");
     const int occlusionPanels = scene.at("occlusion_panels");
-    // Flat drawings and shadows of surfaces have none either.
-    const bool mayLackOcclusion =
+    // Drawings without shading and shadowed surfaces may lack ambient occlusion, too.
+    const bool isOcclusionOptional =
       has("slices") || has("scene-shadows") || this->Scene == "penumbra-analysis";
     this->Expect(
-      mayLackOcclusion ? occlusionPanels <= surfacePanels : occlusionPanels == surfacePanels,
-      "ambient occlusion where there are surfaces, but for some beside slices");
+      isOcclusionOptional ? occlusionPanels <= surfacePanels : occlusionPanels == surfacePanels,
+      "panels with surfaces have ambient occlusion, except some with slices");
     this->Expect(
-      has("ambient-occlusion") == (occlusionPanels > 0), "ambient occlusion as the features say");
-    // Surfaces are drawn once more for the depth map of the one light that casts shadows, and once
-    // for the eye's depth where volumes need it, which leave their light in a buffer more.
+      has("ambient-occlusion") == (occlusionPanels > 0), "ambient occlusion matches the features");
+    // Surfaces are drawn once more for the shadow map of the single shadow light. With volumes,
+    // they are also drawn once for the depth buffer of the camera, and the volumes need one more
+    // buffer.
     const bool isMixed = has("scene-shadows");
     const int mixedExtras = isMixed ? (has("slices") ? 3 : 1) : 0;
     this->Expect(isMixed
         ? scene.at("passes") >= surfacePanels * 2 + volumePasses
         : scene.at("passes") == surfacePanels + occlusionPanels * OCCLUSION_PASSES + volumePasses,
-      "one pass for the surfaces of a panel, those of ambient occlusion and of the volumes");
+      "one pass for the surfaces of a panel, plus the passes of ambient occlusion and volumes");
     const int buffers = panels * WINDOW_BUFFERS + occlusionPanels * OCCLUSION_BUFFERS +
       volumeBuffers + panels * mixedExtras;
     this->Expect(isMixed ? scene.at("buffers") <= buffers : scene.at("buffers") == buffers,
-      "no buffer beyond the window, ambient occlusion, the volumes and mixed shadows");
-    this->Expect(scene.at("bytes") > 0, "bytes of buffers counted");
-    this->Expect(scene.at("seconds") > 0.0, "time taken");
+      "no buffers except for the window, ambient occlusion, volumes and mixed shadows");
+    this->Expect(scene.at("bytes") > 0, "the sizes of buffers are counted");
+    this->Expect(scene.at("seconds") > 0.0, "the time is measured");
     this->Expect(this->Page.find("src=\"" + this->Scene + ".png\"") != std::string::npos,
-      "the page shows the picture");
+      "the page shows the image");
     this->Expect(
-      std::ifstream(this->Folder + "/" + this->Scene + ".png").good(), "the picture is there");
+      std::ifstream(this->Folder + "/" + this->Scene + ".png").good(), "the image file exists");
     this->CheckFrames(scene);
   }
 
-  /// Files of an animation, which differ from one to the next, and the page that plays them.
+  /// Checks that consecutive frames of an animation differ, and that the page plays them.
   void CheckFrames(const nlohmann::json& scene)
   {
     const int frames = scene.at("frames");
     this->Expect(
-      (frames > 0) == (this->Scene == "inflow-post"), "an animation in inflow-post only");
+      (frames > 0) == (this->Scene == "inflow-post"), "only inflow-post has an animation");
     std::string before;
     for (int i = 0; i < frames; ++i)
     {
@@ -146,31 +148,34 @@ public:
       const std::string name =
         this->Scene + "/" + std::string(3 - number.size(), '0') + number + ".png";
       const std::string bytes = ReadText(this->Folder + "/" + name);
-      this->Expect(!bytes.empty() && bytes != before, "frame " + number);
-      this->Expect(
-        this->Page.find('"' + name + '"') != std::string::npos, "frame " + number + " on the page");
+      this->Expect(!bytes.empty() && bytes != before, "there is a new frame " + number);
+      this->Expect(this->Page.find('"' + name + '"') != std::string::npos,
+        "frame " + number + " is on the page");
       before = bytes;
     }
     const std::string movie = this->Scene + ".ogv";
     const bool hasMovie = scene.at("movie");
     this->Expect(hasMovie == (ReadText(this->Folder + "/" + movie).substr(0, 4) == "OggS"),
-      "a movie where the report says so");
-    this->Expect(
-      hasMovie == (this->Page.find("href=\"" + movie) != std::string::npos), "a movie on the page");
+      "a movie exists if the report contains one");
+    this->Expect(hasMovie == (this->Page.find("href=\"" + movie) != std::string::npos),
+      "the page links the movie");
   }
 
   void CheckFlow(const nlohmann::json& scene, bool hasFlow)
   {
-    this->Expect((scene.at("flow_cells") > 0) == hasFlow, "cells of a flow where there is one");
+    this->Expect(
+      (scene.at("flow_cells") > 0) == hasFlow, "there are flow cells only in flow scenes");
     this->Expect(scene.at("flow_cells_left_out") < scene.at("flow_cells") || !hasFlow,
-      "cells of the flow to extract from");
+      "some flow cells are not skipped");
     const int filters = scene.at("filters");
     const int inflowPasses = scene.at("inflow_passes");
     const int timePasses = scene.at("time_passes");
-    this->Expect(inflowPasses <= filters && timePasses <= filters, "each extraction made once");
-    this->Expect((inflowPasses + timePasses > 0) == hasFlow, "extractions where there is flow");
+    this->Expect(
+      inflowPasses <= filters && timePasses <= filters, "each extraction runs at most once");
+    this->Expect(
+      (inflowPasses + timePasses > 0) == hasFlow, "there are extractions only in flow scenes");
     this->Expect((inflowPasses > 0) == (hasFlow && scene.at("intervals") > 0),
-      "extracted by inflow exactly where there are intervals");
+      "there are inflow passes only with intervals");
   }
 
   void CheckVolume(const nlohmann::json& volume)
@@ -181,54 +186,62 @@ public:
     const std::string sort = volume.at("sort");
     const std::string blend = volume.at("blend");
 
-    this->Expect(!has("delta-t") || this->HasTime, "no code for an extent in time without time");
+    this->Expect(!has("delta-t") || this->HasTime,
+      "shaders have code for time extents only in time-varying scenes");
     this->Expect(has("surface") == (volume.at("boundary_triangles") > 0),
-      "code for boundary triangles exactly where there are some");
+      "shaders have code for boundary triangles only if there are some");
     this->Expect(has("perspective") == (this->Scene != "constant-plate"),
-      "a picture in perspective, but for that of equal cells");
-    this->Expect(volume.at("pixel_stride") == 1, "every pixel computed");
-    this->Expect(volume.at("tetrahedra_drawn") > 0, "tetrahedra drawn");
-    this->Expect(volume.at("tetrahedra_drawn") <= volume.at("tetrahedra"), "none drawn twice");
-    this->Expect(volume.at("adjacency") == (sort == "mpvonc"), "adjacency for MPVONC only");
-    this->Expect(volume.at("sorted") == (sort != "none"), "sorted as the sort mode says");
-    this->Expect((volume.at("layers") > 0) == (blend == "priority"), "layers for priority only");
+      "the projection is perspective, except in constant-plate");
+    this->Expect(volume.at("pixel_stride") == 1, "every pixel is computed");
+    this->Expect(volume.at("tetrahedra_drawn") > 0, "some tetrahedra are drawn");
+    this->Expect(
+      volume.at("tetrahedra_drawn") <= volume.at("tetrahedra"), "no tetrahedron is drawn twice");
+    this->Expect(
+      volume.at("adjacency") == (sort == "mpvonc"), "adjacency is computed for MPVONC only");
+    this->Expect(volume.at("sorted") == (sort != "none"),
+      "tetrahedra are sorted unless the sort mode is none");
+    this->Expect(
+      (volume.at("layers") > 0) == (blend == "priority"), "there are layers for priority only");
     this->Expect(volume.at("passes") == (blend == "priority" ? volume.at("layers").get<int>() : 1),
-      "one pass, or one for each layer");
+      "one pass, or one pass per layer");
     if (sort == "none")
     {
-      this->Expect(volume.at("cycles") == 0 && volume.at("gaps") == 0, "no order looked for");
+      this->Expect(volume.at("cycles") == 0 && volume.at("gaps") == 0,
+        "cycles and gaps are not searched without sorting");
     }
     if (this->Scene == "interval-cycle" || this->Scene == "interval-intersection")
     {
-      this->Expect(sort == "none", "one colour or overlapping meshes need no order");
+      this->Expect(sort == "none", "one color or overlapping meshes need no sorting");
     }
     if (this->Scene == "interval-priority" || this->Scene == "time-priority")
     {
-      this->Expect(blend == "priority" && sort == "none", "priority without an order");
+      this->Expect(blend == "priority" && sort == "none", "priority blending without sorting");
     }
     if (this->Scene == "wave-in-time" || this->Scene == "time-delta" ||
       this->Scene == "time-vortex" || this->Scene == "time-vortex-three" ||
       this->Scene == "time-cylinder")
     {
       this->Expect(has("delta-t") && blend == "additive" && sort == "none",
-        "colours of time added up without an order, by the extent in time");
+        "additive blending of time colors without sorting, weighted by time extent");
     }
     if (this->Scene == "time-boundaries" || this->Scene == "time-mug")
     {
       this->Expect(has("delta-t") && blend == "optical-depth" && sort == "none",
-        "overlapping tetrahedra without an order, by the extent in time");
+        "optical depth blending of overlapping tetrahedra without sorting, weighted by time "
+        "extent");
     }
     if (this->Scene == "time-isosurfaces" || this->Scene == "time-end-volumes")
     {
-      this->Expect(sort == "none", "one colour needs no order");
+      this->Expect(sort == "none", "one color needs no sorting");
     }
     if (this->Scene == "constant-plate")
     {
-      this->Expect(blend == "optical-depth" && sort == "none", "overlapping cells need no order");
+      this->Expect(blend == "optical-depth" && sort == "none", "overlapping cells need no sorting");
     }
     if (this->Scene == "interval-constant")
     {
-      this->Expect(blend == "composite" && sort == "mpvonc", "one mesh in order of visibility");
+      this->Expect(
+        blend == "composite" && sort == "mpvonc", "one mesh is composited in visibility order");
     }
   }
 
@@ -236,26 +249,29 @@ public:
   {
     const std::string features = " " + volume.at("features").get<std::string>() + " ";
     const bool hasShadows = volume.at("shadowed_lights") > 0;
-    this->Expect(volume.at("slices_drawn") > 0, "slices drawn");
-    this->Expect(volume.at("slices_drawn") <= volume.at("slices"), "no slice drawn in vain");
-    this->Expect(volume.at("blocks_drawn") > 0, "blocks drawn");
-    this->Expect(volume.at("blocks_drawn") <= volume.at("blocks"), "no block drawn twice");
-    this->Expect(volume.at("light_buffers") == volume.at("shadowed_lights"),
-      "a buffer for each light that casts shadows");
-    this->Expect((volume.at("light_passes") > 0) == hasShadows, "light passes for shadows only");
-    this->Expect((volume.at("light_buffer_bytes") > 0) == hasShadows, "light buffers take bytes");
+    this->Expect(volume.at("slices_drawn") > 0, "some slices are drawn");
+    this->Expect(
+      volume.at("slices_drawn") <= volume.at("slices"), "no more slices are drawn than planned");
+    this->Expect(volume.at("blocks_drawn") > 0, "some blocks are drawn");
+    this->Expect(volume.at("blocks_drawn") <= volume.at("blocks"), "no block is drawn twice");
+    this->Expect(
+      volume.at("light_buffers") == volume.at("shadowed_lights"), "one buffer per shadow light");
+    this->Expect(
+      (volume.at("light_passes") > 0) == hasShadows, "there are light passes for shadows only");
+    this->Expect((volume.at("light_buffer_bytes") > 0) == hasShadows,
+      "there are light buffers for shadows only");
     this->Expect((features.find(" shadow") != std::string::npos) == hasShadows,
-      "code for shadows exactly where a light casts them");
+      "shaders have code for shadows only if a light casts them");
   }
 
   void CheckInflowVolume(const nlohmann::json& volume)
   {
     const std::string features = " " + volume.at("features").get<std::string>() + " ";
-    this->Expect(volume.at("passes") == 1, "one pass for an inflow volume");
-    this->Expect(volume.at("image_buffer_bytes") > 0, "its image takes bytes");
-    this->Expect(volume.at("textures") > 0, "its textures");
+    this->Expect(volume.at("passes") == 1, "one pass per inflow volume");
+    this->Expect(volume.at("image_buffer_bytes") > 0, "the image buffer has a size");
+    this->Expect(volume.at("textures") > 0, "there are textures");
     this->Expect((features.find(" detail") != std::string::npos) <= (this->Scene == "inflow-dual"),
-      "code for a second texture in inflow-dual only");
+      "shaders have code for a second texture in inflow-dual only");
   }
 
   void Expect(bool holds, const std::string& what)
@@ -282,7 +298,7 @@ int main(int argc, char* argv[])
 {
   if (argc != 2)
   {
-    std::cerr << "the argument is the folder of the gallery\n";
+    std::cerr << "The argument must be the directory of the gallery.\n";
     return EXIT_FAILURE;
   }
   const std::string folder = argv[1];
@@ -291,7 +307,7 @@ int main(int argc, char* argv[])
     Checker checker(folder);
     const nlohmann::json gallery =
       nlohmann::json::parse(Checker::ReadText(folder + "/gallery.json"));
-    checker.Expect(gallery.at("scenes").size() >= 12, "at least twelve scenes");
+    checker.Expect(gallery.at("scenes").size() >= 12, "there are at least twelve scenes");
     for (const nlohmann::json& scene : gallery.at("scenes"))
     {
       checker.CheckScene(scene);

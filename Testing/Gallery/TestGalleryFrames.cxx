@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The animation of a scene of the gallery: growing time and dye in pulses, of which the first has
-// more paint from frame to frame, and the second comes back to where it began.
+// The animation of the scene inflow-post. On the left, time grows and so does the dyed region. On
+// the right, dye pulses are periodic and end in their first state.
 
-#include "Gallery/Picture.h"
+#include "Gallery/GalleryImage.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
 
@@ -29,8 +29,8 @@ bool Expect(bool holds, const std::string& what)
   return holds;
 }
 
-/// The number of pixels of one half that differ by more than \a most in a channel.
-int CountChanges(vtkImageData* one, vtkImageData* other, bool isRight, int most)
+/// Returns the number of pixels of one half that differ by more than \a tolerance in a channel.
+int CountChanges(vtkImageData* one, vtkImageData* other, bool isRight, int tolerance)
 {
   int changes = 0;
   for (int y = 0; y < HEIGHT; ++y)
@@ -39,8 +39,8 @@ int CountChanges(vtkImageData* one, vtkImageData* other, bool isRight, int most)
     {
       const auto* a = static_cast<const unsigned char*>(one->GetScalarPointer(x, y, 0));
       const auto* b = static_cast<const unsigned char*>(other->GetScalarPointer(x, y, 0));
-      const bool isSame = std::equal(
-        a, a + 3, b, [most](int left, int right) { return std::abs(left - right) <= most; });
+      const bool isSame = std::equal(a, a + 3, b,
+        [tolerance](int left, int right) { return std::abs(left - right) <= tolerance; });
       changes += isSame ? 0 : 1;
     }
   }
@@ -52,7 +52,7 @@ bool CheckFrames()
   const gallery::DisplayHold display;
   gallery::Stage stage(WIDTH, HEIGHT);
   gallery::FindScene("inflow-post")->Build(stage);
-  if (!Expect(stage.HasAnimation(), "an animation"))
+  if (!Expect(stage.HasAnimation(), "the scene has an animation"))
   {
     return false;
   }
@@ -64,13 +64,19 @@ bool CheckFrames()
   constexpr int visible = 12;
   const int early = CountChanges(begin, quarter, false, visible);
   const int grown = CountChanges(begin, end, false, visible);
-  bool isGood = Expect(early > 200, std::to_string(early) + " pixels of paint after a quarter");
-  isGood = Expect(grown > 2 * early, std::to_string(grown) + " pixels of paint, more at the end") &&
+  bool isGood = Expect(early > 200, std::to_string(early) + " pixels are dyed after a quarter");
+  isGood = Expect(grown > 2 * early,
+             std::to_string(grown) + " pixels are dyed at the end, more than twice as many") &&
     isGood;
-  isGood = Expect(CountChanges(begin, later, true, visible) > 500, "dye that moves") && isGood;
-  isGood = Expect(CountChanges(begin, quarter, true, 0) == 0, "dye after one period") && isGood;
-  isGood = Expect(CountChanges(begin, end, true, 0) == 0, "dye after all periods") && isGood;
-  return Expect(stage.GetReport().Panels == 0, "frames are not counted") && isGood;
+  isGood = Expect(CountChanges(begin, later, true, visible) > 500, "the dye moves") && isGood;
+  isGood =
+    Expect(CountChanges(begin, quarter, true, 0) == 0, "the dye is unchanged after one period") &&
+    isGood;
+  isGood =
+    Expect(CountChanges(begin, end, true, 0) == 0, "the dye is unchanged after all periods") &&
+    isGood;
+  return Expect(stage.GetReport().Panels == 0, "frames of the animation do not count as panels") &&
+    isGood;
 }
 }
 

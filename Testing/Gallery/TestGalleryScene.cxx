@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws one scene of the gallery and compares it with its baseline, first by VTK's own image
-// difference, then pixel by pixel. Arguments: the scene's id, then those of vtkTesting: -T folder
-// for results, -V baseline. The picture is left in the folder for results as `<id>.png`: look at
-// it, and copy it over the baseline where a change is meant.
+// Draws one scene of the gallery and compares it with its baseline, first by VTK's image
+// difference, then pixel by pixel. Arguments: the scene's id, then arguments of vtkTesting: -T
+// directory for results, -V baseline. The image is saved in the directory for results as
+// `<id>.png`. After an intended change, inspect it and copy it over the baseline.
 
-#include "Gallery/Picture.h"
+#include "Gallery/GalleryImage.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
 #include "Support/Drawing/PixelDifference.h"
@@ -29,14 +29,14 @@ namespace
 constexpr int WIDTH = 480;
 constexpr int HEIGHT = 300;
 
-/// Threshold of VTK's image difference, as its own tests have it.
+/// Threshold of VTK's image difference, as in VTK's own tests.
 constexpr double VTK_THRESHOLD = 10.0;
 
-bool IsWithinPixelBounds(vtkImageData* picture, const std::string& baseline)
+bool IsWithinPixelBounds(vtkImageData* image, const std::string& baseline)
 {
   if (!std::ifstream(baseline))
   {
-    std::cerr << "no baseline " << baseline << "\n";
+    std::cerr << "There is no baseline " << baseline << "\n";
     return false;
   }
   vtkNew<vtkPNGReader> reader;
@@ -44,23 +44,23 @@ bool IsWithinPixelBounds(vtkImageData* picture, const std::string& baseline)
   reader->Update();
   const interlume::PixelBounds bounds;
   const interlume::PixelDifference difference =
-    interlume::ComparePixels(picture, reader->GetOutput(), bounds.Step);
-  std::cout << "against the baseline: " << difference << "\n";
+    interlume::ComparePixels(image, reader->GetOutput(), bounds.Step);
+  std::cout << "difference from the baseline: " << difference << "\n";
   return interlume::IsWithin(difference, bounds);
 }
 
-/// Against the baseline, then against its alternatives, named `<id>_1.png` and so on as in VTK's
-/// own tests. A scene has one for each combination of VTK and Mesa whose grain shows: of
-/// vtkSSAOPass, where VTK 9.1 rounds how often the noise goes across the window and newer versions
-/// do not, and at the edges of lines that are a texture, by Mesa's choice of its levels.
-bool IsWithinPixelBoundsOfAny(vtkImageData* picture, const std::string& baseline)
+/// Compares an image with the baseline, then with the alternatives `<id>_1.png` and so on, as VTK's
+/// tests do. A scene has an alternative for each combination of VTK and Mesa whose noise differs
+/// visibly. The noise of vtkSSAOPass repeats across the window a whole number of times in VTK 9.1,
+/// but not in newer versions. Textured edges of lines depend on Mesa's choice of mipmap levels.
+bool IsWithinPixelBoundsOfAny(vtkImageData* image, const std::string& baseline)
 {
-  bool isWithin = IsWithinPixelBounds(picture, baseline);
+  bool isWithin = IsWithinPixelBounds(image, baseline);
   const std::string stem = baseline.substr(0, baseline.rfind('.'));
   std::string next = stem + "_1.png";
   for (int i = 2; !isWithin && std::ifstream(next); ++i)
   {
-    isWithin = IsWithinPixelBounds(picture, next);
+    isWithin = IsWithinPixelBounds(image, next);
     next = stem + "_" + std::to_string(i) + ".png";
   }
   return isWithin;
@@ -70,15 +70,15 @@ bool Matches(const gallery::Scene& scene, vtkTesting* testing)
 {
   const gallery::DisplayHold display;
   gallery::SceneReport report;
-  vtkSmartPointer<vtkImageData> picture = gallery::RenderScene(scene, WIDTH, HEIGHT, report);
+  vtkSmartPointer<vtkImageData> image = gallery::RenderScene(scene, WIDTH, HEIGHT, report);
   vtkNew<vtkTrivialProducer> producer;
-  producer->SetOutput(picture);
+  producer->SetOutput(image);
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(picture);
+  writer->SetInputData(image);
   writer->SetFileName((std::string(testing->GetTempDirectory()) + "/" + scene.Id + ".png").c_str());
   writer->Write();
   const bool close = testing->RegressionTest(producer, VTK_THRESHOLD) == vtkTesting::PASSED;
-  const bool same = IsWithinPixelBoundsOfAny(picture, testing->GetValidImageFileName());
+  const bool same = IsWithinPixelBoundsOfAny(image, testing->GetValidImageFileName());
   return close && same;
 }
 }
@@ -88,11 +88,11 @@ int main(int argc, char* argv[])
   const gallery::Scene* scene = argc > 1 ? gallery::FindScene(argv[1]) : nullptr;
   if (!scene)
   {
-    std::cerr << "the first argument is the id of a scene\n";
+    std::cerr << "The first argument must be the id of a scene.\n";
     return EXIT_FAILURE;
   }
-  // Newer versions of VTK have other ways to compare, to which the threshold means something else:
-  // an empty picture passes. This is the way of VTK 9.1.
+  // Newer versions of VTK have other comparison methods. They interpret the threshold differently,
+  // so that an empty image would pass. This selects the method of VTK 9.1.
   vtksys::SystemTools::PutEnv("VTK_TESTING_IMAGE_COMPARE_METHOD=LEGACY_VALID");
   vtkNew<vtkTesting> testing;
   testing->AddArguments(argc, argv);

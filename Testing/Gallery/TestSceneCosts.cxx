@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Scenes pay for nothing that they do not use: a feature that is off has no pass, buffer, byte,
-// word of a shader or array, before it was ever on and after; and each counter can tell, since some
-// feature adds to it. Arguments: the scenes,
-// each with = and a class where features of that alone are asked for.
+// A feature that is off costs nothing, before it is first turned on and after it is turned off
+// again: no pass, buffer, byte, shader token or array. Each counter is known to work, because some
+// feature increases it. Arguments: scenes, each optionally followed by = and the only class whose
+// features are measured.
 #include "Gallery/Costs/SceneCosts.h"
-#include "Gallery/Picture.h"
+#include "Gallery/GalleryImage.h"
 #include "Gallery/Scene.h"
 
 #include <cstdlib>
@@ -30,14 +30,14 @@ public:
               << feature.Added.Words << ", arrays " << feature.Added.Arrays << "; leaves "
               << feature.Left.Passes << ", " << feature.Left.Buffers << ", " << feature.Left.Bytes
               << ", " << feature.Left.Words << ", " << feature.Left.Arrays << std::endl;
-    this->Expect(feature.OwnOff == 0.0, name + " has nothing of its own while it is off");
-    this->Expect(feature.OwnAfter == 0.0, name + " has nothing of its own when it is off again");
+    this->Expect(feature.OwnOff == 0.0, name + " has no own cost while it is off");
+    this->Expect(feature.OwnAfter == 0.0, name + " has no own cost when it is off again");
     const gallery::Costs& left = feature.Left;
-    this->Expect(left.Passes == 0.0, name + " leaves no pass");
-    this->Expect(left.Buffers == 0.0, name + " leaves no buffer");
-    this->Expect(left.Bytes == 0.0, name + " leaves no byte");
-    this->Expect(left.Words == 0.0, name + " leaves no word of a shader");
-    this->Expect(left.Arrays == 0.0, name + " leaves no array");
+    this->Expect(left.Passes == 0.0, name + " leaves no pass behind");
+    this->Expect(left.Buffers == 0.0, name + " leaves no buffer behind");
+    this->Expect(left.Bytes == 0.0, name + " leaves no byte behind");
+    this->Expect(left.Words == 0.0, name + " leaves no shader token behind");
+    this->Expect(left.Arrays == 0.0, name + " leaves no array behind");
     const gallery::Costs& added = feature.Added;
     this->Adds["own"] += feature.OwnOn > 0.0 ? 1 : 0;
     this->Adds["passes"] += added.Passes > 0.0 ? 1 : 0;
@@ -52,9 +52,10 @@ public:
   {
     for (const char* counter : { "own", "passes", "buffers", "bytes", "words", "arrays" })
     {
-      this->Expect(this->Adds[counter] > 0, std::string("some feature adds to ") + counter);
+      this->Expect(
+        this->Adds[counter] > 0, std::string("some feature increases the counter ") + counter);
     }
-    this->Expect(this->Features > 10, "features are measured");
+    this->Expect(this->Features > 10, "more than ten features are measured");
   }
 
   bool HasPassed() const { return this->Passed; }
@@ -88,7 +89,7 @@ int main(int argc, char* argv[])
       const gallery::Scene* scene = gallery::FindScene(argument.substr(0, end));
       if (!scene)
       {
-        std::cerr << "no scene " << argv[i] << "\n";
+        std::cerr << "There is no scene " << argv[i] << "\n";
         return EXIT_FAILURE;
       }
       gallery::CostSettings settings;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Every file in the folder DATA has a row in its MANIFEST.md that ends with its size and checksum, and
-# no row is left over. No file has appended data, which ParaView 5.11 refuses with a libexpat of 2024 or
-# later: this says so where an older one would read it.
+# Checks that every file in the directory DATA has a row in MANIFEST.md with its size and checksum, and
+# that every row has a file. Files must not have appended data: ParaView 5.11 cannot read it with
+# libexpat versions since 2024.
 file(STRINGS "${DATA}/MANIFEST.md" rows REGEX "^\\| `")
 list(LENGTH rows rows_left)
 file(GLOB files LIST_DIRECTORIES false "${DATA}/*")
@@ -19,14 +19,14 @@ foreach (path IN LISTS files)
     endif ()
   endforeach ()
   if (NOT found)
-    message(SEND_ERROR "${name} has no row in MANIFEST.md with ${bytes} bytes and ${checksum}")
+    message(SEND_ERROR "${name} has no row in MANIFEST.md with ${bytes} bytes and ${checksum}. Update the row.")
   endif ()
   file(STRINGS "${path}" appended LIMIT_COUNT 1 REGEX "<AppendedData")
   if (appended)
-    message(SEND_ERROR "${name} has appended data; write its arrays inline")
+    message(SEND_ERROR "${name} has appended data. Write its arrays inline.")
   endif ()
   math(EXPR rows_left "${rows_left} - 1")
 endforeach ()
 if (NOT rows_left EQUAL 0)
-  message(SEND_ERROR "MANIFEST.md has ${rows_left} rows more than there are files")
+  message(SEND_ERROR "MANIFEST.md has ${rows_left} more rows than files. Remove rows of missing files.")
 endif ()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The real time-varying set: its steps as the pipeline hands them out, and the time that its fields
-// spend between values, which adjacent intervals share out without gap or overlap.
+// The time-varying Exodus data set: the pipeline delivers each time step, and adjacent intervals
+// divide the total volume and duration without gap or overlap.
 
 #include "Support/Inputs/DataFiles.h"
 #include "Support/Inputs/ExodusTimeSource.h"
@@ -28,7 +28,8 @@ using reference::Check;
 
 constexpr double DURATION = 2.0;
 
-/// Six tetrahedra around the diagonal from corner 0 to corner 6 of each hexahedron.
+/// Returns the volume of hexahedra, each split into six tetrahedra around the diagonal from corner
+/// 0 to corner 6.
 double Volume(vtkUnstructuredGrid* hexahedra)
 {
   const int ring[6] = { 1, 2, 3, 7, 4, 5 };
@@ -64,7 +65,7 @@ void CheckSteps(Check& check, interlume::ExodusTimeSource* mug)
   }
   const double* times = information->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   double before = -1.0;
-  // Backwards and then forwards, so that each step is asked for after another one.
+  // Backward and then forward, so that each step is requested after a different step.
   std::vector<double> means(11, 0.0);
   for (int i = 2 * steps - 1; i >= 0; --i)
   {
@@ -80,7 +81,7 @@ void CheckSteps(Check& check, interlume::ExodusTimeSource* mug)
     vtkDataArray* diffused = grid->GetPointData()->GetArray("diffused");
     if (!diffused)
     {
-      check.That(false, "array diffused");
+      check.That(false, "the array diffused exists");
       return;
     }
     double mean = 0.0;
@@ -93,15 +94,17 @@ void CheckSteps(Check& check, interlume::ExodusTimeSource* mug)
       means[static_cast<std::size_t>(step)] = mean;
       continue;
     }
-    check.Near(mean, means[static_cast<std::size_t>(step)], 0.0, "the same step again");
-    check.That(mean > before, "what is diffused grows from step to step");
+    check.Near(mean, means[static_cast<std::size_t>(step)], 0.0,
+      "the second read of a step returns the same values");
+    check.That(mean > before, "the mean of diffused grows from step to step");
     before = mean;
   }
-  check.Near(means[0], 0.0, 0.0, "nothing is diffused at the first step");
-  check.Near(means[10], 1.110668, 1e-5, "mean at the last step, of the file converted from");
+  check.Near(means[0], 0.0, 0.0, "diffused is 0 at the first step");
+  check.Near(
+    means[10], 1.110668, 1e-5, "mean at the last step equals the mean of the original file");
 }
 
-/// The integral over space of the time that \a array is from \a lower to \a upper.
+/// Integrates over space the duration for which \a array is between \a lower and \a upper.
 double HyperVolume(
   interlume::ExodusTimeSource* mug, const std::string& array, double lower, double upper)
 {
@@ -145,13 +148,14 @@ int main()
   {
     check.SetContext(array);
     const double low = HyperVolume(mug, array, -1.0, 0.3);
-    const double middle = HyperVolume(mug, array, 0.3, 0.5);
+    const double mid = HyperVolume(mug, array, 0.3, 0.5);
     const double high = HyperVolume(mug, array, 0.5, 3.0);
-    check.That(low > 0.0 && middle > 0.0 && high > 0.0, "the mug is in each interval for a time");
-    const double whole = HyperVolume(mug, array, -1.0, 3.0);
-    // Faces that are not quite planar are cut along other diagonals than here.
-    check.Near(whole, all, 1e-6, "volume of the mug times duration");
-    check.Near(low + middle + high, whole, 1e-12, "the sum over adjacent intervals");
+    check.That(low > 0.0 && mid > 0.0 && high > 0.0,
+      "each interval contains a part of the mug for some time");
+    const double total = HyperVolume(mug, array, -1.0, 3.0);
+    // Volume() splits nonplanar faces along other diagonals than the filter does.
+    check.Near(total, all, 1e-6, "volume of the mug times duration");
+    check.Near(low + mid + high, total, 1e-12, "the adjacent intervals sum up to the total");
   }
   return check.Result();
 }

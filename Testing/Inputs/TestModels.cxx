@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Models of polygons: each part is closed, and its triangles and normals look outwards.
+// Polygonal models: each part is closed, and its triangles and normals point outward.
 #include "Support/Inputs/Models.h"
 #include "Support/Checks/ReferenceCheck.h"
 
@@ -19,13 +19,13 @@
 namespace
 {
 
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 
-/// Edges by the places of their ends, since points are double where normals jump: how often each
-/// is gone along less how often against it.
-using Edges = std::map<std::pair<Place, Place>, int>;
+/// Maps an edge to the number of uses in one direction minus the number in the other. Edges are
+/// keyed by coordinates because points are duplicated where normals are discontinuous.
+using Edges = std::map<std::pair<Position, Position>, int>;
 
-void AddEdge(Edges& edges, const Place& a, const Place& b)
+void AddEdge(Edges& edges, const Position& a, const Position& b)
 {
   edges[{ std::min(a, b), std::max(a, b) }] += a < b ? 1 : -1;
 }
@@ -33,21 +33,21 @@ void AddEdge(Edges& edges, const Place& a, const Place& b)
 void TestPart(reference::Check& check, vtkPolyData* shape)
 {
   vtkDataArray* normals = shape->GetPointData()->GetNormals();
-  if (!check.That(normals && shape->GetNumberOfPolys() > 0, "triangles with normals"))
+  if (!check.That(normals && shape->GetNumberOfPolys() > 0, "the part has triangles and normals"))
   {
     return;
   }
   Edges edges;
   double volume = 0.0;
-  int against = 0;
+  int inward = 0;
   for (vtkIdType cell = 0; cell < shape->GetNumberOfCells(); ++cell)
   {
     vtkIdType size = 0;
     const vtkIdType* points = nullptr;
     shape->GetCellPoints(cell, size, points);
     check.Equal(size, 3, "corners");
-    std::array<Place, 3> x;
-    Place mean{};
+    std::array<Position, 3> x;
+    Position mean{};
     for (int corner = 0; corner < 3; ++corner)
     {
       shape->GetPoint(points[corner], x[corner].data());
@@ -57,7 +57,7 @@ void TestPart(reference::Check& check, vtkPolyData* shape)
     }
     double normal[3];
     vtkTriangle::ComputeNormal(x[0].data(), x[1].data(), x[2].data(), normal);
-    against += vtkMath::Dot(normal, mean.data()) < 0.0 ? 1 : 0;
+    inward += vtkMath::Dot(normal, mean.data()) < 0.0 ? 1 : 0;
     volume += vtkMath::Determinant3x3(x[0].data(), x[1].data(), x[2].data()) / 6.0;
     for (int corner = 0; corner < 3; ++corner)
     {
@@ -69,9 +69,9 @@ void TestPart(reference::Check& check, vtkPolyData* shape)
   {
     open += edge.second != 0 ? 1 : 0;
   }
-  check.Equal(open, 0, "edges that are not of two triangles");
-  check.Equal(against, 0, "normals against their triangle");
-  check.That(volume > 0.0, "the inside has a volume: " + std::to_string(volume));
+  check.Equal(open, 0, "open edges");
+  check.Equal(inward, 0, "triangles whose normals point inward");
+  check.That(volume > 0.0, "the enclosed volume is positive: " + std::to_string(volume));
 }
 
 }
@@ -94,7 +94,8 @@ int TestModels(int, char*[])
     }
   }
   check.SetContext("");
-  // The rounded box by its volume: three pairs of slabs, quarters of cylinders, a ball.
+  // Expected volume of the rounded box: three pairs of slabs, quarter cylinders along the edges,
+  // and one sphere at the corners.
   const double r = 0.1;
   const double pi = vtkMath::Pi();
   double found = 0.0;

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# find_breaches(ROOT OUTPUT): lists the lines under ROOT that cross an edge between modules that
-# Documentation/architecture.md does not have, each as "file: line".
-#   - ParaView's headers only in Plugin/
-#   - the programs below Utilities/ include no test, but the directories of Testing/Support that they share with
-#     tests; these include nothing else of Testing/, and no file of Testing/Support includes a test or program
+# find_breaches(ROOT OUTPUT): lists the includes under ROOT that violate the dependencies between modules in
+# Documentation/architecture.md, each as "file: line".
+#   - only Plugin/ includes headers of ParaView
+#   - programs below Utilities/ include no tests, but may include the directories of Testing/Support that
+#     they share with tests. These include nothing else of Testing/. No file of Testing/Support includes a
+#     test or program
 #   - no module includes tests or programs
-#   - a rendering module knows no module under Filters/; Scene <- Tetrahedra, Light, FlowTexture, which do
-#     not know each other, but that FlowTexture knows what is public of Light
-#   - Isotables knows no pipeline and no dataset; Isotables <- Intervals <- Flow; Sources and Meshing on VTK
-#     alone, and no filter module uses them
-#   - Filters/Common is for all modules, and knows none
+#   - rendering modules include no module under Filters/. Tetrahedra, Light and FlowTexture may include Scene
+#     but not each other, except that FlowTexture may include the public headers of Light
+#   - Isotables includes no pipeline and no dataset. Intervals may include Isotables, and Flow may include
+#     both. Sources and Meshing include only VTK, and no filter module includes them
+#   - all modules may include Filters/Common, which includes no module
 
-# The names of a module's headers, as one regular expression; one that matches nothing if it has none.
+# Returns a regular expression for the names of a module's headers. If there are none, it matches nothing.
 function (header_pattern output)
   set(names)
   foreach (folder IN LISTS ARGN)
@@ -28,7 +29,7 @@ function (header_pattern output)
   set(${output} "(${pattern})\\.h" PARENT_SCOPE)
 endfunction ()
 
-# Appends to `breaches` the lines in the folder's sources that include a header of the pattern.
+# Appends to `breaches` all lines in the sources of a directory that include a matching header.
 function (forbid root folder pattern)
   file(GLOB_RECURSE sources
     "${root}/${folder}/*.h" "${root}/${folder}/*.hxx" "${root}/${folder}/*.txx" "${root}/${folder}/*.cxx")
@@ -44,12 +45,12 @@ endfunction ()
 
 function (find_breaches root output)
   set(breaches)
-  # vtkSMPTools and its like are VTK's: after vtkSM, ParaView's have a capital and a small letter.
+  # VTK has vtkSMPTools and others; ParaView's names have a capital and a lower-case letter after vtkSM.
   set(paraview "(vtkPV[A-Z]|vtkSM[A-Z][a-z]|vtkSI[A-Z][a-z]|vtkClientServer|pq[A-Z])[A-Za-z0-9]*\\.h")
   foreach (folder IN ITEMS Filters Rendering Testing Examples Utilities)
     forbid("${root}" ${folder} "${paraview}")
   endforeach ()
-  set(shared_support AnalyticFlows Arrays Inputs Pages Pictures Transport)
+  set(shared_support AnalyticFlows Arrays Inputs Pages Images Transport)
   file(GLOB test_folders "${root}/Testing/*")
   list(REMOVE_ITEM test_folders "${root}/Testing/Support")
   header_pattern(tests ${test_folders})

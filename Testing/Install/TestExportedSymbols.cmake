@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 cmake_minimum_required(VERSION 3.16)
-# No library shows more than public classes and those shared within the project: each defined symbol is of
-# a class with a public header, or of one that the export macro marks in a private header.
-# LIBRARIES are the files, with | between them.
+# Checks that libraries export only public classes and classes shared within the project. Each defined symbol
+# must belong to a class with a public header, or to a class that a private header marks with an export macro.
+# LIBRARIES are the files, separated by |.
 string(REPLACE "|" ";" LIBRARIES "${LIBRARIES}")
 file(GLOB headers "${SOURCE_DIR}/Filters/*/vtk*.h" "${SOURCE_DIR}/Rendering/*/vtk*.h")
 set(classes)
@@ -34,7 +34,7 @@ foreach (library IN LISTS LIBRARIES)
       "^((typeinfo|typeinfo name|vtable|VTT|guard variable) for |(non-)?virtual thunk to )?(vtk[A-Za-z0-9]+|interlume::[A-Za-z0-9]+).*"
       "\\4" class "${symbol}")
     if (NOT class IN_LIST classes)
-      message(FATAL_ERROR "${library} shows what is no public class: ${symbol}")
+      message(FATAL_ERROR "${library} exports a symbol that does not belong to a public class: ${symbol}")
     endif ()
   endforeach ()
   math(EXPR all "${all} + ${count}")

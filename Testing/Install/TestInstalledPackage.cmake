@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs the build into a fresh folder, builds a small project against that with find_package, and
-# runs it: every installed header compiled alone, and VTK found before Interlume and after it. The
-# build's own libraries are not needed: nothing points at them.
+# Installs the build into an empty directory, and builds and runs a small project against it with
+# find_package. Every installed header is compiled separately. VTK is found before Interlume and after it. The
+# libraries of the build must not be used.
 function (run what)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if (NOT status EQUAL 0)
-    message(FATAL_ERROR "${what} failed with ${status}:\n${output}")
+    message(FATAL_ERROR "${what} failed with exit code ${status}:\n${output}")
   endif ()
   message(STATUS "${what}: done")
 endfunction ()
@@ -14,17 +14,17 @@ set(prefix "${WORK_DIR}/prefix")
 file(REMOVE_RECURSE "${WORK_DIR}")
 run("installation" "${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
 
-# Every header vtk*.h at the root of a module is public, and no other: the rest that is installed is generated.
+# All headers vtk*.h in the top directory of a module are public. Other installed headers must be generated.
 set(public)
 foreach (folder IN LISTS MODULE_DIRS)
   file(GLOB names RELATIVE "${folder}" "${folder}/vtk*.h")
-  # Scene is for the other rendering modules only.
+  # Scene has no public headers; only rendering modules use it.
   if (NOT names AND NOT folder MATCHES "/Rendering/Scene$")
     message(FATAL_ERROR "${folder} has no public header")
   endif ()
   foreach (name IN LISTS names)
     if (NOT EXISTS "${prefix}/include/interlume/${name}")
-      message(FATAL_ERROR "${name} of ${folder} is not installed")
+      message(FATAL_ERROR "the public header ${name} of ${folder} is not installed")
     endif ()
   endforeach ()
   list(APPEND public ${names})
@@ -54,7 +54,7 @@ foreach (order IN ITEMS before after)
     --build "${build}" --target consumer)
   run("consumer, VTK ${order}" "${build}/consumer")
 endforeach ()
-run("compilation of each header alone" "${CMAKE_COMMAND}"
+run("separate compilation of each header" "${CMAKE_COMMAND}"
   --build "${WORK_DIR}/build-before" --target headers)
 
 file(GLOB_RECURSE headers "${prefix}/include/*.h")
@@ -62,6 +62,6 @@ file(GLOB_RECURSE package_files "${prefix}/${LIBRARY_DIR}/cmake/*.cmake")
 foreach (file IN LISTS headers package_files)
   file(STRINGS "${file}" lines REGEX "^[^#]*${BUILD_DIR}/")
   if (lines)
-    message(FATAL_ERROR "${file} names the build folder: ${lines}")
+    message(FATAL_ERROR "${file} refers to the build directory: ${lines}")
   endif ()
 endforeach ()

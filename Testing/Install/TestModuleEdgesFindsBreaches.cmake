@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Makes a small tree with one breach of each kind beside lines that are allowed, and expects just
-# the breaches.
+# Creates a small tree with allowed includes and one violation of each kind, and expects exactly the
+# violations.
 cmake_minimum_required(VERSION 3.16)
 include("${CMAKE_CURRENT_LIST_DIR}/ModuleEdges.cmake")
 file(REMOVE_RECURSE "${WORK_DIR}")
@@ -19,13 +19,13 @@ file(WRITE "${WORK_DIR}/Rendering/FlowTexture/vtkStripes.h"
 file(WRITE "${WORK_DIR}/Filters/Common/Vectors.h" "#include <cmath>\n")
 file(WRITE "${WORK_DIR}/Rendering/Light/vtkUse.cxx" "#include \"Common/Vectors.h\"\n")
 file(WRITE "${WORK_DIR}/Plugin/vtkPanel.cxx" "#include \"vtkPVView.h\"\n")
-file(WRITE "${WORK_DIR}/Testing/Support/Meshes/Mesh.h" "#include \"Support/Pictures/Image.h\"\n")
-file(WRITE "${WORK_DIR}/Testing/Support/Pictures/Image.h" "#include \"vtkStripes.h\"\n")
+file(WRITE "${WORK_DIR}/Testing/Support/Meshes/Mesh.h" "#include \"Support/Images/Image.h\"\n")
+file(WRITE "${WORK_DIR}/Testing/Support/Images/Image.h" "#include \"vtkStripes.h\"\n")
 file(WRITE "${WORK_DIR}/Testing/Light/Stage.h" "#include \"Support/Meshes/Mesh.h\"\n#include \"Gallery/Look.h\"\n")
-file(WRITE "${WORK_DIR}/Utilities/Gallery/Look.h" "#include \"Support/Pictures/Image.h\"\n")
+file(WRITE "${WORK_DIR}/Utilities/Gallery/Look.h" "#include \"Support/Images/Image.h\"\n")
 find_breaches("${WORK_DIR}" breaches)
 if (breaches)
-  message(FATAL_ERROR "allowed includes were taken for breaches: ${breaches}")
+  message(FATAL_ERROR "allowed includes were reported: ${breaches}")
 endif ()
 
 set(expected
@@ -50,11 +50,11 @@ set(expected
   "Rendering/Tetrahedra/vtkQ.cxx: #include \"vtkSweep.h\""
   "Testing/Flow/I.cxx: #include \"vtkSMProxy.h\""
   "Testing/Support/Meshes/W.cxx: #include \"Light/Stage.h\""
-  "Testing/Support/Pictures/X.cxx: #include \"Support/Meshes/Mesh.h\""
-  "Testing/Support/Pictures/Y.cxx: #include \"Gallery/Look.h\""
+  "Testing/Support/Images/X.cxx: #include \"Support/Meshes/Mesh.h\""
+  "Testing/Support/Images/Y.cxx: #include \"Gallery/Look.h\""
   "Utilities/Gallery/V.cxx: #include \"Support/Meshes/Mesh.h\""
   "Utilities/Gallery/Z.cxx: #include \"Light/Stage.h\""
-  "Filters/Flow/vtkR.cxx: #include \"Support/Pictures/Image.h\""
+  "Filters/Flow/vtkR.cxx: #include \"Support/Images/Image.h\""
   "Plugin/vtkW.cxx: #include \"Gallery/Look.h\""
   "Examples/J.cxx: #  include \"pqCoreInit.h\"")
 foreach (breach IN LISTS expected)

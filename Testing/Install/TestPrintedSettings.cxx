@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every value that a public class can be told and asked for stands in what PrintSelf writes. Which
-// these are is read from the headers, so that a new setter, or a new class, is not forgotten.
+// Tests that PrintSelf prints every value of a public class that has a setter and a getter. The
+// values are read from the headers, so that the test covers new setters and classes.
 #include "vtkAnalyticFieldSource.h"
 #include "vtkAnalyticFlowSource.h"
 #include "vtkAreaLight.h"
@@ -70,7 +70,7 @@ vtkSmartPointer<vtkObject> Make()
   return vtkSmartPointer<Class>::New();
 }
 
-/// One of each public class.
+/// Returns an instance of each public class.
 std::vector<vtkSmartPointer<vtkObject>> MakeAll()
 {
   std::vector<vtkSmartPointer<vtkObject>> all = {
@@ -128,12 +128,12 @@ std::string Print(vtkObject* object)
   return text.str();
 }
 
-/// Values that are no state to print: what an id or a layer has is printed for those that have one,
-/// and keys of a prop are its own.
+/// Values that PrintSelf does not print: values per id or layer are printed only if they are set,
+/// and keys belong to a prop.
 const std::set<std::string> NotPrinted = { "vtkInflowMapping::Formula", "vtkInflowMapping::Image",
   "vtkShadowedScenePass::CastsShadows", "vtkShadowedScenePass::ReceivesShadows" };
 
-/// The text of each header of a module by the name of its class, without comments.
+/// Returns the text of each module header without comments, by class name.
 std::map<std::string, std::string> ReadHeaders(const fs::path& source)
 {
   const std::regex comment(R"(/\*[\s\S]*?\*/|//[^\n]*)");
@@ -168,7 +168,7 @@ std::set<std::string> FindAll(const std::string& text, const std::string& patter
   return found;
 }
 
-/// What can be set and asked for, by a class or by those of the project that it is derived from.
+/// Returns the values that a class or its base classes in the project can set and get.
 std::set<std::string> FindValues(
   const std::map<std::string, std::string>& headers, const std::string& name)
 {
@@ -179,11 +179,11 @@ std::set<std::string> FindValues(
   }
   const std::string& text = header->second;
   std::set<std::string> values = FindAll(text, R"(vtkSet\w*Macro\((\w+),)");
-  std::set<std::string> asked = FindAll(text, R"(\bGet(\w+)\()");
-  asked.merge(FindAll(text, R"(vtkGet\w*Macro\((\w+),)"));
+  std::set<std::string> getters = FindAll(text, R"(\bGet(\w+)\()");
+  getters.merge(FindAll(text, R"(vtkGet\w*Macro\((\w+),)"));
   for (const std::string& value : FindAll(text, R"(void Set(\w+)\()"))
   {
-    if (asked.count(value) > 0)
+    if (getters.count(value) > 0)
     {
       values.insert(value);
     }
@@ -195,8 +195,8 @@ std::set<std::string> FindValues(
   return values;
 }
 
-/// Whether a line begins with the value's name, in the singular or the plural. A number of things
-/// may stand before them as `Things: 3`.
+/// Returns whether a line begins with the value's name in singular or plural. A value
+/// NumberOfThings may be printed as `Things: 3`.
 bool IsPrinted(const std::string& text, const std::string& value)
 {
   const std::string prefix = "NumberOf";
@@ -214,23 +214,23 @@ int main(int, char* argv[])
   const auto headers = ReadHeaders(argv[1]);
   int failed = 0;
   int checked = 0;
-  const auto expect = [&](bool isRight, const std::string& what)
+  const auto expect = [&](bool isValid, const std::string& what)
   {
     ++checked;
-    failed += isRight ? 0 : 1;
-    if (!isRight)
+    failed += isValid ? 0 : 1;
+    if (!isValid)
     {
       std::cerr << what << "\n";
     }
   };
-  std::set<std::string> made;
+  std::set<std::string> created;
 #ifndef INTERLUME_HAS_MESHING
-  made.insert("vtkTetrahedralMesher");
+  created.insert("vtkTetrahedralMesher");
 #endif
   for (const auto& object : MakeAll())
   {
     const std::string name = object->GetClassName();
-    made.insert(name);
+    created.insert(name);
     const std::string text = Print(object);
     for (const std::string& value : FindValues(headers, name))
     {
@@ -243,7 +243,7 @@ int main(int, char* argv[])
     const std::string& name = header.first;
     const bool isPublic = header.second.find("_EXPORT " + name) != std::string::npos;
     const bool hasNew = header.second.find("static " + name + "* New();") != std::string::npos;
-    expect(!isPublic || !hasNew || made.count(name) > 0, name + " is not among those of this test");
+    expect(!isPublic || !hasNew || created.count(name) > 0, name + " is missing from this test");
   }
   std::cout << checked << " checks, " << failed << " failed\n";
   return failed == 0 && checked > 200 ? 0 : 1;

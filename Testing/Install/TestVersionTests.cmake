@@ -5,12 +5,12 @@ find_version_tests("${SOURCE_DIR}" found)
 if (found)
   list(JOIN found "\n" text)
   message(FATAL_ERROR
-    "differences between VTK's versions outside the files that are there to know them:\n${text}")
+    "code that depends on the version of VTK, outside the files that may:\n${text}")
 endif ()
-# Each of those files is still there, and still knows one.
+# Each of these files must still depend on the version of VTK.
 foreach (name IN LISTS interlume_version_files)
   file(STRINGS "${SOURCE_DIR}/${name}" lines REGEX "VTK_VERSION|__has_include")
   if (NOT lines)
-    message(FATAL_ERROR "${name} knows no difference between VTK's versions: take it off the list")
+    message(FATAL_ERROR "${name} does not depend on the version of VTK. Remove it from interlume_version_files")
   endif ()
 endforeach ()

@@ -1,18 +1,18 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# find_version_tests(ROOT OUTPUT): lists the lines under ROOT that ask which VTK they are compiled with,
-# or name a header that only some versions have, each as "file: line". Files that are there to know
-# such differences, one for each concern, are left out:
+# find_version_tests(ROOT OUTPUT): lists the lines under ROOT that depend on the version of VTK, or include a
+# header that only some versions have, each as "file: line". The following files may depend on it, each for
+# one purpose:
 set(interlume_version_files
-  # how OpenGL is loaded
+  # loading OpenGL
   Rendering/Scene/Loader/OpenGLFunctions.h
-  # what an unstructured grid's cells are stored in
+  # storage of the cells of an unstructured grid
   Filters/Common/GridCells.h
-  # peers that the benchmarks compare with
+  # VTK classes that the benchmarks compare with
   Utilities/Benchmarks/Flow/VelocityInterpolation.cxx
   Utilities/Benchmarks/Shadows/GpuShadows.h
-  # the arithmetic of small vectors
+  # arithmetic of small vectors
   Utilities/Gallery/VectorArithmetic.h
-  # whether Python has the VTK that was found
+  # detection of VTK's Python package
   Utilities/cmake/InterlumePython.cmake)
 
 function (find_version_tests root output)
@@ -26,7 +26,7 @@ function (find_version_tests root output)
       "${root}/${folder}/CMakeLists.txt" "${root}/${folder}/*.cmake")
     list(REMOVE_ITEM sources ${interlume_version_files})
     list(REMOVE_ITEM scripts ${interlume_version_files})
-    # The test itself, which names what it looks for.
+    # Skip this test, which contains the patterns.
     list(FILTER scripts EXCLUDE REGEX "^Testing/Install/")
     foreach (kind IN ITEMS sources scripts)
       set(pattern "${in_sources}")

@@ -34,7 +34,7 @@ std::multiset<OrientedSimplex> PullExactly(
   const int n = static_cast<int>(cell.Vertices.size());
   const int m = static_cast<int>(cell.Edges.size());
   const Polytope lifted = isInterval ? cell.Prism() : cell;
-  // The lifted cell has the edges of the lower side, of the upper side, and those at the vertices.
+  // The lifted cell has the lower cell's edges, the upper cell's edges and then the vertical edges.
   const auto toSlot = [=](int edge) { return edge < 2 * m ? n + edge : edge - 2 * m; };
   std::vector<int> ranks;
   for (std::size_t e = 0; e < lifted.Edges.size(); ++e)

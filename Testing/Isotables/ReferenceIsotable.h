@@ -11,13 +11,12 @@
 namespace reference
 {
 
-/// A simplex as its sorted slots followed by the parity of the sorting: equal for equal
-/// orientation.
+/// A simplex as its sorted slots followed by the parity of the permutation that sorts them. Two
+/// simplices with equal orientation compare equal.
 using OrientedSimplex = std::vector<int>;
 OrientedSimplex Orient(const std::vector<int>& slots);
 
-/// The exact pulling triangulation of a case, an interval's or a contour's, in an order of the
-/// slots.
+/// Returns the exact pulling triangulation of an interval or contour case for the given slot order.
 std::multiset<OrientedSimplex> PullExactly(const interlume::Polytope& cell, bool isInterval,
   std::uint32_t key, const std::vector<int>& slotRanks);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The table of a cell times time: every cut is the exact pulling triangulation, in ascending order
-// and in any other; counts over whole tables; and what the cache counts.
+// The tables of cells extruded in time: every cut equals the exact pulling triangulation, in
+// ascending order and in random orders. Also tests the number of simplices of whole tables and the
+// statistics of the cache.
 
 #include "Support/Checks/ReferenceCheck.h"
 #include "Isotables/ReferenceIsotable.h"
@@ -64,7 +65,7 @@ Cuts PullExactly(const SpaceTimeTable& cache, std::uint32_t key, const VertexRan
   return reference::PullExactly(cache.GetCell(), true, key, { ranks.begin(), ranks.end() });
 }
 
-// Every digit at random, or two values at random, or a few vertices unlike the others.
+// Returns a case key with random digits, with two random digit values, or with most digits equal.
 std::uint32_t MakeKey(int numberOfVertices, int round, std::mt19937& random)
 {
   std::uint32_t key = 0;
@@ -95,10 +96,10 @@ void TestCuts(SpaceTimeTable& cache, reference::Check& check)
     }
     check.That(ascending == PullExactly(cache, key, GetAscending()), "ascending order");
     check.That(std::equal(used.begin(), used.end(), what.Slots.begin(), what.Slots.end()),
-      "the slots in use");
+      "the slots used by the case");
     VertexRanks order = GetAscending();
     std::shuffle(order.begin(), order.begin() + n, random);
-    check.That(Cut(cache, what, order) == PullExactly(cache, key, order), "any order");
+    check.That(Cut(cache, what, order) == PullExactly(cache, key, order), "random order");
   }
 }
 
@@ -110,24 +111,24 @@ void TestSlotRanks(const SpaceTimeTable& cache, reference::Check& check)
   VertexRanks order = GetAscending();
   std::shuffle(order.begin(), order.begin() + n, random);
   const auto ranks = cache.GetSlotRanks(order.data());
-  std::set<std::array<int, 4>> places;
+  std::set<std::array<int, 4>> keys;
   for (int slot = 0; slot < n + 2 * m; ++slot)
   {
     const int kind = slot < n ? 0 : 1 + (slot - n) / m;
     const auto edge =
       kind == 0 ? std::array<Slot, 2>{ { Slot(slot), Slot(slot) } } : cache.GetEdge((slot - n) % m);
     const auto ends = std::minmax(order[edge[0]], order[edge[1]]);
-    places.insert({ { kind, ends.first, ends.second, slot } });
+    keys.insert({ { kind, ends.first, ends.second, slot } });
   }
   int last = -1;
-  for (const auto& place : places)
+  for (const auto& key : keys)
   {
-    check.That(ranks[place[3]] > last, "slots are ordered by kind, then by the ranks of both ends");
-    last = ranks[place[3]];
+    check.That(ranks[key[3]] > last, "slots are ordered by kind, then by the ranks of both ends");
+    last = ranks[key[3]];
   }
 }
 
-// Against sums over the exact triangulations of all cases.
+// The expected numbers are sums over the exact triangulations of all cases.
 void TestTetrahedron(reference::Check& check)
 {
   SpaceTimeTable& cache = SpaceTimeTable::Get(vtkIsotable::TETRAHEDRON);
@@ -140,7 +141,7 @@ void TestTetrahedron(reference::Check& check)
     most = std::max(most, number);
   }
   check.Equal(sum, 123516, "simplices of all cases");
-  check.Equal(most, 34, "most simplices of a case");
+  check.Equal(most, 34, "maximum number of simplices of a case");
 }
 
 void TestConstantHypercube(reference::Check& check)
@@ -152,7 +153,7 @@ void TestConstantHypercube(reference::Check& check)
   check.Equal(cache.GetCase(last).Simplices.size(), 0, "all vertices above");
 }
 
-// A cell whose graph has symmetries that the cell has not.
+// The edge graph of a frustum has symmetries that the cell does not have.
 void TestFrustum(reference::Check& check)
 {
   using Point = Polytope::Point;
@@ -167,7 +168,7 @@ void TestFrustum(reference::Check& check)
 void TestStatistics(reference::Check& check)
 {
   SpaceTimeTable cache(Polytope::Simplex(3).Prism());
-  // All but one vertex below: 8 cases, which symmetries take into each other.
+  // All vertices below except one: 8 cases that symmetries map onto each other.
   std::vector<std::uint32_t> keys{ 1 };
   while (keys.size() < 8)
   {
@@ -186,18 +187,19 @@ void TestStatistics(reference::Check& check)
     SpaceTimeTable::Reader reader(cache);
     for (int round = 0; round < 3; ++round)
     {
-      check.That(&reader.GetCase(1) == &cache.GetCase(1), "a reader finds the same case");
+      check.That(
+        &reader.GetCase(1) == &cache.GetCase(1), "a reader finds the same case as the cache");
       reader.GetCase(2);
     }
     check.Equal(reader.GetNumberOfLookups(), 6, "lookups of the reader");
-    check.Equal(reader.GetNumberOfCasesMade(), 1, "cases that the reader made");
-    check.Equal(cache.GetNumberOfLookups(), 11, "lookups without those of the reader");
+    check.Equal(reader.GetNumberOfCasesMade(), 1, "cases built by the reader");
+    check.Equal(cache.GetNumberOfLookups(), 11, "lookups before the reader is destroyed");
   }
-  check.Equal(cache.GetNumberOfLookups(), 17, "lookups with those of the reader");
-  check.Equal(cache.GetNumberOfHits(), 8, "hits with those of the reader");
-  check.Equal(cache.GetNumberOfCases(), 9, "cases with that of the reader");
-  check.Equal(cache.GetNumberOfKinds(), 2, "kinds with that of the reader");
-  check.That(cache.GetBytes() > bytes, "a case takes memory");
+  check.Equal(cache.GetNumberOfLookups(), 17, "lookups after the reader is destroyed");
+  check.Equal(cache.GetNumberOfHits(), 8, "hits after the reader is destroyed");
+  check.Equal(cache.GetNumberOfCases(), 9, "cases after the reader is destroyed");
+  check.Equal(cache.GetNumberOfKinds(), 2, "kinds after the reader is destroyed");
+  check.That(cache.GetBytes() > bytes, "a new case uses memory");
 }
 
 }

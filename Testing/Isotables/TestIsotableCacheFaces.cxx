@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells that share a three-dimensional face in space and time, whatever their shapes, leave the
-// same tetrahedra on it when their vertices there have the same digits and are ordered alike.
+// Cells that share a three-dimensional face in space and time produce the same tetrahedra on it if
+// their vertices there have the same digits and the same order. This holds for any pair of cell
+// shapes.
 
 #include "Support/Checks/ReferenceCheck.h"
 
@@ -25,7 +26,7 @@ namespace
 using Slot = SpaceTimeTable::Slot;
 using Shapes = vtkIsotable::Shapes;
 
-// A face of a cell: for each vertex of the face that of the cell.
+// A face of a cell. Vertices[i] is the cell vertex at face vertex i.
 struct Face
 {
   std::string Name;
@@ -33,8 +34,7 @@ struct Face
   std::vector<int> Vertices;
 };
 
-// Faces that are cubes have their vertices in rows, prisms have their triangles one after the
-// other.
+// Vertices of cubes are listed row by row; vertices of prisms triangle by triangle.
 std::vector<std::vector<Face>> GetFaces()
 {
   using Table = vtkIsotable;
@@ -42,7 +42,7 @@ std::vector<std::vector<Face>> GetFaces()
     { { "hexahedron at the first time", Table::HEXAHEDRON, { 0, 1, 2, 3, 4, 5, 6, 7 } },
       { "hexahedron at the second time", Table::HEXAHEDRON, { 8, 9, 10, 11, 12, 13, 14, 15 } },
       { "side of a hexahedron", Table::HEXAHEDRON, { 1, 3, 5, 7, 9, 11, 13, 15 } },
-      { "turned side of a hexahedron", Table::HEXAHEDRON, { 4, 0, 6, 2, 12, 8, 14, 10 } },
+      { "rotated side of a hexahedron", Table::HEXAHEDRON, { 4, 0, 6, 2, 12, 8, 14, 10 } },
       { "top of a hexahedron", Table::HEXAHEDRON, { 4, 5, 6, 7, 12, 13, 14, 15 } },
       { "side of a wedge", Table::WEDGE, { 0, 1, 3, 4, 6, 7, 9, 10 } },
       { "base of a pyramid", Table::PYRAMID, { 0, 1, 3, 2, 5, 6, 8, 7 } } },
@@ -54,11 +54,12 @@ std::vector<std::vector<Face>> GetFaces()
   };
 }
 
-// A point of a face in its own words: whether vertex, lower or upper crossing, and both ends.
+// A point of a face, independent of the cell: kind (vertex, lower or upper edge intersection) and
+// both end vertices in the face.
 using FacePoint = std::array<int, 3>;
 using Tetrahedra = std::set<std::vector<FacePoint>>;
 
-// The tetrahedra on the face belong to one simplex each.
+// Returns the tetrahedra on the face: they belong to exactly one simplex.
 Tetrahedra FindTetrahedra(const SpaceTimeTable& cache, const SpaceTimeTable::Case& what,
   const SpaceTimeTable::RankArray& ranks, const Face& face)
 {
@@ -113,7 +114,7 @@ public:
   {
   }
 
-  // Returns the number of tetrahedra on the face.
+  // Compares the tetrahedra that different cells produce on the face. Returns their number.
   std::size_t Test(reference::Check& check)
   {
     const std::size_t number = this->Faces[0].Vertices.size();
@@ -135,21 +136,22 @@ public:
   }
 
 private:
-  // The rest of the cell is random, its ranks between and around those of the face.
+  // Cuts a cell whose other vertices have random digits and ranks between and around the ranks of
+  // the face.
   Tetrahedra Cut(const Face& face)
   {
     SpaceTimeTable& cache = SpaceTimeTable::Get(face.Shape);
     const int n = cache.GetNumberOfVertices();
-    std::vector<double> places(n);
+    std::vector<double> orders(n);
     std::vector<std::uint32_t> digits(n);
     for (int v = 0; v < n; ++v)
     {
-      places[v] = this->Random() % 1000 / 100.0 - 1.0 + 1e-4 * (v + 1);
+      orders[v] = this->Random() % 1000 / 100.0 - 1.0 + 1e-4 * (v + 1);
       digits[v] = this->Random() % 3;
     }
     for (std::size_t i = 0; i < face.Vertices.size(); ++i)
     {
-      places[face.Vertices[i]] = this->Order[i];
+      orders[face.Vertices[i]] = this->Order[i];
       digits[face.Vertices[i]] = this->Digits[i];
     }
     std::vector<Slot> vertexRanks;
@@ -157,7 +159,7 @@ private:
     for (int v = 0; v < n; ++v)
     {
       vertexRanks.push_back(static_cast<Slot>(std::count_if(
-        places.begin(), places.end(), [&](double place) { return place < places[v]; })));
+        orders.begin(), orders.end(), [&](double order) { return order < orders[v]; })));
       key = 3 * key + digits[n - 1 - v];
     }
     return FindTetrahedra(cache, cache.GetCase(key), cache.GetSlotRanks(vertexRanks.data()), face);
@@ -183,7 +185,7 @@ int TestIsotableCacheFaces(int, char*[])
       check.SetContext("round " + std::to_string(round));
       tetrahedra += sharing.Test(check);
     }
-    check.That(tetrahedra > 200, "faces are not empty");
+    check.That(tetrahedra > 200, "faces contain tetrahedra");
   }
   return check.Result();
 }

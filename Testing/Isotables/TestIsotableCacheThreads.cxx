@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same cases, simplex by simplex, however many threads ask and in whichever order; and counts
-// of all threads that add up.
+// Cases are equal for any number of threads and any order of requests. The statistics of all
+// threads add up.
 
 #include "Support/Checks/ReferenceCheck.h"
 
@@ -22,7 +22,8 @@ namespace
 
 using CaseList = std::vector<const SpaceTimeTable::Case*>;
 
-// Some keys come often, and each has others of its kind.
+// Returns random keys. Each is followed by its mirror image in time, which has the same kind, and
+// some keys are repeated.
 std::vector<std::uint32_t> MakeKeys()
 {
   std::mt19937 random(29);
@@ -35,15 +36,15 @@ std::vector<std::uint32_t> MakeKeys()
       key = 3 * key + (random() % 4 == 0 ? random() % 3 : 1);
     }
     keys.push_back(key);
-    // Mirrored along time.
+    // The same case mirrored in time.
     keys.push_back(key / 6561 + key % 6561 * 6561);
     keys.push_back(keys[random() % keys.size()]);
   }
   return keys;
 }
 
-// Each thread asks for all keys, beginning at another one.
-std::vector<CaseList> Ask(
+// Requests all keys in each thread. Every thread starts at a different key.
+std::vector<CaseList> RequestCases(
   SpaceTimeTable& cache, const std::vector<std::uint32_t>& keys, int numberOfThreads)
 {
   std::vector<CaseList> found(numberOfThreads, CaseList(keys.size()));
@@ -78,22 +79,21 @@ int TestIsotableCacheThreads(int, char*[])
   const std::vector<std::uint32_t> keys = MakeKeys();
   const std::uint64_t distinct = std::set<std::uint32_t>(keys.begin(), keys.end()).size();
   const Polytope cell = Polytope::Cube(3).Prism();
-  // From the last key to the first, so that another case of a kind comes first.
+  // Requests the keys in reverse order, so that another case of a kind is built first.
   SpaceTimeTable expected(cell);
   for (auto key = keys.rbegin(); key != keys.rend(); ++key)
   {
     expected.GetCase(*key);
   }
-  check.That(
-    expected.GetNumberOfKinds() < expected.GetNumberOfCases(), "some cases are of one kind");
+  check.That(expected.GetNumberOfKinds() < expected.GetNumberOfCases(), "some cases share a kind");
   for (const int threads : { 1, 2, 8 })
   {
     check.SetContext(std::to_string(threads) + " threads");
     SpaceTimeTable cache(cell);
-    const std::vector<CaseList> found = Ask(cache, keys, threads);
+    const std::vector<CaseList> found = RequestCases(cache, keys, threads);
     for (const CaseList& mine : found)
     {
-      check.That(mine == found[0], "all threads are given the same copy of a case");
+      check.That(mine == found[0], "all threads receive the same copy of a case");
     }
     bool areEqual = true;
     for (std::size_t i = 0; i < keys.size(); ++i)
@@ -102,8 +102,8 @@ int TestIsotableCacheThreads(int, char*[])
       areEqual = areEqual && found[0][i]->Simplices == other.Simplices &&
         found[0][i]->Slots == other.Slots && found[0][i]->Symmetry == other.Symmetry;
     }
-    check.That(areEqual, "cases do not depend on who asks first");
-    check.Equal(cache.GetNumberOfCases(), distinct, "every case is made once");
+    check.That(areEqual, "cases do not depend on the order of requests");
+    check.Equal(cache.GetNumberOfCases(), distinct, "every case is built once");
     check.Equal(cache.GetNumberOfLookups(), threads * keys.size(), "lookups");
     check.Equal(cache.GetNumberOfHits(), threads * keys.size() - distinct, "hits");
     check.Equal(cache.GetNumberOfKinds(), expected.GetNumberOfKinds(), "kinds");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A case cut at run time in any order of the vertices is the exact pulling triangulation in that
-// order; what it leaves on a face depends on that face alone; and threads may ask for the same case
-// at once.
+// A case cut at run time equals the exact pulling triangulation for any vertex order. The result on
+// a face depends on that face only. Threads may request the same case at the same time.
 
 #include "Isotables/ReferenceIsotable.h"
 
@@ -53,8 +52,9 @@ bool TestOrders(vtkIsotable::Kinds kind, vtkIsotable::Shapes shape, std::mt19937
   return true;
 }
 
-// The faces that a case leaves on a facet of the cell, by the slots' vertices: cells that share a
-// facet with the same digits and order must agree on it.
+// Returns the triangles of a case on a facet of the cell. Each slot is given by its kind and its
+// two vertices. Cells that share a facet with the same digits and order must produce the same
+// triangles.
 std::set<std::vector<std::array<int, 3>>> GetFacesOn(const vtkIsotable& table, int key,
   const vtkIsotable::RankArray& ranks, const std::set<int>& facet)
 {
@@ -93,7 +93,7 @@ std::set<std::vector<std::array<int, 3>>> GetFacesOn(const vtkIsotable& table, i
   {
     if (entry.second == 1)
     {
-      // Faces within one isosurface are its boundary, not the facet's.
+      // Faces in an isosurface bound the interval and do not belong to the facet.
       const bool isSurface = entry.first[0][0] != 0 && entry.first[0][0] == entry.first[2][0];
       if (!isSurface)
       {
@@ -104,7 +104,7 @@ std::set<std::vector<std::array<int, 3>>> GetFacesOn(const vtkIsotable& table, i
   return faces;
 }
 
-// The bottom of a hexahedron, a wedge's side and a pyramid's base, by vertices in cyclic order.
+// Quadrilateral faces of three cell shapes, with vertices in cyclic order.
 bool TestSharedQuadrilateral(std::mt19937& random)
 {
   struct Side
@@ -126,17 +126,17 @@ bool TestSharedQuadrilateral(std::mt19937& random)
     {
       const vtkIsotable& table = vtkIsotable::Get(vtkIsotable::INTERVAL, side.Shape);
       const int n = table.GetNumberOfVertices();
-      // The rest of the cell is random, its ranks between and around those of the side.
-      std::vector<double> places(n);
+      // The other vertices have random digits and ranks between and around the ranks of the face.
+      std::vector<double> orders(n);
       std::vector<int> all(n);
       for (int v = 0; v < n; ++v)
       {
-        places[v] = random() % 1000 / 200.0 - 0.5 + 1e-4 * v;
+        orders[v] = random() % 1000 / 200.0 - 0.5 + 1e-4 * v;
         all[v] = random() % 3;
       }
       for (int c = 0; c < 4; ++c)
       {
-        places[side.Cycle[c]] = order[c];
+        orders[side.Cycle[c]] = order[c];
         all[side.Cycle[c]] = digits[c];
       }
       Slot vertexRanks[8];
@@ -144,16 +144,17 @@ bool TestSharedQuadrilateral(std::mt19937& random)
       for (int v = n - 1; v >= 0; --v)
       {
         vertexRanks[v] = static_cast<Slot>(std::count_if(
-          places.begin(), places.end(), [&](double place) { return place < places[v]; }));
+          orders.begin(), orders.end(), [&](double value) { return value < orders[v]; }));
         key = 3 * key + all[v];
       }
       const auto faces = GetFacesOn(table, key, table.GetSlotRanks(vertexRanks),
         std::set<int>(side.Cycle.begin(), side.Cycle.end()));
-      // In the words of the side: kind and the two places in the cycle.
-      std::set<std::vector<std::array<int, 2>>> words;
+      // Describes triangles without the cell's vertex numbers: kind and both positions in the
+      // cycle.
+      std::set<std::vector<std::array<int, 2>>> triangles;
       for (const auto& face : faces)
       {
-        std::vector<std::array<int, 2>> word;
+        std::vector<std::array<int, 2>> triangle;
         for (const auto& point : face)
         {
           const auto at = [&side](int vertex)
@@ -163,12 +164,12 @@ bool TestSharedQuadrilateral(std::mt19937& random)
           };
           const int a = std::min(at(point[1]), at(point[2]));
           const int b = std::max(at(point[1]), at(point[2]));
-          word.push_back({ { point[0], 4 * a + b } });
+          triangle.push_back({ { point[0], 4 * a + b } });
         }
-        std::sort(word.begin(), word.end());
-        words.insert(word);
+        std::sort(triangle.begin(), triangle.end());
+        triangles.insert(triangle);
       }
-      results.insert(words);
+      results.insert(triangles);
     }
     if (results.size() != 1)
     {
@@ -203,7 +204,7 @@ bool TestThreads()
   {
     if (mine != seen[0])
     {
-      std::cerr << "Threads were given different copies of a case.\n";
+      std::cerr << "Threads received different copies of a case.\n";
       return false;
     }
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Facets of hulls of random points, in two to six dimensions, against the planes through all
-// subsets of the points. Coordinates of 0, 1 and 2 give many points on a plane; those up to 128 do
-// not fit in products of normals.
+// Facets of convex hulls of random points in two to six dimensions, compared with the planes
+// through all subsets of the points. Coordinates of 0, 1 and 2 put many points on one plane.
+// Coordinates up to 128 cause products of normals that do not fit the integer type.
 
 #include "Support/Checks/ReferenceCheck.h"
 
@@ -49,7 +49,7 @@ std::int64_t GetDeterminant(std::vector<std::vector<std::int64_t>> m)
   return sum;
 }
 
-// Orthogonal to the plane of the subset; zero when the subset spans no plane.
+// Returns a normal of the plane through the subset, or zero if the subset does not span a plane.
 std::vector<std::int64_t> GetNormal(
   int dimension, const Points& points, const std::vector<int>& subset)
 {
@@ -84,7 +84,7 @@ std::int64_t GetHeight(int dimension, const Normal& normal, const Point& p, cons
   return height;
 }
 
-// Facets as the indices of their points.
+// Facets as sorted point indices.
 using FacetSet = std::set<std::vector<int>>;
 
 FacetSet FindFacets(int dimension, const Points& points)
@@ -141,7 +141,7 @@ void TestPoints(int dimension, const Points& points, reference::Check& check)
     }
     found.insert(on);
   }
-  check.Equal(found.size(), hull.GetFacets().size(), "no facet comes twice");
+  check.Equal(found.size(), hull.GetFacets().size(), "no facet is repeated");
   check.That(found == FindFacets(dimension, points), "facets and all of their points");
   check.That(isOutward, "normals point away from the points that are not on the facet");
 }
@@ -160,7 +160,7 @@ int TestIsotableHull(int, char*[])
         std::to_string(dimension) + " dimensions, coordinates to " + std::to_string(largest));
       for (int round = 0; round < 20; ++round)
       {
-        // No more points than dimensions now and then: no facets.
+        // Some sets have too few points for a facet.
         Points points(dimension + random() % 6);
         for (Point& p : points)
         {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The symmetries of a cell: how many there are, that they are a group of affine maps that take
-// edges to edges, and that the cases they take into each other have one origin.
+// Symmetries of a cell: their number, whether they are affine maps that map edges to edges, and
+// whether cases that are mapped onto each other have the same origin.
 
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -33,7 +33,8 @@ struct Cell
   int Reflections;
 };
 
-// A cube with one face smaller than the opposite one: its graph has more symmetries than itself.
+// Returns a cube with one face smaller than the opposite face. Its edge graph has more symmetries
+// than the cell.
 Polytope MakeFrustum()
 {
   return Polytope::FromVertices(3,
@@ -50,7 +51,7 @@ std::vector<Cell> GetCells()
     { "frustum x time", MakeFrustum().Prism(), 16, 8 } };
 }
 
-// The map that fits all vertices best, by Gaussian elimination of the normal equations.
+// The least-squares affine map of all vertices, from Gaussian elimination of the normal equations.
 class AffineMap
 {
 public:
@@ -156,12 +157,13 @@ void TestMaps(const Cell& cell, reference::Check& check)
       error = std::max(error, map.GetError(static_cast<int>(v), symmetry.Slots[v]));
     }
     check.That(error < 1e-9, "a symmetry is an affine map");
-    check.Near(map.GetDeterminant(), symmetry.Reverses ? -1.0 : 1.0, 1e-9, "its determinant");
+    check.Near(
+      map.GetDeterminant(), symmetry.Reverses ? -1.0 : 1.0, 1e-9, "determinant of the symmetry");
   }
-  check.Equal(distinct.size(), cell.Symmetries, "no symmetry comes twice");
+  check.Equal(distinct.size(), cell.Symmetries, "no symmetry is repeated");
   check.Equal(reflections, cell.Reflections, "number of reflections");
   const std::vector<std::uint8_t>& first = symmetries.Get()[0].Slots;
-  check.That(std::is_sorted(first.begin(), first.end()), "the first is the identity");
+  check.That(std::is_sorted(first.begin(), first.end()), "the first symmetry is the identity");
 }
 
 void TestEdges(const Cell& cell, reference::Check& check)
@@ -181,7 +183,7 @@ void TestEdges(const Cell& cell, reference::Check& check)
       fits = image < m &&
         moved == std::set<int>{ cell.Shape.Edges[image][0], cell.Shape.Edges[image][1] };
     }
-    check.That(fits, "crossings go with the ends of their edges");
+    check.That(fits, "edge intersections are mapped in the same way as the ends of their edges");
   }
 }
 
@@ -221,7 +223,8 @@ void TestOrigins(const Cell& cell, reference::Check& check)
       digit = smallest % 3;
       smallest /= 3;
     }
-    check.Equal(move(symmetries.Get()[origin.Symmetry]), key, "the symmetry moves it to the case");
+    check.Equal(
+      move(symmetries.Get()[origin.Symmetry]), key, "the symmetry maps the origin to the case");
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The numbers of simplices of every interval table that is small enough to fill, against the exact
-// ones stated for the method; and hulls whose facets are known.
+// Number of simplices of every interval table that is small enough to fill, compared with the
+// numbers stated in the publication of the method, and hulls with known facets.
 
 #include "vtkIsotable.h"
 #include "Hulls/ConvexHull.h"
@@ -35,7 +35,7 @@ void Expect(bool holds, const std::string& what)
 struct Sum
 {
   long Simplices = 0;
-  int Most = 0;
+  int Maximum = 0;
 };
 
 Sum CountSourceOrder(const Polytope& cell)
@@ -57,7 +57,7 @@ Sum CountSourceOrder(const Polytope& cell)
       FacetTriangulation::PLACING, ranks)
                                           .size());
     sum.Simplices += number;
-    sum.Most = std::max(sum.Most, number);
+    sum.Maximum = std::max(sum.Maximum, number);
   }
   return sum;
 }
@@ -69,7 +69,7 @@ void TestSourceOrder()
     const char* Name;
     Polytope Cell;
     long Simplices;
-    int Most;
+    int Maximum;
   };
   const Stated stated[] = { { "tetrahedron", Polytope::Simplex(3), 321, 6 },
     { "4-simplex", Polytope::Simplex(4), 2031, 14 },
@@ -78,9 +78,9 @@ void TestSourceOrder()
   for (const Stated& row : stated)
   {
     const Sum sum = CountSourceOrder(row.Cell);
-    Expect(sum.Simplices == row.Simplices && sum.Most == row.Most,
-      std::string(row.Name) + " in the source's order: " + std::to_string(sum.Simplices) +
-        " simplices, at most " + std::to_string(sum.Most));
+    Expect(sum.Simplices == row.Simplices && sum.Maximum == row.Maximum,
+      std::string(row.Name) + " in the publication's order: " + std::to_string(sum.Simplices) +
+        " simplices, at most " + std::to_string(sum.Maximum));
   }
 }
 
@@ -90,7 +90,7 @@ void TestShipped()
   {
     vtkIsotable::Shapes Shape;
     long Source;
-    int Most;
+    int Maximum;
   } rows[] = { { vtkIsotable::TETRAHEDRON, 321, 6 }, { vtkIsotable::PYRAMID, 1676, 12 },
     { vtkIsotable::WEDGE, 5685, 12 }, { vtkIsotable::HEXAHEDRON, 79344, 22 } };
   for (const auto& row : rows)
@@ -101,16 +101,16 @@ void TestShipped()
     {
       const int number = static_cast<int>(table.GetCase(key).Simplices.size());
       sum.Simplices += number;
-      sum.Most = std::max(sum.Most, number);
+      sum.Maximum = std::max(sum.Maximum, number);
     }
-    Expect(sum.Simplices <= row.Source && sum.Most <= row.Most,
-      "the shipped table has no more simplices than the source's, shape " +
+    Expect(sum.Simplices <= row.Source && sum.Maximum <= row.Maximum,
+      "the shipped table has no more simplices than the publication's, shape " +
         std::to_string(row.Shape) + ": " + std::to_string(sum.Simplices));
-    Expect(table.GetNumberOfCasesMade() == table.GetNumberOfCases(), "every case was made");
+    Expect(table.GetNumberOfCasesMade() == table.GetNumberOfCases(), "every case was built");
   }
 }
 
-// A digest of all that the cases of a table hold, in their order.
+// Returns a hash of the contents of all cases, in order.
 std::uint64_t Digest(const vtkIsotable& table)
 {
   std::uint64_t digest = 1469598103934665603u;
@@ -141,7 +141,8 @@ std::uint64_t Digest(const vtkIsotable& table)
   return digest;
 }
 
-// The tables are those that the hull of every single case gives: outputs go by their order.
+// The tables equal the tables built from the hull of each case. The order of the output depends on
+// the order in the tables.
 void TestDigests()
 {
   const struct
@@ -156,13 +157,13 @@ void TestDigests()
     const std::uint64_t digest = Digest(vtkIsotable::Get(vtkIsotable::INTERVAL, row.Shape));
     Expect(digest == row.Digest,
       "the interval table of shape " + std::to_string(row.Shape) +
-        " is the one made of hulls alone: " + std::to_string(digest));
+        " equals the table built from hulls: " + std::to_string(digest));
   }
 }
 
 void TestHulls()
 {
-  // The 24 cell has 24 octahedra; its prism 24 prisms and two ends.
+  // The 24-cell has 24 octahedra.
   std::vector<Polytope::Point> points;
   for (int a = 0; a < 4; ++a)
   {
@@ -189,14 +190,14 @@ void TestHulls()
   Expect(Polytope::Cube(5).Edges.size() == 80, "5-cube: 80 edges");
   Expect(Polytope::Pyramid().Edges.size() == 8, "pyramid: 8 edges");
   Expect(Polytope::FromVertices(3, { { { 1, 0, 0 } } }).Vertices.empty(),
-    "an odd coordinate is refused");
+    "an odd coordinate is rejected");
   Expect(Polytope::FromVertices(
            2, { { { 0, 0 } }, { { 4, 0 } }, { { 0, 4 } }, { { 4, 4 } }, { { 2, 2 } } })
            .Vertices.empty(),
-    "a point inside is refused");
+    "an interior point is rejected");
 }
 
-// Tables of cells that a user gives by their vertices.
+// Tables of cells that a user defines by vertices.
 void TestVertices()
 {
   using Vertices = std::vector<std::array<int, 3>>;
@@ -218,9 +219,9 @@ void TestVertices()
   Expect(vtkIsotable(vtkIsotable::INTERVAL, cube).GetNumberOfCases() == 6561, "cube: 6561 cases");
   cube.push_back({ { 4, 4, 4 } });
   Expect(
-    vtkIsotable(vtkIsotable::CONTOUR, cube).GetNumberOfCases() == 0, "nine points are refused");
+    vtkIsotable(vtkIsotable::CONTOUR, cube).GetNumberOfCases() == 0, "nine points are rejected");
   Expect(vtkIsotable(vtkIsotable::CONTOUR, Vertices{ { { 1, 0, 0 } } }).GetNumberOfCases() == 0,
-    "an odd coordinate is refused");
+    "an odd coordinate is rejected");
 }
 }
 

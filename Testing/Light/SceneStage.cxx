@@ -61,7 +61,7 @@ vtkSmartPointer<vtkActor> MakeRectangle(const std::array<double, 3>& origin,
   return MakeActor(plane->GetOutputPort());
 }
 
-vtkSmartPointer<vtkActor> MakePane(const std::array<double, 3>& center,
+vtkSmartPointer<vtkActor> MakeTranslucentSquare(const std::array<double, 3>& center,
   const std::array<double, 3>& normal, double edge, double opacity)
 {
   std::array<double, 3> along = normal;
@@ -76,20 +76,21 @@ vtkSmartPointer<vtkActor> MakePane(const std::array<double, 3>& center,
     second[i] *= edge;
     origin[i] = center[i] - 0.5 * (first[i] + second[i]);
   }
-  vtkSmartPointer<vtkActor> pane = MakeRectangle(origin, first, second);
-  pane->GetProperty()->SetOpacity(opacity);
-  pane->GetProperty()->SetColor(0.9, 0.6, 0.2);
-  return pane;
+  vtkSmartPointer<vtkActor> square = MakeRectangle(origin, first, second);
+  square->GetProperty()->SetOpacity(opacity);
+  square->GetProperty()->SetColor(0.9, 0.6, 0.2);
+  return square;
 }
 
-vtkSmartPointer<vtkActor> MakeBall(const std::array<double, 3>& center, double radius, int sides)
+vtkSmartPointer<vtkActor> MakeSphereActor(
+  const std::array<double, 3>& center, double radius, int sides)
 {
-  vtkNew<vtkSphereSource> ball;
-  ball->SetCenter(center[0], center[1], center[2]);
-  ball->SetRadius(radius);
-  ball->SetThetaResolution(sides);
-  ball->SetPhiResolution(sides / 2);
-  return MakeActor(ball->GetOutputPort());
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(center[0], center[1], center[2]);
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(sides);
+  sphere->SetPhiResolution(sides / 2);
+  return MakeActor(sphere->GetOutputPort());
 }
 
 vtkSmartPointer<vtkLight> MakeSun(const std::array<double, 3>& direction)
@@ -102,7 +103,7 @@ vtkSmartPointer<vtkLight> MakeSun(const std::array<double, 3>& direction)
   return light;
 }
 
-vtkSmartPointer<vtkLight> MakeLamp(
+vtkSmartPointer<vtkLight> MakePointLight(
   const std::array<double, 3>& position, const std::array<double, 3>& focus)
 {
   vtkSmartPointer<vtkLight> light = MakeSun(focus);
@@ -133,8 +134,8 @@ void SceneStage::LookAlong(const std::array<double, 3>& direction)
   camera->SetParallelScale(0.5 * this->Size);
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   const double length = std::hypot(direction[0], direction[1], direction[2]);
-  const double away = -4.0 * this->Size / length;
-  camera->SetPosition(away * direction[0], away * direction[1], away * direction[2]);
+  const double distance = -4.0 * this->Size / length;
+  camera->SetPosition(distance * direction[0], distance * direction[1], distance * direction[2]);
   camera->SetViewUp(0.0, std::abs(direction[1]) > 0.9 * length ? 0.0 : 1.0,
     std::abs(direction[1]) > 0.9 * length ? 1.0 : 0.0);
   camera->SetClippingRange(this->Size, 8.0 * this->Size);
@@ -183,7 +184,7 @@ void SceneStage::AddSmoke(const std::array<double, 6>& bounds, double extinction
   this->Stage.GetRenderer()->AddVolume(volume);
 }
 
-RgbaPicture SceneStage::Draw(bool hasPass)
+RgbaImage SceneStage::Draw(bool hasPass)
 {
   if (hasPass)
   {
@@ -196,27 +197,27 @@ RgbaPicture SceneStage::Draw(bool hasPass)
   return this->Stage.Capture();
 }
 
-double SceneStage::At(const RgbaPicture& picture, double x, double y) const
+double SceneStage::At(const RgbaImage& rendered, double x, double y) const
 {
   const auto toPixel = [this](double value)
   {
     const int pixel = static_cast<int>(std::floor((value / this->Size + 0.5) * this->Pixels));
     return std::min(std::max(pixel, 0), this->Pixels - 1);
   };
-  return picture.At(toPixel(x), toPixel(y))[0];
+  return rendered.At(toPixel(x), toPixel(y))[0];
 }
 
 double SceneStage::FindEdge(
-  const RgbaPicture& picture, double from, double to, double y, double level) const
+  const RgbaImage& rendered, double from, double to, double y, double level) const
 {
   const double step = this->Size / this->Pixels;
   const auto toCenter = [this, step](double x)
   { return (std::floor((x / this->Size + 0.5) * this->Pixels) + 0.5) * step - 0.5 * this->Size; };
   double x = toCenter(from);
-  double value = this->At(picture, x, y);
+  double value = this->At(rendered, x, y);
   while (x + step <= to)
   {
-    const double next = this->At(picture, x + step, y);
+    const double next = this->At(rendered, x + step, y);
     if ((value - level) * (next - level) <= 0.0 && value != next)
     {
       return x + step * (level - value) / (next - value);

@@ -2,7 +2,7 @@
 #ifndef SceneStage_h
 #define SceneStage_h
 
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/VolumeStage.h"
 
 #include "vtkNew.h"
 #include "vtkShadowedScenePass.h"
@@ -19,50 +19,51 @@ class vtkShadowedSliceMapper;
 namespace reference
 {
 
-/// A box, a closed mesh of six faces.
+/// Creates a closed box of six faces.
 vtkSmartPointer<vtkActor> MakeBox(const std::array<double, 6>& bounds);
-/// A rectangle from a corner along two edges, of one polygon.
+/// Creates a rectangle of one polygon from a corner and two edges.
 vtkSmartPointer<vtkActor> MakeRectangle(const std::array<double, 3>& origin,
   const std::array<double, 3>& first, const std::array<double, 3>& second);
-/// A square around a place, perpendicular to a direction, that lets light through; orange.
-vtkSmartPointer<vtkActor> MakePane(const std::array<double, 3>& center,
+/// Creates an orange, translucent square around a center, perpendicular to a normal.
+vtkSmartPointer<vtkActor> MakeTranslucentSquare(const std::array<double, 3>& center,
   const std::array<double, 3>& normal, double edge, double opacity = 0.5);
-vtkSmartPointer<vtkActor> MakeBall(const std::array<double, 3>& center, double radius, int sides);
-/// White, without ambient and specular light; without input where there is no output.
+vtkSmartPointer<vtkActor> MakeSphereActor(
+  const std::array<double, 3>& center, double radius, int sides);
+/// Creates a white actor without ambient and specular light. \a output may be null.
 vtkSmartPointer<vtkActor> MakeActor(vtkAlgorithmOutput* output);
 
-/// White light of intensity 1 along a direction, with full shadows.
+/// Creates a white directional light of intensity 1 with full shadows.
 vtkSmartPointer<vtkLight> MakeSun(const std::array<double, 3>& direction);
-/// The same from a place to another, without cone.
-vtkSmartPointer<vtkLight> MakeLamp(
+/// Creates a white point light of intensity 1 with full shadows.
+vtkSmartPointer<vtkLight> MakePointLight(
   const std::array<double, 3>& position, const std::array<double, 3>& focus);
 
 /**
  * @class   SceneStage
- * @brief   a window out of sight with actors and a volume that vtkShadowedScenePass draws
+ * @brief   an offscreen window with actors and volumes, drawn by vtkShadowedScenePass
  *
- * The camera looks down at z = 0 without perspective, one unit of the picture is one of x and y:
- * the picture's middle is the origin.
+ * The camera looks along -z in parallel projection. The origin is at the center of the frame, and x
+ * and y are its axes.
  */
 class SceneStage
 {
 public:
-  /// \a pixels along each edge of a picture that shows so many units.
+  /// Creates a window with \a pixels along each edge, whose view has the edge length \a size.
   explicit SceneStage(int pixels = 256, double size = 2.0);
   ~SceneStage();
 
   void Add(vtkActor* actor) { this->Stage.AddActor(actor); }
-  /// Puts homogeneous smoke of an extinction into a box, of so many voxels along each axis; the
-  /// first one is drawn by Mapper.
+  /// Adds homogeneous smoke in a box, with \a cells voxels along each axis. The first volume is
+  /// drawn by Mapper.
   void AddSmoke(const std::array<double, 6>& bounds, double extinction, int cells = 8);
 
-  /// Draws by the pass, or without it.
-  RgbaPicture Draw(bool hasPass = true);
-  /// The first channel at a place of a picture.
-  double At(const RgbaPicture& picture, double x, double y) const;
-  /// Where the first channel crosses \a level between two places at \a y, by linear interpolation
-  /// of pixels.
-  double FindEdge(const RgbaPicture& picture, double from, double to, double y, double level) const;
+  /// Draws a frame with vtkShadowedScenePass, or without it.
+  RgbaImage Draw(bool hasPass = true);
+  /// Returns the first channel of the pixel that shows (x, y).
+  double At(const RgbaImage& image, double x, double y) const;
+  /// Returns the x coordinate between \a from and \a to where the first channel crosses \a level at
+  /// \a y, by linear interpolation between pixels.
+  double FindEdge(const RgbaImage& image, double from, double to, double y, double level) const;
   /// Looks at the origin along a direction.
   void LookAlong(const std::array<double, 3>& direction);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Light/ShadowComparison.h"
 
-#include "Support/Pictures/ReferenceShadowPicture.h"
-#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Images/ReferenceShadowImage.h"
+#include "Support/Drawing/ShadowImage.h"
 
 #include "vtkNew.h"
 #include "vtkShadowedSliceMapper.h"
@@ -12,28 +12,29 @@
 namespace reference
 {
 
-RgbaPicture ExpectReference(Check& check, const std::string& name, vtkShadowedSliceMapper* mapper,
-  const ShadowScene& scene, const PictureBound& bound)
+RgbaImage ExpectReference(Check& check, const std::string& name, vtkShadowedSliceMapper* mapper,
+  const ShadowScene& scene, const ImageBound& bound)
 {
-  // The mapper first: lights that follow the camera are placed by then.
-  RgbaPicture found = DrawByMapper(mapper, scene);
-  const RgbaPicture expected = MakeShadowPicture(scene);
-  check.That(LargestAlpha(expected) > 0.1, name + ": something is seen");
-  ExpectAlike(check, name, found, expected, bound);
+  // The mapper draws first, because rendering updates the positions of lights that follow the
+  // camera.
+  RgbaImage found = DrawByMapper(mapper, scene);
+  const RgbaImage expected = MakeShadowImage(scene);
+  check.That(LargestAlpha(expected) > 0.1, name + ": the image is not empty");
+  ExpectSimilar(check, name, found, expected, bound);
   return found;
 }
 
-RgbaPicture ExpectReference(
-  Check& check, const std::string& name, const ShadowScene& scene, const PictureBound& bound)
+RgbaImage ExpectReference(
+  Check& check, const std::string& name, const ShadowScene& scene, const ImageBound& bound)
 {
   vtkNew<vtkShadowedSliceMapper> mapper;
   return ExpectReference(check, name, mapper, scene, bound);
 }
 
-void ExpectAlike(Check& check, const std::string& name, const RgbaPicture& found,
-  const RgbaPicture& expected, const PictureBound& bound)
+void ExpectSimilar(Check& check, const std::string& name, const RgbaImage& found,
+  const RgbaImage& expected, const ImageBound& bound)
 {
-  const PictureError error = ComparePictures(found, expected);
+  const ImageError error = CompareImages(found, expected);
   std::cout << name << ": " << error << std::endl;
   check.Near(error.Max, 0.0, bound.Max, name + ", largest error", 1.0);
   check.Near(error.Mean, 0.0, bound.Mean, name + ", mean error", 1.0);

@@ -2,7 +2,7 @@
 #ifndef ShadowComparison_h
 #define ShadowComparison_h
 
-#include "Support/Pictures/RgbaPicture.h"
+#include "Support/Images/RgbaImage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include <string>
@@ -14,24 +14,24 @@ namespace reference
 
 struct ShadowScene;
 
-/// The largest and the mean difference of a picture's channels that passes.
-struct PictureBound
+/// Maximum and mean allowed difference of an image's channels.
+struct ImageBound
 {
   double Max;
   double Mean;
 };
 
-/// Draws by the mapper as it is set, and by the reference, prints how far they are apart, and
-/// expects that to be within the bound and something to be seen. Returns the mapper's picture.
-RgbaPicture ExpectReference(Check& check, const std::string& name, vtkShadowedSliceMapper* mapper,
-  const ShadowScene& scene, const PictureBound& bound);
-/// The same with a new mapper.
-RgbaPicture ExpectReference(
-  Check& check, const std::string& name, const ShadowScene& scene, const PictureBound& bound);
+/// Draws a scene with the mapper and with the reference, and prints the difference. Expects a
+/// difference within the bound and a frame that is not empty. Returns the mapper's frame.
+RgbaImage ExpectReference(Check& check, const std::string& name, vtkShadowedSliceMapper* mapper,
+  const ShadowScene& scene, const ImageBound& bound);
+/// Calls ExpectReference() with a new mapper.
+RgbaImage ExpectReference(
+  Check& check, const std::string& name, const ShadowScene& scene, const ImageBound& bound);
 
-/// Prints and expects the difference of two pictures.
-void ExpectAlike(Check& check, const std::string& name, const RgbaPicture& found,
-  const RgbaPicture& expected, const PictureBound& bound);
+/// Prints the difference of two images. Expects that it is within the bound.
+void ExpectSimilar(Check& check, const std::string& name, const RgbaImage& found,
+  const RgbaImage& expected, const ImageBound& bound);
 
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An area light: its values, errors, clones, and where its emitter is in the world.
+// vtkAreaLight: settings, errors, clones, and the emitter's position in world coordinates.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkAreaLight.h"
@@ -21,7 +21,7 @@ using namespace reference;
 const double NotANumber = std::numeric_limits<double>::quiet_NaN();
 const double Infinity = std::numeric_limits<double>::infinity();
 
-// Collects the errors of a light.
+// Collects the errors of an object.
 class Errors
 {
 public:
@@ -32,12 +32,12 @@ public:
       { static_cast<Errors*>(self)->Texts += static_cast<const char*>(text); });
     object->AddObserver(vtkCommand::ErrorEvent, this->Observer);
   }
-  // Returns whether there was an error with these words since the last call.
-  bool Take(const std::string& words)
+  // Returns whether an error since the last call contains \a text.
+  bool Consume(const std::string& text)
   {
-    const bool isThere = this->Texts.find(words) != std::string::npos;
+    const bool isFound = this->Texts.find(text) != std::string::npos;
     this->Texts.clear();
-    return isThere;
+    return isFound;
   }
   bool IsEmpty() const { return this->Texts.empty(); }
 
@@ -59,30 +59,30 @@ void CheckSetters(Check& check)
   Errors errors(light);
   const vtkMTimeType time = light->GetMTime();
   light->SetSize(-1.0, 1.0);
-  check.That(errors.Take("Size -1, 1 is not within 0"), "a width below 0 is an error");
+  check.That(errors.Consume("Size (-1, 1) is out of range"), "a width below 0 is an error");
   light->SetSize(1.0, NotANumber);
-  check.That(errors.Take("is not within 0"), "a height of NaN is an error");
+  check.That(errors.Consume("is out of range"), "a height of NaN is an error");
   light->SetSize(Infinity, 1.0);
-  check.That(errors.Take("Size inf"), "an infinite width is an error");
+  check.That(errors.Consume("Size (inf"), "an infinite width is an error");
   light->SetViewUp(0.0, NotANumber, 0.0);
-  check.That(errors.Take("ViewUp"), "a view up of NaN is an error");
+  check.That(errors.Consume("ViewUp"), "a view up of NaN is an error");
   light->SetShape(2);
-  check.That(errors.Take("Shape 2"), "a shape that is not there is an error");
+  check.That(errors.Consume("Shape 2"), "an invalid shape is an error");
   light->SetShape(vtkAreaLight::SQUARE);
   light->SetSize(3.0, 0.0);
   light->SetViewUp(0.0, 0.0, 2.0);
   light->SetEmitter(nullptr);
-  check.That(light->GetMTime() == time && errors.IsEmpty(), "which changes nothing");
+  check.That(light->GetMTime() == time && errors.IsEmpty(), "invalid values change nothing");
   check.That(light->GetShape() == vtkAreaLight::SQUARE && light->GetSize()[0] == 3.0 &&
       light->GetSize()[1] == 0.0 && light->GetViewUp()[2] == 2.0,
-    "values are kept");
+    "values are retained");
 
   vtkNew<vtkImageData> image;
   light->SetEmitter(image);
   const vtkMTimeType withImage = light->GetMTime();
-  check.That(withImage > time, "an image is a change");
+  check.That(withImage > time, "setting an image modifies the light");
   image->Modified();
-  check.That(light->GetMTime() > withImage, "and so is one of the image");
+  check.That(light->GetMTime() > withImage, "modifying the image modifies the light");
 
   std::ostringstream text;
   light->Print(text);
@@ -119,12 +119,12 @@ void CheckClones(Check& check)
   check.That(isSame(clone), "a clone has the same values");
   vtkNew<vtkAreaLight> copy;
   copy->DeepCopy(light);
-  check.That(isSame(copy), "so has a copy");
+  check.That(isSame(copy), "a copy has the same values");
   vtkNew<vtkLight> plain;
   plain->SetIntensity(7.0);
   copy->DeepCopy(plain);
   check.That(copy->GetIntensity() == 7.0 && copy->GetSize()[0] == 3.0,
-    "a copy of a plain light keeps the emitter");
+    "a copy of a vtkLight retains the emitter");
 }
 
 void CheckNear(Check& check, const double* found, const glm::dvec3& expected, const char* what)
@@ -133,33 +133,33 @@ void CheckNear(Check& check, const double* found, const glm::dvec3& expected, co
     std::max(glm::length(expected), 1.0));
 }
 
-// The emitter of a light down along z, and of one that a transform turns along x.
-void CheckPlaces(Check& check)
+// Checks the emitter of a light along -z, and of a light that a transform rotates to -x.
+void CheckPositions(Check& check)
 {
   vtkNew<vtkAreaLight> light;
   light->SetLightTypeToSceneLight();
   light->SetPosition(1.0, 2.0, 7.0);
   light->SetFocalPoint(1.0, 2.0, -1.0);
   light->SetSize(2.0, 0.5);
-  vtkNew<vtkMatrix4x4> turn;
+  vtkNew<vtkMatrix4x4> rotation;
   const double elements[16] = { 0, 0, 1, 10, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1 };
-  turn->DeepCopy(elements);
-  for (const bool isTurned : { false, true })
+  rotation->DeepCopy(elements);
+  for (const bool isRotated : { false, true })
   {
-    check.SetContext(isTurned ? "turned" : "as it is");
-    light->SetTransformMatrix(isTurned ? turn.GetPointer() : nullptr);
-    const glm::dvec3 center = isTurned ? glm::dvec3(17.0, 1.0, 2.0) : glm::dvec3(1.0, 2.0, 7.0);
-    const glm::dvec3 normal = isTurned ? glm::dvec3(-1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, -1.0);
-    const glm::dvec3 right = isTurned ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
-    const glm::dvec3 up = isTurned ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
+    check.SetContext(isRotated ? "rotated" : "without transform");
+    light->SetTransformMatrix(isRotated ? rotation.GetPointer() : nullptr);
+    const glm::dvec3 center = isRotated ? glm::dvec3(17.0, 1.0, 2.0) : glm::dvec3(1.0, 2.0, 7.0);
+    const glm::dvec3 normal = isRotated ? glm::dvec3(-1.0, 0.0, 0.0) : glm::dvec3(0.0, 0.0, -1.0);
+    const glm::dvec3 right = isRotated ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 up = isRotated ? glm::dvec3(0.0, 0.0, 1.0) : glm::dvec3(0.0, 1.0, 0.0);
     double found[3];
-    check.That(light->GetCenter(found), "there is a centre");
-    CheckNear(check, found, center, "centre");
+    check.That(light->GetCenter(found), "there is a center");
+    CheckNear(check, found, center, "center");
     check.That(light->GetNormal(found), "there is a normal");
     CheckNear(check, found, normal, "normal");
     vtkNew<vtkMatrix4x4> matrix;
     check.That(light->GetEmitterMatrix(matrix), "there is a matrix");
-    check.Near(matrix->Determinant(), 1.0, 1e-12, "which is a rotation");
+    check.Near(matrix->Determinant(), 1.0, 1e-12, "the matrix is a rotation");
     const glm::dvec3 columns[4] = { right, up, -normal, center };
     for (int column = 0; column < 4; ++column)
     {
@@ -182,15 +182,15 @@ void CheckPlaces(Check& check)
         squares[2] += std::abs(glm::dot(offset, normal));
         weight += sample.Weight[1];
       }
-      const double share = shape == vtkAreaLight::ROUND ? 1.0 / 16.0 : 1.0 / 12.0;
-      check.Near(squares[0], 4.0 * share, 0.01, "variance of the width");
-      check.Near(squares[1], 0.25 * share, 0.01, "variance of the height");
-      check.Near(squares[2], 0.0, 1e-12, "flat", 1.0);
-      check.That(weight == 1.0, "weights");
+      const double variance = shape == vtkAreaLight::ROUND ? 1.0 / 16.0 : 1.0 / 12.0;
+      check.Near(squares[0], 4.0 * variance, 0.01, "variance of the width");
+      check.Near(squares[1], 0.25 * variance, 0.01, "variance of the height");
+      check.Near(squares[2], 0.0, 1e-12, "the emitter is planar", 1.0);
+      check.That(weight == 1.0, "the weights add up to 1");
     }
     const std::vector<vtkAreaLight::Sample> one = light->GetSamples(1);
     check.Equal(static_cast<long long>(one.size()), 1, "one sample");
-    CheckNear(check, one[0].Position, center, "the centre");
+    CheckNear(check, one[0].Position, center, "the center");
   }
 }
 
@@ -199,31 +199,31 @@ void CheckErrors(Check& check)
   check.SetContext("errors");
   vtkNew<vtkAreaLight> light;
   vtkNew<vtkMatrix4x4> matrix;
-  double place[3];
+  double point[3];
   light->SetFocalPoint(light->GetPosition());
-  check.That(!light->GetEmitterMatrix(matrix) && !light->GetNormal(place) &&
-      !light->GetCenter(place) && light->GetSamples(4).empty(),
-    "no direction");
+  check.That(!light->GetEmitterMatrix(matrix) && !light->GetNormal(point) &&
+      !light->GetCenter(point) && light->GetSamples(4).empty(),
+    "a light without direction has no emitter");
   light->SetFocalPoint(NotANumber, 0.0, 0.0);
-  check.That(!light->GetEmitterMatrix(matrix), "a focal point that is not a number");
+  check.That(!light->GetEmitterMatrix(matrix), "a light with a NaN focal point has no emitter");
   light->SetFocalPoint(0.0, 0.0, 0.0);
-  check.That(light->GetEmitterError().empty(), "without an image there is no error");
-  const auto hasError = [&](vtkImageData* image, const std::string& words)
+  check.That(light->GetEmitterError().empty(), "there is no error without an image");
+  const auto hasError = [&](vtkImageData* image, const std::string& text)
   {
     light->SetEmitter(image);
     double color[3];
     light->GetEmitterColor(color);
-    return light->GetEmitterError().find("the image of its emitter has " + words) == 0 &&
+    return light->GetEmitterError().find("the image of its emitter has " + text) == 0 &&
       light->GetSamples(4).empty() && color[0] == 1.0;
   };
   vtkNew<vtkImageData> image;
-  check.That(hasError(image, "no samples"), "no samples");
+  check.That(hasError(image, "no samples"), "an image without samples is an error");
   image->SetDimensions(2, 2, 2);
   image->AllocateScalars(VTK_FLOAT, 1);
-  check.That(hasError(image, "2 samples along z"), "three dimensions");
+  check.That(hasError(image, "2 samples along z"), "a three-dimensional image is an error");
   image->SetDimensions(2, 2, 1);
   image->AllocateScalars(VTK_FLOAT, 5);
-  check.That(hasError(image, "5 components"), "five components");
+  check.That(hasError(image, "5 components"), "an image with five components is an error");
 }
 }
 
@@ -232,7 +232,7 @@ int TestAreaLight(int, char*[])
   Check check;
   CheckSetters(check);
   CheckClones(check);
-  CheckPlaces(check);
+  CheckPositions(check);
   CheckErrors(check);
   return check.Result();
 }

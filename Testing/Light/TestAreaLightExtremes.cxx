@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extremes of area lights, each by its name: places and sizes of the emitter, values that are no
-// numbers, images that are none.
+// Extreme and invalid area lights: positions and sizes of the emitter, non-finite values, invalid
+// images.
 #include "Support/Pages/StabilityCase.h"
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/ReferenceShadowPicture.h"
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/ReferenceShadowImage.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
 
 #include "vtkAreaLight.h"
 #include "vtkCamera.h"
@@ -28,11 +28,12 @@ using namespace reference;
 
 const double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-/// The number of samples of a light, in the mapper and the reference. Each light inside the volume
-/// has a loop in the shader, and llvmpipe compiles a shader of four such loops for minutes.
+/// Number of samples per light, in the mapper and the reference. It is small, since each light
+/// inside the volume adds a loop to the shader, and llvmpipe takes minutes to compile four such
+/// loops.
 constexpr int Samples = 2;
 
-/// Two boxes, one in the other's shadow, whose parts scatter light evenly.
+/// Returns two boxes, one in the shadow of the other, without gradient shading.
 ShadowScene BoxScene()
 {
   auto scene = MakeScene(MakeImage(16, TwoBoxes), MakeSoftProperty(0.4, false));
@@ -40,7 +41,7 @@ ShadowScene BoxScene()
   return scene;
 }
 
-/// A round light that shines from there towards the origin, without cone and fall-off.
+/// Returns a round light at a position, aimed at the origin, without a cone or attenuation.
 vtkSmartPointer<vtkAreaLight> MakeAreaLight(const Double3& position, double size)
 {
   auto light = vtkSmartPointer<vtkAreaLight>::New();
@@ -54,21 +55,21 @@ vtkSmartPointer<vtkAreaLight> MakeAreaLight(const Double3& position, double size
   return light;
 }
 
-/// The scene with lights without extent in the place of its area light.
+/// Returns the scene with one point light per sample of its area light.
 ShadowScene WithSamples(const ShadowScene& scene, vtkAreaLight* area, int count)
 {
-  ShadowScene made = scene;
-  made.Lights.clear();
+  ShadowScene sampled = scene;
+  sampled.Lights.clear();
   for (const vtkAreaLight::Sample& sample : area->GetSamples(count))
   {
     auto light = vtkSmartPointer<vtkLight>::New();
-    // That of vtkLight, not virtual.
+    // vtkLight::DeepCopy() is not virtual, so that it copies no members of vtkAreaLight.
     light->DeepCopy(area);
     light->SetPosition(sample.Position[0], sample.Position[1], sample.Position[2]);
     light->SetIntensity(area->GetIntensity() * sample.Weight[0]);
-    made.Lights.push_back(light);
+    sampled.Lights.push_back(light);
   }
-  return made;
+  return sampled;
 }
 
 class AreaTable
@@ -80,8 +81,8 @@ public:
     this->Catalogue.SetClass("vtkAreaLight");
   }
 
-  /// The mapper's picture, by layers where the light can have them, against the mean of the
-  /// reference's pictures of samples of the light.
+  /// Compares the mapper's image, with layers if the light supports them, with the reference's
+  /// image of the light's samples.
   void Measure(
     const std::string& name, const std::string& extreme, vtkAreaLight* area, double bound = 6e-4)
   {
@@ -92,12 +93,12 @@ public:
   void Measure(const std::string& name, const std::string& extreme, ShadowScene scene,
     vtkAreaLight* area, double bound)
   {
-    const RgbaPicture expected = MakeShadowPicture(WithSamples(scene, area, Samples));
+    const RgbaImage expected = MakeShadowImage(WithSamples(scene, area, Samples));
     scene.Lights = { area };
     vtkNew<vtkShadowedSliceMapper> mapper;
     mapper->SetNumberOfLightSamples(Samples);
     mapper->SetLightBufferSize(64);
-    RgbaPicture found = DrawByMapper(mapper, scene);
+    RgbaImage found = DrawByMapper(mapper, scene);
     if (mapper->GetReport()->GetNumber("AreaLightsWithHardShadows") > 0)
     {
       // The light is too close or too large for layers.
@@ -106,23 +107,23 @@ public:
     }
     const bool isSeen = LargestAlpha(expected) > 0.05;
     this->Catalogue.Measure(name, extreme, "mean channel error against samples of the light",
-      isSeen ? ComparePictures(found, expected).Mean : std::nan(""), bound);
+      isSeen ? CompareImages(found, expected).Mean : std::nan(""), bound);
   }
 
-  /// Two pictures of the mapper that have to be the same bytes.
-  void Same(const std::string& name, const std::string& extreme, const ShadowScene& one,
+  /// Expects that the images of two scenes are identical.
+  void ExpectIdentical(const std::string& name, const std::string& extreme, const ShadowScene& one,
     const ShadowScene& other)
   {
     vtkNew<vtkShadowedSliceMapper> first;
     vtkNew<vtkShadowedSliceMapper> second;
-    this->Catalogue.Measure(name, extreme, "the same bytes",
-      ComparePictures(DrawByMapper(first, one), DrawByMapper(second, other)).Max, 0.0);
+    this->Catalogue.Measure(name, extreme, "identical images",
+      CompareImages(DrawByMapper(first, one), DrawByMapper(second, other)).Max, 0.0);
   }
 
   StabilityCatalogue Catalogue;
 };
 
-void TestPlaces(AreaTable& table)
+void TestPositions(AreaTable& table)
 {
   const Double3 above{ { -0.9, 0.9, 0.9 } };
   table.Measure("area-light", "none", MakeAreaLight(above, 0.5));
@@ -134,40 +135,41 @@ void TestPlaces(AreaTable& table)
     MakeAreaLight({ { -0.4, 0.0, 0.45 } }, 0.6));
   table.Measure(
     "area-inside-occluder", "a light inside a box", MakeAreaLight({ { 0.05, 0.02, 0.1 } }, 0.2));
-  table.Measure("area-around-volume", "a light whose disc cuts the volume in two",
+  table.Measure("area-around-volume", "a light whose disk intersects the volume",
     MakeAreaLight({ { 0.0, 0.0, 1e-3 } }, 4.0));
   table.Measure(
     "area-far", "a light 1e6 away, 1e5 wide", MakeAreaLight({ { -6e5, 4.8e5, 6.4e5 } }, 1e5));
   vtkSmartPointer<vtkAreaLight> light = MakeAreaLight({ { 1.2, 0.0, 1.2 } }, 0.8);
   light->SetFocalPoint(1.2, 5.0, 1.2);
-  table.Measure("area-edge-on", "a light that is seen from its side", light);
+  table.Measure("area-edge-on", "a light seen edge-on", light);
   light = MakeAreaLight(above, 1.0);
   light->SetSize(1.0, 0.0);
   table.Measure("area-line", "a light without height", light);
 
-  // Of BoxScene.
-  Double3 eye;
-  BoxScene().Camera->GetPosition(eye.data());
-  table.Measure("area-at-eye", "a light around the eye", MakeAreaLight(eye, 0.5));
-  table.Measure("area-opposite", "a light opposite the eye",
-    MakeAreaLight({ { -eye[0], -eye[1], -eye[2] } }, 0.5));
+  // Position of the camera of BoxScene().
+  Double3 camera;
+  BoxScene().Camera->GetPosition(camera.data());
+  table.Measure("area-at-eye", "a light around the camera", MakeAreaLight(camera, 0.5));
+  table.Measure("area-opposite", "a light opposite to the camera",
+    MakeAreaLight({ { -camera[0], -camera[1], -camera[2] } }, 0.5));
   table.Measure(
-    "area-across", "a light across the view", MakeAreaLight({ { 1.6, -1.2, 0.0 } }, 0.5));
+    "area-across", "a light perpendicular to the view", MakeAreaLight({ { 1.6, -1.2, 0.0 } }, 0.5));
 
   light = MakeAreaLight(above, 0.5);
   light->PositionalOff();
-  table.Measure("area-directional", "a light infinitely far", light);
+  table.Measure("area-directional", "a directional light", light);
   light->SetSize(4.0, 4.0);
-  table.Measure("area-directional-wide", "half of the sky", light, 3e-3);
+  table.Measure(
+    "area-directional-wide", "a directional light as large as half the sky", light, 3e-3);
 
-  // The occluder is the receiver: one layer of voxels across the light.
+  // The occluder is also the receiver: one layer of voxels, facing the light.
   ShadowScene scene = BoxScene();
   scene.Image = MakeImage({ { 16, 16, 1 } }, { { 0.06, 0.06, 0.06 } },
     [](const Double3& x) {
       return TwoBoxes({ { x[0], x[1], 0.5 } });
     });
   scene.Camera = LookAt(scene.Image, { { -0.3, -0.4, -1.0 } }, false);
-  table.Measure("area-flat-volume", "a volume of one voxel", scene,
+  table.Measure("area-flat-volume", "a volume of one voxel layer", scene,
     MakeAreaLight({ { 0.0, 0.0, 1.0 } }, 1.0), 6e-4);
 }
 
@@ -178,12 +180,13 @@ void TestSizes(AreaTable& table)
   point.Lights = { MakePositionalLight(above) };
   ShadowScene area = point;
   area.Lights = { MakeAreaLight(above, 0.0) };
-  table.Same("area-size-0", "size 0 and a point light", area, point);
+  table.ExpectIdentical("area-size-0", "size 0, compared with a point light", area, point);
   vtkSmartPointer<vtkAreaLight> light = MakeAreaLight(above, 0.0);
   light->PositionalOff();
   area.Lights = { light };
   point.Lights = { MakeDirectionalLight({ { 1.0, -1.0, -1.0 } }) };
-  table.Same("area-directional-size-0", "size 0 and a directional light", area, point);
+  table.ExpectIdentical(
+    "area-directional-size-0", "size 0, compared with a directional light", area, point);
 
   for (const double size : { 1e-300, 1e-30, 1e-9 })
   {
@@ -199,7 +202,7 @@ void TestSizes(AreaTable& table)
     vtkNew<vtkShadowedSliceMapper> mapper;
     mapper->SetNumberOfLightSamples(Samples);
     mapper->SetLightBufferSize(64);
-    const RgbaPicture found = DrawByMapper(mapper, area);
+    const RgbaImage found = DrawByMapper(mapper, area);
     bool isFinite = true;
     for (const double value : found.Values)
     {
@@ -207,56 +210,57 @@ void TestSizes(AreaTable& table)
     }
     std::ostringstream name;
     name << "area-size-" << size;
-    table.Catalogue.Check(name.str(), "a huge size", "colours of 0 to 1 and the volume",
+    table.Catalogue.Check(name.str(), "a huge size",
+      "colors from 0 to 1, and an image that is not empty",
       "largest opacity " + std::to_string(LargestAlpha(found)),
       isFinite && LargestAlpha(found) > 0.05);
   }
 }
 
-/// The bad light is an error, and the picture is that of the light beside it alone.
-void ExpectLeftOut(AreaTable& table, const std::string& name, const std::string& extreme,
-  const std::string& words, vtkAreaLight* light)
+/// Expects an error for an invalid light, and an image that shows only the other light.
+void ExpectError(AreaTable& table, const std::string& name, const std::string& extreme,
+  const std::string& text, vtkAreaLight* light)
 {
   ShadowScene scene = BoxScene();
   scene.Lights = { MakePositionalLight({ { -0.9, 0.9, 0.9 } }) };
   vtkNew<vtkShadowedSliceMapper> without;
-  const RgbaPicture expected = DrawByMapper(without, scene);
+  const RgbaImage expected = DrawByMapper(without, scene);
   scene.Lights.push_back(light);
   vtkNew<vtkShadowedSliceMapper> mapper;
   vtkNew<vtkTest::ErrorObserver> observer;
   mapper->AddObserver(vtkCommand::ErrorEvent, observer);
   mapper->AddObserver(vtkCommand::WarningEvent, observer);
-  const double difference = ComparePictures(DrawByMapper(mapper, scene), expected).Max;
+  const double difference = CompareImages(DrawByMapper(mapper, scene), expected).Max;
   const std::string message = observer->GetErrorMessage() + observer->GetWarningMessage();
-  table.Catalogue.Check(name, extreme, "\"" + words + "\", and the others shine", message,
-    message.find(words) != std::string::npos && difference == 0.0);
+  table.Catalogue.Check(name, extreme, "\"" + text + "\", and the other light remains", message,
+    message.find(text) != std::string::npos && difference == 0.0);
 }
 
 void TestErrors(AreaTable& table)
 {
-  const Double3 aside{ { 1.0, 1.0, 1.0 } };
-  vtkSmartPointer<vtkAreaLight> light = MakeAreaLight(aside, 0.5);
+  const Double3 position{ { 1.0, 1.0, 1.0 } };
+  vtkSmartPointer<vtkAreaLight> light = MakeAreaLight(position, 0.5);
   light->SetPosition(0.0, NotANumber, 1.0);
-  ExpectLeftOut(table, "area-position-nan", "a position of NaN", "not finite", light);
-  light = MakeAreaLight(aside, 0.5);
+  ExpectError(table, "area-position-nan", "a position of NaN", "not finite", light);
+  light = MakeAreaLight(position, 0.5);
   light->SetFocalPoint(light->GetPosition());
-  ExpectLeftOut(table, "area-without-direction", "position and focal point the same",
+  ExpectError(table, "area-without-direction", "position and focal point the same",
     "position and focal point are the same", light);
-  light = MakeAreaLight(aside, 0.5);
+  light = MakeAreaLight(position, 0.5);
   vtkNew<vtkImageData> image;
   light->SetEmitter(image);
-  ExpectLeftOut(
+  ExpectError(
     table, "area-empty-emitter", "an image without samples", "emitter has no samples", light);
   vtkNew<vtkImageData> wide;
   wide->SetDimensions(2, 2, 1);
   wide->AllocateScalars(VTK_SHORT, 1);
   light->SetEmitter(wide);
-  ExpectLeftOut(table, "area-short-emitter", "an image of short integers", "type short", light);
+  ExpectError(table, "area-short-emitter", "an image of short integers", "type short", light);
 
   ShadowScene scene = BoxScene();
   scene.Lights = { MakeAreaLight({ { -0.9, 0.9, 0.9 } }, 0.5) };
   ShadowScene dark = scene;
-  vtkSmartPointer<vtkAreaLight> black = MakeAreaLight(aside, 0.5);
+  vtkSmartPointer<vtkAreaLight> black = MakeAreaLight(position, 0.5);
   vtkNew<vtkImageData> night;
   night->SetDimensions(2, 2, 1);
   night->AllocateScalars(VTK_FLOAT, 1);
@@ -267,7 +271,8 @@ void TestErrors(AreaTable& table)
   black->SetEmitter(night);
   black->SetAmbientColor(0.0, 0.0, 0.0);
   dark.Lights.push_back(black);
-  table.Same("area-black-emitter", "an image of 0 and NaN, and no such light", dark, scene);
+  table.ExpectIdentical(
+    "area-black-emitter", "an image of 0 and NaN, compared with no such light", dark, scene);
 
   vtkSmartPointer<vtkAreaLight> same = MakeAreaLight({ { -0.9, 0.9, 0.9 } }, 0.5);
   vtkNew<vtkTest::ErrorObserver> observer;
@@ -282,7 +287,7 @@ void TestErrors(AreaTable& table)
     observer->Clear();
   }
   table.Catalogue.Check("area-size-errors", "sizes below 0, NaN and infinite",
-    "an error each, and the size before", std::to_string(errors) + " errors",
+    "one error per size, and the size is retained", std::to_string(errors) + " errors",
     errors == 3 && same->GetSize()[0] == 0.5 && same->GetSize()[1] == 0.5);
 }
 }
@@ -290,7 +295,7 @@ void TestErrors(AreaTable& table)
 int TestAreaLightExtremes(int argc, char* argv[])
 {
   AreaTable table(argc, argv);
-  TestPlaces(table);
+  TestPositions(table);
   TestSizes(table);
   TestErrors(table);
   return table.Catalogue.GetExitCode();

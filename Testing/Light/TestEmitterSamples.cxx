@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples of an emitter: moments of disc and square, strata, weights, and the light of images.
+// Samples of an emitter: moments of disk and square, stratification, weights, and images.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkAreaLight.h"
@@ -23,7 +23,7 @@ using interlume::EmitterGrid;
 using interlume::EmitterSamples;
 using Samples = std::vector<EmitterSamples::Sample>;
 
-// An image of floating point colours, x and y from -1/2 to 1/2.
+// Creates an image of floating-point colors, with x and y from -1/2 to 1/2.
 vtkSmartPointer<vtkImageData> MakeImage(
   int width, int height, const std::function<glm::dvec3(double, double)>& color)
 {
@@ -54,18 +54,18 @@ void CheckWeights(Check& check, const Samples& samples)
     isPositive =
       isPositive && sample.Weight.r >= 0.0 && sample.Weight.g >= 0.0 && sample.Weight.b >= 0.0;
   }
-  check.That(sum == glm::dvec3(1.0), "weights are exactly 1 in sum");
+  check.That(sum == glm::dvec3(1.0), "the weights add up to exactly 1");
   check.That(isPositive, "no weight is below 0");
 }
 
-// The mean of f over the samples, weighted by a channel.
+// Returns the mean of f over the samples, weighted by a channel.
 double GetMean(
   const Samples& samples, int channel, const std::function<double(const glm::dvec2&)>& f)
 {
   double sum = 0.0;
   for (const EmitterSamples::Sample& sample : samples)
   {
-    sum += sample.Weight[channel] * f(sample.Place);
+    sum += sample.Weight[channel] * f(sample.Position);
   }
   return sum;
 }
@@ -79,8 +79,8 @@ double Y(const glm::dvec2& p)
   return p.y;
 }
 
-// A square of edge 1 has a variance of 1/12 along each axis, a disc of radius R = 1/2 R^2/4; the
-// variance of N samples of the square is (1 - 1/N^2) / 12.
+// A square of edge 1 has the variance 1/12 along each axis, and a disk of radius R = 1/2 has R^2/4.
+// The variance of N samples of the square is (1 - 1/N^2) / 12.
 void CheckMoments(Check& check)
 {
   for (const bool isRound : { false, true })
@@ -88,7 +88,7 @@ void CheckMoments(Check& check)
     const double variance = isRound ? 0.25 * 0.25 : 1.0 / 12.0;
     for (const int count : { 4, 7, 16, 64, 100, 256, 1024 })
     {
-      check.SetContext((isRound ? "disc of " : "square of ") + std::to_string(count));
+      check.SetContext((isRound ? "disk of " : "square of ") + std::to_string(count));
       const Samples samples = EmitterSamples::Make(isRound, nullptr, count);
       check.Equal(static_cast<long long>(samples.size()), count, "samples");
       CheckWeights(check, samples);
@@ -103,7 +103,7 @@ void CheckMoments(Check& check)
         1.6 / count, "covariance", 1.0);
       for (const EmitterSamples::Sample& sample : samples)
       {
-        const glm::dvec2& p = sample.Place;
+        const glm::dvec2& p = sample.Position;
         check.That(isRound ? glm::dot(p, p) <= 0.25 : std::max(std::abs(p.x), std::abs(p.y)) <= 0.5,
           "inside");
         check.That(sample.Weight == glm::dvec3(1.0 / count) ||
@@ -114,8 +114,9 @@ void CheckMoments(Check& check)
   }
 }
 
-// Each rectangle of area 1/N that columns and rows of powers of 2 make has one sample, and each
-// column and row of any number of samples.
+// If the number N of samples is a power of 2, each cell of a grid of N cells contains one sample,
+// for any power of 2 as the number of columns. For any N, each of N columns contains one sample,
+// and no two samples have the same x or y.
 void CheckStrata(Check& check)
 {
   for (const int count : { 2, 3, 8, 10, 32, 77, 256 })
@@ -135,28 +136,28 @@ void CheckStrata(Check& check)
       std::set<double> up;
       for (const EmitterSamples::Sample& sample : samples)
       {
-        const int i = static_cast<int>(std::floor((sample.Place.x + 0.5) * columns));
-        const int j = static_cast<int>(std::floor((sample.Place.y + 0.5) * rows));
+        const int i = static_cast<int>(std::floor((sample.Position.x + 0.5) * columns));
+        const int j = static_cast<int>(std::floor((sample.Position.y + 0.5) * rows));
         cells.insert(j * columns + i);
-        across.insert(sample.Place.x);
-        up.insert(sample.Place.y);
+        across.insert(sample.Position.x);
+        up.insert(sample.Position.y);
       }
-      check.Equal(static_cast<long long>(cells.size()), count, "rectangles with a sample");
-      check.Equal(static_cast<long long>(across.size()), count, "distinct in x");
-      check.Equal(static_cast<long long>(up.size()), count, "distinct in y");
+      check.Equal(static_cast<long long>(cells.size()), count, "cells with a sample");
+      check.Equal(static_cast<long long>(across.size()), count, "distinct x coordinates");
+      check.Equal(static_cast<long long>(up.size()), count, "distinct y coordinates");
     }
   }
 }
 
-// The share of the samples of a disc on one side of a line that turns, against the segment's area.
+// Compares the fraction of disk samples on one side of a rotated line with the segment's area.
 void CheckSegments(Check& check)
 {
-  double worst = 0.0;
+  double largest = 0.0;
   const int count = 256;
   const Samples samples = EmitterSamples::Make(true, nullptr, count);
-  for (int turn = 0; turn < 36; ++turn)
+  for (int rotation = 0; rotation < 36; ++rotation)
   {
-    const double angle = turn * 3.141592653589793 / 36.0;
+    const double angle = rotation * 3.141592653589793 / 36.0;
     for (const double distance : { -0.4, -0.2, 0.0, 0.1, 0.3, 0.45 })
     {
       const double below = GetMean(samples, 0,
@@ -164,14 +165,14 @@ void CheckSegments(Check& check)
         { return p.x * std::cos(angle) + p.y * std::sin(angle) < distance ? 1.0 : 0.0; });
       const double t = 2.0 * distance;
       const double area = 1.0 - (std::acos(t) - t * std::sqrt(1.0 - t * t)) / 3.141592653589793;
-      worst = std::max(worst, std::abs(below - area));
+      largest = std::max(largest, std::abs(below - area));
     }
   }
   check.SetContext("segments");
-  check.That(worst < 0.02, "worst " + std::to_string(worst) + " below 0.02");
+  check.That(largest < 0.02, "largest error " + std::to_string(largest) + " below 0.02");
 }
 
-void CheckFew(Check& check)
+void CheckSingleSample(Check& check)
 {
   check.SetContext("one sample");
   const auto image =
@@ -182,16 +183,16 @@ void CheckFew(Check& check)
     for (const EmitterGrid* emitter : { static_cast<const EmitterGrid*>(nullptr), &grid })
     {
       const Samples samples = EmitterSamples::Make(true, emitter, count);
-      check.That(samples.size() == 1 && samples[0].Place == glm::dvec2(0.0) &&
+      check.That(samples.size() == 1 && samples[0].Position == glm::dvec2(0.0) &&
           samples[0].Weight == glm::dvec3(1.0),
-        "the centre");
+        "the center of the emitter");
     }
   }
 }
 
 void CheckImages(Check& check)
 {
-  check.SetContext("a ramp, of which green falls");
+  check.SetContext("a ramp whose green decreases");
   const auto ramp = MakeImage(
     64, 32, [](double x, double y) { return glm::dvec3(0.5 + x, 0.25 - 0.5 * x, 0.3 + 0.4 * y); });
   const EmitterGrid rampGrid(false, ramp);
@@ -199,23 +200,23 @@ void CheckImages(Check& check)
   {
     const Samples samples = EmitterSamples::Make(false, &rampGrid, count);
     CheckWeights(check, samples);
-    // The integral of x (1/2 + x) over that of 1/2 + x.
-    check.Near(GetMean(samples, 0, X), 1.0 / 6.0, 0.3 / count + 1e-3, "centre of red", 1.0);
-    check.Near(GetMean(samples, 1, X), -1.0 / 6.0, 0.3 / count + 1e-3, "centre of green", 1.0);
-    check.Near(
-      GetMean(samples, 2, Y), 0.4 / 12.0 / 0.3, 0.5 / count + 1e-3, "height of blue's centre", 1.0);
+    // The integral of x (1/2 + x) over the integral of 1/2 + x.
+    check.Near(GetMean(samples, 0, X), 1.0 / 6.0, 0.3 / count + 1e-3, "center of red", 1.0);
+    check.Near(GetMean(samples, 1, X), -1.0 / 6.0, 0.3 / count + 1e-3, "center of green", 1.0);
+    check.Near(GetMean(samples, 2, Y), 0.4 / 12.0 / 0.3, 0.5 / count + 1e-3,
+      "height of the center of blue", 1.0);
     std::set<double> across;
     std::set<double> up;
     for (const EmitterSamples::Sample& sample : samples)
     {
-      across.insert(sample.Place.x);
-      up.insert(sample.Place.y);
+      across.insert(sample.Position.x);
+      up.insert(sample.Position.y);
     }
-    check.Equal(static_cast<long long>(across.size()), count, "distinct in x");
-    check.Equal(static_cast<long long>(up.size()), count, "distinct in y");
+    check.Equal(static_cast<long long>(across.size()), count, "distinct x coordinates");
+    check.Equal(static_cast<long long>(up.size()), count, "distinct y coordinates");
   }
 
-  check.SetContext("a spot in the dark");
+  check.SetContext("a spot on black");
   const auto spot = MakeImage(256, 256,
     [](double x, double y)
     { return std::hypot(x - 0.2, y + 0.1) < 0.05 ? glm::dvec3(1.0, 0.5, 0.0) : glm::dvec3(0.0); });
@@ -226,22 +227,23 @@ void CheckImages(Check& check)
     CheckWeights(check, samples);
     for (const EmitterSamples::Sample& sample : samples)
     {
-      check.Near(
-        std::hypot(sample.Place.x - 0.2, sample.Place.y + 0.1), 0.0, 0.06, "in the spot", 1.0);
-      check.Near(sample.Weight.b, 1.0 / 16.0, 1e-12, "the weight of a channel that is nowhere");
+      check.Near(std::hypot(sample.Position.x - 0.2, sample.Position.y + 0.1), 0.0, 0.06,
+        "samples are inside the spot", 1.0);
+      check.Near(sample.Weight.b, 1.0 / 16.0, 1e-12, "the weight of a channel without light");
     }
     const glm::dvec3 color = grid.GetColor();
-    check.That(color.r == 1.0 && std::abs(color.g - 0.5) < 1e-9 && color.b == 0.0, "its colour");
+    check.That(
+      color.r == 1.0 && std::abs(color.g - 0.5) < 1e-9 && color.b == 0.0, "the color of the spot");
   }
 
-  check.SetContext("a disc that has the middle of an image alone");
+  check.SetContext("a disk that excludes the corners of an image");
   const auto corners = MakeImage(200, 200,
     [](double x, double y)
     { return std::hypot(x, y) < 0.52 ? glm::dvec3(0.2, 0.4, 0.1) : glm::dvec3(1.0, 0.0, 0.0); });
   const glm::dvec3 inside = EmitterGrid(true, corners).GetColor();
   check.Near(inside.r, 0.5, 1e-9, "red");
   check.Near(inside.b, 0.25, 1e-9, "blue");
-  check.That(EmitterGrid(false, corners).GetColor().r > 0.9, "a square has the corners");
+  check.That(EmitterGrid(false, corners).GetColor().r > 0.9, "a square includes the corners");
 
   check.SetContext("black");
   const auto black = MakeImage(3, 2, [](double, double) { return glm::dvec3(0.0); });
@@ -249,14 +251,15 @@ void CheckImages(Check& check)
   check.That(blackGrid.GetColor() == glm::dvec3(0.0), "no light");
   const Samples samples = EmitterSamples::Make(true, &blackGrid, 8);
   CheckWeights(check, samples);
-  check.Near(GetMean(samples, 0, X), 0.0, 1e-15, "samples as of a uniform one", 1.0);
+  check.Near(GetMean(samples, 0, X), 0.0, 1e-15,
+    "the samples of a black emitter are those of a uniform emitter", 1.0);
 }
 
-// A light keeps the colours of its image, and finds them again where they, the image or the shape
-// have changed.
-void CheckKept(Check& check)
+// A light caches the colors of its image, and updates them when the pixels, the image or the shape
+// change.
+void CheckCachedColors(Check& check)
 {
-  check.SetContext("kept colours");
+  check.SetContext("cached colors");
   const auto image =
     MakeImage(64, 64, [](double x, double) { return glm::dvec3(x < 0.0 ? 1.0 : 0.0); });
   const auto other =
@@ -265,14 +268,14 @@ void CheckKept(Check& check)
   light->SetEmitter(image);
   const auto areEqual = [&](const std::string& name)
   {
-    vtkNew<vtkAreaLight> anew;
-    anew->SetShape(light->GetShape());
-    anew->SetEmitter(light->GetEmitter());
+    vtkNew<vtkAreaLight> fresh;
+    fresh->SetShape(light->GetShape());
+    fresh->SetEmitter(light->GetEmitter());
     const std::vector<vtkAreaLight::Sample> found = light->GetSamples(16);
-    const std::vector<vtkAreaLight::Sample> expected = anew->GetSamples(16);
+    const std::vector<vtkAreaLight::Sample> expected = fresh->GetSamples(16);
     double colors[2][3];
     light->GetEmitterColor(colors[0]);
-    anew->GetEmitterColor(colors[1]);
+    fresh->GetEmitterColor(colors[1]);
     bool isEqual =
       found.size() == expected.size() && std::equal(colors[0], colors[0] + 3, colors[1]);
     for (std::size_t i = 0; isEqual && i < found.size(); ++i)
@@ -291,16 +294,17 @@ void CheckKept(Check& check)
   double before[3];
   light->GetEmitterColor(before);
   values->FillComponent(2, 1.0);
-  double kept[3];
-  light->GetEmitterColor(kept);
-  check.That(std::equal(before, before + 3, kept), "values that are not known to have changed");
+  double cached[3];
+  light->GetEmitterColor(cached);
+  check.That(std::equal(before, before + 3, cached), "changes without Modified() are ignored");
   values->Modified();
   areEqual("other values");
   light->SetEmitter(nullptr);
   areEqual("no image");
 }
 
-// The lights that stand for samples: where they are, and that their colours are the light's.
+// Light sources for samples have the samples' positions, and their colors add up to the light's
+// color.
 void CheckSources(Check& check)
 {
   check.SetContext("sources");
@@ -317,15 +321,15 @@ void CheckSources(Check& check)
     {
       const interlume::LightSource source = EmitterSamples::MakeSource(light, sample);
       diffuse += source.Diffuse;
-      const glm::dvec3 offset(0.5 * sample.Place.x, 0.25 * sample.Place.y, 0.0);
+      const glm::dvec3 offset(0.5 * sample.Position.x, 0.25 * sample.Position.y, 0.0);
       const glm::dvec3 position = isPositional ? light.Position + offset : light.Position;
       const glm::dvec3 direction =
         isPositional ? light.Direction : glm::normalize(light.Direction - offset);
       check.Near(glm::length(source.Position - position), 0.0, 1e-15, "position", 1.0);
       check.Near(glm::length(source.Direction - direction), 0.0, 1e-15, "direction", 1.0);
-      check.That(!source.Area, "without extent");
+      check.That(!source.Area, "a sample has no extent");
     }
-    check.Near(glm::length(diffuse - light.Diffuse), 0.0, 1e-15, "colours add up", 1.0);
+    check.Near(glm::length(diffuse - light.Diffuse), 0.0, 1e-15, "colors add up", 1.0);
   }
 }
 }
@@ -336,9 +340,9 @@ int TestEmitterSamples(int, char*[])
   CheckMoments(check);
   CheckStrata(check);
   CheckSegments(check);
-  CheckFew(check);
+  CheckSingleSample(check);
   CheckImages(check);
-  CheckKept(check);
+  CheckCachedColors(check);
   CheckSources(check);
   return check.Result();
 }

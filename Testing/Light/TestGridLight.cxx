@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A spotlight in the cells of a grid of almost transparent matter: cone, fall-off to the cone's
-// edge and attenuation against their formulas.
+// A spotlight in an almost transparent grid: cone, fall-off toward the cone's edge and attenuation,
+// compared with their formulas.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Light/ReferenceUnitSpace.h"
 
 #include "Grid/GridLight.h"
-#include "Grid/MatterGrid.h"
+#include "Grid/ExtinctionGrid.h"
 #include "Plan/ClipRegion.h"
 #include "Volume/MaterialTable.h"
 #include "Volume/VolumeBlocks.h"
@@ -23,10 +23,10 @@ namespace
 {
 
 using namespace reference;
+using interlume::ExtinctionGrid;
 using interlume::LightSource;
-using interlume::MatterGrid;
 
-/// A cube of one value.
+/// A cube of cells with the value 1.
 struct Cube
 {
   explicit Cube(int size)
@@ -54,40 +54,40 @@ struct Cube
   interlume::VolumeBlocks Blocks;
   interlume::MaterialTable Material;
   interlume::ClipRegion Region;
-  MatterGrid Grid;
+  ExtinctionGrid Grid;
 };
 
-double GetFormula(const LightSource& light, const glm::dvec3& place)
+double GetFormula(const LightSource& light, const glm::dvec3& position)
 {
-  const glm::dvec3 way = place - light.Position;
-  const double distance = glm::length(way);
-  const double cosine = glm::dot(way, light.Direction) / distance;
-  const double fall = light.Attenuation.x + light.Attenuation.y * distance +
+  const glm::dvec3 path = position - light.Position;
+  const double distance = glm::length(path);
+  const double cosine = glm::dot(path, light.Direction) / distance;
+  const double attenuation = light.Attenuation.x + light.Attenuation.y * distance +
     light.Attenuation.z * distance * distance;
-  return cosine < light.ConeCosine ? 0.0 : std::pow(cosine, light.Exponent) / fall;
+  return cosine < light.ConeCosine ? 0.0 : std::pow(cosine, light.Exponent) / attenuation;
 }
 
-/// The mean over a cell, and whether the cone's edge goes through it.
+/// The mean light in a cell, and whether the boundary of the cone intersects the cell.
 struct CellMean
 {
   double Mean = 0.0;
   bool IsCut = false;
 };
 
-CellMean GetMean(const MatterGrid& grid, const LightSource& light, std::size_t cell)
+CellMean GetMean(const ExtinctionGrid& grid, const LightSource& light, std::size_t cell)
 {
   constexpr int steps = 6;
   CellMean result;
   int lit = 0;
-  for (int part = 0; part < steps * steps * steps; ++part)
+  for (int sample = 0; sample < steps * steps * steps; ++sample)
   {
     const glm::dvec3 offset =
-      (glm::dvec3(part % steps, part / steps % steps, part / (steps * steps)) + 0.5) /
+      (glm::dvec3(sample % steps, sample / steps % steps, sample / (steps * steps)) + 0.5) /
         double(steps) -
       0.5;
-    const glm::dvec3 place =
-      grid.GetMiddle(grid.GetCell(cell)) + offset * grid.GetMedium().CellSize;
-    const double value = GetFormula(light, grid.ToUnit(place));
+    const glm::dvec3 position =
+      grid.GetCellCenter(grid.GetCell(cell)) + offset * grid.GetMedium().CellSize;
+    const double value = GetFormula(light, grid.ToUnit(position));
     lit += value > 0.0 ? 1 : 0;
     result.Mean += value / (steps * steps * steps);
   }
@@ -124,12 +124,12 @@ void TestCone(Check& check)
         std::max(largest, mean.IsCut ? 0.0 : std::abs(found[cell].y - 0.8 * 0.6 * mean.Mean));
     }
     const std::string name = "cone of " + std::to_string(angle);
-    std::cout << name << ": cells off by at most " << largest << ", all by "
+    std::cout << name << ": largest error of uncut cells " << largest << ", of all light "
               << 100.0 * (sum / exact - 1.0) << " %, " << cut << " of " << found.size()
               << " cells cut\n";
-    check.Near(largest, 0.0, 0.001, name + ": cells within and outside", 1.0);
+    check.Near(largest, 0.0, 0.001, name + ": cells inside and outside", 1.0);
     check.Near(sum / exact, 1.0, 0.01, name + ": all light", 1.0);
-    check.That(cut > 100, name + ": the edge goes through the grid");
+    check.That(cut > 100, name + ": the boundary of the cone intersects the grid");
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The batches of slabs that go into an area light's layers: their slabs, and tiles that hold every
-// triangle of a batch with its border, once.
+// Batches of slabs for an area light's layers: the slabs of each batch, and tiles that cover each
+// triangle of a batch with its border exactly once.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Light/ReferenceUnitSpace.h"
 
@@ -20,8 +20,8 @@ using interlume::SlicePolygons;
 
 constexpr int Size = 64;
 
-// Returns in how many of a batch's triangles a place in clip coordinates lies.
-int CountTriangles(const LayerBatches& batches, std::size_t batch, const glm::dvec2& place)
+// Returns the number of triangles of a batch that contain a position in clip coordinates.
+int CountTriangles(const LayerBatches& batches, std::size_t batch, const glm::dvec2& position)
 {
   const std::vector<float>& vertices = batches.GetVertices();
   int count = 0;
@@ -34,7 +34,7 @@ int CountTriangles(const LayerBatches& batches, std::size_t batch, const glm::dv
       const std::size_t to = 3 * (i + (corner + 1) % 3);
       const glm::dvec2 start(vertices[from], vertices[from + 1]);
       const glm::dvec2 edge = glm::dvec2(vertices[to], vertices[to + 1]) - start;
-      const glm::dvec2 offset = place - start;
+      const glm::dvec2 offset = position - start;
       isInside = isInside && edge.x * offset.y - edge.y * offset.x > 0.0;
     }
     count += isInside ? 1 : 0;
@@ -42,7 +42,7 @@ int CountTriangles(const LayerBatches& batches, std::size_t batch, const glm::dv
   return count;
 }
 
-// Blocks of a column along z, some of them empty, seen along z.
+// A grid of blocks, some of them empty, seen along z.
 void CheckColumn(Check& check)
 {
   const interlume::UnitSpace space = MakeUnitSpace({ { 33, 33, 33 } }, { { 1.0, 1.0, 1.0 } });
@@ -55,10 +55,10 @@ void CheckColumn(Check& check)
     }
   }
   std::vector<unsigned char> visible(64, 0);
-  // Blocks end a little before tiles do, which their borders reach beyond.
+  // Blocks end slightly before tiles do, so that their borders extend into the next tile.
   borders[0] = { 0.0, 0.24, 0.49, 0.75, 1.0 };
   borders[1] = borders[0];
-  // One block at the beginning of the light's way and a larger one at its end.
+  // One block where the light enters, and a larger block where it exits.
   visible[0] = 1;
   for (const int block : { 48, 49, 52, 53 })
   {
@@ -82,7 +82,7 @@ void CheckColumn(Check& check)
   light.BufferFromUnit[0][0] = 1.0 / high.x;
   light.BufferFromUnit[1][1] = 1.0 / high.y;
   LayerBatches batches;
-  // Shadows go two texels apart in six slabs.
+  // Shadows diverge by two texels in six slabs.
   light.Center = glm::dvec4(0.0, 0.0, -1.0, 0.0);
   light.Spread = 2.0 / (6.01 * sweep.Spacing);
   batches.Build(sweep, light, { &polygons }, false);
@@ -96,7 +96,7 @@ void CheckColumn(Check& check)
     check.Equal(batches.Get()[i].Last, expected[i][1], "last slab");
     const double edge = i < 3 ? 16.0 : i < 5 ? 32.0 : 64.0;
     int missing = 0;
-    int twice = 0;
+    int duplicate = 0;
     int drawn = 0;
     for (int row = 0; row < Size; ++row)
     {
@@ -104,46 +104,47 @@ void CheckColumn(Check& check)
       {
         const int count =
           CountTriangles(batches, i, glm::dvec2(column + 0.49, row + 0.52) * (2.0 / Size) - 1.0);
-        // Four texels around are interpolated.
+        // Interpolation reads four texels.
         missing += count == 0 && column < edge + 3.0 && row < edge + 3.0 ? 1 : 0;
-        twice += count > 1 ? 1 : 0;
+        duplicate += count > 1 ? 1 : 0;
         drawn += count;
       }
     }
-    check.Equal(missing, 0, "texels with matter or beside it that are not drawn");
-    check.Equal(twice, 0, "texels that are drawn twice");
+    check.Equal(missing, 0, "texels near the medium that are not drawn");
+    check.Equal(duplicate, 0, "texels that are drawn twice");
     const int tiles = i < 3 ? 4 : i < 5 ? 9 : 16;
     check.Equal(drawn, tiles * LayerBatches::TileSize * LayerBatches::TileSize, "texels drawn");
   }
-  check.SetContext("the whole buffer");
+  check.SetContext("the full buffer");
   light.Spread = 0.0;
   batches.Build(sweep, light, { &polygons }, true);
   check.Equal(batches.Get().size(), 1, "batches of all slabs");
-  check.Equal(batches.GetVertices().size(), 4 * 18, "numbers of four rows");
+  check.Equal(batches.GetVertices().size(), 4 * 18, "vertex coordinates of four rows");
 
-  // All that shadows of a small light go apart in has twenty batches at least; near a light at a
-  // place these are short.
+  // The divergence of a small light's shadows is divided into at least twenty batches. Near a point
+  // light, batches are short.
   check.SetContext("a small light");
   light.Divergence = 12.0 / (64.0 * sweep.Spacing);
   batches.Build(sweep, light, { &polygons }, true);
-  check.Equal(batches.Get().front().Last, 2, "slabs of a light without a place");
-  check.That(!batches.AreApart({ 0, 3 }, { 9, 9 }, 2), "six slabs are no more than two batches");
-  check.That(batches.AreApart({ 0, 3 }, { 10, 10 }, 2), "seven slabs are more than two batches");
+  check.Equal(batches.Get().front().Last, 2, "slabs per batch of a directional light");
+  check.That(!batches.AreSeparated({ 0, 3 }, { 9, 9 }, 2), "six slabs are within two batches");
+  check.That(
+    batches.AreSeparated({ 0, 3 }, { 10, 10 }, 2), "seven slabs are not within two batches");
   const double thickness = 64.0 * sweep.Spacing;
   light.Center = glm::dvec4(0.0, 0.0, sweep.First - thickness, 1.0);
-  // Up to the end: the half of it over the thickness, by equation 2.14.
+  // By equation 2.14 of the dissertation, the total divergence is Divergence / (2 thickness).
   light.Divergence = 2.0 * 12.0 * thickness;
   batches.Build(sweep, light, { &polygons }, true);
-  const auto getApart = [](int slab) { return 24.0 * slab / (64.0 + slab); };
+  const auto getSeparation = [](int slab) { return 24.0 * slab / (64.0 + slab); };
   int longest = 0;
   for (const LayerBatches::Batch& batch : batches.Get())
   {
     longest = std::max(longest, batch.Last + 1 - batch.First);
-    check.That(
-      getApart(batch.Last + 1) - getApart(batch.First) < 0.6 + 1e-9, "shadows within a batch");
+    check.That(getSeparation(batch.Last + 1) - getSeparation(batch.First) < 0.6 + 1e-9,
+      "divergence within a batch");
   }
-  check.Equal(batches.Get().front().Last, 0, "slabs near a light");
-  check.That(longest >= 4, "slabs far from a light");
+  check.Equal(batches.Get().front().Last, 0, "slabs near a point light");
+  check.That(longest >= 4, "slabs far from a point light");
 }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The lights of a renderer in unit space, against the places that VTK gives them.
+// Light sources of a renderer in unit space, compared with VTK's transformed positions.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkAreaLight.h"
@@ -27,7 +27,7 @@ using namespace interlume::UnitVector;
 
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// A volume of half size 5 about (100, 0, 0).
+// Returns a volume of half size 5 around (100, 0, 0).
 interlume::UnitSpace MakeSpace()
 {
   vtkNew<vtkImageData> image;
@@ -81,8 +81,9 @@ void CheckVector(
   check.Near(interlume::Vectors::SafeLength(found - expected), 0.0, 1e-12, what, 1.0);
 }
 
-// Before the renderer moves its lights, and after; with the lights of others as they are.
-void CheckPlaces(Check& check)
+// Checks positions before and after the renderer updates its camera lights. Lights that do not
+// follow the camera remain unchanged.
+void CheckPositions(Check& check)
 {
   for (const int type :
     { VTK_LIGHT_TYPE_HEADLIGHT, VTK_LIGHT_TYPE_CAMERA_LIGHT, VTK_LIGHT_TYPE_SCENE_LIGHT })
@@ -97,7 +98,7 @@ void CheckPlaces(Check& check)
         vtkLight* light = scene.Add(type, isPositional);
         const vtkMTimeType time = light->GetMTime();
         const interlume::LightSource source = scene.Gather().at(0);
-        check.That(light->GetMTime() == time, "the light is as it was");
+        check.That(light->GetMTime() == time, "the light is not modified");
         if (follows)
         {
           scene.Renderer->UpdateLightsGeometryToFollowCamera();
@@ -113,7 +114,7 @@ void CheckPlaces(Check& check)
           (1.0 / scene.Space.Radius) * (position - glm::dvec3(100.0, 0.0, 0.0));
         for (const interlume::LightSource& found : { source, after })
         {
-          check.That(found.Light == light && !found.Projective, "the light itself");
+          check.That(found.Light == light && !found.Projective, "the source refers to the light");
           check.That(found.IsPositional == isPositional, "positional");
           CheckVector(check, found.Position, unit, "position");
           CheckVector(check, found.Direction, direction, "direction");
@@ -141,7 +142,7 @@ void CheckValues(Check& check)
   CheckVector(check, source.Specular, glm::dvec3(0.35, 0.4, 0.45), "specular");
   check.Near(source.ConeCosine, 0.5, 1e-12, "cone");
   check.Near(source.Exponent, 3.0, 0.0, "exponent");
-  // The same attenuation at the same place.
+  // The attenuation at a point is the same in unit space.
   const double distance = 7.0;
   const double unit = distance / scene.Space.Radius;
   check.Near(
@@ -151,7 +152,8 @@ void CheckValues(Check& check)
 
   light->SetConeAngle(90.0);
   source = scene.Gather().at(0);
-  check.That(source.ConeCosine == -1.0 && source.Exponent == 0.0, "no cone from 90 degrees on");
+  check.That(
+    source.ConeCosine == -1.0 && source.Exponent == 0.0, "there is no cone from 90 degrees on");
   light->SetConeAngle(30.0);
   light->SetPositional(false);
   source = scene.Gather().at(0);
@@ -162,7 +164,7 @@ void CheckValues(Check& check)
 void CheckShadows(Check& check)
 {
   Scene scene;
-  // Brightness 0.5, 2, 1, 1 and none.
+  // The brightnesses are 0.5, 2, 1, 1 and 0.
   const double intensities[5] = { 0.5, 2.0, 1.0, 1.0, 3.0 };
   std::vector<vtkLight*> lights;
   for (const double intensity : intensities)
@@ -175,37 +177,39 @@ void CheckShadows(Check& check)
   lights[4]->SetDiffuseColor(0.0, 0.0, 0.0);
   lights[4]->SetSpecularColor(0.0, 0.0, 0.0);
   lights[4]->SetAmbientColor(1.0, 1.0, 1.0);
-  const auto isAs = [&](const std::vector<double>& expected, const std::string& what)
+  const auto expectStrengths = [&](const std::vector<double>& expected, const std::string& what)
   {
     const std::vector<interlume::LightSource> sources = scene.Gather();
     check.Equal(static_cast<long long>(sources.size()), 5, what);
     for (std::size_t i = 0; i < sources.size(); ++i)
     {
-      check.That(sources[i].Light == lights[i], "the renderer's order");
+      check.That(sources[i].Light == lights[i], "the order of the renderer");
       check.Near(sources[i].ShadowStrength, expected[i], 0.0, what);
     }
   };
-  isAs({ 1.0, 0.25, 1.0, 1.0, 0.0 }, "all but the black one");
-  scene.Settings.MaximumNumberOfShadows = 2;
-  isAs({ 0.0, 0.25, 1.0, 0.0, 0.0 }, "the two brightest, the first of equals");
-  scene.Settings.MaximumNumberOfShadows = 0;
-  isAs({ 0.0, 0.0, 0.0, 0.0, 0.0 }, "at most none");
-  scene.Settings.MaximumNumberOfShadows = 3;
+  expectStrengths({ 1.0, 0.25, 1.0, 1.0, 0.0 }, "all lights except the black light");
+  scene.Settings.MaximumNumberOfShadowLights = 2;
+  expectStrengths(
+    { 0.0, 0.25, 1.0, 0.0, 0.0 }, "the two brightest lights, the first of equal lights");
+  scene.Settings.MaximumNumberOfShadowLights = 0;
+  expectStrengths({ 0.0, 0.0, 0.0, 0.0, 0.0 }, "no shadow lights");
+  scene.Settings.MaximumNumberOfShadowLights = 3;
   lights[1]->SetShadowAttenuation(0.0f);
-  isAs({ 1.0, 0.0, 1.0, 1.0, 0.0 }, "one without shadows does not count");
+  expectStrengths({ 1.0, 0.0, 1.0, 1.0, 0.0 }, "a light without shadows does not count");
   lights[1]->SetShadowAttenuation(4.0f);
-  isAs({ 0.0, 1.0, 1.0, 1.0, 0.0 }, "clamped");
+  expectStrengths({ 0.0, 1.0, 1.0, 1.0, 0.0 }, "clamped");
   lights[1]->SetShadowAttenuation(-4.0f);
   lights[2]->SetShadowAttenuation(std::numeric_limits<float>::quiet_NaN());
-  isAs({ 1.0, 0.0, 0.0, 1.0, 0.0 }, "none below 0, and none of NaN");
+  expectStrengths({ 1.0, 0.0, 0.0, 1.0, 0.0 }, "negative and NaN values are 0");
   scene.Settings.Shadows = false;
-  isAs({ 0.0, 0.0, 0.0, 0.0, 0.0 }, "shadows off");
+  expectStrengths({ 0.0, 0.0, 0.0, 0.0, 0.0 }, "shadows off");
 
   lights[4]->SetAmbientColor(0.0, 0.0, 0.0);
   lights[3]->SetIntensity(0.0);
   lights[2]->SetSwitch(false);
-  check.Equal(static_cast<long long>(scene.Gather().size()), 2, "off or black");
-  check.That(scene.Errors.empty(), "which is no error");
+  check.Equal(
+    static_cast<long long>(scene.Gather().size()), 2, "lights that are off or black are skipped");
+  check.That(scene.Errors.empty(), "skipped lights are not errors");
 }
 
 void CheckProjective(Check& check)
@@ -231,15 +235,15 @@ void CheckProjective(Check& check)
       to[1] = source.ScreenFromUnit * glm::dvec4(unit, 1.0);
       for (int i = 0; i < 2; ++i)
       {
-        check.Near(to[1][i] / to[1][3], to[0][i] / to[0][3], 1e-11, "place on the screen", 1.0);
+        check.Near(to[1][i] / to[1][3], to[0][i] / to[0][3], 1e-11, "position on the screen", 1.0);
       }
       check.That((to[0][3] > 0.0) == (to[1][3] > 0.0), "in front or behind");
     }
   }
 }
 
-// The emitter's width and height in unit space, against the samples of the world; a light without
-// extent is as a vtkLight.
+// Compares the emitter's axes in unit space with samples in world space. A light without extent is
+// treated as a vtkLight.
 void CheckArea(Check& check)
 {
   for (const int type :
@@ -266,7 +270,7 @@ void CheckArea(Check& check)
         if (isPositional)
         {
           CheckVector(
-            check, sample.Position, scene.Space.ToUnit(world[i].Position), "place of a sample");
+            check, sample.Position, scene.Space.ToUnit(world[i].Position), "position of a sample");
         }
         else
         {
@@ -283,7 +287,7 @@ void CheckArea(Check& check)
   light->SetSize(0.0, 0.0);
   check.That(!scene.Gather().at(0).Area, "a light of size 0 has no extent");
   light->SetSize(0.0, 1.0);
-  check.That(scene.Gather().at(0).Area == light, "a line has one");
+  check.That(scene.Gather().at(0).Area == light, "a line has an extent");
   vtkNew<vtkImageData> image;
   image->SetDimensions(1, 1, 1);
   image->AllocateScalars(VTK_DOUBLE, 3);
@@ -297,20 +301,20 @@ void CheckArea(Check& check)
   {
     light->SetSize(size, size);
     CheckVector(
-      check, 0.1 * scene.Gather().at(0).Diffuse, { 0.1, 0.2, 0.3 }, "the emitter's colour");
+      check, 0.1 * scene.Gather().at(0).Diffuse, { 0.1, 0.2, 0.3 }, "the emitter's color");
   }
   image->GetPointData()->GetScalars()->Fill(0.0);
   image->GetPointData()->GetScalars()->Modified();
   light->SetAmbientColor(0.0, 0.0, 0.0);
-  check.That(scene.Gather().empty() && scene.Errors.empty(), "a black emitter gives no light");
+  check.That(scene.Gather().empty() && scene.Errors.empty(), "a black emitter emits no light");
 }
 
 void CheckErrors(Check& check)
 {
   Scene scene;
-  const auto isLeftOut = [&](vtkLight* light, const std::string& what)
+  const auto expectError = [&](vtkLight* light, const std::string& what)
   {
-    check.That(scene.Gather().empty(), what + " is left out");
+    check.That(scene.Gather().empty(), what + " is skipped");
     check.That(scene.Errors.size() == 1 && scene.Errors[0].find("Light 0") != std::string::npos,
       what + " is an error");
     scene.Renderer->RemoveLight(light);
@@ -319,51 +323,52 @@ void CheckErrors(Check& check)
   { return scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, isPositional); };
   vtkLight* light = add(false);
   light->SetFocalPoint(light->GetPosition());
-  isLeftOut(light, "a light without direction");
+  expectError(light, "a light without direction");
   light = add(true);
   light->SetFocalPoint(light->GetPosition());
   light->SetConeAngle(30.0);
-  isLeftOut(light, "a cone without direction");
+  expectError(light, "a cone without direction");
   light = add(true);
   light->SetFocalPoint(light->GetPosition());
   light->SetConeAngle(180.0);
-  check.That(scene.Gather().size() == 1 && scene.Errors.empty(), "a bulb needs no direction");
+  check.That(
+    scene.Gather().size() == 1 && scene.Errors.empty(), "a point light needs no direction");
   light->SetPosition(NotANumber, 0.0, 0.0);
-  isLeftOut(light, "no place");
+  expectError(light, "a position of NaN");
   light = add(true);
   light->SetFocalPoint(0.0, std::numeric_limits<double>::infinity(), 0.0);
-  isLeftOut(light, "an infinite focal point");
+  expectError(light, "an infinite focal point");
   light = add(true);
   light->SetIntensity(NotANumber);
-  isLeftOut(light, "an intensity of NaN");
+  expectError(light, "an intensity of NaN");
   light = add(true);
   light->SetConeAngle(NotANumber);
-  isLeftOut(light, "a cone of NaN");
+  expectError(light, "a cone of NaN");
   light = add(true);
   light->SetAttenuationValues(1.0, NotANumber, 0.0);
-  isLeftOut(light, "an attenuation of NaN");
+  expectError(light, "an attenuation of NaN");
   vtkNew<vtkProjectiveLight> projective;
   projective->SetImage(vtkNew<vtkImageData>());
-  isLeftOut(scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, true, projective), "an image without samples");
+  expectError(scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, true, projective), "an image without samples");
   vtkNew<vtkAreaLight> area;
   area->SetEmitter(vtkNew<vtkImageData>());
-  isLeftOut(scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, true, area), "an emitter without samples");
+  expectError(scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, true, area), "an emitter without samples");
   area->SetEmitter(nullptr);
   scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, true, area);
   area->SetFocalPoint(area->GetPosition());
-  isLeftOut(area, "an emitter without direction");
+  expectError(area, "an emitter without direction");
   scene.Add(VTK_LIGHT_TYPE_SCENE_LIGHT, false, area);
   area->SetPosition(103.0, 8.0, 9.0);
   area->SetFocalPoint(103.0, 8.0, std::nextafter(9.0, 10.0));
   area->SetSize(1e30, 1e30);
-  check.That(scene.Gather().size() == 1 && scene.Errors.empty(), "a huge emitter is one");
+  check.That(scene.Gather().size() == 1 && scene.Errors.empty(), "a huge emitter is valid");
 }
 }
 
 int TestLightSources(int, char*[])
 {
   Check check;
-  CheckPlaces(check);
+  CheckPositions(check);
   CheckValues(check);
   CheckShadows(check);
   CheckProjective(check);

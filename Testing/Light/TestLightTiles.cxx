@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tiles of a wide light's buffer against rays at random: where a ray meets a visible block
-// within a slab one tile has its texel, and what sees nothing is left out.
+// Tiles of the light buffer of a light near the volume, compared with random rays: a ray that
+// intersects a visible block in a slab has exactly one tile, and rays without visible blocks have
+// no tile.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Checks/ReferenceThreads.h"
@@ -16,7 +17,7 @@ namespace
 using namespace reference;
 using namespace interlume::UnitVector;
 
-// The same place as a vector of GLM.
+// Converts an array to a GLM vector.
 glm::dvec3 ToVector(const std::array<double, 3>& a)
 {
   return glm::make_vec3(a.data());
@@ -32,8 +33,9 @@ struct Scene
   glm::dvec3 Position{};
 };
 
-// \a share of the blocks is visible; the light is at \a distance from the middle.
-Scene MakeScene(Random& random, double share, double distance)
+// Creates a scene in which a \a fraction of the blocks is visible. The light is at \a distance from
+// the center.
+Scene MakeScene(Random& random, double fraction, double distance)
 {
   Scene scene;
   const std::array<int, 3> size{ { 61, 49, 33 } };
@@ -50,11 +52,11 @@ Scene MakeScene(Random& random, double share, double distance)
   }
   for (std::size_t i = 0; i < blocks; ++i)
   {
-    scene.Visible.push_back(random.Get(0.0, 1.0) < share ? 1 : 0);
+    scene.Visible.push_back(random.Get(0.0, 1.0) < fraction ? 1 : 0);
   }
   scene.Position = distance * ToVector(random.GetDirection());
   scene.Sweep.Normal = ToVector(random.GetDirection());
-  // The volume is in the sphere of radius 1.
+  // The volume is inside the sphere of radius 1.
   scene.Sweep.First = glm::dot(scene.Position, scene.Sweep.Normal);
   scene.Sweep.Slabs = 40;
   scene.Sweep.Spacing = std::max(1.0 - scene.Sweep.First, 0.0) / scene.Sweep.Slabs;
@@ -81,29 +83,30 @@ bool IsVisible(const Scene& scene, const glm::dvec3& point)
       return false;
     }
     const std::vector<double>& borders = scene.Borders[axis];
-    std::size_t place = 0;
-    while (place + 2 < borders.size() && borders[place + 1] <= texture[axis])
+    std::size_t position = 0;
+    while (position + 2 < borders.size() && borders[position + 1] <= texture[axis])
     {
-      ++place;
+      ++position;
     }
-    block = block * (borders.size() - 1) + place;
+    block = block * (borders.size() - 1) + position;
   }
   return scene.Visible[block] != 0;
 }
 
-// The tiles of a slab around a place in the buffer.
+// Returns the number of tiles of a slab that contain a position in the buffer.
 int CountCover(
-  const interlume::LightTiles& tiles, std::size_t slab, const std::array<double, 2>& place)
+  const interlume::LightTiles& tiles, std::size_t slab, const std::array<double, 2>& position)
 {
   int cover = 0;
-  // Two triangles of six corners are a rectangle: the first and the third are opposite.
+  // A rectangle has six vertices in two triangles. The first and the third vertex are opposite.
   for (std::size_t v = tiles.GetStarts()[slab]; v < tiles.GetStarts()[slab + 1]; v += 6)
   {
     const float* lower = tiles.GetVertices().data() + 3 * v;
     const float* upper = lower + 6;
-    cover +=
-      place[0] > lower[0] && place[0] < upper[0] && place[1] > lower[1] && place[1] < upper[1] ? 1
-                                                                                               : 0;
+    cover += position[0] > lower[0] && position[0] < upper[0] && position[1] > lower[1] &&
+        position[1] < upper[1]
+      ? 1
+      : 0;
   }
   return cover;
 }
@@ -133,40 +136,40 @@ void CheckRays(Check& check, const Scene& scene, Random& random)
   check.Equal(static_cast<long long>(tiles.GetStarts().size()), scene.Sweep.Slabs + 1, "slabs");
   for (int number = 0; number < 1500; ++number)
   {
-    // Many along the slices.
+    // Many rays are almost parallel to the slices.
     glm::dvec3 across = ToVector(random.GetDirection());
     across = across - glm::dot(across, scene.Sweep.Normal) * scene.Sweep.Normal;
     const double slope = number % 2 ? random.Get(0.0, 2.0) : std::exp(random.Get(-9.0, 0.0));
     const glm::dvec3 ray = across + slope * scene.Sweep.Normal;
-    const std::array<double, 2> place =
-      interlume::SlicePlan::GetBufferPlace(scene.Light.Frame, ray);
+    const std::array<double, 2> position =
+      interlume::SlicePlan::GetBufferPosition(scene.Light.Frame, ray);
     const auto slab = static_cast<std::size_t>(random.Get(0.0, scene.Sweep.Slabs - 1e-3));
     const double lower = scene.Sweep.First + static_cast<double>(slab) * scene.Sweep.Spacing;
     const double apex = glm::dot(scene.Position, scene.Sweep.Normal);
-    bool meets = false;
-    for (int i = 0; i < 100 && !meets; ++i)
+    bool isVisible = false;
+    for (int i = 0; i < 100 && !isVisible; ++i)
     {
       const double height = lower + random.Get(0.0, 1.0) * scene.Sweep.Spacing - apex;
       const double length = height / glm::dot(ray, scene.Sweep.Normal);
-      meets = length > 0.0 && length * interlume::Vectors::SafeLength(ray) < 4.0 &&
+      isVisible = length > 0.0 && length * interlume::Vectors::SafeLength(ray) < 4.0 &&
         IsVisible(scene, scene.Position + length * ray);
     }
-    const int cover = CountCover(tiles, slab, place);
+    const int cover = CountCover(tiles, slab, position);
     check.That(cover <= 1, "no texel is in two tiles");
-    check.That(!meets || cover == 1, "a ray that meets a visible block has a tile");
+    check.That(!isVisible || cover == 1, "a ray through a visible block has a tile");
   }
 }
 
-// What is beside the volume and what is empty has no tile.
+// Positions outside the volume and empty blocks have no tiles.
 void CheckAreas(Check& check)
 {
   Random random(3);
   check.SetContext("areas");
-  check.Near(GetArea(Find(MakeScene(random, 0.0, 0.1))), 0.0, 0.0, "nothing is visible");
-  const double whole = GetArea(Find(MakeScene(random, 1.1, 0.1)));
-  const double some = GetArea(Find(MakeScene(random, 0.03, 0.1)));
-  check.That(whole > 0.3 && whole < 0.85, "all is visible: " + std::to_string(whole));
-  check.That(some < 0.4 * whole, "a thirtieth is visible: " + std::to_string(some));
+  check.Near(GetArea(Find(MakeScene(random, 0.0, 0.1))), 0.0, 0.0, "no block is visible");
+  const double full = GetArea(Find(MakeScene(random, 1.1, 0.1)));
+  const double sparse = GetArea(Find(MakeScene(random, 0.03, 0.1)));
+  check.That(full > 0.3 && full < 0.85, "all blocks are visible: " + std::to_string(full));
+  check.That(sparse < 0.4 * full, "3 % of the blocks are visible: " + std::to_string(sparse));
 }
 
 void CheckThreads(Check& check)

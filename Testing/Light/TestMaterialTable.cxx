@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colour, extinction, gradient opacity and transmission of every column, and of all between them,
-// against the functions;
-// largest extinctions against brute force; extremes; wrong properties.
+// Material tables: color, extinction, gradient opacity and transmission at all columns and between
+// them, compared with the transfer functions; upper bounds of the extinction, compared with brute
+// force; extremes and invalid properties.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkColorTransferFunction.h"
@@ -30,7 +30,7 @@ using namespace reference;
 constexpr std::size_t Columns = interlume::MaterialTable::Columns;
 using Range = std::array<double, 2>;
 
-/// Voxels with the lower values, then the upper ones.
+/// Creates two voxels, with the lower and upper values of the ranges.
 interlume::VolumeSamples MakeSamples(const std::vector<Range>& ranges)
 {
   vtkNew<vtkDoubleArray> array;
@@ -65,9 +65,9 @@ float ValueOf(
   return table.Colors[4 * (row * Columns + column) + channel];
 }
 
-/// What a shader finds of a table at a scalar: three channels of texels of \a stride values, or
-/// one.
-std::array<double, 3> LookUp(const interlume::MaterialTable& table,
+/// Returns the value of a table at a scalar as the shader computes it: three channels of texels
+/// with \a stride values, or one channel.
+std::array<double, 3> Sample(const interlume::MaterialTable& table,
   const std::vector<float>& values, const std::vector<int>& bends,
   const std::vector<std::array<float, 2>>& edges, std::size_t first, std::size_t stride,
   const Range& range, double x)
@@ -76,21 +76,21 @@ std::array<double, 3> LookUp(const interlume::MaterialTable& table,
   const double column =
     std::clamp((x - range[0]) / (range[1] - range[0]) * (Columns - 1), 0.0, Columns - 1.0);
   const std::size_t left = std::min(static_cast<std::size_t>(column), Columns - 2);
-  const double share = column - static_cast<double>(left);
+  const double offset = column - static_cast<double>(left);
   std::array<double, 3> result{};
   if (bends[left] > 0)
   {
     const float* list = &table.Bends[4 * static_cast<std::size_t>(bends[left])];
     const auto pieces = static_cast<std::size_t>(list[0]);
-    // Of one channel pieces, of three nodes.
+    // Pieces of one channel have two nodes in a texel, pieces of three channels one node.
     const std::size_t end = channels == 1 ? 1 : 4;
     std::size_t piece = 1;
-    while (piece < pieces && list[4 * piece + end] <= share)
+    while (piece < pieces && list[4 * piece + end] <= offset)
     {
       ++piece;
     }
     const float* a = &list[4 * piece];
-    const double inside = std::clamp((share - a[0]) / std::max(a[end] - a[0], 1e-30F), 0.0, 1.0);
+    const double inside = std::clamp((offset - a[0]) / std::max(a[end] - a[0], 1e-30F), 0.0, 1.0);
     for (std::size_t c = 0; c < channels; ++c)
     {
       const double first = channels == 1 ? a[2] : a[1 + c];
@@ -101,7 +101,7 @@ std::array<double, 3> LookUp(const interlume::MaterialTable& table,
   }
   const std::array<float, 2>& edge = edges[left];
   const double inside =
-    std::clamp((share - edge[0]) / std::max(edge[1] - edge[0], 1e-5F), 0.0, 1.0);
+    std::clamp((offset - edge[0]) / std::max(edge[1] - edge[0], 1e-5F), 0.0, 1.0);
   for (std::size_t c = 0; c < channels; ++c)
   {
     const double a = values[first + stride * left + c];
@@ -110,36 +110,37 @@ std::array<double, 3> LookUp(const interlume::MaterialTable& table,
   return result;
 }
 
-/// The largest error that opacities may have. Some versions of VTK draw a sharpness of 1 as a
-/// curve; with a midpoint off the middle its slope changes so much within one column that the table
-/// is off by more there, which interlume::TransferColumns allows.
+/// Returns the allowed opacity error. Some versions of VTK draw a sharpness of 1 as a curve. If the
+/// midpoint is off center, the slope changes so much within one column that
+/// interlume::TransferColumns has a larger error.
 double GetOpacityBound(vtkPiecewiseFunction* opacity)
 {
   std::array<double, 4> first{};
   std::array<double, 4> second{};
   opacity->GetNodeValue(0, first.data());
   opacity->GetNodeValue(1, second.data());
-  const double beforeMiddle = first[0] + 0.99 * first[2] * (second[0] - first[0]);
+  const double beforeMidpoint = first[0] + 0.99 * first[2] * (second[0] - first[0]);
   const bool isBent =
-    first[3] == 1.0 && first[2] != 0.5 && opacity->GetValue(beforeMiddle) != first[1];
+    first[3] == 1.0 && first[2] != 0.5 && opacity->GetValue(beforeMidpoint) != first[1];
   return isBent ? 5e-3 : 2e-3;
 }
 
-/// A function of one node is level whatever lies in memory before it: no part of the range is.
+/// The range of a function with one node is not limited, regardless of the memory next to the node.
 void CheckSingleNode(Check& check)
 {
   check.SetContext("one node");
-  constexpr double place = 0.25;
+  constexpr double position = 0.25;
   const Range range = { 0.0, 1.0 };
   vtkNew<vtkPiecewiseFunction> function;
-  function->AddPoint(place, 0.5);
-  // The node is made in one of the gaps between blocks of its size, which hold its place.
+  function->AddPoint(position, 0.5);
+  // The node is allocated in a gap between blocks of the same size, which are filled with the
+  // node's position.
   using Block = std::array<double, sizeof(interlume::TransferNodes::Node) / sizeof(double)>;
   std::vector<std::unique_ptr<Block>> blocks(64);
   for (auto& block : blocks)
   {
     block = std::make_unique<Block>();
-    block->fill(place);
+    block->fill(position);
   }
   for (std::size_t i = 1; i < blocks.size(); i += 2)
   {
@@ -147,11 +148,11 @@ void CheckSingleNode(Check& check)
   }
   const interlume::TransferNodes nodes(function);
   check.Equal(nodes.GetNodes().size(), 1, "nodes");
-  check.That(nodes.Limit(range) == range, "all of the range");
+  check.That(nodes.Limit(range) == range, "the full range");
 }
 
-/// Functions with peaks, steps and curves, over a range that one value makes 1e7 wide.
-void CheckBends(Check& check)
+/// Functions with peaks, steps and curves, with data of a much wider range.
+void CheckShapes(Check& check)
 {
   const interlume::VolumeSamples samples = MakeSamples({ { { -50.0, 1e7 } } });
   std::mt19937 random(3);
@@ -165,40 +166,40 @@ void CheckBends(Check& check)
     property->SetColor(color);
     interlume::MaterialTable table;
     check.That(!table.Build(property, samples, color), "no error");
-    check.That(table.OpacityRange[0][1] < 400.0, "not the range of the data");
-    std::vector<double> places = { -50.0, 1e7, 1e3 };
+    check.That(table.OpacityRange[0][1] < 400.0, "the range is not the range of the data");
+    std::vector<double> scalars = { -50.0, 1e7, 1e3 };
     for (int i = 0; i < 20000; ++i)
     {
-      places.push_back(-20.0 + 320.0 * uniform());
+      scalars.push_back(-20.0 + 320.0 * uniform());
     }
     double opacityError = 0.0;
     double colorError = 0.0;
     double transmissionError = 0.0;
     double below = 0.0;
-    for (const double x : places)
+    for (const double x : scalars)
     {
       const double expected =
         std::min(-std::log1p(-std::clamp(opacity->GetValue(x), 0.0, 1.0)), 69.0);
-      const double found = LookUp(table, table.Colors, table.ExtinctionBends, table.ExtinctionEdges,
+      const double found = Sample(table, table.Colors, table.ExtinctionBends, table.ExtinctionEdges,
         3, 4, table.OpacityRange[0], x)[0];
       opacityError = std::max(opacityError, std::abs(std::exp(-found) - std::exp(-expected)));
       below = std::max(below, expected - table.GetLargestExtinction(0, x - 1e-3, x + 1e-3));
       std::array<double, 3> rgb{};
       color->GetColor(x, rgb.data());
-      const auto hue = LookUp(
+      const auto sampledColor = Sample(
         table, table.Colors, table.ColorBends, table.ColorEdges, 0, 4, table.ColorRange[0], x);
-      const auto passed = LookUp(table, table.Transmission, table.TransmissionBends,
+      const auto sampledTransmission = Sample(table, table.Transmission, table.TransmissionBends,
         table.TransmissionEdges, 0, 3, table.ColorRange[0], x);
       for (std::size_t c = 0; c < 3; ++c)
       {
-        colorError = std::max(colorError, std::abs(hue[c] - rgb[c]));
-        transmissionError = std::max(transmissionError, std::abs(passed[c] - rgb[c]));
+        colorError = std::max(colorError, std::abs(sampledColor[c] - rgb[c]));
+        transmissionError = std::max(transmissionError, std::abs(sampledTransmission[c] - rgb[c]));
       }
     }
     check.Near(opacityError, 0.0, GetOpacityBound(opacity), "opacity", 1.0);
-    check.Near(colorError, 0.0, 2e-3, "colour", 1.0);
+    check.Near(colorError, 0.0, 2e-3, "color", 1.0);
     check.Near(transmissionError, 0.0, 2e-3, "transmission", 1.0);
-    check.That(below < 1e-4, "the largest is not below");
+    check.That(below < 1e-4, "the bound of the extinction is not below the extinction");
   };
   vtkNew<vtkPiecewiseFunction> opacity;
   vtkNew<vtkColorTransferFunction> color;
@@ -238,16 +239,16 @@ void CheckBends(Check& check)
   color->SetScaleToLog10();
   opacity->ClampingOff();
   color->ClampingOff();
-  measure("a logarithmic scale, ends that are not clamped", opacity, color);
+  measure("a logarithmic scale without clamping", opacity, color);
   opacity->ClampingOn();
   color->ClampingOn();
   color->UseBelowRangeColorOn();
   color->UseAboveRangeColorOn();
   color->SetAboveRangeColor(0.0, 1.0, 0.0);
-  measure("colours beyond the range", opacity, color);
+  measure("colors outside the range", opacity, color);
 }
 
-/// -ln(1 - opacity) per unit distance of a linear opacity, for unit distances of all sizes.
+/// The extinction is -ln(1 - opacity) per unit distance. The opacity is linear.
 void CheckExtinction(Check& check)
 {
   const interlume::VolumeSamples samples = MakeSamples({ { { -2.0, 3.0 } } });
@@ -258,13 +259,13 @@ void CheckExtinction(Check& check)
     const auto ramp = MakeRamp(-2.0, 0.0, 3.0, 1.0);
     property->SetScalarOpacity(ramp);
     property->SetScalarOpacityUnitDistance(unit);
-    // Counts for several components only.
+    // Component weights apply to several components only.
     property->SetComponentWeight(0, 0.5);
     interlume::MaterialTable table;
     check.That(!table.Build(property, samples, nullptr), "no error");
     check.That(table.Kind == interlume::MaterialTable::INDEPENDENT && table.Rows == 1, "one row");
-    // Those of the property by default are of 0 to 1024.
-    check.That(table.ColorRange[0] == Range{ { 0.0, 3.0 } }, "range of the colours");
+    // The default color function of the property has the range 0 to 1024.
+    check.That(table.ColorRange[0] == Range{ { 0.0, 3.0 } }, "range of the colors");
     check.That(table.OpacityRange[0] == Range{ { -2.0, 3.0 } }, "range of the opacity");
     check.Equal(static_cast<long long>(table.Colors.size()), 4 * Columns, "values");
     for (std::size_t i = 0; i < Columns; ++i)
@@ -274,7 +275,8 @@ void CheckExtinction(Check& check)
         i == Columns - 1 ? 69.0 : std::min(static_cast<double>(-std::log1p(-opacity)), 69.0);
       check.Near(ValueOf(table, 0, i, 3), depth / unit, 1e-6, "extinction");
     }
-    check.Near(table.GetLargestExtinction(0, -2.0, 3.0), 69.0 / unit, 1e-6, "the largest");
+    check.Near(
+      table.GetLargestExtinction(0, -2.0, 3.0), 69.0 / unit, 1e-6, "the largest extinction");
   }
 }
 
@@ -297,17 +299,17 @@ void CheckColors(Check& check)
   interlume::MaterialTable table;
   check.That(!table.Build(property, samples, nullptr), "no error");
   check.Equal(table.Rows, 2, "rows");
-  check.That(table.OpacityRange[1] == Range{ { 100.0, 300.0 } }, "range of the second");
+  check.That(table.OpacityRange[1] == Range{ { 100.0, 300.0 } }, "range of the second component");
   for (std::size_t i = 0; i < Columns; ++i)
   {
-    const double part = i / (Columns - 1.0);
-    check.Near(ValueOf(table, 0, i, 0), part, 1e-6, "red", 1.0);
-    check.Near(ValueOf(table, 0, i, 1), 1.0 - 0.75 * part, 1e-6, "green", 1.0);
+    const double fraction = i / (Columns - 1.0);
+    check.Near(ValueOf(table, 0, i, 0), fraction, 1e-6, "red", 1.0);
+    check.Near(ValueOf(table, 0, i, 1), 1.0 - 0.75 * fraction, 1e-6, "green", 1.0);
     check.Near(ValueOf(table, 0, i, 2), 0.5, 1e-6, "blue");
     check.Near(ValueOf(table, 0, i, 3), std::log(2.0), 1e-6, "extinction");
     for (std::size_t channel = 0; channel < 3; ++channel)
     {
-      check.Near(ValueOf(table, 1, i, channel), 0.25 + 0.5 * part, 1e-6, "gray");
+      check.Near(ValueOf(table, 1, i, channel), 0.25 + 0.5 * fraction, 1e-6, "gray");
     }
     check.Near(ValueOf(table, 1, i, 3), 0.25 * std::log(2.0) / 2.0, 1e-6, "weighted extinction");
   }
@@ -321,7 +323,7 @@ void CheckColors(Check& check)
   check.That(!table.Build(empty, MakeSamples({ { { 0.0, 10.0 } } }), nullptr), "no error");
   check.Near(ValueOf(table, 0, Columns - 1, 1), 1.0, 1e-6, "white at the end");
   check.Near(ValueOf(table, 0, Columns - 1, 3), std::log(2.0), 1e-6, "0.5 at the end");
-  check.Equal(noOpacity->GetSize() + noColors->GetSize(), 0, "the functions stay as they are");
+  check.Equal(noOpacity->GetSize() + noColors->GetSize(), 0, "the functions remain empty");
 }
 
 void CheckDependent(Check& check)
@@ -336,14 +338,14 @@ void CheckDependent(Check& check)
   property->SetScalarOpacity(opacity);
   property->SetComponentWeight(0, 0.5);
 
-  check.SetContext("colour and opacity");
+  check.SetContext("color and opacity");
   interlume::MaterialTable table;
   check.That(!table.Build(property, MakeSamples({ { { 0.0, 1.0 } }, { { 0.0, 255.0 } } }), nullptr),
     "no error");
   check.That(table.Kind == interlume::MaterialTable::COLOR_OPACITY && table.Rows == 1, "one row");
-  check.That(table.ColorRange[0] == Range{ { 0.0, 1.0 } }, "range of the colours");
+  check.That(table.ColorRange[0] == Range{ { 0.0, 1.0 } }, "range of the colors");
   check.That(table.OpacityRange[0] == Range{ { 0.0, 255.0 } }, "range of the opacity");
-  check.Equal(table.GetOpacityComponent(0), 1, "the opacity's component");
+  check.Equal(table.GetOpacityComponent(0), 1, "component of the opacity");
   check.Near(ValueOf(table, 0, Columns - 1, 0), 1.0, 1e-6, "red");
   check.Near(ValueOf(table, 0, Columns - 1, 3), std::log(2.0), 1e-6, "extinction");
 
@@ -358,7 +360,7 @@ void CheckDependent(Check& check)
   check.That(!table.Build(property, samples, nullptr), "no error");
   check.That(table.Kind == interlume::MaterialTable::RGB_OPACITY && table.Rows == 1, "one row");
   check.That(table.OpacityRange[0] == Range{ { 0.0, 255.0 } }, "0 to 255");
-  check.Equal(table.GetOpacityComponent(0), 3, "the opacity's component");
+  check.Equal(table.GetOpacityComponent(0), 3, "component of the opacity");
   check.Near(ValueOf(table, 0, Columns - 1, 3), std::log(2.0), 1e-6, "extinction");
   check.Near(ValueOf(table, 0, 17, 2), 1.0, 0.0, "white");
 }
@@ -370,11 +372,11 @@ void CheckGradientOpacity(Check& check)
   vtkNew<vtkVolumeProperty> property;
   interlume::MaterialTable table;
   check.That(!table.Build(property, samples, nullptr), "no error");
-  check.That(table.GradientOpacity.empty(), "none is none");
-  check.That(!property->HasGradientOpacity(0), "none is made");
+  check.That(table.GradientOpacity.empty(), "no gradient opacity without a function");
+  check.That(!property->HasGradientOpacity(0), "no gradient opacity function is created");
   property->GetGradientOpacity(0);
   check.That(!table.Build(property, samples, nullptr), "no error");
-  check.That(table.GradientOpacity.empty(), "the default is none");
+  check.That(table.GradientOpacity.empty(), "no gradient opacity with the default function");
   const auto ramp = MakeRamp(0.0, 0.0, 4.0, 1.0);
   property->SetGradientOpacity(1, ramp);
   check.That(!table.Build(property, samples, nullptr), "no error");
@@ -383,12 +385,12 @@ void CheckGradientOpacity(Check& check)
   check.Near(table.GradientRange[1], 2.0, 1e-12, "a quarter of the range");
   for (std::size_t i = 0; i < Columns; ++i)
   {
-    check.Near(table.GradientOpacity[i], 1.0, 0.0, "no function: 1");
+    check.Near(table.GradientOpacity[i], 1.0, 0.0, "without a function, the value is 1");
     check.Near(table.GradientOpacity[Columns + i], 0.5 * i / (Columns - 1), 1e-6, "the ramp");
   }
   property->SetDisableGradientOpacity(1, 1);
   check.That(!table.Build(property, samples, nullptr), "no error");
-  check.That(table.GradientOpacity.empty(), "disabled is none");
+  check.That(table.GradientOpacity.empty(), "no gradient opacity if it is disabled");
 }
 
 void CheckTransmission(Check& check)
@@ -398,26 +400,27 @@ void CheckTransmission(Check& check)
   vtkNew<vtkColorTransferFunction> transmission;
   interlume::MaterialTable table;
   check.That(!table.Build(property, MakeSamples({ { { 0.0, 4.0 } } }), transmission), "no error");
-  check.That(table.Transmission == std::vector<float>(3 * Columns, 0.0F), "no points: black");
+  check.That(table.Transmission == std::vector<float>(3 * Columns, 0.0F),
+    "without points, the transmission is black");
   transmission->AddRGBPoint(0.0, 0.0, 0.5, 1.0);
   transmission->AddRGBPoint(4.0, 1.0, 0.5, 0.0);
   check.That(!table.Build(property, MakeSamples({ { { 0.0, 4.0 } } }), transmission), "no error");
   for (std::size_t i = 0; i < Columns; ++i)
   {
-    const double part = i / (Columns - 1.0);
+    const double fraction = i / (Columns - 1.0);
     const std::size_t first = 3 * i;
-    check.Near(table.Transmission[first], part, 1e-6, "red", 1.0);
+    check.Near(table.Transmission[first], fraction, 1e-6, "red", 1.0);
     check.Near(table.Transmission[first + 1], 0.5, 1e-6, "green", 1.0);
-    check.Near(table.Transmission[first + 2], 1.0 - part, 1e-6, "blue", 1.0);
+    check.Near(table.Transmission[first + 2], 1.0 - fraction, 1e-6, "blue", 1.0);
   }
   const interlume::VolumeSamples two = MakeSamples({ { { 0.0, 4.0 } }, { { 0.0, 1.0 } } });
-  check.That(
-    static_cast<bool>(table.Build(property, two, transmission)), "not for independent components");
+  check.That(static_cast<bool>(table.Build(property, two, transmission)),
+    "independent components are an error");
   property->IndependentComponentsOff();
-  check.That(!table.Build(property, two, transmission), "for colour and opacity");
+  check.That(!table.Build(property, two, transmission), "color and opacity are valid");
 }
 
-/// A function with steps, peaks narrower than a column, and gaps.
+/// Checks the bounds of a function with steps, gaps, and peaks narrower than a column.
 void CheckLargest(Check& check)
 {
   check.SetContext("the largest extinction");
@@ -443,7 +446,7 @@ void CheckLargest(Check& check)
   interlume::MaterialTable table;
   check.That(!table.Build(property, MakeSamples({ range }), nullptr), "no error");
   const auto extinction = [&](double x) { return -std::log1p(-function->GetValue(x)); };
-  const auto brute = [&](double lower, double upper)
+  const auto getMaximum = [&](double lower, double upper)
   {
     double largest = std::max(extinction(lower), extinction(upper));
     for (int i = 0; i < function->GetSize(); ++i)
@@ -463,22 +466,24 @@ void CheckLargest(Check& check)
     const double lower = std::clamp(center - reach, range[0], range[1]);
     const double upper = std::clamp(center + reach, range[0], range[1]);
     const double found = table.GetLargestExtinction(0, lower, upper);
-    check.That(found >= brute(lower, upper) * (1.0 - 1e-5), "not below the function");
-    check.That(found <=
-        brute(std::max(lower - 1.01 * width, range[0]), std::min(upper + 1.01 * width, range[1])) *
+    check.That(
+      found >= getMaximum(lower, upper) * (1.0 - 1e-5), "the bound is not below the function");
+    check.That(found <= getMaximum(std::max(lower - 1.01 * width, range[0]),
+                          std::min(upper + 1.01 * width, range[1])) *
           (1.0 + 1e-5),
-      "not above it in a column around");
+      "the bound is not above the function within one column");
   }
 
   check.SetContext("a background at the foot of a ramp");
   const auto ramp = MakeRamp(0.0, 0.0, 255.0, 1.0);
   property->SetScalarOpacity(ramp);
   check.That(!table.Build(property, MakeSamples({ { { 0.0, 255.0 } } }), nullptr), "build");
-  check.That(table.GetLargestExtinction(0, 0.0, 0.0) == 0.0, "nothing at 0");
-  check.That(table.GetLargestExtinction(0, 0.0, 1e-5) == 0.0, "nothing at 0 but for rounding");
-  check.That(table.GetLargestExtinction(0, 0.0, 0.01) > 0.0, "something next to it");
-  check.That(table.GetLargestExtinction(0, 1.0, 0.0) == 0.0, "nothing in no range");
-  check.Near(table.GetLargestExtinction(0, -1e9, 1e9), 69.0, 1e-6, "beyond the ends");
+  check.That(table.GetLargestExtinction(0, 0.0, 0.0) == 0.0, "no extinction at 0");
+  check.That(
+    table.GetLargestExtinction(0, 0.0, 1e-5) == 0.0, "no extinction at 0 with rounding error");
+  check.That(table.GetLargestExtinction(0, 0.0, 0.01) > 0.0, "some extinction next to 0");
+  check.That(table.GetLargestExtinction(0, 1.0, 0.0) == 0.0, "no extinction in an empty range");
+  check.Near(table.GetLargestExtinction(0, -1e9, 1e9), 69.0, 1e-6, "a range past both ends");
 }
 
 void CheckExtremes(Check& check)
@@ -495,9 +500,10 @@ void CheckExtremes(Check& check)
     interlume::MaterialTable table;
     check.That(!table.Build(property, samples, nullptr), "no error");
     const double width = table.OpacityRange[0][1] - table.OpacityRange[0][0];
-    check.That(width > 0.0 && std::isfinite(width), "a finite range");
+    check.That(width > 0.0 && std::isfinite(width), "the range is finite");
     const double slope = samples.Scale[0] / width;
-    check.That(slope > 0.0 && slope < 1e30, "texels to columns in single precision");
+    check.That(slope > 0.0 && slope < 1e30,
+      "the scale from texels to columns is representable in single precision");
     check.That(std::all_of(table.Colors.begin(), table.Colors.end(),
                  [](float c) { return std::isfinite(c); }),
       "finite values");
@@ -518,14 +524,15 @@ void CheckErrors(Check& check)
     "distance 0");
   property->SetScalarOpacityUnitDistance(1.0);
   property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
-  check.That(static_cast<bool>(table.Build(property, one, nullptr)), "two dimensions");
+  check.That(static_cast<bool>(table.Build(property, one, nullptr)),
+    "a two-dimensional transfer function is an error");
   property->SetTransferFunctionMode(vtkVolumeProperty::TF_1D);
   property->IndependentComponentsOff();
-  check.That(!table.Build(property, one, nullptr), "one is independent anyway");
+  check.That(!table.Build(property, one, nullptr), "a single component is always independent");
   const Range range{ { 0.0, 1.0 } };
   check.That(
     static_cast<bool>(table.Build(property, MakeSamples({ range, range, range }), nullptr)),
-    "three");
+    "three components are an error");
 }
 }
 
@@ -534,7 +541,7 @@ int TestMaterialTable(int, char*[])
   Check check;
   CheckExtinction(check);
   CheckSingleNode(check);
-  CheckBends(check);
+  CheckShapes(check);
   CheckColors(check);
   CheckDependent(check);
   CheckGradientOpacity(check);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The penumbra of a half plane: the exact profile against the published width, and the samples of
-// lights, parallel and tilted, against the exact profile.
+// The penumbra of a half plane: the exact profile compared with the published width, and samples of
+// parallel and tilted lights compared with the exact profile.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Light/ReferencePenumbra.h"
 
@@ -12,7 +12,7 @@ namespace
 
 using namespace reference;
 
-// A parallel light of edge L at Z from the half plane makes a ramp L dZ / Z wide.
+// A parallel light of edge L at distance Z from the half plane casts a penumbra of width L dZ / Z.
 void CheckParallel(Check& check)
 {
   constexpr double edge = 0.6;
@@ -31,29 +31,29 @@ void CheckParallel(Check& check)
         const double shadow = -0.2 * ratio;
         const double expected =
           isRound ? ReferencePenumbra::GetSegment(x, width) : ReferencePenumbra::GetRamp(x, width);
-        check.Near(scene.GetShare({ shadow + x, 3.0, 1.0 - ratio * distance }), expected, 1e-12,
-          "share", 1.0);
+        check.Near(scene.GetLightFraction({ shadow + x, 3.0, 1.0 - ratio * distance }), expected,
+          1e-12, "visible fraction", 1.0);
       }
     }
   }
-  check.SetContext("a disc's segment");
+  check.SetContext("a segment of a disk");
   check.Near(ReferencePenumbra::GetSegment(0.25, 1.0),
-    2.0 / 3.0 + std::sqrt(3.0) / 4.0 / std::acos(-1.0), 1e-12, "half a radius from the middle");
+    2.0 / 3.0 + std::sqrt(3.0) / 4.0 / std::acos(-1.0), 1e-12, "half a radius from the center");
 }
 
-// The samples of a vtkAreaLight, each of which sees a point or does not.
+// Returns the visible weight of the samples of a vtkAreaLight.
 double CountSamples(const std::vector<vtkAreaLight::Sample>& samples,
   const ReferencePenumbra& scene, const glm::dvec3& focalPoint, const glm::dvec3& point)
 {
-  double share = 0.0;
+  double fraction = 0.0;
   for (const vtkAreaLight::Sample& sample : samples)
   {
     const glm::dvec3 position = glm::make_vec3(sample.Position);
     const glm::dvec3 toLight = position - (scene.IsPositional ? point : focalPoint);
     const double x = point.x + toLight.x * (scene.Height - point.z) / toLight.z;
-    share += x > 0.0 ? sample.Weight[0] : 0.0;
+    fraction += x > 0.0 ? sample.Weight[0] : 0.0;
   }
-  return share;
+  return fraction;
 }
 
 void CheckSamples(Check& check)
@@ -65,7 +65,7 @@ void CheckSamples(Check& check)
     {
       for (const double tilt : { 0.0, 0.4, 1.0 })
       {
-        check.SetContext((isRound ? "disc, tilt " : "square, tilt ") + std::to_string(tilt) +
+        check.SetContext((isRound ? "disk, tilt " : "square, tilt ") + std::to_string(tilt) +
           (isPositional ? "" : ", directional"));
         const glm::dvec3 center(3.0 * tilt, 0.5 * tilt, 3.0);
         vtkNew<vtkAreaLight> light;
@@ -78,23 +78,23 @@ void CheckSamples(Check& check)
         light->SetViewUp(0.3, 1.0, 0.1);
         const std::vector<vtkAreaLight::Sample> samples = light->GetSamples(count);
 
-        // The axes by the definition of right and up.
+        // The emitter's axes, computed from the definitions of right and up.
         const glm::dvec3 forward = glm::normalize(-center);
         const glm::dvec3 up(0.3, 1.0, 0.1);
         const glm::dvec3 above = glm::normalize(up - glm::dot(up, forward) * forward);
         const ReferencePenumbra scene{ isRound, center, isPositional,
           { 1.2 * glm::cross(forward, above), 0.8 * above }, 1.0 };
-        double worst = 0.0;
+        double largest = 0.0;
         double mean = 0.0;
         for (int i = 0; i <= 80; ++i)
         {
           const glm::dvec3 point(-1.5 * tilt + 0.03 * (i - 40), 0.2, -0.5);
           const double difference =
-            CountSamples(samples, scene, glm::dvec3(0.0), point) - scene.GetShare(point);
-          worst = std::max(worst, std::abs(difference));
+            CountSamples(samples, scene, glm::dvec3(0.0), point) - scene.GetLightFraction(point);
+          largest = std::max(largest, std::abs(difference));
           mean += std::abs(difference) / 81.0;
         }
-        check.Near(worst, 0.0, 0.012, "largest difference", 1.0);
+        check.Near(largest, 0.0, 0.012, "largest difference", 1.0);
         check.Near(mean, 0.0, 0.0025, "mean difference", 1.0);
       }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The tiles of slices against places at random in their planes: what is in a visible block has one
-// tile in the picture, no pixel is in two, and what sees nothing is left out.
+// Tiles of slices, compared with random positions in the slices: a position in a visible block has
+// exactly one tile in the image, and empty blocks have no tile.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Checks/ReferenceThreads.h"
@@ -38,8 +38,8 @@ struct Scene
   std::array<int, 2> Size{ { 0, 0 } };
 };
 
-// A view along \a axis of what is within \a half of the middle, in perspective from so far away
-// where that is above 0.
+// Creates a view along \a axis that shows a square of half size \a half around the center. The view
+// has perspective if \a distance is above 0.
 glm::dmat4 MakeView(Random& random, const glm::dvec3& axis, double half, double distance)
 {
   const glm::dvec3 across = Perpendicular(axis, GetDirection(random));
@@ -52,8 +52,9 @@ glm::dmat4 MakeView(Random& random, const glm::dvec3& axis, double half, double 
   return view;
 }
 
-// \a share of the blocks is visible; the slices stand aslant to the view.
-Scene MakeScene(Random& random, double share, double half, double distance)
+// Creates a scene in which a \a fraction of the blocks is visible. The slices are oblique to the
+// view.
+Scene MakeScene(Random& random, double fraction, double half, double distance)
 {
   Scene scene;
   const std::array<int, 3> size{ { 41, 33, 25 } };
@@ -70,7 +71,7 @@ Scene MakeScene(Random& random, double share, double half, double distance)
   }
   for (std::size_t i = 0; i < blocks; ++i)
   {
-    scene.Visible.push_back(random.Get(0.0, 1.0) < share ? 1 : 0);
+    scene.Visible.push_back(random.Get(0.0, 1.0) < fraction ? 1 : 0);
   }
   const glm::dvec3 axis = GetDirection(random);
   scene.Sweep.Normal = Normalize(axis + 0.6 * GetDirection(random), axis);
@@ -88,17 +89,17 @@ bool Build(const Scene& scene, interlume::PlaneTiles& tiles)
     scene.Space, scene.Space.Box, Margin);
 }
 
-// Columns and rows in the picture.
-glm::dvec2 GetPixel(const Scene& scene, const glm::dvec3& place)
+// Returns pixel coordinates of a position.
+glm::dvec2 GetPixel(const Scene& scene, const glm::dvec3& position)
 {
-  const glm::dvec4 clip = scene.ClipFromUnit * glm::dvec4(place, 1.0);
+  const glm::dvec4 clip = scene.ClipFromUnit * glm::dvec4(position, 1.0);
   return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(scene.Size[0], scene.Size[1]);
 }
 
-// Outer blocks are larger by the margin.
-bool IsVisible(const Scene& scene, const glm::dvec3& place)
+// Outer blocks are enlarged by the margin.
+bool IsVisible(const Scene& scene, const glm::dvec3& position)
 {
-  const glm::dvec3 texture = TransformPoint(scene.Space.TextureFromUnit, place);
+  const glm::dvec3 texture = TransformPoint(scene.Space.TextureFromUnit, position);
   const std::array<double, 3> margins = scene.Space.GetMargins(Margin);
   std::size_t block = 0;
   for (std::size_t axis = 3; axis-- > 0;)
@@ -118,11 +119,12 @@ bool IsVisible(const Scene& scene, const glm::dvec3& place)
 
 glm::dvec3 GetVertex(const interlume::PlaneTiles& tiles, std::size_t vertex)
 {
-  const float* place = tiles.GetVertices().data() + 3 * vertex;
-  return { place[0], place[1], place[2] };
+  const float* position = tiles.GetVertices().data() + 3 * vertex;
+  return { position[0], position[1], position[2] };
 }
 
-// The rectangles of a slab around a pixel. Of six corners the first and the third are opposite.
+// Returns the number of rectangles of a slab that contain a pixel. The first and the third of six
+// vertices are opposite.
 int CountCover(
   const Scene& scene, const interlume::PlaneTiles& tiles, std::size_t slab, const glm::dvec2& pixel)
 {
@@ -158,18 +160,18 @@ void CheckCorners(Check& check, const Scene& scene, const interlume::PlaneTiles&
       scene.Sweep.First + (static_cast<double>(slab) + 0.5) * scene.Sweep.Spacing;
     for (std::size_t v = tiles.GetStarts()[slab]; v < tiles.GetStarts()[slab + 1]; ++v)
     {
-      const glm::dvec3 place = GetVertex(tiles, v);
-      height = std::max(height, std::abs(glm::dot(place, scene.Sweep.Normal) - plane));
-      const glm::dvec2 tile = GetPixel(scene, place) / double(interlume::PlaneTiles::TileSize);
+      const glm::dvec3 position = GetVertex(tiles, v);
+      height = std::max(height, std::abs(glm::dot(position, scene.Sweep.Normal) - plane));
+      const glm::dvec2 tile = GetPixel(scene, position) / double(interlume::PlaneTiles::TileSize);
       edge = std::max(
         { edge, std::abs(tile.x - std::round(tile.x)), std::abs(tile.y - std::round(tile.y)) });
     }
   }
-  check.That(height < 1e-6, "corners are in the slices' planes: " + std::to_string(height));
-  check.That(edge < 1e-4, "corners are those of tiles: " + std::to_string(edge));
+  check.That(height < 1e-6, "vertices are in the planes of the slices: " + std::to_string(height));
+  check.That(edge < 1e-4, "vertices are at tile corners: " + std::to_string(edge));
 }
 
-void CheckPlaces(Check& check, const Scene& scene, Random& random, int& seen)
+void CheckPositions(Check& check, const Scene& scene, Random& random, int& seen)
 {
   interlume::PlaneTiles tiles;
   if (!check.That(Build(scene, tiles), "there are tiles"))
@@ -183,39 +185,39 @@ void CheckPlaces(Check& check, const Scene& scene, Random& random, int& seen)
     const auto slab = static_cast<std::size_t>(random.Get(0.0, Slabs - 1e-3));
     const double plane =
       scene.Sweep.First + (static_cast<double>(slab) + 0.5) * scene.Sweep.Spacing;
-    const glm::dvec3 free = random.Get(0.0, 1.0) * GetDirection(random);
-    const glm::dvec3 place =
-      free + (plane - glm::dot(free, scene.Sweep.Normal)) * scene.Sweep.Normal;
-    const glm::dvec2 pixel = GetPixel(scene, place);
+    const glm::dvec3 offset = random.Get(0.0, 1.0) * GetDirection(random);
+    const glm::dvec3 position =
+      offset + (plane - glm::dot(offset, scene.Sweep.Normal)) * scene.Sweep.Normal;
+    const glm::dvec2 pixel = GetPixel(scene, position);
     const int cover = CountCover(scene, tiles, slab, pixel);
     const bool isInside =
       pixel.x > 0.0 && pixel.y > 0.0 && pixel.x < scene.Size[0] && pixel.y < scene.Size[1];
-    const bool isSeen = isInside && IsVisible(scene, place);
+    const bool isSeen = isInside && IsVisible(scene, position);
     seen += isSeen ? 1 : 0;
     check.That(cover <= 1, "no pixel is in two tiles");
-    check.That(!isSeen || cover == 1, "what is in a visible block has a tile");
+    check.That(!isSeen || cover == 1, "a position in a visible block has a tile");
   }
 }
 
-// What is empty has no tile, and what is not few beside it.
+// Empty blocks have no tiles, and few tiles extend past visible blocks.
 void CheckAreas(Check& check)
 {
   check.SetContext("areas");
   Random random(3);
   interlume::PlaneTiles tiles;
   const Scene none = MakeScene(random, 0.0, 1.1, 0.0);
-  check.That(Build(none, tiles) && tiles.GetVertices().empty(), "nothing is visible");
+  check.That(Build(none, tiles) && tiles.GetVertices().empty(), "no block is visible");
   Scene scene = MakeScene(random, 1.1, 1.1, 3.0);
   Build(scene, tiles);
-  const double whole = GetArea(scene, tiles);
+  const double full = GetArea(scene, tiles);
   std::fill(scene.Visible.begin(), scene.Visible.end(), 0);
   scene.Visible[scene.Visible.size() / 2] = 1;
   Build(scene, tiles);
   const double one = GetArea(scene, tiles) * static_cast<double>(scene.Visible.size());
-  check.That(one > whole && one < 2.5 * whole, "one block: " + std::to_string(one / whole));
+  check.That(one > full && one < 2.5 * full, "one block: " + std::to_string(one / full));
 }
 
-// Slices seen edge-on, and volumes around the eye, are left to polygons.
+// Slices seen edge-on, and volumes around the camera, have no tiles. They are drawn as polygons.
 void CheckUnsuitable(Check& check)
 {
   check.SetContext("unsuitable");
@@ -227,7 +229,7 @@ void CheckUnsuitable(Check& check)
   check.That(!Build(scene, tiles) && tiles.GetVertices().empty(), "edge-on");
   check.Equal(tiles.GetNumberOfSlabs(), Slabs, "edge-on: slabs");
   scene.ClipFromUnit = MakeView(random, scene.Sweep.Normal, 1.1, 0.3);
-  check.That(!Build(scene, tiles) && tiles.GetVertices().empty(), "around the eye");
+  check.That(!Build(scene, tiles) && tiles.GetVertices().empty(), "around the camera");
 }
 
 void CheckThreads(Check& check)
@@ -261,14 +263,14 @@ int TestPlaneTiles(int, char*[])
   for (int i = 0; i < 60; ++i)
   {
     check.SetContext("scene " + std::to_string(i));
-    // Some views have only a part of the volume.
-    CheckPlaces(check,
+    // Some views show only a part of the volume.
+    CheckPositions(check,
       MakeScene(random, i % 3 ? random.Get(0.0, 0.3) : 0.9, i % 4 ? 1.1 : 0.3,
         i % 2 ? random.Get(2.5, 9.0) : 0.0),
       random, seen);
   }
   check.SetContext("all scenes");
-  check.That(seen > 5000, "places are seen: " + std::to_string(seen));
+  check.That(seen > 5000, "positions are visible: " + std::to_string(seen));
   CheckAreas(check);
   CheckUnsuitable(check);
   CheckThreads(check);

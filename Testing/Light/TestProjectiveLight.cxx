@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A projective light: its values, where its rays pass the screen, and the screen's colours.
+// A projective light: settings, the mapping to its screen, and the screen's colors.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkDataArray.h"
@@ -57,14 +57,14 @@ void CheckSetters(Check& check)
   check.That(light->GetScreenSize()[0] == 3.0 && light->GetScreenSize()[1] == 4.0 &&
       light->GetEdgeWidth() == 0.25 && light->GetScreenOpacity() == 0.5 &&
       light->GetViewUp()[2] == 2.0,
-    "values are kept");
+    "values are retained");
 
   vtkNew<vtkImageData> image;
   light->SetImage(image);
   const vtkMTimeType withImage = light->GetMTime();
-  check.That(withImage > time, "an image is a change");
+  check.That(withImage > time, "setting an image modifies the light");
   image->Modified();
-  check.That(light->GetMTime() > withImage, "and so is one of the image");
+  check.That(light->GetMTime() > withImage, "modifying the image modifies the light");
 
   light->SetPositional(true);
   light->SetPosition(1.0, 2.0, 3.0);
@@ -98,13 +98,14 @@ std::array<double, 4> Project(vtkMatrix4x4* matrix, const glm::dvec3& point)
   return to;
 }
 
-// Points of the screen, and those the light takes them to: from the position on, or along the axis.
+// Checks points of the screen and points on the same rays, which start at the position or are
+// parallel to the axis.
 void CheckMatrix(Check& check, vtkProjectiveLight* light, const glm::dvec3& position,
   const glm::dvec3& focalPoint, const glm::dvec3& up, double scale)
 {
   vtkNew<vtkMatrix4x4> matrix;
   check.That(light->GetScreenMatrix(matrix), "there is a matrix");
-  check.That(std::abs(matrix->Determinant()) > 0.0, "which is regular");
+  check.That(std::abs(matrix->Determinant()) > 0.0, "the matrix is regular");
   const glm::dvec3 axis = Normalize(focalPoint - position, {});
   const glm::dvec3 right = glm::cross(axis, up);
   for (const double u : { 0.0, 0.5, 0.8, 1.3 })
@@ -118,7 +119,7 @@ void CheckMatrix(Check& check, vtkProjectiveLight* light, const glm::dvec3& posi
         const glm::dvec3 center = (1.0 - depth) * position + depth * focalPoint;
         const glm::dvec3 point = center + (light->GetPositional() ? depth : 1.0) * across;
         const std::array<double, 4> to = Project(matrix, point);
-        check.That(to[3] > 0.0, "in front");
+        check.That(to[3] > 0.0, "w is positive in front");
         check.Near(to[0] / to[3], u, 1e-11, "u", 1.0);
         check.Near(to[1] / to[3], v, 1e-11, "v", 1.0);
       }
@@ -126,7 +127,7 @@ void CheckMatrix(Check& check, vtkProjectiveLight* light, const glm::dvec3& posi
   }
   const glm::dvec3 behind = 2.0 * position - focalPoint;
   const double w = Project(matrix, behind)[3];
-  check.That(light->GetPositional() ? w < 0.0 : w == 1.0, "behind");
+  check.That(light->GetPositional() ? w < 0.0 : w == 1.0, "w behind the light");
 }
 
 void CheckMatrices(Check& check)
@@ -151,11 +152,11 @@ void CheckMatrices(Check& check)
     light->SetViewUp(0.0, 0.0, 0.0);
     CheckMatrix(check, light, position, focalPoint, glm::dvec3(0.0, 1.0, 0.0), 1.0);
 
-    // A transform turns z to x and up with it.
-    vtkNew<vtkMatrix4x4> turn;
+    // A transform rotates z to x, and the up direction accordingly.
+    vtkNew<vtkMatrix4x4> rotation;
     const double elements[16] = { 0, 0, 1, 10, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1 };
-    turn->DeepCopy(elements);
-    light->SetTransformMatrix(turn);
+    rotation->DeepCopy(elements);
+    light->SetTransformMatrix(rotation);
     light->SetViewUp(0.0, 1.0, 0.0);
     CheckMatrix(check, light, glm::dvec3(13.0, 1.0, 2.0), glm::dvec3(9.0, 1.0, 2.0),
       glm::dvec3(0.0, 0.0, 1.0), 1.0);
@@ -172,9 +173,9 @@ void CheckMatrices(Check& check)
 
     vtkNew<vtkMatrix4x4> matrix;
     light->SetFocalPoint(light->GetPosition());
-    check.That(!light->GetScreenMatrix(matrix), "no direction");
+    check.That(!light->GetScreenMatrix(matrix), "a light without direction has no matrix");
     light->SetFocalPoint(NotANumber, 0.0, 0.0);
-    check.That(!light->GetScreenMatrix(matrix), "a focal point that is not a number");
+    check.That(!light->GetScreenMatrix(matrix), "a light with a NaN focal point has no matrix");
   }
 }
 
@@ -195,7 +196,7 @@ vtkSmartPointer<vtkImageData> MakeImage(int type, int components)
   return image;
 }
 
-// Sample (i,j), its edge repeated, with the opacity.
+// Returns sample (i,j), clamped to the edge, multiplied by the opacity.
 double GetSample(int i, int j, int channel, int components)
 {
   const int index = 3 * std::min(std::max(j, 0), 1) + std::min(std::max(i, 0), 2);
@@ -204,9 +205,9 @@ double GetSample(int i, int j, int channel, int components)
   return opacity * value(components > 2 ? channel : 0);
 }
 
-double Smooth(double place, double width)
+double Smooth(double position, double width)
 {
-  const double distance = std::min(place, 1.0 - place) / (0.5 * width);
+  const double distance = std::min(position, 1.0 - position) / (0.5 * width);
   return distance < 1.0 ? 3.0 * distance * distance - 2.0 * std::pow(distance, 3) : 1.0;
 }
 
@@ -254,7 +255,7 @@ void CheckColors(Check& check)
               get(static_cast<int>(std::floor(3.0 * u)), static_cast<int>(std::floor(2.0 * v)));
             const double expected = isNearest ? nearest : (j + 1 - y) * bottom + (y - j) * top;
             check.Near(
-              color[c], 0.75 * Smooth(u, 0.4) * Smooth(v, 0.4) * expected, 1e-6, "colour", 1.0);
+              color[c], 0.75 * Smooth(u, 0.4) * Smooth(v, 0.4) * expected, 1e-6, "color", 1.0);
           }
         }
       }
@@ -272,17 +273,18 @@ void CheckWindow(Check& check)
     light->GetScreenColor(u, v, color);
     return color[0];
   };
-  check.Near(get(0.0, 1.0), 1.0, 0.0, "a window, its edge included");
-  check.Near(get(0.3, 0.2), 1.0, 0.0, "a window");
+  check.Near(get(0.0, 1.0), 1.0, 0.0, "a screen without image, including its edge");
+  check.Near(get(0.3, 0.2), 1.0, 0.0, "a screen without image");
   check.That(
     get(-1e-9, 0.5) == 0.0 && get(0.5, 1.1) == 0.0 && get(NotANumber, 0.5) == 0.0, "black outside");
   light->SetEdgeWidth(1.0);
-  check.Near(get(0.25, 0.5), 0.5, 1e-15, "half way to the middle");
-  check.Near(get(0.25, 0.75), 0.25, 1e-15, "in both");
-  check.Near(get(0.5, 0.5), 1.0, 1e-15, "the middle");
+  check.Near(get(0.25, 0.5), 0.5, 1e-15, "a quarter of the screen");
+  check.Near(get(0.25, 0.75), 0.25, 1e-15, "a quarter along both axes");
+  check.Near(get(0.5, 0.5), 1.0, 1e-15, "the center");
   light->SetEdgeWidth(0.5);
   check.Near(get(0.0625, 0.5), 10.0 / 64.0, 1e-15, "a quarter of the edge");
-  check.That(light->GetTexels().empty() && light->GetImageError().empty(), "no texels");
+  check.That(light->GetTexels().empty() && light->GetImageError().empty(),
+    "a screen without image has no texels");
 }
 
 void CheckErrors(Check& check)
@@ -297,16 +299,16 @@ void CheckErrors(Check& check)
     return !light->GetImageError().empty() && isBlack;
   };
   vtkNew<vtkImageData> image;
-  check.That(hasError(image), "no samples");
+  check.That(hasError(image), "an image without samples is an error");
   image->SetDimensions(2, 2, 1);
-  check.That(hasError(image), "no scalars");
+  check.That(hasError(image), "an image without scalars is an error");
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 5);
-  check.That(hasError(image), "five components");
+  check.That(hasError(image), "five components are an error");
   image->AllocateScalars(VTK_SHORT, 1);
-  check.That(hasError(image), "short integers");
+  check.That(hasError(image), "short integers are an error");
   image->SetDimensions(2, 2, 2);
   image->AllocateScalars(VTK_FLOAT, 1);
-  check.That(hasError(image), "three dimensions");
+  check.That(hasError(image), "a three-dimensional image is an error");
   image->SetDimensions(1, 1, 1);
   image->AllocateScalars(VTK_FLOAT, 1);
   image->GetPointData()->GetScalars()->SetComponent(0, 0, NotANumber);
@@ -316,7 +318,7 @@ void CheckErrors(Check& check)
   check.That(light->GetImageError().empty() && color[0] == 0.0, "NaN is black");
   image->GetPointData()->GetScalars()->SetComponent(0, 0, 7.0);
   light->GetScreenColor(0.1, 0.9, color);
-  check.That(color[2] == 1.0, "one sample, clamped");
+  check.That(color[2] == 1.0, "one sample is clamped");
 }
 }
 

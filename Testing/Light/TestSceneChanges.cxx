@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A sequence of random changes to a scene with vtkShadowedScenePass: lights with an extent or none,
-// actors, smoke, window, settings of pass and mapper; each picture the same as that of a pass,
-// mappers and actors made anew.
+// A random sequence of changes to a scene with vtkShadowedScenePass: lights, actors, smoke, window,
+// settings of pass and mapper. After each change, the image equals that of a new pass, new mappers
+// and new actors.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "SceneStage.h"
@@ -28,10 +28,10 @@ struct State
 {
   double LightSize = 0.5;
   int Shape = vtkAreaLight::ROUND;
-  std::array<double, 3> LightPlace{ { 0.6, 0.3, 2.0 } };
+  std::array<double, 3> LightPosition{ { 0.6, 0.3, 2.0 } };
   bool IsPositional = true;
   bool HasSun = false;
-  std::array<double, 3> BallPlace{ { 0.1, 0.0, 0.1 } };
+  std::array<double, 3> SpherePosition{ { 0.1, 0.0, 0.1 } };
   bool HasPlate = true;
   bool HasSmoke = true;
   double Opacity = 0.1;
@@ -43,7 +43,7 @@ struct State
   double Bias = 1.0;
 };
 
-// The scene of a state, kept from state to state or made for one.
+// The scene of a state. It is reused for many states or created for one state.
 class Scene
 {
 public:
@@ -52,20 +52,20 @@ public:
   {
     this->Stage.Add(
       MakeRectangle({ { -2.0, -2.0, -0.5 } }, { { 4.0, 0.0, 0.0 } }, { { 0.0, 4.0, 0.0 } }));
-    this->Ball = MakeBall({ { 0.0, 0.0, 0.0 } }, 0.25, 24);
+    this->Sphere = MakeSphereActor({ { 0.0, 0.0, 0.0 } }, 0.25, 24);
     this->Plate = MakeBox({ { -0.7, -0.1, -0.4, 0.4, 0.5, 0.55 } });
-    this->Stage.Add(this->Ball);
+    this->Stage.Add(this->Sphere);
     this->Stage.Add(this->Plate);
     this->Stage.AddSmoke({ { -0.4, 0.4, -0.4, 0.4, -0.3, 0.3 } }, 1.5, 8);
     this->Stage.LookAlong({ { 0.1, 0.7, -1.0 } });
     this->Sun = MakeSun({ { -0.5, 0.3, -1.0 } });
   }
 
-  RgbaPicture Draw(const State& state)
+  RgbaImage Draw(const State& state)
   {
     this->Light->SetSize(state.LightSize, state.LightSize);
     this->Light->SetShape(state.Shape);
-    this->Light->SetPosition(state.LightPlace.data());
+    this->Light->SetPosition(state.LightPosition.data());
     this->Light->SetFocalPoint(0.0, 0.0, 0.0);
     this->Light->SetPositional(state.IsPositional);
     this->Light->SetConeAngle(180.0);
@@ -74,7 +74,8 @@ public:
     {
       this->Stage.Stage.SetLights({ this->Light.Get(), this->Sun });
     }
-    this->Ball->SetPosition(state.BallPlace[0], state.BallPlace[1], state.BallPlace[2]);
+    this->Sphere->SetPosition(
+      state.SpherePosition[0], state.SpherePosition[1], state.SpherePosition[2]);
     this->Plate->SetVisibility(state.HasPlate);
     vtkVolume* volume = this->Stage.Stage.GetVolume();
     volume->SetVisibility(state.HasSmoke);
@@ -97,7 +98,7 @@ public:
   SceneStage Stage;
 
 private:
-  vtkSmartPointer<vtkActor> Ball;
+  vtkSmartPointer<vtkActor> Sphere;
   vtkSmartPointer<vtkActor> Plate;
   vtkSmartPointer<vtkLight> Sun;
   vtkNew<vtkAreaLight> Light;
@@ -113,15 +114,15 @@ int TestSceneChanges(int, char*[])
   const auto pick = [&numbers](int number)
   { return std::min(static_cast<int>(numbers.Get(0.0, number)), number - 1); };
   State state;
-  Scene kept;
+  Scene reused;
   int soft = 0;
   for (int i = 0; i < changes; ++i)
   {
-    const RgbaPicture found = kept.Draw(state);
-    soft += kept.Stage.GetReport()->GetNumber("SampleMaps") > 0 ? 1 : 0;
-    Scene anew;
+    const RgbaImage found = reused.Draw(state);
+    soft += reused.Stage.GetReport()->GetNumber("SampleMaps") > 0 ? 1 : 0;
+    Scene fresh;
     check.Near(
-      ComparePictures(found, anew.Draw(state)).Max, 0.0, 0.0, "picture " + std::to_string(i), 1.0);
+      CompareImages(found, fresh.Draw(state)).Max, 0.0, 0.0, "image " + std::to_string(i), 1.0);
     switch (i % 14)
     {
       case 0:
@@ -131,7 +132,7 @@ int TestSceneChanges(int, char*[])
         state.Shape = pick(2);
         break;
       case 2:
-        state.LightPlace = { { numbers.Get(-1.0, 1.0), numbers.Get(-1.0, 1.0),
+        state.LightPosition = { { numbers.Get(-1.0, 1.0), numbers.Get(-1.0, 1.0),
           numbers.Get(0.5, 2.5) } };
         break;
       case 3:
@@ -141,7 +142,7 @@ int TestSceneChanges(int, char*[])
         state.HasSun = !state.HasSun;
         break;
       case 5:
-        state.BallPlace = { { numbers.Get(-0.5, 0.5), numbers.Get(-0.5, 0.5),
+        state.SpherePosition = { { numbers.Get(-0.5, 0.5), numbers.Get(-0.5, 0.5),
           numbers.Get(-0.2, 0.3) } };
         break;
       case 6:
@@ -171,7 +172,7 @@ int TestSceneChanges(int, char*[])
         break;
     }
   }
-  std::cout << soft << " pictures of " << changes << " with soft shadows of surfaces\n";
-  check.That(soft > changes / 3 && soft < changes, "pictures with soft shadows and without");
+  std::cout << soft << " images of " << changes << " with soft shadows on surfaces\n";
+  check.That(soft > changes / 3 && soft < changes, "some images have soft shadows");
   return check.Result();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of vtkProjectiveLight and vtkAreaLight on actors by vtkShadowedScenePass, pixel by pixel
-// against the colours that the lights say they have.
+// Images that vtkProjectiveLight and vtkAreaLight cast on actors in vtkShadowedScenePass. Pixels
+// are compared with the colors that the lights report.
 #include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
@@ -24,7 +24,7 @@ using namespace reference;
 constexpr int PIXELS = 256;
 constexpr double SIZE = 2.0;
 
-// A chess board of so many squares along each edge, in two colours that change from row to row.
+// Creates a checkerboard with \a squares squares along each edge, whose two colors vary by row.
 vtkSmartPointer<vtkImageData> MakeBoard(int squares)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -62,32 +62,31 @@ vtkSmartPointer<vtkProjectiveLight> MakeProjector(bool isPositional, int squares
   return light;
 }
 
-// How many pixels away from edges of squares are off, and the largest error there, of a floor at
-// z = 0 under a projector, and whether the screen shows at all.
+// Checks the pixels of a floor at z = 0 below a projector, except at edges of squares.
 void TestFloor(Check& check, vtkProjectiveLight* light, int squares, const std::string& name)
 {
   SceneStage stage(PIXELS, SIZE);
   stage.Add(MakeRectangle({ { -1.5, -1.5, 0.0 } }, { { 3.0, 0.0, 0.0 } }, { { 0.0, 3.0, 0.0 } }));
   stage.Stage.SetLights({ vtkSmartPointer<vtkLight>(light) });
-  const RgbaPicture picture = stage.Draw();
-  check.Near(stage.GetReport()->GetNumber("Images"), 1, 0.0, name + ": lights with images");
+  const RgbaImage rendered = stage.Draw();
+  check.Equal(stage.GetReport()->GetCount("Images"), 1, name + ": lights with images");
 
   vtkNew<vtkMatrix4x4> screen;
   light->GetScreenMatrix(screen);
   double largest = 0.0;
-  double most = 0.0;
+  double brightest = 0.0;
   int dark = 0;
-  int left = 0;
+  int skipped = 0;
   for (int j = 0; j < PIXELS; ++j)
   {
     for (int i = 0; i < PIXELS; ++i)
     {
-      const double place[4] = { ((i + 0.5) / PIXELS - 0.5) * SIZE,
+      const double position[4] = { ((i + 0.5) / PIXELS - 0.5) * SIZE,
         ((j + 0.5) / PIXELS - 0.5) * SIZE, 0.0, 1.0 };
       double at[4];
-      screen->MultiplyPoint(place, at);
+      screen->MultiplyPoint(position, at);
       const std::array<double, 2> uv{ { at[0] / at[3], at[1] / at[3] } };
-      // A pixel is 1/128 of the floor, of which a square takes 1.2 / 2 / squares at least.
+      // Skips pixels at the sharp edges of squares, which may have either color.
       bool isEdge = false;
       for (const double value : uv)
       {
@@ -99,7 +98,7 @@ void TestFloor(Check& check, vtkProjectiveLight* light, int squares, const std::
       }
       if (isEdge)
       {
-        ++left;
+        ++skipped;
         continue;
       }
       double color[3];
@@ -107,25 +106,25 @@ void TestFloor(Check& check, vtkProjectiveLight* light, int squares, const std::
       double toLight[3] = { 0.6, -0.45, 2.0 };
       if (light->GetPositional())
       {
-        toLight[0] = 0.7 - place[0];
-        toLight[1] = -0.4 - place[1];
+        toLight[0] = 0.7 - position[0];
+        toLight[1] = -0.4 - position[1];
       }
       const double length =
         std::sqrt(toLight[0] * toLight[0] + toLight[1] * toLight[1] + toLight[2] * toLight[2]);
       for (int k = 0; k < 3; ++k)
       {
         const double expected = color[k] * toLight[2] / length;
-        largest = std::max(largest, std::abs(picture.At(i, j)[k] - expected));
-        most = std::max(most, expected);
+        largest = std::max(largest, std::abs(rendered.At(i, j)[k] - expected));
+        brightest = std::max(brightest, expected);
         dark += expected == 0.0 ? 1 : 0;
       }
     }
   }
-  std::cout << name << ": largest error " << largest << ", lightest " << most << ", dark " << dark
-            << ", pixels at edges " << left << std::endl;
-  check.Near(largest, 0.0, 1e-4, name + ": colours", 1.0);
-  check.That(most > 0.6, name + ": some light");
-  check.That(dark > 1000, name + ": nothing beside the screen");
+  std::cout << name << ": largest error " << largest << ", brightest " << brightest << ", dark "
+            << dark << ", skipped at edges " << skipped << std::endl;
+  check.Near(largest, 0.0, 1e-4, name + ": colors", 1.0);
+  check.That(brightest > 0.6, name + ": the screen is visible");
+  check.That(dark > 1000, name + ": the floor outside the screen is black");
 }
 
 void TestProjectors(Check& check)
@@ -141,44 +140,45 @@ void TestProjectors(Check& check)
     light->SetEdgeWidth(0.5);
     light->SetScreenOpacity(0.75);
     TestFloor(check, light, 4, name + ", a soft edge");
-    // Without shadows the image is there all the same.
+    // Without shadows, the light still projects its image.
     light->SetShadowAttenuation(0.0F);
     TestFloor(check, light, 4, name + ", no shadows");
-    TestFloor(check, MakeProjector(isPositional, 0), 0, name + ", a window");
+    TestFloor(check, MakeProjector(isPositional, 0), 0, name + ", no image");
   }
 }
 
-// An image and a shadow: the floor's part that a plate hides is black, the rest is as before.
+// A plate shadows part of a floor under a light with an image. The shadowed part is black, and the
+// rest of the floor is unchanged.
 void TestShadow(Check& check)
 {
   const auto light = MakeProjector(false, 4);
-  RgbaPicture pictures[2];
+  RgbaImage images[2];
   for (int i = 0; i < 2; ++i)
   {
     SceneStage stage(PIXELS, SIZE);
     stage.Add(MakeRectangle({ { -1.5, -1.5, 0.0 } }, { { 3.0, 0.0, 0.0 } }, { { 0.0, 3.0, 0.0 } }));
-    // Its shadow ends at x = 0.1.
+    // The shadow ends at x = 0.1.
     stage.Add(MakeRectangle(
       { { i == 0 ? -1.0 : -9.0, -1.0, 0.5 } }, { { 1.25, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }));
     stage.LookAlong({ { 0.0, 0.0, -1.0 } });
     stage.Stage.SetLights({ vtkSmartPointer<vtkLight>(light) });
-    pictures[i] = stage.Draw();
+    images[i] = stage.Draw();
   }
   double difference = 0.0;
   double brightness = 0.0;
   for (int i = PIXELS * 5 / 8 + 2; i < PIXELS; ++i)
   {
     difference = std::max(
-      difference, std::abs(pictures[0].At(i, PIXELS / 2)[0] - pictures[1].At(i, PIXELS / 2)[0]));
-    brightness = std::max(brightness, pictures[0].At(i, PIXELS / 2)[0]);
+      difference, std::abs(images[0].At(i, PIXELS / 2)[0] - images[1].At(i, PIXELS / 2)[0]));
+    brightness = std::max(brightness, images[0].At(i, PIXELS / 2)[0]);
   }
-  check.Near(difference, 0.0, 1e-6, "beside a shadow", 1.0);
-  check.That(brightness > 0.2, "light beside a shadow");
+  check.Near(difference, 0.0, 1e-6, "the floor outside the shadow is unchanged", 1.0);
+  check.That(brightness > 0.2, "the floor outside the shadow is lit");
 }
 
 void TestEmitter(Check& check)
 {
-  // A red and a green half give the colour (1, 1/2, 0).
+  // A red and a green half have the mean color (1, 1/2, 0), relative to the brightest channel.
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 1, 1);
   image->AllocateScalars(VTK_FLOAT, 3);
@@ -199,16 +199,16 @@ void TestEmitter(Check& check)
   stage.Stage.SetLights({ vtkSmartPointer<vtkLight>(light.Get()) });
   double color[3];
   light->GetEmitterColor(color);
-  const RgbaPicture picture = stage.Draw();
+  const RgbaImage rendered = stage.Draw();
   for (int k = 0; k < 3; ++k)
   {
-    check.Near(picture.At(32, 32)[k], color[k], 1e-5, "an emitter's colour", 1.0);
+    check.Near(rendered.At(32, 32)[k], color[k], 1e-5, "the mean color of the emitter", 1.0);
   }
-  check.Near(stage.GetReport()->GetNumber("Images"), 1, 0.0, "an emitter with an image");
-  check.Near(stage.Draw(false).At(32, 32)[1], 1.0, 1e-5, "VTK's colour");
+  check.Equal(stage.GetReport()->GetCount("Images"), 1, "an emitter with an image");
+  check.Near(stage.Draw(false).At(32, 32)[1], 1.0, 1e-5, "VTK uses the light's color");
   light->SetEmitter(nullptr);
   stage.Draw();
-  check.Near(stage.GetReport()->GetNumber("Images"), 0, 0.0, "an emitter without an image");
+  check.Equal(stage.GetReport()->GetCount("Images"), 0, "an emitter without an image");
 }
 
 }

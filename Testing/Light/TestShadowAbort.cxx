@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkShadowedSliceMapper leaves off where the window's abort says so, and leaves no trace of it.
+// The window can abort rendering with vtkShadowedSliceMapper, without effect on later frames.
 #include "Support/Drawing/DrawingAborts.h"
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkImageData.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A random sequence of changes to one scene of vtkShadowedSliceMapper - lights, buffers, data,
-// opacities, camera, window - each picture the same as that of a scene made anew.
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+// A random sequence of changes to a scene of vtkShadowedSliceMapper: lights, light buffers, data,
+// opacities, camera, window. After each change, the frame equals the frame of a new scene.
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 
@@ -30,14 +30,14 @@ namespace
 using namespace reference;
 
 constexpr int Changes = 300;
-constexpr std::size_t MostLights = 3;
+constexpr std::size_t MaximumLights = 3;
 
-/// Whether anything is brighter than the background.
-bool IsLit(const RgbaPicture& picture)
+/// Returns true if some pixel is brighter than the background.
+bool IsLit(const RgbaImage& image)
 {
-  for (std::size_t i = 0; i < picture.Values.size(); ++i)
+  for (std::size_t i = 0; i < image.Values.size(); ++i)
   {
-    if (i % 4 != 3 && picture.Values[i] > 0.05)
+    if (i % 4 != 3 && image.Values[i] > 0.05)
     {
       return true;
     }
@@ -45,7 +45,8 @@ bool IsLit(const RgbaPicture& picture)
   return false;
 }
 
-/// Soft matter with steps of opacity in place of the ramp, from a haze on or from nothing.
+/// Returns a property with steps of opacity instead of a ramp. The first step has the opacity \a
+/// haze.
 vtkSmartPointer<vtkVolumeProperty> MakeStepProperty(double haze)
 {
   auto property = MakeSoftProperty(0.6, true);
@@ -59,7 +60,7 @@ vtkSmartPointer<vtkVolumeProperty> MakeStepProperty(double haze)
   return property;
 }
 
-/// What changes, with the mapper and the window that see all of it.
+/// A scene that changes, with its mapper and window.
 class ChangingScene
 {
 public:
@@ -74,7 +75,7 @@ public:
     SetScene(this->Stage, this->Mapper, this->Scene);
   }
 
-  /// One change of any kind; what it is.
+  /// Applies a random change and returns its name.
   std::string Change()
   {
     const auto& [name, change] = this->Kinds[this->Pick(this->Kinds.size())];
@@ -82,7 +83,7 @@ public:
     return name;
   }
 
-  RgbaPicture DrawChanged()
+  RgbaImage DrawChanged()
   {
     Configure(this->Mapper, this->Scene);
     this->Stage.GetVolume()->SetProperty(this->Scene.Property);
@@ -92,23 +93,23 @@ public:
     return ReadWindow(this->Stage.GetWindow());
   }
 
-  RgbaPicture DrawAnew() const
+  RgbaImage DrawNewScene() const
   {
-    ShadowScene anew = this->Scene;
-    for (vtkSmartPointer<vtkLight>& light : anew.Lights)
+    ShadowScene scene = this->Scene;
+    for (vtkSmartPointer<vtkLight>& light : scene.Lights)
     {
       auto copy = vtkSmartPointer<vtkLight>::Take(light->ShallowClone());
-      // VTK's copies leave that out.
+      // ShallowClone() does not copy the shadow attenuation.
       copy->SetShadowAttenuation(light->GetShadowAttenuation());
       light = copy;
     }
-    anew.Camera = vtkSmartPointer<vtkCamera>::New();
-    anew.Camera->DeepCopy(this->Scene.Camera);
+    scene.Camera = vtkSmartPointer<vtkCamera>::New();
+    scene.Camera->DeepCopy(this->Scene.Camera);
     vtkNew<vtkShadowedSliceMapper> mapper;
     mapper->SetLightBufferSize(this->Mapper->GetLightBufferSize());
     mapper->SetSliceSpacing(this->Mapper->GetSliceSpacing());
-    VolumeStage stage(anew.Size);
-    SetScene(stage, mapper, anew);
+    VolumeStage stage(scene.Size);
+    SetScene(stage, mapper, scene);
     return ReadWindow(stage.GetWindow());
   }
 
@@ -141,7 +142,7 @@ private:
   vtkNew<vtkShadowedSliceMapper> Mapper;
   VolumeStage Stage;
   std::vector<std::pair<std::string, std::function<void()>>> Kinds = {
-    { "size of buffers",
+    { "light buffer size",
       [this]
       {
         const std::array<int, 4> sizes = { { 0, 64, 200, 500 } };
@@ -149,7 +150,7 @@ private:
       } },
     { "light outside", [this] { this->Move(this->Numbers.Get(1.5, 4.0)); } },
     { "light inside", [this] { this->Move(this->Numbers.Get(0.0, 0.4)); } },
-    { "kind of light",
+    { "positional or directional light",
       [this]
       {
         vtkLight* light = this->PickLight();
@@ -172,12 +173,12 @@ private:
     { "one more light",
       [this]
       {
-        if (this->Scene.Lights.size() < MostLights)
+        if (this->Scene.Lights.size() < MaximumLights)
         {
           this->Scene.Lights.push_back(MakeDirectionalLight(this->Numbers.GetDirection()));
         }
       } },
-    { "one light less",
+    { "one light fewer",
       [this]
       {
         if (this->Scene.Lights.size() > 1)
@@ -198,15 +199,14 @@ private:
       [this] {
         this->Scene.Camera->SetParallelProjection(!this->Scene.Camera->GetParallelProjection());
       } },
-    { "size of the window",
+    { "window size",
       [this]
       {
         this->Scene.Size = { { 24 + static_cast<int>(this->Pick(60)),
           24 + static_cast<int>(this->Pick(60)) } };
       } },
-    { "spacing of slices",
-      [this] { this->Mapper->SetSliceSpacing(this->Pick(2) == 0 ? 0.0 : 0.07); } },
-    { "colour of shadows",
+    { "slice spacing", [this] { this->Mapper->SetSliceSpacing(this->Pick(2) == 0 ? 0.0 : 0.07); } },
+    { "transmission color",
       [this]
       {
         this->Scene.TransmissionColor =
@@ -222,15 +222,15 @@ int TestShadowChanges(int, char*[])
   Check check;
   ChangingScene scene(17);
   int seen = 0;
-  std::string name = "nothing";
+  std::string name = "no setting";
   for (int i = 0; i < Changes; ++i)
   {
-    const RgbaPicture found = scene.DrawChanged();
-    check.Near(ComparePictures(found, scene.DrawAnew()).Max, 0.0, 0.0,
-      "picture " + std::to_string(i) + ", after a change of " + name, 1.0);
+    const RgbaImage found = scene.DrawChanged();
+    check.Near(CompareImages(found, scene.DrawNewScene()).Max, 0.0, 0.0,
+      "image " + std::to_string(i) + ", after a change of " + name, 1.0);
     seen += IsLit(found) ? 1 : 0;
     name = scene.Change();
   }
-  check.Equal(seen, Changes, "pictures in which the volume is seen");
+  check.Equal(seen, Changes, "all images show the volume");
   return check.Result();
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkShadowedSliceMapper reports of its work: nothing for shadows that nobody casts, one
-// buffer a light, sweeps by where lights are, nothing drawn of what is empty, nothing sent twice.
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+// The report of vtkShadowedSliceMapper: no shadow work if no light casts shadows, one buffer per
+// light, sweeps that follow from the light positions, skipped empty regions, and a single upload of
+// the data.
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceReport.h"
 
@@ -47,14 +48,14 @@ ReportCopy GetReport(const ShadowScene& scene)
 
 void ExpectNoShadows(Check& check, vtkInterlumeReport* report, const std::string& what)
 {
-  check.Near(report->GetNumber("ShadowedLights"), 0, 0.0, what + ": lights with shadows");
-  check.Near(report->GetNumber("LightPasses"), 0, 0.0, what + ": light passes");
-  check.Near(report->GetNumber("LightBuffers"), 0, 0.0, what + ": light buffers");
-  check.Near(report->GetNumber("LightBufferBytes"), 0, 0.0, what + ": bytes of light buffers");
+  check.Equal(report->GetCount("ShadowedLights"), 0, what + ": lights with shadows");
+  check.Equal(report->GetCount("LightPasses"), 0, what + ": light passes");
+  check.Equal(report->GetCount("LightBuffers"), 0, what + ": light buffers");
+  check.Equal(report->GetCount("LightBufferBytes"), 0, what + ": bytes of light buffers");
   check.That(report->GetText("Features").find("hadow") == std::string::npos,
-    what + ": no shader of shadows");
-  check.Near(report->GetNumber("Sweeps"), 1, 0.0, what + ": sweeps");
-  check.That(report->GetNumber("ImagePasses") > 0, what + ": drawn");
+    what + ": no shader code for shadows");
+  check.Equal(report->GetCount("Sweeps"), 1, what + ": sweeps");
+  check.That(report->GetNumber("ImagePasses") > 0, what + ": the volume is drawn");
 }
 
 void TestNoShadows(Check& check)
@@ -65,15 +66,16 @@ void TestNoShadows(Check& check)
     scene.Property->SetShade(shade ? 1 : 0);
     scene.Lights.push_back(MakePositionalLight({ { -0.2, 0.4, -1.5 } }));
     const ReportCopy with = GetReport(scene);
-    check.Near(with->GetNumber("Lights"), shade || with->GetNumber("ShadowedLights") > 0 ? 2 : 0,
-      0.0, "lights");
-    check.Near(with->GetNumber("ShadowedLights"), 2, 0.0, "lights with shadows");
+    check.Equal(
+      with->GetCount("Lights"), shade || with->GetCount("ShadowedLights") > 0 ? 2 : 0, "lights");
+    check.Equal(with->GetCount("ShadowedLights"), 2, "lights with shadows");
     check.That(with->GetNumber("LightPasses") > 0, "light passes");
-    check.That(with->GetText("Features").find("hadow") != std::string::npos, "shader of shadows");
+    check.That(
+      with->GetText("Features").find("hadow") != std::string::npos, "shader code for shadows");
 
     scene.Shadows = false;
     vtkNew<vtkShadowedSliceMapper> off;
-    const RgbaPicture picture = DrawByMapper(off, scene);
+    const RgbaImage image = DrawByMapper(off, scene);
     ExpectNoShadows(check, off->GetReport(), "shadows off");
     scene.Shadows = true;
     for (vtkLight* light : scene.Lights)
@@ -81,8 +83,8 @@ void TestNoShadows(Check& check)
       light->SetShadowAttenuation(0.0);
     }
     vtkNew<vtkShadowedSliceMapper> none;
-    const PictureError error = ComparePictures(DrawByMapper(none, scene), picture);
-    check.Near(error.Max, 0.0, 0.0, "the same without shadow attenuation");
+    const ImageError error = CompareImages(DrawByMapper(none, scene), image);
+    check.Near(error.Max, 0.0, 0.0, "equal image without shadow attenuation");
     ExpectNoShadows(check, none->GetReport(), "no shadow attenuation");
     for (vtkLight* light : scene.Lights)
     {
@@ -93,7 +95,7 @@ void TestNoShadows(Check& check)
     scene.Lights.clear();
     const ReportCopy dark = GetReport(scene);
     ExpectNoShadows(check, dark, "no lights");
-    check.Near(dark->GetNumber("Lights"), 0, 0.0, "no lights: lights");
+    check.Equal(dark->GetCount("Lights"), 0, "no lights: lights");
   }
 }
 
@@ -118,21 +120,22 @@ void TestBuffers(Check& check)
       vtkInterlumeReport* report = mapper->GetReport();
       const std::string name =
         std::to_string(lights) + " lights, " + std::to_string(channels) + " channels";
-      check.Near(report->GetNumber("ShadowedLights"), lights, 0.0, name + ": shadows");
-      check.Near(report->GetNumber("LightBuffers"), lights, 0.0, name + ": buffers");
-      check.Near(report->GetNumber("LightBufferSize"), 64, 0.0, name + ": size");
-      check.Near(report->GetNumber("LightChannels"), channels, 0.0, name + ": channels");
-      // Floats of transmittance, and two bytes of depth for what is opaque.
-      check.Near(report->GetNumber("LightBufferBytes"), lights * 64 * 64 * (4 * channels + 2), 0.0,
+      check.Equal(report->GetCount("ShadowedLights"), lights, name + ": shadows");
+      check.Equal(report->GetCount("LightBuffers"), lights, name + ": buffers");
+      check.Equal(report->GetCount("LightBufferSize"), 64, name + ": size");
+      check.Equal(report->GetCount("LightChannels"), channels, name + ": channels");
+      // Each texel has four bytes of transmittance per channel, and two bytes of depth for opaque
+      // regions.
+      check.Equal(report->GetCount("LightBufferBytes"), lights * 64 * 64 * (4 * channels + 2),
         name + ": bytes");
     }
     const ReportCopy automatic = GetReport(scene);
     check.That(automatic->GetNumber("LightBufferSize") >= 20 &&
         automatic->GetNumber("LightBufferSize") <= 64,
-      "as many samples as voxels are across");
+      "the default size is about the number of voxels across");
     check.That(automatic->GetNumber("LightBufferBytes") <= 4 * (4 * channels + 2) *
           automatic->GetNumber("LightBufferSize") * automatic->GetNumber("LightBufferSize"),
-      "bytes of buffers of the size that is reported");
+      "the bytes match the reported size");
   }
 }
 
@@ -143,9 +146,9 @@ void TestSweeps(Check& check)
   const auto sweeps = [&](const std::string& name, int all, int fromFront)
   {
     const ReportCopy report = GetReport(scene);
-    check.Near(report->GetNumber("Sweeps"), all, 0.0, name + ": sweeps");
-    check.Near(
-      report->GetNumber("FrontToBackSweeps"), fromFront, 0.0, name + ": sweeps from front to back");
+    check.Equal(report->GetCount("Sweeps"), all, name + ": sweeps");
+    check.Equal(
+      report->GetCount("FrontToBackSweeps"), fromFront, name + ": sweeps from front to back");
   };
   const auto front = MakeDirectionalLight({ { 0.3, -0.3, -1.0 } });
   const auto back = MakeDirectionalLight({ { 0.3, -0.3, 1.0 } });
@@ -161,8 +164,8 @@ void TestSweeps(Check& check)
   sweeps("light inside", 2, 1);
 }
 
-/// A light inside the volume has halves of one sweep: no slice is drawn twice, and the light's
-/// buffer is drawn once for each that has matter for the light.
+/// A light inside the volume divides one sweep into two: no slice is drawn twice, and the light
+/// buffer is drawn once per slice that contains medium.
 void TestInside(Check& check)
 {
   auto scene = SphereScene();
@@ -172,71 +175,71 @@ void TestInside(Check& check)
   const ReportCopy without = GetReport(scene);
   scene.Shadows = true;
   const ReportCopy with = GetReport(scene);
-  check.Near(with->GetNumber("Sweeps"), 2, 0.0, "light inside: sweeps");
+  check.Equal(with->GetCount("Sweeps"), 2, "light inside: sweeps");
   check.That(with->GetNumber("Slices") <= without->GetNumber("Slices") + 1,
     "light inside: " + std::to_string(with->GetNumber("Slices")) + " slices for " +
       std::to_string(without->GetNumber("Slices")));
   check.That(with->GetNumber("ImagePasses") <= without->GetNumber("ImagePasses") + 1,
-    "light inside: " + std::to_string(with->GetNumber("ImagePasses")) +
-      " passes over the picture for " + std::to_string(without->GetNumber("ImagePasses")));
-  check.That(with->GetNumber("LightPasses") <= with->GetNumber("ImagePasses"),
-    "light inside: passes over the light's buffer");
-  check.Near(with->GetNumber("ImageBuffers"), without->GetNumber("ImageBuffers"), 0.0,
-    "light inside: buffers of the picture");
+    "light inside: " + std::to_string(with->GetNumber("ImagePasses")) + " image passes for " +
+      std::to_string(without->GetNumber("ImagePasses")));
+  check.That(
+    with->GetNumber("LightPasses") <= with->GetNumber("ImagePasses"), "light inside: light passes");
+  check.Equal(with->GetCount("ImageBuffers"), without->GetCount("ImageBuffers"),
+    "light inside: image buffers");
 
-  // Beside the light's half the blocks are empty.
+  // Most blocks on one side of the light are empty.
   const auto layer = [](const Double3& x) { return x[2] < 0.2 ? 1.0 : 0.0; };
   scene.Image = MakeImage(64, layer);
   scene.Lights = { MakePositionalLight({ { 0.0, 0.0, 0.1 } }) };
   const ReportCopy half = GetReport(scene);
   check.That(half->GetNumber("SlicesDrawn") < 0.5 * half->GetNumber("Slices"),
-    "light inside: empty slices are left out");
+    "light inside: empty slices are skipped");
   check.That(half->GetNumber("LightPasses") <= half->GetNumber("SlicesDrawn"),
-    "light inside: and those of its buffer");
+    "light inside: light passes of empty slices are skipped");
 }
 
 void TestBlocks(Check& check)
 {
-  // Two balls in opposite corners, with nothing between.
-  const auto balls = [](const Double3& x)
+  // Two spheres in opposite corners, with empty space between them.
+  const auto spheres = [](const Double3& x)
   {
     const double a = vtkMath::Norm(Double3{ { x[0] - 0.1, x[1] - 0.1, x[2] - 0.1 } }.data());
     const double b = vtkMath::Norm(Double3{ { x[0] - 0.9, x[1] - 0.9, x[2] - 0.9 } }.data());
     return std::max(0.0, 1.0 - std::min(a, b) / 0.08);
   };
-  auto scene = MakeScene(MakeImage(64, balls), MakeSoftProperty(0.9, true));
+  auto scene = MakeScene(MakeImage(64, spheres), MakeSoftProperty(0.9, true));
   scene.Lights = { MakeDirectionalLight({ { -0.4, -0.3, -1.0 } }) };
   const ReportCopy some = GetReport(scene);
-  check.Near(some->GetNumber("Blocks"), 64, 0.0, "blocks of 16 cells");
-  check.Near(some->GetNumber("BlocksDrawn"), 2, 0.0, "blocks with something to see");
+  check.Equal(some->GetCount("Blocks"), 64, "blocks of 16 cells");
+  check.Equal(some->GetCount("BlocksDrawn"), 2, "visible blocks");
   check.That(some->GetNumber("SlicesDrawn") > 0 &&
       some->GetNumber("SlicesDrawn") < some->GetNumber("Slices"),
-    "slices between are left out");
-  // A card drops fragments by itself.
+    "empty slices between the spheres are skipped");
+  // Only software OpenGL draws empty regions first, in an additional pass.
   VolumeStage stage(scene.Size);
   stage.Render();
   const bool isSoftware = interlume::SoftwareOpenGL::IsUsed(
     vtkOpenGLRenderWindow::SafeDownCast(stage.GetRenderer()->GetRenderWindow()));
   const auto isEmptyFirst = [](vtkInterlumeReport* report)
   { return report->GetText("Features").find("empty-first") != std::string::npos; };
-  check.That(isEmptyFirst(some) == isSoftware, "little matter: what is empty is drawn first");
+  check.That(isEmptyFirst(some) == isSoftware, "sparse medium: empty regions are drawn first");
   auto full =
     MakeScene(MakeImage(20, [](const Double3&) { return 1.0; }), MakeSoftProperty(0.5, true));
-  check.That(!isEmptyFirst(GetReport(full)), "all is matter: no pass over what is empty");
+  check.That(!isEmptyFirst(GetReport(full)), "dense medium: no pass over empty regions");
   scene.Shadows = false;
   scene.Property->ShadeOff();
-  check.That(!isEmptyFirst(GetReport(scene)), "no light: no pass over what is empty");
+  check.That(!isEmptyFirst(GetReport(scene)), "no light: no pass over empty regions");
   scene.Shadows = true;
 
   scene.Image->GetPointData()->GetScalars()->Fill(0.0);
   scene.Image->GetPointData()->GetScalars()->Modified();
   vtkNew<vtkShadowedSliceMapper> mapper;
-  const RgbaPicture picture = DrawByMapper(mapper, scene);
+  const RgbaImage image = DrawByMapper(mapper, scene);
   vtkInterlumeReport* none = mapper->GetReport();
-  check.Near(none->GetNumber("BlocksDrawn"), 0, 0.0, "nothing to see: blocks");
-  check.Near(none->GetNumber("SlicesDrawn"), 0, 0.0, "nothing to see: slices");
-  check.Near(none->GetNumber("LightPasses"), 0, 0.0, "nothing to see: light passes");
-  check.Near(LargestAlpha(picture), 0.0, 0.0, "nothing to see: picture");
+  check.Equal(none->GetCount("BlocksDrawn"), 0, "empty volume: blocks");
+  check.Equal(none->GetCount("SlicesDrawn"), 0, "empty volume: slices");
+  check.Equal(none->GetCount("LightPasses"), 0, "empty volume: light passes");
+  check.Near(LargestAlpha(image), 0.0, 0.0, "empty volume: image");
 }
 
 void TestUploads(Check& check)
@@ -247,19 +250,19 @@ void TestUploads(Check& check)
   SetScene(stage, mapper, scene);
   stage.Render();
   const ReportCopy first = CopyReport(mapper->GetReport());
-  check.That(first->GetNumber("UploadedBytes") > 21 * 21 * 21, "the volume is sent");
-  check.That(first->GetNumber("TextureBytes") > 21 * 21 * 21, "what is sent is kept");
-  // Slices are sent for each view and light, textures are not.
+  check.That(first->GetNumber("UploadedBytes") > 21 * 21 * 21, "the volume is uploaded");
+  check.That(first->GetNumber("TextureBytes") > 21 * 21 * 21, "the uploaded textures are retained");
+  // A new view or light uploads slices, but no textures.
   const auto expectNothing = [&](const std::string& name, bool isSame = true)
   {
     stage.Render();
-    const vtkIdType sent = mapper->GetReport()->GetNumber("UploadedBytes");
-    check.That(isSame ? sent == 0 : sent < first->GetNumber("TextureBytes") / 10,
-      name + ": " + std::to_string(sent) + " bytes are sent");
-    check.Near(mapper->GetReport()->GetNumber("TextureBytes"), first->GetNumber("TextureBytes"),
-      0.0, name + ": kept");
+    const vtkIdType uploaded = mapper->GetReport()->GetNumber("UploadedBytes");
+    check.That(isSame ? uploaded == 0 : uploaded < first->GetNumber("TextureBytes") / 10,
+      name + ": " + std::to_string(uploaded) + " bytes are uploaded");
+    check.Equal(mapper->GetReport()->GetCount("TextureBytes"), first->GetCount("TextureBytes"),
+      name + ": retained textures");
   };
-  expectNothing("the same again");
+  expectNothing("drawing again");
   scene.Camera->Azimuth(20.0);
   expectNothing("another camera", false);
   scene.Lights[0]->SetPosition(1.0, 1.0, -1.0);
@@ -267,33 +270,33 @@ void TestUploads(Check& check)
   scene.Property->GetRGBTransferFunction()->AddRGBPoint(0.5, 0.0, 1.0, 0.0);
   stage.Render();
   const vtkIdType colors = mapper->GetReport()->GetNumber("UploadedBytes");
-  check.That(
-    colors > 0 && colors < first->GetNumber("UploadedBytes"), "other colours: the functions alone");
-  expectNothing("other colours, again");
+  check.That(colors > 0 && colors < first->GetNumber("UploadedBytes"),
+    "other colors: only the functions are uploaded");
+  expectNothing("other colors, drawn again");
   scene.Image->GetPointData()->GetScalars()->SetComponent(0, 0, 0.5);
   scene.Image->GetPointData()->GetScalars()->Modified();
   scene.Image->Modified();
   stage.Render();
   check.That(
-    mapper->GetReport()->GetNumber("UploadedBytes") > 21 * 21 * 21, "other values are sent");
-  expectNothing("other values, again");
+    mapper->GetReport()->GetNumber("UploadedBytes") > 21 * 21 * 21, "other values are uploaded");
+  expectNothing("other values, drawn again");
 }
 
-/// Five lights, of which the brightest casts shadows.
+/// A light kit of five lights, with shadows of the brightest light only.
 void TestLightKit(Check& check)
 {
   auto scene = SphereScene();
   scene.Lights.clear();
   vtkNew<vtkShadowedSliceMapper> mapper;
-  mapper->SetMaximumNumberOfShadows(1);
+  mapper->SetMaximumNumberOfShadowLights(1);
   VolumeStage stage(scene.Size);
   SetScene(stage, mapper, scene);
   vtkNew<vtkLightKit> kit;
   kit->AddLightsToRenderer(stage.GetRenderer());
   stage.Render();
-  check.Near(mapper->GetReport()->GetNumber("Lights"),
-    stage.GetRenderer()->GetLights()->GetNumberOfItems(), 0.0, "lights of a kit");
-  check.Near(mapper->GetReport()->GetNumber("LightBuffers"), 1, 0.0, "buffers of a kit");
+  check.Equal(mapper->GetReport()->GetCount("Lights"),
+    stage.GetRenderer()->GetLights()->GetNumberOfItems(), "lights of the kit");
+  check.Equal(mapper->GetReport()->GetCount("LightBuffers"), 1, "light buffers of the kit");
 }
 
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cropping, clipping planes and the planes of the camera cut the matter of vtkShadowedSliceMapper
-// along the ray, whatever the direction matrix of the image is: against marching in double, against
-// other ways to cut the same, and against a smaller image.
+// Cropping, clipping planes and the camera's clipping range cut the volume of
+// vtkShadowedSliceMapper along view rays, for any direction matrix of the vtkImageData. Frames are
+// compared with the reference, with equivalent cuts, and with smaller vtkImageData.
 #include "Light/ShadowComparison.h"
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/ReferenceRay.h"
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/ReferenceRay.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceRandom.h"
 
 #include "vtkCamera.h"
@@ -31,9 +31,9 @@ namespace
 
 using namespace reference;
 
-/// Matter that is the same everywhere has the opacity of its length, at any spacing of slices.
-constexpr PictureBound Exact = { 2e-5, 2e-6 };
-constexpr PictureBound Same = { 1e-5, 1e-6 };
+/// The opacity of a homogeneous medium is exact for any slice spacing.
+constexpr ImageBound Exact = { 2e-5, 2e-6 };
+constexpr ImageBound Similar = { 1e-5, 1e-6 };
 
 struct Axes
 {
@@ -41,18 +41,19 @@ struct Axes
   std::array<double, 9> Matrix;
 };
 
-/// Direction matrices: none, turned, turned and mirrored, axes in another order, one reversed.
+/// Returns direction matrices: identity, rotation, rotation with reflection, permuted axes, one
+/// reversed axis.
 std::vector<Axes> GetAxes()
 {
-  return { { "no turn", { { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 } } },
-    { "turned", { { 0.8, -0.6, 0.0, 0.48, 0.64, -0.6, 0.36, 0.48, 0.8 } } },
+  return { { "identity", { { 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 } } },
+    { "rotated", { { 0.8, -0.6, 0.0, 0.48, 0.64, -0.6, 0.36, 0.48, 0.8 } } },
     { "mirrored", { { 0.8, -0.6, 0.0, 0.48, 0.64, -0.6, -0.36, -0.48, -0.8 } } },
-    { "other order", { { 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 1.0, 0.0 } } },
+    { "permuted", { { 0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 0.0, 1.0, 0.0 } } },
     { "reversed", { { -1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0 } } } };
 }
 
-/// An image of a field around a center, with a direction matrix.
-vtkSmartPointer<vtkImageData> MakeTurned(
+/// Returns a vtkImageData with samples of a field around a center, and with a direction matrix.
+vtkSmartPointer<vtkImageData> MakeOrientedImage(
   const Axes& axes, const Field& field, const Double3& center = { { 0.0, 0.0, 0.0 } })
 {
   auto image = MakeImage({ { 20, 16, 12 } }, { { 0.05, 0.055, 0.06 } }, field);
@@ -72,8 +73,8 @@ vtkSmartPointer<vtkImageData> MakeTurned(
   return image;
 }
 
-/// The same matter everywhere, without light.
-ShadowScene MakeEven(vtkImageData* image, bool isParallel)
+/// Returns a homogeneous medium without lighting.
+ShadowScene MakeHomogeneous(vtkImageData* image, bool isParallel)
 {
   auto scene = MakeHomogeneousScene(2, 1.5);
   scene.Image = image;
@@ -88,9 +89,9 @@ double One(const Double3&)
   return 1.0;
 }
 
-/// With slices as thick as three voxels.
-void ExpectExact(Check& check, const std::string& name, const ShadowScene& scene,
-  const PictureBound& bound = Exact)
+/// Compares a scene with the reference. Slices are as thick as three voxels.
+void ExpectExact(
+  Check& check, const std::string& name, const ShadowScene& scene, const ImageBound& bound = Exact)
 {
   vtkNew<vtkShadowedSliceMapper> mapper;
   mapper->SetSliceSpacing(0.15);
@@ -115,39 +116,42 @@ std::vector<vtkSmartPointer<vtkPlane>> MakePlanes()
   return planes;
 }
 
-/// The subvolume, against the reference and against six clipping planes.
+/// Compares a cropped subvolume with the reference, and with a volume cut by six clipping planes.
 void TestSubvolume(Check& check)
 {
   for (const Axes& axes : GetAxes())
   {
-    auto even = MakeEven(MakeTurned(axes, &One), false);
-    even.CroppingPlanes = CroppingPlanes;
-    even.CroppingFlags = VTK_CROP_SUBVOLUME;
-    ExpectExact(check, "subvolume, " + axes.Name, even);
-    auto lit = MakeScene(MakeTurned(axes, MakeSphere(0.15, 0.6)), MakeSoftProperty(0.9, true));
+    auto homogeneous = MakeHomogeneous(MakeOrientedImage(axes, &One), false);
+    homogeneous.CroppingPlanes = CroppingPlanes;
+    homogeneous.CroppingFlags = VTK_CROP_SUBVOLUME;
+    ExpectExact(check, "subvolume, " + axes.Name, homogeneous);
+    auto lit =
+      MakeScene(MakeOrientedImage(axes, MakeSphere(0.15, 0.6)), MakeSoftProperty(0.9, true));
     lit.Size = { { 48, 48 } };
     lit.CroppingPlanes = CroppingPlanes;
     lit.CroppingFlags = VTK_CROP_SUBVOLUME;
     vtkNew<vtkShadowedSliceMapper> cropping;
-    const RgbaPicture cropped = DrawByMapper(cropping, lit);
+    const RgbaImage cropped = DrawByMapper(cropping, lit);
     lit.CroppingFlags = 0;
     lit.ClippingPlanes = MakePlanes();
     vtkNew<vtkShadowedSliceMapper> clipping;
-    const RgbaPicture clipped = DrawByMapper(clipping, lit);
-    check.That(LargestAlpha(cropped) > 0.5, "something is seen of what is cropped");
-    // Along the axes the slices are those of the smaller box.
+    const RgbaImage clipped = DrawByMapper(clipping, lit);
+    check.That(LargestAlpha(cropped) > 0.5, "the cropped image is not empty");
+    // Cropping an axis-aligned vtkImageData moves the slices to the smaller box, so that images
+    // differ slightly.
     const bool isOblique = axes.Matrix[0] == 0.8;
-    ExpectAlike(check, "as by clipping planes, " + axes.Name, cropped, clipped,
-      isOblique ? Same : PictureBound{ 0.03, 2e-4 });
+    ExpectSimilar(check, "same as clipping planes, " + axes.Name, cropped, clipped,
+      isOblique ? Similar : ImageBound{ 0.03, 2e-4 });
   }
 }
 
-/// Cropping at samples, against the image of these samples alone.
+/// Compares a volume cropped at its samples with a vtkImageData of only these samples.
 void TestExtracted(Check& check)
 {
   for (const Axes& axes : GetAxes())
   {
-    auto scene = MakeScene(MakeTurned(axes, MakeSphere(0.15, 0.6)), MakeSoftProperty(0.9, false));
+    auto scene =
+      MakeScene(MakeOrientedImage(axes, MakeSphere(0.15, 0.6)), MakeSoftProperty(0.9, false));
     scene.Size = { { 48, 48 } };
     const int extent[6] = { 3, 15, 5, 16, 0, 7 };
     const Double3 first = { { 3.0, 5.0, 0.0 } };
@@ -166,20 +170,20 @@ void TestExtracted(Check& check)
       continue;
     }
     vtkNew<vtkShadowedSliceMapper> cropping;
-    const RgbaPicture cropped = DrawByMapper(cropping, scene);
+    const RgbaImage cropped = DrawByMapper(cropping, scene);
     scene.CroppingFlags = 0;
-    auto part = vtkSmartPointer<vtkImageData>::New();
-    part->DeepCopy(scene.Image);
-    part->Crop(extent);
-    scene.Image = part;
+    auto extracted = vtkSmartPointer<vtkImageData>::New();
+    extracted->DeepCopy(scene.Image);
+    extracted->Crop(extent);
+    scene.Image = extracted;
     vtkNew<vtkShadowedSliceMapper> extracting;
-    check.That(LargestAlpha(cropped) > 0.5, "something is seen of what is extracted");
-    ExpectAlike(check, "as an image of its own, " + axes.Name, cropped,
-      DrawByMapper(extracting, scene), Same);
+    check.That(LargestAlpha(cropped) > 0.5, "the cropped image is not empty");
+    ExpectSimilar(check, "same as a smaller image, " + axes.Name, cropped,
+      DrawByMapper(extracting, scene), Similar);
   }
 }
 
-/// Regions with gaps, of any flags, near the origin and far away.
+/// Checks cropping regions with gaps, for special and random flags, near the origin and far away.
 void TestGaps(Check& check)
 {
   Random random(12);
@@ -189,12 +193,13 @@ void TestGaps(Check& check)
   {
     flags.push_back(static_cast<int>(random.Get(1.0, 134217727.0)));
   }
-  const std::vector<Axes> turns = GetAxes();
+  const std::vector<Axes> orientations = GetAxes();
   for (std::size_t i = 0; i < flags.size(); ++i)
   {
-    const Axes& axes = turns[i % turns.size()];
+    const Axes& axes = orientations[i % orientations.size()];
     const double far = i % 3 == 1 ? 1e5 : 0.0;
-    auto scene = MakeEven(MakeTurned(axes, &One, { { far, -far, 0.5 * far } }), i % 2 == 0);
+    auto scene =
+      MakeHomogeneous(MakeOrientedImage(axes, &One, { { far, -far, 0.5 * far } }), i % 2 == 0);
     scene.CroppingFlags = flags[i];
     for (int side = 0; side < 6; ++side)
     {
@@ -207,16 +212,17 @@ void TestGaps(Check& check)
   }
 }
 
-/// Light that goes through gaps, from outside and from within.
+/// Checks that light passes through gaps in the cropping region, for lights outside and inside the
+/// volume.
 void TestLitGaps(Check& check)
 {
-  const std::vector<Axes> turns = GetAxes();
+  const std::vector<Axes> orientations = GetAxes();
   for (const bool isWithin : { false, true })
   {
     for (const int flags : { VTK_CROP_FENCE, VTK_CROP_CROSS })
     {
-      auto scene =
-        MakeScene(MakeTurned(turns[1], MakeSphere(0.15, 0.7)), MakeSoftProperty(0.5, false));
+      auto scene = MakeScene(
+        MakeOrientedImage(orientations[1], MakeSphere(0.15, 0.7)), MakeSoftProperty(0.5, false));
       scene.Size = { { 40, 40 } };
       scene.CroppingPlanes = CroppingPlanes;
       scene.CroppingFlags = flags;
@@ -225,28 +231,28 @@ void TestLitGaps(Check& check)
         scene.Lights = { MakePositionalLight({ { 0.05, 0.1, 0.12 } }) };
       }
       ExpectReference(check,
-        "light through gaps, flags " + std::to_string(flags) + (isWithin ? ", from within" : ""),
+        "light through gaps, flags " + std::to_string(flags) + (isWithin ? ", from inside" : ""),
         scene, { 0.02, 1.5e-4 });
     }
   }
 }
 
-/// The planes of the camera, of which the light takes no notice.
+/// The camera's clipping range cuts the volume, but does not affect the light.
 void TestCameraPlanes(Check& check)
 {
-  const std::vector<Axes> turns = GetAxes();
+  const std::vector<Axes> orientations = GetAxes();
   for (const bool isParallel : { false, true })
   {
-    const std::string how = isParallel ? ", parallel" : ", perspective";
-    auto scene = MakeEven(MakeTurned(turns[1], &One), isParallel);
+    const std::string projection = isParallel ? ", parallel" : ", perspective";
+    auto scene = MakeHomogeneous(MakeOrientedImage(orientations[1], &One), isParallel);
     const double distance = scene.Camera->GetDistance();
     const auto expect = [&](const std::string& name, double near, double far)
     {
       scene.Camera->SetClippingRange(distance + near, distance + far);
-      ExpectExact(check, name + how, scene);
+      ExpectExact(check, name + projection, scene);
     };
-    expect("far plane behind the middle", -2.0, 0.113);
-    expect("far plane before the middle", -2.0, -0.22);
+    expect("far plane behind the center", -2.0, 0.113);
+    expect("far plane in front of the center", -2.0, -0.22);
     expect("near plane", -0.13, 2.0);
     expect("both planes", -0.21, 0.017);
     vtkNew<vtkPlane> plane;
@@ -255,11 +261,12 @@ void TestCameraPlanes(Check& check)
     scene.ClippingPlanes = { plane.Get() };
     expect("both planes and a clipping plane", -0.21, 0.07);
 
-    // In light: thin matter, and steps of opacity with slabs that count as thick.
+    // Lit scenes: a medium of low density, and steps of opacity whose slabs are treated as
+    // optically thick.
     for (const bool isThick : { false, true })
     {
-      auto lit =
-        MakeScene(MakeTurned(turns[1], MakeSphere(0.15, 0.6)), MakeSoftProperty(0.6, false));
+      auto lit = MakeScene(
+        MakeOrientedImage(orientations[1], MakeSphere(0.15, 0.6)), MakeSoftProperty(0.6, false));
       if (isThick)
       {
         vtkNew<vtkPiecewiseFunction> steps;
@@ -273,7 +280,7 @@ void TestCameraPlanes(Check& check)
       // The light comes from behind the far plane.
       lit.Lights = { MakeDirectionalLight({ { 0.2, 0.5, 1.0 } }) };
       ExpectReference(check,
-        std::string("far plane in light, ") + (isThick ? "thick" : "thin") + how, lit,
+        std::string("far plane in light, ") + (isThick ? "thick" : "thin") + projection, lit,
         { isThick ? 0.5 : 0.06, 0.0015 });
     }
   }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extremes of vtkShadowedSliceMapper, each by its name: places of lights, shapes and sizes of
-// volumes, materials, values that are no numbers, textures and memory.
+// Extreme and invalid input of vtkShadowedSliceMapper: light positions, shapes and sizes of
+// volumes, materials, non-finite values, light images and memory.
 #include "Support/Pages/StabilityCase.h"
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/ReferenceShadowPicture.h"
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/ReferenceShadowImage.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -36,7 +36,7 @@ namespace
 
 using namespace reference;
 
-/// Slabs of a voxel take their sample in the middle of a fuzzy ball.
+/// Slabs of one voxel use one sample at their center, which causes this error in a fuzzy sphere.
 constexpr double Bound = 0.02;
 
 class ShadowTable
@@ -48,36 +48,36 @@ public:
     this->Catalogue.SetClass("vtkShadowedSliceMapper");
   }
 
-  /// The mapper's picture against the reference.
+  /// Compares the mapper's image with the reference.
   void Measure(const std::string& name, const std::string& extreme, const ShadowScene& scene,
     double bound = Bound)
   {
     vtkNew<vtkShadowedSliceMapper> mapper;
-    const RgbaPicture found = DrawByMapper(mapper, scene);
-    this->Measure(name, extreme, found, MakeShadowPicture(scene), bound);
+    const RgbaImage found = DrawByMapper(mapper, scene);
+    this->Measure(name, extreme, found, MakeShadowImage(scene), bound);
   }
 
-  void Measure(const std::string& name, const std::string& extreme, const RgbaPicture& found,
-    const RgbaPicture& expected, double bound)
+  void Measure(const std::string& name, const std::string& extreme, const RgbaImage& found,
+    const RgbaImage& expected, double bound)
   {
     const bool isSeen = LargestAlpha(expected) > 0.05;
     this->Catalogue.Measure(name, extreme, "largest channel error against the reference",
-      isSeen ? ComparePictures(found, expected).Max : std::nan(""), bound);
+      isSeen ? CompareImages(found, expected).Max : std::nan(""), bound);
   }
 
   StabilityCatalogue Catalogue;
 };
 
-ShadowScene BallScene()
+ShadowScene SphereScene()
 {
   auto scene = MakeScene(MakeImage(24, MakeSphere(0.1, 0.45)), MakeSoftProperty(0.4, false));
   scene.Size = { { 48, 48 } };
   return scene;
 }
 
-void TestLightPlaces(ShadowTable& table)
+void TestLightPositions(ShadowTable& table)
 {
-  auto scene = BallScene();
+  auto scene = SphereScene();
   const auto measure = [&](const std::string& name, const std::string& extreme,
                          const vtkSmartPointer<vtkLight>& light, double bound = Bound)
   {
@@ -91,23 +91,24 @@ void TestLightPlaces(ShadowTable& table)
   };
   measure(
     "light-inside", "a light inside the volume", MakePositionalLight({ { 0.1, 0.05, 0.15 } }));
-  measure("light-inside-center", "a light in the middle of the volume",
+  measure("light-inside-center", "a light at the center of the volume",
     MakePositionalLight({ { 0.0, 0.0, 1e-9 } }));
-  Double3 eye;
-  scene.Camera->GetPosition(eye.data());
-  measure("light-at-eye", "a light at the eye", MakePositionalLight(eye));
+  Double3 cameraPosition;
+  scene.Camera->GetPosition(cameraPosition.data());
+  measure("light-at-eye", "a light at the camera", MakePositionalLight(cameraPosition));
   vtkNew<vtkLight> head;
   head->SetLightTypeToHeadlight();
   head->SetIntensity(0.8);
   measure("headlight", "light along the view", head.Get());
-  measure("light-opposite", "light exactly against the view",
+  measure("light-opposite", "light exactly opposite to the view",
     MakeDirectionalLight({ { 0.3, 0.4, 1.0 } }));
-  measure("light-opposite-point", "a light exactly opposite the eye",
-    MakePositionalLight({ { -eye[0], -eye[1], -eye[2] } }));
-  measure(
-    "light-across", "light exactly across the view", MakeDirectionalLight({ { 1.0, -0.75, 0.0 } }));
-  // The slices' plane with a light behind and in front is that of the view: perpendicular to it.
-  measure("light-in-slice-plane", "a light beside the volume, in the plane of a slice",
+  measure("light-opposite-point", "a light exactly opposite to the camera",
+    MakePositionalLight({ { -cameraPosition[0], -cameraPosition[1], -cameraPosition[2] } }));
+  measure("light-across", "light exactly perpendicular to the view",
+    MakeDirectionalLight({ { 1.0, -0.75, 0.0 } }));
+  // This direction is perpendicular to the view. Here the slices switch between lights in front of
+  // the volume and lights behind it.
+  measure("light-in-slice-plane", "a light next to the volume, in the plane of a slice",
     MakePositionalLight({ { -0.8, 0.6, 0.0 } }));
   measure("light-distance-1e-3", "a light 1e-3 above the volume",
     MakePositionalLight({ { 0.0, 0.0, 0.501 } }));
@@ -118,18 +119,19 @@ void TestLightPlaces(ShadowTable& table)
   vtkNew<vtkTest::ErrorObserver> observer;
   mapper->AddObserver(vtkCommand::ErrorEvent, observer);
   mapper->AddObserver(vtkCommand::WarningEvent, observer);
-  const RgbaPicture found = DrawByMapper(mapper, scene);
+  const RgbaImage found = DrawByMapper(mapper, scene);
   scene.Lights.clear();
   vtkNew<vtkShadowedSliceMapper> without;
-  const double difference = ComparePictures(found, DrawByMapper(without, scene)).Max;
+  const double difference = CompareImages(found, DrawByMapper(without, scene)).Max;
   table.Catalogue.Check("light-without-direction", "position and focal point the same",
-    "an error, and the others shine", observer->GetErrorMessage() + observer->GetWarningMessage(),
+    "an error, and the light is skipped",
+    observer->GetErrorMessage() + observer->GetWarningMessage(),
     (observer->GetError() || observer->GetWarning()) && difference < 1e-6);
 }
 
 void TestShapes(ShadowTable& table)
 {
-  auto scene = BallScene();
+  auto scene = SphereScene();
   scene.Image = MakeImage({ { 24, 24, 8 } }, { { 0.02, 0.02, 1.0 } }, MakeSphere(0.1, 0.45));
   scene.Property->SetScalarOpacityUnitDistance(0.5);
   for (const Double3& direction :
@@ -139,27 +141,27 @@ void TestShapes(ShadowTable& table)
     table.Measure(direction[2] < 0.0 ? "voxels-1-1-50-along" : "voxels-1-1-50-across",
       "voxels of 1:1:50", scene);
   }
-  for (const double thin : { 1e-6, 1e-9 })
+  for (const double thickness : { 1e-6, 1e-9 })
   {
-    auto sheet = BallScene();
+    auto sheet = SphereScene();
     sheet.Image =
-      MakeImage({ { 24, 24, 8 } }, { { 1.0 / 24, 1.0 / 24, thin } }, MakeSphere(0.1, 0.45));
-    sheet.Property->SetScalarOpacityUnitDistance(10.0 * thin);
-    // The slices are along the sheet.
+      MakeImage({ { 24, 24, 8 } }, { { 1.0 / 24, 1.0 / 24, thickness } }, MakeSphere(0.1, 0.45));
+    sheet.Property->SetScalarOpacityUnitDistance(10.0 * thickness);
+    // The slices are parallel to the sheet.
     sheet.Camera = LookAt(sheet.Image, { { -0.3, -0.4, -1.0 } }, true);
     sheet.Lights = { MakeDirectionalLight({ { 0.3, 0.4, -1.0 } }) };
     vtkNew<vtkShadowedSliceMapper> mapper;
-    const std::string name = thin < 1e-8 ? "sheet-1e-9" : "sheet-1e-6";
+    const std::string name = thickness < 1e-8 ? "sheet-1e-9" : "sheet-1e-6";
     const std::string extreme = "voxels " + name.substr(6) + " thick, seen and lit obliquely";
-    const RgbaPicture found = DrawByMapper(mapper, sheet);
-    table.Measure(name, extreme, found, MakeShadowPicture(sheet), Bound);
+    const RgbaImage found = DrawByMapper(mapper, sheet);
+    table.Measure(name, extreme, found, MakeShadowImage(sheet), Bound);
     table.Catalogue.Measure(name + "-buffer", extreme,
-      "texels across the light's buffer, more than the fewest",
+      "texels across the light buffer, above the minimum of 64",
       mapper->GetReport()->GetNumber("LightBufferSize") - 64.0, 0.0);
   }
   for (double scale : { 1e-6, 1e6 })
   {
-    auto scaled = BallScene();
+    auto scaled = SphereScene();
     scaled.Image = MakeImage(
       { { 24, 24, 24 } }, { { scale / 24, scale / 24, scale / 24 } }, MakeSphere(0.1, 0.45));
     scaled.Property->SetScalarOpacityUnitDistance(0.1 * scale);
@@ -168,9 +170,9 @@ void TestShapes(ShadowTable& table)
     table.Measure(name, "a volume of that size", scaled);
     scaled.Lights = { MakePositionalLight({ { -scale, 0.9 * scale, 1.1 * scale } }) };
     scaled.Lights[0]->SetAttenuationValues(1.0, 0.1 / scale, 0.1 / (scale * scale));
-    table.Measure(name + "-positional", "a volume of that size, with fall-off of light", scaled);
+    table.Measure(name + "-positional", "a volume of that size, with light attenuation", scaled);
   }
-  auto far = BallScene();
+  auto far = SphereScene();
   far.Image->SetOrigin(1e6 - 0.5, -1e6 - 0.5, 1e6 - 0.5);
   far.Camera = LookAt(far.Image, { { -0.3, -0.4, -1.0 } }, true);
   table.Measure("far-1e+6", "a volume of size 1, 1e6 away", far);
@@ -178,41 +180,42 @@ void TestShapes(ShadowTable& table)
 
 void TestMaterials(ShadowTable& table)
 {
-  // Opaque: the front face of a cube, lit along the view, has its colour; lit from behind, none.
+  // An opaque cube: its front face shows its color if lit along the view, and is black if lit from
+  // behind.
   auto scene = MakeHomogeneousScene(8, 1.0);
   scene.Size = { { 16, 16 } };
   scene.Property->GetScalarOpacity()->RemoveAllPoints();
   scene.Property->GetScalarOpacity()->AddPoint(0.0, 1.0);
   scene.Property->SetScalarOpacityUnitDistance(0.01);
   scene.Camera = LookAt(scene.Image, { { 0.0, 0.0, -1.0 } }, true);
-  const auto middle = [&](double alongZ)
+  const auto drawCenter = [&](double alongZ)
   {
     scene.Lights = { MakeDirectionalLight({ { 0.0, 0.0, alongZ } }) };
     scene.Lights[0]->SetIntensity(1.0);
     vtkNew<vtkShadowedSliceMapper> mapper;
-    const RgbaPicture found = DrawByMapper(mapper, scene);
+    const RgbaImage found = DrawByMapper(mapper, scene);
     const double* pixel = found.At(8, 8);
     return std::array<double, 2>{ { pixel[0], pixel[3] } };
   };
-  // Eye's and light's transmittance fall alike: half of the light comes back.
-  const std::array<double, 2> lit = middle(-1.0);
+  // View and light transmittances are equal, so that half of the light returns.
+  const std::array<double, 2> lit = drawCenter(-1.0);
   table.Catalogue.Measure("opaque-lit", "fully opaque, lit along the view",
     "alpha 1, half of the light", std::max(std::abs(lit[0] - 0.5), std::abs(lit[1] - 1.0)), 1e-3);
-  const std::array<double, 2> dark = middle(1.0);
+  const std::array<double, 2> dark = drawCenter(1.0);
   table.Catalogue.Measure("opaque-dark", "fully opaque, lit from behind", "alpha 1, black",
     std::max(std::abs(dark[0]), std::abs(dark[1] - 1.0)), 1e-3);
   scene.Property->GetScalarOpacity()->RemoveAllPoints();
   scene.Property->GetScalarOpacity()->AddPoint(0.0, 0.0);
-  const std::array<double, 2> none = middle(-1.0);
-  table.Catalogue.Measure("transparent", "fully transparent", "nothing",
+  const std::array<double, 2> none = drawCenter(-1.0);
+  table.Catalogue.Measure("transparent", "fully transparent", "an empty image",
     std::max(std::abs(none[0]), std::abs(none[1])), 0.0);
 
   auto solid = MakeScene(MakeImage(24, MakeSphere(0.4, 0.45)), MakeSoftProperty(1.0, false));
   solid.Size = { { 48, 48 } };
   solid.Property->SetScalarOpacityUnitDistance(1.0 / 24.0);
   vtkNew<vtkShadowedSliceMapper> mapper;
-  const PictureError error = ComparePictures(DrawByMapper(mapper, solid), MakeShadowPicture(solid));
-  table.Catalogue.Measure("opaque-ball", "opacity to 1 within a voxel",
+  const ImageError error = CompareImages(DrawByMapper(mapper, solid), MakeShadowImage(solid));
+  table.Catalogue.Measure("opaque-ball", "opacity increases to 1 within a voxel",
     "mean channel error against the reference", error.Mean, 0.01);
 
   auto flat = MakeHomogeneousScene(8, 2.0);
@@ -220,10 +223,10 @@ void TestMaterials(ShadowTable& table)
   flat.Property->ShadeOn();
   flat.Property->SetAmbient(0.1);
   flat.Property->SetSpecular(0.5);
-  table.Measure("zero-gradient", "shaded, with no gradient anywhere", flat, 0.03);
+  table.Measure("zero-gradient", "shaded, with zero gradients", flat, 0.03);
 }
 
-/// The law of Beer and Lambert in slabs that are each almost clear.
+/// The Beer-Lambert law for slabs of very low optical depth.
 void TestManySlices(ShadowTable& table)
 {
   for (double tau : { 1e-3, 1.0, 8.0 })
@@ -237,15 +240,15 @@ void TestManySlices(ShadowTable& table)
       scene.Lights[0]->SetIntensity(1.0);
       vtkNew<vtkShadowedSliceMapper> mapper;
       mapper->SetSliceSpacing(1.0 / 4096.0);
-      const RgbaPicture found = DrawByMapper(mapper, scene);
+      const RgbaImage found = DrawByMapper(mapper, scene);
       const double alpha = -std::expm1(-tau);
       const double seen = alongZ < 0.0 ? -0.5 * std::expm1(-2.0 * tau) : tau * std::exp(-tau);
       const double error =
         std::max(std::abs(found.At(6, 6)[3] - alpha), std::abs(found.At(6, 6)[0] - seen));
       const std::string depth = tau < 0.1 ? "1e-3" : (tau < 2.0 ? "1" : "8");
       table.Catalogue.Measure("slices-4096-depth-" + depth + (alongZ < 0.0 ? "-front" : "-back"),
-        "4,096 slices of a total optical depth of " + depth,
-        "alpha and light of the closed form, as a share of alpha",
+        "4,096 slices with a total optical depth of " + depth,
+        "error of alpha and light from the closed form, relative to alpha",
         mapper->GetReport()->GetNumber("Slices") >= 4096 ? error / alpha : std::nan(""), 1e-3);
     }
   }
@@ -253,7 +256,7 @@ void TestManySlices(ShadowTable& table)
 
 void TestNan(ShadowTable& table)
 {
-  auto scene = BallScene();
+  auto scene = SphereScene();
   vtkDataArray* values = scene.Image->GetPointData()->GetScalars();
   vtkIdType count = 0;
   for (vtkIdType id = 0; id < values->GetNumberOfTuples(); ++id)
@@ -275,7 +278,7 @@ void TestNan(ShadowTable& table)
   mapper->AddObserver(vtkCommand::ErrorEvent, observer);
   VolumeStage stage(scene.Size);
   SetScene(stage, mapper, scene);
-  RgbaPicture found;
+  RgbaImage found;
   for (int frame = 0; frame < 3; ++frame)
   {
     found = stage.Capture();
@@ -284,22 +287,22 @@ void TestNan(ShadowTable& table)
     scene.Camera->Modified();
   }
   table.Measure(
-    "nan", "a quarter of the voxels are NaN or infinite", found, MakeShadowPicture(scene), 0.03);
+    "nan", "a quarter of the voxels are NaN or infinite", found, MakeShadowImage(scene), 0.03);
   const vtkIdType counted = mapper->GetReport()->GetNumber("NonFiniteVoxels");
   table.Catalogue.Check("nan-counted", "voxels that are NaN or infinite", "all are counted",
     std::to_string(counted) + " of " + std::to_string(count), counted == count);
   table.Catalogue.Check("nan-warned", "voxels that are NaN or infinite", "one warning",
-    std::to_string(warnings) + " pictures of three with a warning", warnings == 1);
+    std::to_string(warnings) + " of three images with a warning", warnings == 1);
   values->Fill(std::nan(""));
   values->Modified();
   scene.Image->Modified();
   table.Catalogue.Measure(
-    "nan-all", "nothing but NaN", "nothing is drawn", LargestAlpha(stage.Capture()), 0.0);
+    "nan-all", "all voxels are NaN", "an empty image", LargestAlpha(stage.Capture()), 0.0);
 }
 
 void TestScreens(ShadowTable& table)
 {
-  auto scene = BallScene();
+  auto scene = SphereScene();
   vtkNew<vtkProjectiveLight> light;
   light->PositionalOn();
   light->SetConeAngle(180.0);
@@ -319,42 +322,43 @@ void TestScreens(ShadowTable& table)
   vtkNew<vtkShadowedSliceMapper> mapper;
   vtkNew<vtkTest::ErrorObserver> observer;
   mapper->AddObserver(vtkCommand::ErrorEvent, observer);
-  const RgbaPicture found = DrawByMapper(mapper, scene);
-  table.Catalogue.Check("screen-missing", "a light's image without samples", "an error says so",
+  const RgbaImage found = DrawByMapper(mapper, scene);
+  table.Catalogue.Check("screen-missing", "a light's image without samples", "an error",
     observer->GetErrorMessage(), observer->GetError());
   scene.Lights.erase(scene.Lights.begin());
   table.Measure("screen-missing-others", "a light's image without samples, and another light",
-    found, MakeShadowPicture(scene), Bound);
+    found, MakeShadowImage(scene), Bound);
 }
 
-/// An error that names what is wrong, and the picture of before.
-void ExpectKept(ShadowTable& table, const std::string& name, const std::string& extreme,
-  const std::string& word, const std::function<void(vtkShadowedSliceMapper*, ShadowScene&)>& spoil)
+/// Expects an error that names the problem, and an unchanged frame.
+void ExpectError(ShadowTable& table, const std::string& name, const std::string& extreme,
+  const std::string& word,
+  const std::function<void(vtkShadowedSliceMapper*, ShadowScene&)>& invalidate)
 {
-  auto scene = BallScene();
+  auto scene = SphereScene();
   vtkNew<vtkShadowedSliceMapper> mapper;
   vtkNew<vtkTest::ErrorObserver> observer;
   mapper->AddObserver(vtkCommand::ErrorEvent, observer);
   VolumeStage stage(scene.Size);
   SetScene(stage, mapper, scene);
-  const RgbaPicture before = stage.Capture();
-  const bool wasRight = !observer->GetError() && LargestAlpha(before) > 0.1;
-  spoil(mapper, scene);
-  const RgbaPicture after = stage.Capture();
+  const RgbaImage before = stage.Capture();
+  const bool wasValid = !observer->GetError() && LargestAlpha(before) > 0.1;
+  invalidate(mapper, scene);
+  const RgbaImage after = stage.Capture();
   const std::string message = observer->GetErrorMessage();
   table.Catalogue.Check(name, extreme, "an error with '" + word + "'", message,
-    wasRight && message.find(word) != std::string::npos);
-  table.Catalogue.Measure(name + "-picture", extreme, "the picture of the frame before",
-    ComparePictures(after, before).Max, 0.0);
-  // At once, without a picture before.
+    wasValid && message.find(word) != std::string::npos);
+  table.Catalogue.Measure(name + "-picture", extreme, "the image of the previous frame",
+    CompareImages(after, before).Max, 0.0);
+  // Expects the same error for the first frame.
   vtkNew<vtkShadowedSliceMapper> fresh;
   observer->Clear();
   fresh->AddObserver(vtkCommand::ErrorEvent, observer);
-  auto first = BallScene();
+  auto first = SphereScene();
   VolumeStage empty(first.Size);
   SetScene(empty, fresh, first);
-  spoil(fresh, first);
-  table.Catalogue.Measure(name + "-first", extreme + ", in the first picture", "nothing",
+  invalidate(fresh, first);
+  table.Catalogue.Measure(name + "-first", extreme + ", for the first image", "an empty image",
     LargestAlpha(empty.Capture()), 0.0);
 }
 
@@ -385,33 +389,33 @@ void TestErrors(ShadowTable& table)
     size[axis] = limit + 1;
     std::string name = "volume-above-limit-";
     name.append(1, "xyz"[axis]);
-    ExpectKept(table, name, "one voxel more than a texture may have", std::to_string(limit),
+    ExpectError(table, name, "one voxel more than the maximum of a texture", std::to_string(limit),
       setInput(MakeBytes(size, 1)));
   }
-  ExpectKept(table, "memory", "textures of 1,000 bytes", "MaximumTextureMemory",
+  ExpectError(table, "memory", "a texture limit of 1,000 bytes", "MaximumTextureMemory",
     [](vtkShadowedSliceMapper* mapper, ShadowScene&) { mapper->SetMaximumTextureMemory(1000); });
-  ExpectKept(table, "no-scalars", "an image without scalars", "calar",
+  ExpectError(table, "no-scalars", "an image without scalars", "calar",
     [](vtkShadowedSliceMapper* mapper, ShadowScene&)
     {
       vtkNew<vtkImageData> image;
       image->SetDimensions(3, 3, 3);
       mapper->SetInputData(image);
     });
-  ExpectKept(table, "missing-array", "an array that is not there", "nowhere",
+  ExpectError(table, "missing-array", "an array that does not exist", "nowhere",
     [](vtkShadowedSliceMapper* mapper, ShadowScene&)
     {
       mapper->SetScalarMode(VTK_SCALAR_MODE_USE_POINT_FIELD_DATA);
       mapper->SelectScalarArray("nowhere");
     });
-  ExpectKept(table, "blend-mode", "maximum intensity", "lend",
+  ExpectError(table, "blend-mode", "maximum intensity", "lend",
     [](vtkShadowedSliceMapper* mapper, ShadowScene&) { mapper->SetBlendModeToMaximumIntensity(); });
-  ExpectKept(table, "three-dependent", "three dependent components", "three",
+  ExpectError(table, "three-dependent", "three dependent components", "three",
     [](vtkShadowedSliceMapper* mapper, ShadowScene& scene)
     {
       scene.Property->IndependentComponentsOff();
       mapper->SetInputData(MakeBytes({ { 4, 4, 4 } }, 3));
     });
-  ExpectKept(table, "five-components", "five components", "5 components",
+  ExpectError(table, "five-components", "five components", "5 components",
     setInput(MakeBytes({ { 4, 4, 4 } }, 5)));
 }
 
@@ -420,7 +424,7 @@ void TestErrors(ShadowTable& table)
 int TestShadowExtremes(int argc, char* argv[])
 {
   ShadowTable table(argc, argv);
-  TestLightPlaces(table);
+  TestLightPositions(table);
   TestShapes(table);
   TestMaterials(table);
   TestManySlices(table);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Transfer functions of vtkShadowedSliceMapper that are finer than the range of the data: one voxel
-// far beyond all others, peaks and steps as narrow as a unit of 16 bits, curved functions.
+// Transfer functions of vtkShadowedSliceMapper with details finer than the data range: one outlier
+// voxel, peaks and steps as narrow as one 16-bit unit, curved functions.
 #include "Light/ShadowComparison.h"
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/ReferenceShadowPicture.h"
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/ReferenceShadowImage.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkColorTransferFunction.h"
@@ -39,11 +39,11 @@ void ToShorts(vtkImageData* image)
   image->GetPointData()->SetScalars(shorts);
 }
 
-/// A ball of values from 0 to 255, the middle of which is level.
-ShadowScene BallScene(bool shade)
+/// A sphere with values from 0 to 255 and a constant center.
+ShadowScene SphereScene(bool shade)
 {
-  const Field ball = MakeSphere(0.1, 0.45);
-  auto scene = MakeScene(MakeImage(Cells, [&](const Double3& x) { return 255.0 * ball(x); }),
+  const Field sphere = MakeSphere(0.1, 0.45);
+  auto scene = MakeScene(MakeImage(Cells, [&](const Double3& x) { return 255.0 * sphere(x); }),
     MakeProperty({ { 0.0, { { 0.2, 0.3, 0.9 } }, 0.0 }, { 100.0, { { 0.9, 0.2, 0.2 } }, 0.1 },
                    { 255.0, { { 0.9, 0.7, 0.4 } }, 0.5 } },
       0.1));
@@ -53,20 +53,20 @@ ShadowScene BallScene(bool shade)
   return scene;
 }
 
-/// One voxel that no function tells from its neighbours changes nothing.
+/// An outlier with the same material as its neighbors changes nothing.
 void TestOutlier(Check& check)
 {
   for (bool shade : { false, true })
   {
     for (double outlier : { 65535.0, 1e7, 1e30 })
     {
-      auto scene = BallScene(shade);
+      auto scene = SphereScene(shade);
       if (outlier == 65535.0)
       {
         ToShorts(scene.Image);
       }
       vtkNew<vtkShadowedSliceMapper> without;
-      const RgbaPicture expected = DrawByMapper(without, scene);
+      const RgbaImage expected = DrawByMapper(without, scene);
       vtkDataArray* values = scene.Image->GetPointData()->GetScalars();
       values->SetComponent(values->GetNumberOfTuples() / 2, 0, outlier);
       values->Modified();
@@ -74,18 +74,18 @@ void TestOutlier(Check& check)
       const std::string name =
         "a voxel of " + std::to_string(outlier) + (shade ? ", shaded" : ", not shaded");
       vtkNew<vtkShadowedSliceMapper> with;
-      const RgbaPicture found = DrawByMapper(with, scene);
+      const RgbaImage found = DrawByMapper(with, scene);
       if (!shade)
       {
-        ExpectAlike(check, name, found, expected, { 1e-4, 1e-5 });
+        ExpectSimilar(check, name, found, expected, { 1e-4, 1e-5 });
       }
       ExpectReference(check, name + ", reference", scene, { 6e-3, 2e-4 });
     }
   }
 }
 
-/// Values of 16 bits from 30000 to 30012 along a diagonal, of 65536 in the range; those that are
-/// not near them are cropped.
+/// 16-bit values from 30000 to 30012 along a diagonal. Outliers of 0 and 65535 along an edge, which
+/// is cropped, widen the data range.
 ShadowScene GentleScene(vtkVolumeProperty* property)
 {
   auto scene = MakeScene(MakeImage(Cells,
@@ -102,13 +102,13 @@ ShadowScene GentleScene(vtkVolumeProperty* property)
   return scene;
 }
 
-/// Both with thin slabs, since it is not their thickness that is looked at.
+/// Both images use thin slabs, so that slab thickness does not affect the comparison.
 void ExpectThin(
-  Check& check, const std::string& name, const ShadowScene& scene, const PictureBound& bound)
+  Check& check, const std::string& name, const ShadowScene& scene, const ImageBound& bound)
 {
   vtkNew<vtkShadowedSliceMapper> mapper;
   mapper->SetSliceSpacing(0.002);
-  ExpectAlike(check, name, DrawByMapper(mapper, scene), MakeShadowPicture(scene, 8), bound);
+  ExpectSimilar(check, name, DrawByMapper(mapper, scene), MakeShadowImage(scene, 8), bound);
 }
 
 void TestPeaks(Check& check)
@@ -125,9 +125,9 @@ void TestPeaks(Check& check)
   nodes.push_back({ 65535.0, blue, 0.0 });
   auto scene = GentleScene(MakeProperty(nodes, 0.1));
   scene.Shadows = false;
-  ExpectThin(check, "peaks in floats", scene, { 5e-3, 2e-4 });
+  ExpectThin(check, "peaks, floating-point values", scene, { 5e-3, 2e-4 });
   ToShorts(scene.Image);
-  ExpectThin(check, "peaks in 16 bits", scene, { 5e-3, 5e-4 });
+  ExpectThin(check, "peaks, 16-bit values", scene, { 5e-3, 5e-4 });
 }
 
 void TestSteps(Check& check)
@@ -141,11 +141,11 @@ void TestSteps(Check& check)
       { 30008.25 + edge, red, 0.0 }, { 65535.0, red, 0.0 } },
     0.1));
   scene.Shadows = false;
-  ExpectThin(check, "steps in floats", scene, { 1e-2, 4e-4 });
+  ExpectThin(check, "steps, floating-point values", scene, { 1e-2, 4e-4 });
   ToShorts(scene.Image);
-  ExpectThin(check, "steps in 16 bits", scene, { 1e-2, 4e-4 });
+  ExpectThin(check, "steps, 16-bit values", scene, { 1e-2, 4e-4 });
 
-  // Two values that are next to each other, each level over half of the volume.
+  // Two consecutive values, each constant over half of the volume.
   auto halves = GentleScene(MakeProperty({ { 0.0, blue, 0.0 }, { 30006.5 - edge, blue, 0.02 },
                                            { 30006.5 + edge, red, 0.3 }, { 65535.0, red, 0.3 } },
     0.1));
@@ -157,13 +157,13 @@ void TestSteps(Check& check)
     });
   ToShorts(halves.Image);
   halves.Shadows = false;
-  ExpectThin(check, "neighbours of 16 bits", halves, { 1e-2, 2e-4 });
+  ExpectThin(check, "consecutive 16-bit values", halves, { 1e-2, 2e-4 });
 }
 
-/// Opacity of gradients, light through matter and functions that end in nothing, beside an outlier.
+/// Gradient opacity, colored transmission and unclamped functions, with an outlier.
 void TestOthers(Check& check)
 {
-  auto scene = BallScene(false);
+  auto scene = SphereScene(false);
   scene.TransmissionColor = vtkSmartPointer<vtkColorTransferFunction>::New();
   scene.TransmissionColor->AddRGBPoint(0.0, 0.1, 0.5, 0.9);
   scene.TransmissionColor->AddRGBPoint(255.0, 0.8, 0.2, 0.5);
@@ -173,11 +173,12 @@ void TestOthers(Check& check)
   scene.Property->SetGradientOpacity(gradients);
   scene.Property->GetScalarOpacity()->ClampingOff();
   scene.Image->GetPointData()->GetScalars()->SetComponent(0, 0, 1e7);
-  ExpectReference(check, "an outlier with gradients, transmission and ends", scene, { 3e-3, 2e-4 });
+  ExpectReference(check, "an outlier with gradient opacity, transmission and unclamped ends", scene,
+    { 3e-3, 2e-4 });
 }
 
-/// The same values at the same places, with axes of the image reversed: by negative spacing, or by
-/// the direction matrix.
+/// Returns an image with the same values at the same positions, but with reversed axes: by negative
+/// spacing, or by the direction matrix.
 vtkSmartPointer<vtkImageData> Reverse(
   vtkImageData* image, const std::array<bool, 3>& isReversed, bool isByDirection)
 {
@@ -219,10 +220,10 @@ vtkSmartPointer<vtkImageData> Reverse(
   return result;
 }
 
-/// Gradients, shading and what light is scattered in do not depend on the order of samples.
+/// Gradients, shading and multiple scattering do not depend on the order of samples.
 void TestReversed(Check& check)
 {
-  // Their mean is 0 where the last one is negative.
+  // The mean spacing is 0 if only the last spacing is negative.
   auto scene =
     MakeScene(MakeImage({ { 16, 22, 10 } }, { { 0.06, 0.04, 0.1 } },
                 [](const Double3& x) { return MakeSphere(0.05, 0.45)(x) * (0.4 + 0.6 * x[0]); }),
@@ -232,7 +233,7 @@ void TestReversed(Check& check)
   gradients->AddPoint(0.0, 0.0);
   gradients->AddPoint(0.12, 1.0);
   scene.Property->SetGradientOpacity(gradients);
-  ExpectReference(check, "gradients, voxels of three sizes", scene, { 0.02, 6e-4 });
+  ExpectReference(check, "gradients, anisotropic voxels", scene, { 0.02, 6e-4 });
   for (const bool isScattered : { false, true })
   {
     const auto draw = [&](vtkImageData* image)
@@ -240,11 +241,11 @@ void TestReversed(Check& check)
       auto drawn = scene;
       drawn.Image = image;
       vtkNew<vtkShadowedSliceMapper> mapper;
-      mapper->SetMultipleScattering(isScattered ? vtkShadowedSliceMapper::FULL_SCATTERING
-                                                : vtkShadowedSliceMapper::NO_SCATTERING);
+      mapper->SetScatteringMode(isScattered ? vtkShadowedSliceMapper::FULL_SCATTERING
+                                            : vtkShadowedSliceMapper::NO_SCATTERING);
       return DrawByMapper(mapper, drawn);
     };
-    const RgbaPicture expected = draw(scene.Image);
+    const RgbaImage expected = draw(scene.Image);
     for (const bool isByDirection : { false, true })
     {
       for (const std::array<bool, 3>& isReversed : { std::array<bool, 3>{ { false, false, true } },
@@ -254,8 +255,8 @@ void TestReversed(Check& check)
         const std::string name = std::string(isReversed[0] ? "x" : "") +
           (isReversed[1] ? "y" : "") + (isReversed[2] ? "z" : "") + " reversed by " +
           (isByDirection ? "direction" : "spacing") + (isScattered ? ", scattered" : "");
-        ExpectAlike(check, name, draw(Reverse(scene.Image, isReversed, isByDirection)), expected,
-          isScattered ? PictureBound{ 5e-3, 2e-4 } : PictureBound{ 1e-4, 1e-5 });
+        ExpectSimilar(check, name, draw(Reverse(scene.Image, isReversed, isByDirection)), expected,
+          isScattered ? ImageBound{ 5e-3, 2e-4 } : ImageBound{ 1e-4, 1e-5 });
       }
     }
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Whole pictures of vtkShadowedSliceMapper against marching in double: kinds of lights, where they
-// are, and several of them. Two boxes, of which one is in the other's shadow for most lights.
+// Images of vtkShadowedSliceMapper compared with ray marching in double precision: kinds, positions
+// and numbers of lights. The scene is two boxes; for most lights, one shadows the other.
 #include "Light/ShadowComparison.h"
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -27,12 +27,12 @@ namespace
 
 using namespace reference;
 
-constexpr PictureBound Bound = { 0.02, 0.0004 };
-/// Of lights from a place, whose color changes within the volume.
-constexpr PictureBound PlaceBound = { 0.012, 0.0002 };
-/// An exponent that is off by a tenth has an error of 0.0076 and 0.00016.
-constexpr PictureBound ConeBound = { 0.0075, 0.00013 };
-constexpr PictureBound ScreenBound = { 0.008, 0.00014 };
+constexpr ImageBound Bound = { 0.02, 0.0004 };
+/// Bound for positional lights, whose brightness varies within the volume.
+constexpr ImageBound PositionalBound = { 0.012, 0.0002 };
+/// Bound for cones of light. An error of 10 % in the exponent would exceed it.
+constexpr ImageBound ConeBound = { 0.0075, 0.00013 };
+constexpr ImageBound ScreenBound = { 0.008, 0.00014 };
 
 ShadowScene BoxesScene()
 {
@@ -69,12 +69,12 @@ void TestPositional(Check& check)
   {
     auto scene = BoxesScene();
     scene.Lights = { MakePositionalLight(position) };
-    ExpectReference(check, "positional at " + ToText(position), scene, PlaceBound);
+    ExpectReference(check, "positional at " + ToText(position), scene, PositionalBound);
   }
   auto scene = BoxesScene();
   scene.Lights = { MakePositionalLight({ { -0.9, 1.0, 1.2 } }) };
   vtkLight* light = scene.Lights[0];
-  // The edge of the cone lies in the matter, and the light is half as bright there.
+  // The boundary of the cone intersects the medium, and the light has half its brightness there.
   light->SetConeAngle(10.0);
   light->SetExponent(45.0);
   ExpectReference(check, "cone", scene, ConeBound);
@@ -84,7 +84,7 @@ void TestPositional(Check& check)
   light->SetConeAngle(180.0);
   light->SetIntensity(2.0);
   light->SetAttenuationValues(0.5, 0.4, 0.3);
-  ExpectReference(check, "fall-off", scene, PlaceBound);
+  ExpectReference(check, "fall-off", scene, PositionalBound);
 }
 
 void TestColors(Check& check)
@@ -95,7 +95,7 @@ void TestColors(Check& check)
   light->SetDiffuseColor(1.0, 0.5, 0.1);
   light->SetSpecularColor(0.1, 1.0, 0.4);
   light->SetAmbientColor(0.3, 0.4, 1.0);
-  ExpectReference(check, "diffuse, specular and ambient colours", scene, Bound);
+  ExpectReference(check, "diffuse, specular and ambient colors", scene, Bound);
   scene.Lights.push_back(MakeDirectionalLight({ { -1.0, -1.0, -1.0 } }));
   scene.Lights[1]->SetSwitch(0);
   ExpectReference(check, "a light that is off", scene, Bound);
@@ -149,7 +149,7 @@ void TestProjective(Check& check)
 {
   for (bool positional : { true, false })
   {
-    const std::string kind = positional ? ", from a point" : ", parallel";
+    const std::string kind = positional ? ", positional" : ", parallel";
     auto scene = BoxesScene();
     vtkNew<vtkProjectiveLight> light;
     light->SetLightTypeToSceneLight();
@@ -162,7 +162,7 @@ void TestProjective(Check& check)
     light->SetViewUp(0.2, 1.0, 0.0);
     light->SetEdgeWidth(0.4);
     scene.Lights = { light.Get() };
-    ExpectReference(check, "window with a smooth edge" + kind, scene, ScreenBound);
+    ExpectReference(check, "screen with a soft edge" + kind, scene, ScreenBound);
     light->SetImage(MakeSlide());
     light->SetScreenOpacity(0.9);
     ExpectReference(check, "slide" + kind, scene, ScreenBound);
@@ -170,7 +170,7 @@ void TestProjective(Check& check)
     ExpectReference(check, "slide, not shaded" + kind, scene, ScreenBound);
     light->InterpolateOff();
     light->SetEdgeWidth(0.0);
-    // Edges of the screen and of its samples are as wide as a slab is thick.
+    // Edges of the screen and of its pixels are blurred by the slab thickness.
     ExpectReference(check, "sharp slide" + kind, scene, { 0.03, 0.0004 });
   }
 }
@@ -198,8 +198,8 @@ void TestSeveral(Check& check)
   behind->SetShadowAttenuation(0.0);
   ExpectReference(check, "three lights, one without shadow", scene, Bound);
   blue->SetShadowAttenuation(0.3);
-  ExpectReference(check, "three lights of three strengths", scene, Bound);
-  // Many, all around.
+  ExpectReference(check, "three lights of different shadow strengths", scene, Bound);
+  // Seven lights in different directions.
   scene.Lights.clear();
   for (int i = 0; i < 7; ++i)
   {
@@ -210,7 +210,7 @@ void TestSeveral(Check& check)
   ExpectReference(check, "seven lights around", scene, Bound);
 }
 
-/// Only the brightest cast shadows.
+/// Only the brightest light casts shadows.
 void TestMaximum(Check& check)
 {
   auto scene = BoxesScene();
@@ -221,16 +221,18 @@ void TestMaximum(Check& check)
   scene.Lights[2]->SetIntensity(0.9);
   scene.Lights[2]->SetDiffuseColor(0.25, 0.25, 0.25);
   vtkNew<vtkShadowedSliceMapper> mapper;
-  mapper->SetMaximumNumberOfShadows(1);
-  const RgbaPicture found = DrawByMapper(mapper, scene);
-  check.Near(mapper->GetReport()->GetNumber("ShadowedLights"), 1, 0.0, "one shadow");
+  mapper->SetMaximumNumberOfShadowLights(1);
+  const RgbaImage found = DrawByMapper(mapper, scene);
+  check.Equal(mapper->GetReport()->GetCount("ShadowedLights"), 1, "one light casts shadows");
   scene.Lights[0]->SetShadowAttenuation(0.0);
   scene.Lights[2]->SetShadowAttenuation(0.0);
-  mapper->SetMaximumNumberOfShadows(16);
-  ExpectAlike(check, "the brightest alone", found, DrawByMapper(mapper, scene), { 0.0, 0.0 });
-  mapper->SetMaximumNumberOfShadows(0);
+  mapper->SetMaximumNumberOfShadowLights(16);
+  ExpectSimilar(
+    check, "only the brightest light", found, DrawByMapper(mapper, scene), { 0.0, 0.0 });
+  mapper->SetMaximumNumberOfShadowLights(0);
   DrawByMapper(mapper, scene);
-  check.Near(mapper->GetReport()->GetNumber("LightPasses"), 0, 0.0, "no shadow at all");
+  check.Equal(
+    mapper->GetReport()->GetCount("LightPasses"), 0, "no light passes without shadow lights");
 }
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Actors that are kept from casting or from receiving shadows by vtkShadowedScenePass: what they
-// shadow and show, opaque and translucent, beside smoke and as parts of an assembly.
+// Actors that vtkShadowedScenePass excludes from casting or receiving shadows: opaque and
+// translucent actors, actors with smoke, and parts of assemblies.
 #include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
@@ -32,8 +32,8 @@ vtkSmartPointer<vtkActor> MakeFloor()
   return MakeRectangle({ { -3.0, -3.0, -0.5 } }, { { 6.0, 0.0, 0.0 } }, { { 0.0, 6.0, 0.0 } });
 }
 
-// A stage with a floor and a plate over it whose shadow lies to the left of it: the plate shows at
-// (0.4, 0), its shadow at (-0.3, 0).
+// A stage with a floor and a plate above it. The plate is visible at (0.4, 0), its shadow at (-0.3,
+// 0).
 struct Plates
 {
   Plates()
@@ -55,20 +55,21 @@ struct Plates
 void TestKeys(Check& check)
 {
   const vtkSmartPointer<vtkActor> actor = MakeFloor();
-  check.That(Pass::GetCastsShadows(actor) && Pass::GetReceivesShadows(actor), "on without keys");
+  check.That(Pass::GetCastsShadows(actor) && Pass::GetReceivesShadows(actor),
+    "casting and receiving are on without keys");
   Pass::SetCastsShadows(actor, true);
-  check.That(!actor->GetPropertyKeys(), "no keys for what is on");
+  check.That(!actor->GetPropertyKeys(), "the default adds no keys");
   Pass::SetCastsShadows(actor, false);
-  check.That(!Pass::GetCastsShadows(actor) && Pass::GetReceivesShadows(actor), "casts none");
+  check.That(!Pass::GetCastsShadows(actor) && Pass::GetReceivesShadows(actor), "casting is off");
   actor->GetPropertyKeys()->Set(Pass::RECEIVES_SHADOWS(), 0);
-  check.That(!Pass::GetReceivesShadows(actor), "receives none by its key");
+  check.That(!Pass::GetReceivesShadows(actor), "receiving is off by its key");
   Pass::SetReceivesShadows(actor, true);
   Pass::SetCastsShadows(actor, true);
   check.That(!actor->GetPropertyKeys()->Has(Pass::CASTS_SHADOWS()) &&
       !actor->GetPropertyKeys()->Has(Pass::RECEIVES_SHADOWS()),
-    "keys are removed");
+    "the default removes the keys");
   Pass::SetCastsShadows(nullptr, false);
-  check.That(!Pass::GetCastsShadows(nullptr), "no prop");
+  check.That(!Pass::GetCastsShadows(nullptr), "a null prop casts no shadows");
 }
 
 void TestSurfaces(Check& check)
@@ -76,36 +77,40 @@ void TestSurfaces(Check& check)
   Plates scene;
   const auto at = [&](const std::string& name, double shadow, int casters)
   {
-    const RgbaPicture picture = scene.Stage.Draw();
-    check.Near(scene.Stage.At(picture, -0.3, 0.0), shadow, 1e-3, name + ": floor", 1.0);
-    check.Near(scene.Stage.At(picture, 0.4, 0.0), scene.Sun, 1e-3, name + ": plate", 1.0);
-    check.Near(
-      scene.Stage.GetReport()->GetNumber("ShadowCasters"), casters, 0.0, name + ": casters");
-    return picture;
+    const RgbaImage image = scene.Stage.Draw();
+    check.Near(scene.Stage.At(image, -0.3, 0.0), shadow, 1e-3, name + ": floor", 1.0);
+    check.Near(scene.Stage.At(image, 0.4, 0.0), scene.Sun, 1e-3, name + ": plate", 1.0);
+    check.Equal(
+      scene.Stage.GetReport()->GetCount("ShadowCasters"), casters, name + ": shadow casters");
+    return image;
   };
-  const RgbaPicture first = at("both", 0.0, 2);
+  const RgbaImage first = at("both cast shadows", 0.0, 2);
   Pass::SetCastsShadows(scene.Plate, false);
-  at("plate casts none", scene.Sun, 1);
-  check.Near(scene.Stage.GetReport()->GetNumber("NonCastingActors"), 1, 0.0, "one casts none");
+  at("the plate casts no shadow", scene.Sun, 1);
+  check.Equal(
+    scene.Stage.GetReport()->GetCount("NonCastingActors"), 1, "one actor casts no shadow");
   Pass::SetCastsShadows(scene.Floor, false);
-  const RgbaPicture none = at("none casts", scene.Sun, 0);
-  check.Near(scene.Stage.GetReport()->GetNumber("NonCastingActors"), 2, 0.0, "none casts");
-  check.Near(scene.Stage.GetReport()->GetNumber("DepthMaps"), 0, 0.0, "no map without casters");
-  check.Near(
-    scene.Stage.GetReport()->GetNumber("DepthMapBytes"), 0, 0.0, "no byte without casters");
-  check.Near(ComparePictures(none, scene.Stage.Draw(false)).Max, 0.0, 0.0, "as without pass", 1.0);
+  const RgbaImage none = at("no actor casts shadows", scene.Sun, 0);
+  check.Equal(scene.Stage.GetReport()->GetCount("NonCastingActors"), 2, "no actor casts shadows");
+  check.Equal(
+    scene.Stage.GetReport()->GetCount("DepthMaps"), 0, "no shadow maps without shadow casters");
+  check.Equal(
+    scene.Stage.GetReport()->GetCount("DepthMapBytes"), 0, "no bytes without shadow casters");
+  check.Near(CompareImages(none, scene.Stage.Draw(false)).Max, 0.0, 0.0,
+    "same image as without the pass", 1.0);
   Pass::SetCastsShadows(scene.Floor, true);
   Pass::SetCastsShadows(scene.Plate, true);
   Pass::SetReceivesShadows(scene.Floor, false);
-  at("floor receives none", scene.Sun, 2);
-  check.Near(scene.Stage.GetReport()->GetNumber("NonReceivingActors"), 1, 0.0, "one receives none");
+  at("the floor receives no shadows", scene.Sun, 2);
+  check.Equal(
+    scene.Stage.GetReport()->GetCount("NonReceivingActors"), 1, "one actor receives no shadows");
   Pass::SetReceivesShadows(scene.Floor, true);
   check.Near(
-    ComparePictures(first, at("both again", 0.0, 2)).Max, 0.0, 0.0, "as at the first", 1.0);
+    CompareImages(first, at("both again", 0.0, 2)).Max, 0.0, 0.0, "same image as at first", 1.0);
 }
 
-// What receives no shadows has the image of a light, and light behind a screen is none.
-void TestScreens(Check& check)
+// Actors that receive no shadows still show the image of a light, and are black outside the image.
+void TestLightImages(Check& check)
 {
   Plates scene;
   vtkNew<vtkProjectiveLight> light;
@@ -117,17 +122,18 @@ void TestScreens(Check& check)
   light->SetScreenOpacity(0.25);
   scene.Stage.Stage.SetLights({ light.Get() });
   Pass::SetCastsShadows(scene.Plate, false);
-  const RgbaPicture open = scene.Stage.Draw();
+  const RgbaImage open = scene.Stage.Draw();
   Pass::SetCastsShadows(scene.Plate, true);
   Pass::SetReceivesShadows(scene.Floor, false);
   Pass::SetReceivesShadows(scene.Plate, false);
-  const RgbaPicture lit = scene.Stage.Draw();
-  check.Near(scene.Stage.GetReport()->GetNumber("Images"), 1, 0.0, "a screen");
-  check.Near(ComparePictures(open, lit).Max, 0.0, 1e-6, "screens without shadows", 1.0);
-  check.That(ComparePictures(lit, scene.Stage.Draw(false)).Max > 0.1, "the screen is there");
+  const RgbaImage lit = scene.Stage.Draw();
+  check.Equal(scene.Stage.GetReport()->GetCount("Images"), 1, "one light image");
+  check.Near(CompareImages(open, lit).Max, 0.0, 1e-6, "light images without shadows", 1.0);
+  check.That(CompareImages(lit, scene.Stage.Draw(false)).Max > 0.1, "the light image is visible");
 }
 
-// Smoke over a floor: who casts none is not in the smoke's light, who receives none has all of it.
+// Smoke above a floor: an actor that casts no shadow does not darken the smoke, and an actor that
+// receives no shadows gets all light.
 void TestSmoke(Check& check)
 {
   const double sun = 1.0 / std::sqrt(1.0 + 0.36);
@@ -138,50 +144,55 @@ void TestSmoke(Check& check)
   stage.Add(floor);
   stage.AddSmoke({ { -0.4, 0.4, -0.4, 0.4, 0.0, 0.3 } }, 2.0);
   stage.Stage.SetLights({ MakeSun(DOWN) });
-  const RgbaPicture alone = stage.Draw();
+  const RgbaImage single = stage.Draw();
   stage.Add(plate);
-  const RgbaPicture shadowed = stage.Draw();
+  const RgbaImage shadowed = stage.Draw();
   Pass::SetCastsShadows(plate, false);
-  const RgbaPicture without = stage.Draw();
-  // The plate's shadow crosses the smoke between x = -0.1 and 0.4.
+  const RgbaImage without = stage.Draw();
+  // The plate's shadow intersects the smoke between x = -0.1 and 0.4.
   for (const double x : { -0.2, 0.0, 0.2 })
   {
-    check.Near(stage.At(without, x, 0.0), stage.At(alone, x, 0.0), 1e-5, "smoke as alone", 1.0);
+    check.Near(stage.At(without, x, 0.0), stage.At(single, x, 0.0), 1e-5,
+      "smoke without the plate's shadow", 1.0);
   }
-  check.That(
-    stage.At(shadowed, 0.2, 0.0) < 0.8 * stage.At(alone, 0.2, 0.0), "the plate's shadow in smoke");
-  // Light that has come through the smoke falls on the floor at the left of it.
+  check.That(stage.At(shadowed, 0.2, 0.0) < 0.8 * stage.At(single, 0.2, 0.0),
+    "the plate's shadow in the smoke");
+  // The smoke's shadow falls on the floor to the left of the smoke.
   check.That(stage.At(without, -0.6, 0.0) < LIT * sun, "the smoke's shadow");
   Pass::SetReceivesShadows(floor, false);
-  const RgbaPicture open = stage.Draw();
-  check.Near(stage.At(open, -0.6, 0.0), sun, 1e-3, "no shadow of smoke", 1.0);
-  // Light has come through the smoke that is seen before it.
-  check.That(stage.At(open, -0.2, 0.0) > 1.05 * stage.At(without, -0.2, 0.0), "brighter in smoke");
+  const RgbaImage open = stage.Draw();
+  check.Near(stage.At(open, -0.6, 0.0), sun, 1e-3, "no shadow of the smoke", 1.0);
+  // The floor that is seen through the smoke is brighter, too.
+  check.That(stage.At(open, -0.2, 0.0) > 1.05 * stage.At(without, -0.2, 0.0),
+    "the floor behind the smoke is brighter");
 }
 
-// A pane takes half of the light, unless it casts none; it is seen in smoke as ever.
-void TestPanes(Check& check)
+// A translucent square halves the light, unless it casts no shadow. It remains visible in smoke.
+void TestTranslucent(Check& check)
 {
   const double sun = 1.0 / std::sqrt(1.49);
   SceneStage stage(64);
-  const vtkSmartPointer<vtkActor> pane =
-    MakePane({ { 0.4, 0.0, 0.5 } }, { { 0.0, 0.0, 1.0 } }, 0.6);
+  const vtkSmartPointer<vtkActor> square =
+    MakeTranslucentSquare({ { 0.4, 0.0, 0.5 } }, { { 0.0, 0.0, 1.0 } }, 0.6);
   stage.Add(MakeFloor());
-  stage.Add(pane);
+  stage.Add(square);
   stage.Stage.SetLights({ MakeSun({ { -0.7, 0.0, -1.0 } }) });
-  check.Near(stage.At(stage.Draw(), -0.3, 0.0), 0.5 * sun, 2e-3, "behind a pane", 1.0);
-  Pass::SetCastsShadows(pane, false);
-  check.Near(stage.At(stage.Draw(), -0.3, 0.0), sun, 1e-3, "behind one that casts none", 1.0);
-  check.Near(stage.GetReport()->GetNumber("LightLayers"), 0, 0.0, "no layers for lights");
-  check.Near(stage.GetReport()->GetNumber("TranslucentActors"), 1, 0.0, "it takes part");
+  check.Near(
+    stage.At(stage.Draw(), -0.3, 0.0), 0.5 * sun, 2e-3, "light behind a translucent square", 1.0);
+  Pass::SetCastsShadows(square, false);
+  check.Near(
+    stage.At(stage.Draw(), -0.3, 0.0), sun, 1e-3, "light behind a square without shadow", 1.0);
+  check.Equal(stage.GetReport()->GetCount("LightLayers"), 0, "no light layers");
+  check.Equal(stage.GetReport()->GetCount("TranslucentActors"), 1,
+    "the square is a translucent actor of the pass");
   stage.AddSmoke({ { -0.4, 0.9, -0.4, 0.4, 0.3, 0.7 } }, 1.0);
-  const RgbaPicture mixed = stage.Draw();
-  check.Near(stage.GetReport()->GetNumber("CameraLayers"), 1, 0.0, "a layer for the eye");
-  Pass::SetCastsShadows(pane, true);
-  check.That(ComparePictures(mixed, stage.Draw()).Max > 0.01, "its shadow in smoke");
+  const RgbaImage mixed = stage.Draw();
+  check.Equal(stage.GetReport()->GetCount("CameraLayers"), 1, "one camera layer");
+  Pass::SetCastsShadows(square, true);
+  check.That(CompareImages(mixed, stage.Draw()).Max > 0.01, "the square's shadow in the smoke");
 }
 
-// Parts of an assembly go by its keys.
+// Parts of an assembly use the keys of the assembly.
 void TestAssembly(Check& check)
 {
   const double sun = 1.0 / std::sqrt(1.49);
@@ -192,13 +203,13 @@ void TestAssembly(Check& check)
   parts->AddPart(MakeFloor());
   stage.Stage.GetRenderer()->AddViewProp(parts);
   stage.Stage.SetLights({ MakeSun({ { -0.7, 0.0, -1.0 } }) });
-  check.Near(stage.At(stage.Draw(), -0.3, 0.0), 0.0, DARK, "within an assembly", 1.0);
+  check.Near(stage.At(stage.Draw(), -0.3, 0.0), 0.0, DARK, "parts of an assembly", 1.0);
   Pass::SetReceivesShadows(parts, false);
-  check.Near(stage.At(stage.Draw(), -0.3, 0.0), sun, 1e-3, "its parts receive none", 1.0);
+  check.Near(stage.At(stage.Draw(), -0.3, 0.0), sun, 1e-3, "its parts receive no shadows", 1.0);
   Pass::SetReceivesShadows(parts, true);
   Pass::SetCastsShadows(parts, false);
   stage.Add(MakeFloor());
-  check.Near(stage.At(stage.Draw(), -0.3, 0.0), sun, 1e-3, "its parts cast none", 1.0);
+  check.Near(stage.At(stage.Draw(), -0.3, 0.0), sun, 1e-3, "its parts cast no shadows", 1.0);
 }
 
 }
@@ -208,9 +219,9 @@ int TestShadowRoles(int, char*[])
   Check check;
   TestKeys(check);
   TestSurfaces(check);
-  TestScreens(check);
+  TestLightImages(check);
   TestSmoke(check);
-  TestPanes(check);
+  TestTranslucent(check);
   TestAssembly(check);
   return check.Result();
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkHardwareSelector finds a volume in slices where a line of sight meets it, and a prop before
+// vtkHardwareSelector finds a volume drawn in slices where it is visible, and a prop in front of
 // it.
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
@@ -25,7 +25,7 @@ namespace
 {
 using namespace reference;
 
-/// The prop at a place of the picture, 0 to 1.
+/// Returns the prop at a position in the image, with coordinates from 0 to 1.
 vtkProp* FindProp(VolumeStage& stage, double x, double y)
 {
   const int* size = stage.GetWindow()->GetSize();
@@ -37,9 +37,9 @@ vtkProp* FindProp(VolumeStage& stage, double x, double y)
   {
     return nullptr;
   }
-  const unsigned int place[2] = { static_cast<unsigned int>(x * size[0]),
+  const unsigned int pixel[2] = { static_cast<unsigned int>(x * size[0]),
     static_cast<unsigned int>(y * size[1]) };
-  return selector->GetPixelInformation(place, 0).Prop;
+  return selector->GetPixelInformation(pixel, 0).Prop;
 }
 }
 
@@ -53,22 +53,22 @@ int TestShadowSelection(int, char*[])
   SetScene(stage, mapper, scene);
   stage.Render();
   const auto isVolume = [](vtkProp* prop) { return prop && prop->IsA("vtkVolume"); };
-  check.That(isVolume(FindProp(stage, 0.5, 0.5)), "the volume in the middle");
-  check.That(FindProp(stage, 0.02, 0.02) == nullptr, "nothing in the corner");
-  check.Near(mapper->GetReport()->GetNumber("LightPasses"), 0, 0.0, "light passes of a selection");
+  check.That(isVolume(FindProp(stage, 0.5, 0.5)), "the volume at the center");
+  check.That(FindProp(stage, 0.02, 0.02) == nullptr, "no prop in the corner");
+  check.Equal(mapper->GetReport()->GetCount("LightPasses"), 0, "a selection has no light passes");
 
-  // A ball towards the eye, which looks along (-0.3, -0.4, -1).
+  // A sphere between the volume and the camera, which looks along (-0.3, -0.4, -1).
   vtkNew<vtkSphereSource> sphere;
   sphere->SetCenter(0.24, 0.32, 0.8);
   sphere->SetRadius(0.1);
   vtkNew<vtkPolyDataMapper> surface;
   surface->SetInputConnection(sphere->GetOutputPort());
-  vtkNew<vtkActor> ball;
-  ball->SetMapper(surface);
-  stage.AddActor(ball);
-  check.That(FindProp(stage, 0.5, 0.5) == ball, "the ball before the volume");
-  check.That(isVolume(FindProp(stage, 0.62, 0.5)), "the volume beside the ball");
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(surface);
+  stage.AddActor(actor);
+  check.That(FindProp(stage, 0.5, 0.5) == actor, "the sphere in front of the volume");
+  check.That(isVolume(FindProp(stage, 0.62, 0.5)), "the volume next to the sphere");
   stage.Render();
-  check.That(mapper->GetReport()->GetNumber("LightPasses") > 0, "light passes of the next picture");
+  check.That(mapper->GetReport()->GetNumber("LightPasses") > 0, "the next image has light passes");
   return check.Result();
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A surface of dense matter where light passes the plane across the view, so that slices go from
-// front to back on one side of it and from back to front on the other: the picture is the same.
-#include "Support/Pictures/VolumeStage.h"
+// The image of a dense surface changes continuously when a light crosses the plane perpendicular to
+// the view. Slices are drawn from front to back on one side of this plane, and from back to front
+// on the other side.
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
@@ -31,8 +32,9 @@ using namespace reference;
 constexpr int VOXELS = 24;
 constexpr double VOXEL = 1.0 / VOXELS;
 
-// The distance to the surface of a ball of radius 0.4, in voxels, positive inside.
-vtkSmartPointer<vtkImageData> MakeBallImage()
+// Returns a vtkImageData of distances to a sphere of radius 0.4, in voxels, positive inside the
+// sphere.
+vtkSmartPointer<vtkImageData> MakeSphereImage()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(VOXELS + 1, VOXELS + 1, VOXELS + 1);
@@ -42,16 +44,17 @@ vtkSmartPointer<vtkImageData> MakeBallImage()
   values->SetName("Depth");
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
-    const double* place = image->GetPoint(i);
-    const double depth = (0.4 - vtkMath::Norm(place)) / VOXEL;
+    const double* position = image->GetPoint(i);
+    const double depth = (0.4 - vtkMath::Norm(position)) / VOXEL;
     values->InsertNextValue(static_cast<float>(std::min(std::max(depth, -3.0), 3.0)));
   }
   image->GetPointData()->SetScalars(values);
   return image;
 }
 
-// Matter that gets dense within three voxels: a slice is thick, and its function is no step.
-vtkSmartPointer<vtkVolumeProperty> MakeMatter(double opacity)
+// Returns a medium that becomes dense within three voxels. Slices are optically thick, but the
+// opacity function has no step.
+vtkSmartPointer<vtkVolumeProperty> MakeMedium(double opacity)
 {
   vtkNew<vtkPiecewiseFunction> opacities;
   opacities->AddPoint(-1.0, 0.0);
@@ -73,41 +76,41 @@ struct Case
 {
   std::string Name;
   double Opacity;
-  /// Slices, in voxels.
+  /// Slice spacing in voxels.
   double Spacing;
-  /// What the means of both sides may differ by, as a share.
+  /// Allowed relative difference between the means of both sides.
   double Bound;
-  /// Whether light gets a colour inside.
+  /// Whether the medium has a transmission color.
   bool IsColored = false;
 };
 
-double GetMean(const RgbaPicture& picture)
+double GetMean(const RgbaImage& rendered)
 {
   double sum = 0.0;
-  for (std::size_t k = 0; k < picture.Values.size(); k += 4)
+  for (std::size_t k = 0; k < rendered.Values.size(); k += 4)
   {
-    sum += picture.Values[k] + picture.Values[k + 1] + picture.Values[k + 2];
+    sum += rendered.Values[k] + rendered.Values[k + 1] + rendered.Values[k + 2];
   }
-  return 4.0 / 3.0 * sum / static_cast<double>(picture.Values.size());
+  return 4.0 / 3.0 * sum / static_cast<double>(rendered.Values.size());
 }
 
-void TestSides(Check& check, const Case& matter)
+void TestSides(Check& check, const Case& settings)
 {
-  check.SetContext(matter.Name);
+  check.SetContext(settings.Name);
   constexpr int pixels = 96;
   VolumeStage stage(std::array<int, 2>{ { pixels, pixels } });
   vtkNew<vtkShadowedSliceMapper> mapper;
-  mapper->SetInputData(MakeBallImage());
-  mapper->SetSliceSpacing(matter.Spacing * VOXEL);
+  mapper->SetInputData(MakeSphereImage());
+  mapper->SetSliceSpacing(settings.Spacing * VOXEL);
   mapper->SetLightBufferSize(192);
-  if (matter.IsColored)
+  if (settings.IsColored)
   {
     vtkNew<vtkColorTransferFunction> transmission;
     transmission->AddRGBPoint(0.0, 0.6, 0.3, 0.1);
     mapper->SetTransmissionColor(transmission);
   }
   mapper->AutoAdjustSampleDistancesOff();
-  stage.SetVolume(mapper, MakeMatter(matter.Opacity));
+  stage.SetVolume(mapper, MakeMedium(settings.Opacity));
   vtkNew<vtkCamera> camera;
   camera->SetParallelProjection(1);
   camera->SetParallelScale(0.5);
@@ -115,20 +118,20 @@ void TestSides(Check& check, const Case& matter)
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetClippingRange(1.0, 8.0);
   stage.SetCamera(camera);
-  // The eye looks along -z.
+  // The camera looks along -z.
   constexpr double tiny = 1e-4;
   stage.SetLights({ MakeSun({ { 0.8, 0.6, -tiny } }) });
   const double along = GetMean(stage.Capture());
-  check.Near(mapper->GetReport()->GetNumber("FrontToBackSweeps"), 1, 0.0,
-    "sweeps from front to back, with the view");
+  check.Equal(mapper->GetReport()->GetCount("FrontToBackSweeps"), 1,
+    "front-to-back sweeps, light along the view");
   stage.SetLights({ MakeSun({ { 0.8, 0.6, tiny } }) });
   const double against = GetMean(stage.Capture());
-  check.Near(mapper->GetReport()->GetNumber("FrontToBackSweeps"), 0, 0.0,
-    "sweeps from front to back, against it");
-  std::cout << matter.Name << ": mean " << along << " from front to back, " << against / along - 1.0
-            << " more from back to front" << std::endl;
-  check.That(along > 0.05, "there is light to be seen");
-  check.Near(against, along, matter.Bound, "mean from back to front");
+  check.Equal(mapper->GetReport()->GetCount("FrontToBackSweeps"), 0,
+    "front-to-back sweeps, light against the view");
+  std::cout << settings.Name << ": mean " << along << " front to back, relative difference "
+            << against / along - 1.0 << " back to front" << std::endl;
+  check.That(along > 0.05, "the image is not black");
+  check.Near(against, along, settings.Bound, "mean of back to front");
 }
 
 }
@@ -136,11 +139,11 @@ void TestSides(Check& check, const Case& matter)
 int TestShadowSides(int, char*[])
 {
   Check check;
-  // What is left falls with the distance of slices.
-  TestSides(check, { "dense, slices of two voxels", 0.998, 2.0, 0.08 });
-  TestSides(check, { "dense, slices of half a voxel", 0.998, 0.5, 0.01 });
-  TestSides(check, { "dense, slices of a quarter of a voxel", 0.998, 0.25, 0.003 });
-  TestSides(check, { "smoke, slices of a voxel", 0.2, 1.0, 0.002 });
-  TestSides(check, { "dense and coloured, slices of a voxel", 0.998, 1.0, 0.03, true });
+  // The remaining difference decreases with the slice spacing.
+  TestSides(check, { "dense, spacing of two voxels", 0.998, 2.0, 0.08 });
+  TestSides(check, { "dense, spacing of half a voxel", 0.998, 0.5, 0.01 });
+  TestSides(check, { "dense, spacing of a quarter of a voxel", 0.998, 0.25, 0.003 });
+  TestSides(check, { "smoke, spacing of one voxel", 0.2, 1.0, 0.002 });
+  TestSides(check, { "dense and colored, spacing of one voxel", 0.998, 1.0, 0.03, true });
   return check.Result();
 }

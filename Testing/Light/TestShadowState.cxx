@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkShadowedSliceMapper in windows: several viewports and windows, targets of bytes and floats,
-// stereo, backgrounds, what is drawn after it, what changes from picture to picture.
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+// vtkShadowedSliceMapper in windows: several viewports and windows, 8-bit and floating-point
+// targets, stereo, backgrounds, props that are drawn later, and changes between frames.
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 
@@ -50,28 +50,28 @@ ShadowScene SphereScene()
   return scene;
 }
 
-/// Part of a picture.
-RgbaPicture Crop(const RgbaPicture& picture, int left, int width)
+/// Returns \a width columns of an image, starting at \a left.
+RgbaImage Crop(const RgbaImage& image, int left, int width)
 {
-  RgbaPicture part(width, picture.Height);
-  for (int j = 0; j < picture.Height; ++j)
+  RgbaImage part(width, image.Height);
+  for (int j = 0; j < image.Height; ++j)
   {
-    std::copy_n(picture.At(left, j), 4 * static_cast<std::size_t>(width), part.At(0, j));
+    std::copy_n(image.At(left, j), 4 * static_cast<std::size_t>(width), part.At(0, j));
   }
   return part;
 }
 
-/// Over a background, alpha 1.
-RgbaPicture Over(const RgbaPicture& picture, const Double3& background)
+/// Composites an image over a background, with alpha 1.
+RgbaImage Over(const RgbaImage& image, const Double3& background)
 {
-  RgbaPicture result = picture;
-  for (int j = 0; j < picture.Height; ++j)
+  RgbaImage result = image;
+  for (int j = 0; j < image.Height; ++j)
   {
-    for (int i = 0; i < picture.Width; ++i)
+    for (int i = 0; i < image.Width; ++i)
     {
       for (int k = 0; k < 3; ++k)
       {
-        result.At(i, j)[k] += (1.0 - picture.At(i, j)[3]) * background[k];
+        result.At(i, j)[k] += (1.0 - image.At(i, j)[3]) * background[k];
       }
       result.At(i, j)[3] = 1.0;
     }
@@ -79,10 +79,10 @@ RgbaPicture Over(const RgbaPicture& picture, const Double3& background)
   return result;
 }
 
-void ExpectSame(Check& check, const std::string& name, const RgbaPicture& found,
-  const RgbaPicture& expected, double bound = 0.0)
+void ExpectSame(Check& check, const std::string& name, const RgbaImage& found,
+  const RgbaImage& expected, double bound = 0.0)
 {
-  check.Near(ComparePictures(found, expected).Max, 0.0, bound, name, 1.0);
+  check.Near(CompareImages(found, expected).Max, 0.0, bound, name, 1.0);
 }
 
 void AddSceneTo(vtkRenderer* renderer, vtkShadowedSliceMapper* mapper, const ShadowScene& scene)
@@ -100,7 +100,7 @@ void AddSceneTo(vtkRenderer* renderer, vtkShadowedSliceMapper* mapper, const Sha
   }
 }
 
-vtkSmartPointer<vtkActor> MakeBall(const Double3& center, double radius)
+vtkSmartPointer<vtkActor> MakeSphereActor(const Double3& center, double radius)
 {
   vtkNew<vtkSphereSource> sphere;
   sphere->SetRadius(radius);
@@ -109,27 +109,27 @@ vtkSmartPointer<vtkActor> MakeBall(const Double3& center, double radius)
   sphere->SetPhiResolution(32);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(sphere->GetOutputPort());
-  auto ball = vtkSmartPointer<vtkActor>::New();
-  ball->SetMapper(mapper);
-  ball->GetProperty()->SetColor(1.0, 0.5, 0.2);
-  return ball;
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(1.0, 0.5, 0.2);
+  return actor;
 }
 
-/// Bytes hold what floats do, over the background, which stays where nothing is.
+/// 8-bit targets have the same image as floating-point targets, over an unchanged background.
 void TestTargets(Check& check)
 {
   const auto scene = SphereScene();
   vtkNew<vtkShadowedSliceMapper> mapper;
-  const RgbaPicture floats = DrawByMapper(mapper, scene);
-  check.That(LargestAlpha(floats) > 0.5, "something is seen");
+  const RgbaImage floats = DrawByMapper(mapper, scene);
+  check.That(LargestAlpha(floats) > 0.5, "the image is not empty");
   for (const Double3& background : { Double3{ { 0.0, 0.0, 0.0 } }, Double3{ { 0.2, 0.6, 0.4 } } })
   {
     VolumeStage stage(scene.Size);
     SetScene(stage, mapper, scene);
     stage.GetRenderer()->SetBackground(background[0], background[1], background[2]);
-    const RgbaPicture bytes = ReadWindow(stage.GetWindow());
-    // One rounding of the picture, one of the background, and that of the blending.
-    ExpectSame(check, "bytes", bytes, Over(floats, background), 1.25 * Byte);
+    const RgbaImage bytes = ReadWindow(stage.GetWindow());
+    // The image, the background and the blending each add one rounding error.
+    ExpectSame(check, "8-bit target", bytes, Over(floats, background), 1.25 * Byte);
     for (int k = 0; k < 3; ++k)
     {
       check.Near(bytes.At(0, 0)[k], background[k], 0.5 * Byte, "background in the corner", 1.0);
@@ -137,7 +137,7 @@ void TestTargets(Check& check)
   }
 }
 
-/// Two viewports of different content, in one window; nothing of one is in the other.
+/// Two viewports of a window with different content do not affect each other.
 void TestViewports(Check& check)
 {
   const auto left = SphereScene();
@@ -159,18 +159,18 @@ void TestViewports(Check& check)
   }
   for (int frame = 0; frame < 2; ++frame)
   {
-    const RgbaPicture both = ReadWindow(window);
+    const RgbaImage both = ReadWindow(window);
     for (int side = 0; side < 2; ++side)
     {
-      vtkNew<vtkShadowedSliceMapper> alone;
-      const RgbaPicture expected = Over(DrawByMapper(alone, *scenes[side]), { { 0.0, 0.0, 0.0 } });
+      vtkNew<vtkShadowedSliceMapper> single;
+      const RgbaImage expected = Over(DrawByMapper(single, *scenes[side]), { { 0.0, 0.0, 0.0 } });
       ExpectSame(check, side == 0 ? "left viewport" : "right viewport", Crop(both, 51 * side, 51),
         expected, 1.1 * Byte);
     }
   }
 }
 
-/// One volume in two viewports with their own cameras and lights.
+/// One volume in two viewports.
 void TestSharedVolume(Check& check)
 {
   const auto scene = SphereScene();
@@ -186,9 +186,9 @@ void TestSharedVolume(Check& check)
     AddSceneTo(renderer, mapper, scene);
     window->AddRenderer(renderer);
   }
-  const RgbaPicture both = ReadWindow(window);
-  vtkNew<vtkShadowedSliceMapper> alone;
-  const RgbaPicture expected = Over(DrawByMapper(alone, scene), { { 0.0, 0.0, 0.0 } });
+  const RgbaImage both = ReadWindow(window);
+  vtkNew<vtkShadowedSliceMapper> single;
+  const RgbaImage expected = Over(DrawByMapper(single, scene), { { 0.0, 0.0, 0.0 } });
   for (int side = 0; side < 2; ++side)
   {
     ExpectSame(
@@ -196,10 +196,10 @@ void TestSharedVolume(Check& check)
   }
 }
 
-/// Surfaces in a viewport that is drawn after are the same as without the volume.
+/// Surfaces in a viewport that is drawn later are the same as without the volume.
 void TestAfter(Check& check)
 {
-  RgbaPicture pictures[2];
+  RgbaImage images[2];
   for (int with = 0; with < 2; ++with)
   {
     const auto scene = SphereScene();
@@ -218,26 +218,26 @@ void TestAfter(Check& check)
     vtkNew<vtkRenderer> right;
     right->SetViewport(0.5, 0.0, 1.0, 1.0);
     right->SetBackground(0.3, 0.2, 0.1);
-    right->AddActor(MakeBall({ { 0.0, 0.0, 0.0 } }, 0.4));
-    const auto glass = MakeBall({ { 0.2, 0.0, 0.3 } }, 0.2);
-    glass->GetProperty()->SetOpacity(0.5);
-    right->AddActor(glass);
+    right->AddActor(MakeSphereActor({ { 0.0, 0.0, 0.0 } }, 0.4));
+    const auto translucent = MakeSphereActor({ { 0.2, 0.0, 0.3 } }, 0.2);
+    translucent->GetProperty()->SetOpacity(0.5);
+    right->AddActor(translucent);
     right->SetActiveCamera(scene.Camera);
     window->AddRenderer(right);
     ReadWindow(window);
-    pictures[with] = Crop(ReadWindow(window), 51, 51);
+    images[with] = Crop(ReadWindow(window), 51, 51);
   }
-  ExpectSame(check, "surfaces drawn after", pictures[1], pictures[0]);
+  ExpectSame(check, "surfaces in a later viewport", images[1], images[0]);
 }
 
-Double3 GetMiddle(const RgbaPicture& picture)
+Double3 GetCentroid(const RgbaImage& image)
 {
   Double3 sum{};
-  for (int j = 0; j < picture.Height; ++j)
+  for (int j = 0; j < image.Height; ++j)
   {
-    for (int i = 0; i < picture.Width; ++i)
+    for (int i = 0; i < image.Width; ++i)
     {
-      const double weight = picture.At(i, j)[0] + picture.At(i, j)[1] + picture.At(i, j)[2];
+      const double weight = image.At(i, j)[0] + image.At(i, j)[1] + image.At(i, j)[2];
       sum[0] += weight * i;
       sum[1] += weight * j;
       sum[2] += weight;
@@ -246,7 +246,7 @@ Double3 GetMiddle(const RgbaPicture& picture)
   return { { sum[0] / sum[2], sum[1] / sum[2], sum[2] } };
 }
 
-/// Each eye sees the volume where it sees a ball in its place.
+/// In stereo, the volume appears at the same position as a sphere.
 void TestStereo(Check& check)
 {
   auto scene = SphereScene();
@@ -254,36 +254,36 @@ void TestStereo(Check& check)
   scene.Camera->SetFocalPoint(0.0, 0.0, -1.0);
   scene.Camera->SetEyeAngle(8.0);
   scene.Lights = { MakeDirectionalLight({ { 0.0, 0.0, -1.0 } }) };
-  double middles[2] = { 0.0, 0.0 };
+  double centers[2] = { 0.0, 0.0 };
   const int types[2] = { VTK_STEREO_LEFT, VTK_STEREO_RIGHT };
-  RgbaPicture eyes[2];
-  for (int eye = 0; eye < 2; ++eye)
+  RgbaImage views[2];
+  for (int side = 0; side < 2; ++side)
   {
     vtkNew<vtkShadowedSliceMapper> mapper;
     VolumeStage stage(scene.Size);
     SetScene(stage, mapper, scene);
-    stage.GetWindow()->SetStereoType(types[eye]);
+    stage.GetWindow()->SetStereoType(types[side]);
     stage.GetWindow()->StereoRenderOn();
-    eyes[eye] = ReadWindow(stage.GetWindow());
-    const Double3 volume = GetMiddle(eyes[eye]);
-    check.That(volume[2] > 10.0, "an eye sees the volume");
+    views[side] = ReadWindow(stage.GetWindow());
+    const Double3 volume = GetCentroid(views[side]);
+    check.That(volume[2] > 10.0, "the volume is visible");
     stage.GetVolume()->VisibilityOff();
-    const auto ball = MakeBall({ { 0.0, 0.0, 0.0 } }, 0.35);
-    ball->GetProperty()->LightingOff();
-    stage.AddActor(ball);
-    const Double3 surface = GetMiddle(ReadWindow(stage.GetWindow()));
-    check.Near(volume[0], surface[0], 0.3, "an eye sees the volume at its place", 1.0);
-    check.Near(volume[1], surface[1], 0.3, "an eye sees the volume at its height", 1.0);
-    middles[eye] = volume[0];
+    const auto actor = MakeSphereActor({ { 0.0, 0.0, 0.0 } }, 0.35);
+    actor->GetProperty()->LightingOff();
+    stage.AddActor(actor);
+    const Double3 surface = GetCentroid(ReadWindow(stage.GetWindow()));
+    check.Near(volume[0], surface[0], 0.3, "the horizontal position of the volume", 1.0);
+    check.Near(volume[1], surface[1], 0.3, "the vertical position of the volume", 1.0);
+    centers[side] = volume[0];
   }
-  check.That(std::abs(middles[0] - middles[1]) > 1.0, "the eyes see it at different places");
+  check.That(std::abs(centers[0] - centers[1]) > 1.0, "both eyes have different positions");
   vtkNew<vtkShadowedSliceMapper> mapper;
   VolumeStage stage(scene.Size);
   SetScene(stage, mapper, scene);
   stage.GetWindow()->SetStereoTypeToAnaglyph();
   stage.GetWindow()->SetAnaglyphColorSaturation(0.0F);
   stage.GetWindow()->StereoRenderOn();
-  const RgbaPicture anaglyph = ReadWindow(stage.GetWindow());
+  const RgbaImage anaglyph = ReadWindow(stage.GetWindow());
   double red = 0.0;
   double cyan = 0.0;
   double sums[2] = { 0.0, 0.0 };
@@ -297,40 +297,40 @@ void TestStereo(Check& check)
       sums[1] += anaglyph.At(i, j)[2];
     }
   }
-  check.Near(red / sums[0], middles[0], 0.5, "red of an anaglyph is what the left eye sees", 1.0);
-  check.Near(cyan / sums[1], middles[1], 0.5, "cyan is what the right eye sees", 1.0);
+  check.Near(red / sums[0], centers[0], 0.5, "red of an anaglyph is the left view", 1.0);
+  check.Near(cyan / sums[1], centers[1], 0.5, "cyan of an anaglyph is the right view", 1.0);
 }
 
-/// Whatever changes is seen, as by a mapper that knows no picture before.
+/// After each change, the image equals that of a new mapper.
 void TestChanges(Check& check)
 {
   auto scene = SphereScene();
   vtkNew<vtkShadowedSliceMapper> mapper;
   VolumeStage stage(scene.Size);
   SetScene(stage, mapper, scene);
-  RgbaPicture before = stage.Capture();
+  RgbaImage before = stage.Capture();
   const auto change = [&](const std::string& name, const std::function<void()>& what)
   {
     what();
-    const RgbaPicture found = stage.Capture();
-    check.That(ComparePictures(found, before).Max > 1e-3, name + " is seen");
+    const RgbaImage found = stage.Capture();
+    check.That(CompareImages(found, before).Max > 1e-3, name + " changes the image");
     vtkNew<vtkShadowedSliceMapper> fresh;
     fresh->SetSliceSpacing(mapper->GetSliceSpacing());
     fresh->SetShadows(mapper->GetShadows());
     ShadowScene now = scene;
     now.Shadows = mapper->GetShadows();
     now.TransmissionColor = mapper->GetTransmissionColor();
-    ExpectSame(check, name + ", as by a new mapper", found, DrawByMapper(fresh, now));
+    ExpectSame(check, name + ", same as by a new mapper", found, DrawByMapper(fresh, now));
     before = found;
   };
   change("opacity", [&] { scene.Property->GetScalarOpacity()->AddPoint(0.5, 0.6); });
-  change("colour", [&] { scene.Property->GetRGBTransferFunction()->AddRGBPoint(0.5, 1, 0, 0); });
+  change("color", [&] { scene.Property->GetRGBTransferFunction()->AddRGBPoint(0.5, 1, 0, 0); });
   change("shade", [&] { scene.Property->ShadeOff(); });
   change("diffuse", [&] { scene.Property->SetDiffuse(0.5); });
   change("unit distance", [&] { scene.Property->SetScalarOpacityUnitDistance(0.3); });
-  change("light's place", [&] { scene.Lights[0]->SetPosition(1.0, 1.0, -0.3); });
-  change("light's colour", [&] { scene.Lights[0]->SetDiffuseColor(0.2, 0.6, 1.0); });
-  change("light's shadow", [&] { scene.Lights[0]->SetShadowAttenuation(0.3); });
+  change("light position", [&] { scene.Lights[0]->SetPosition(1.0, 1.0, -0.3); });
+  change("light color", [&] { scene.Lights[0]->SetDiffuseColor(0.2, 0.6, 1.0); });
+  change("light shadow", [&] { scene.Lights[0]->SetShadowAttenuation(0.3); });
   change("camera", [&] { scene.Camera->Azimuth(30.0); });
   change("projection", [&] { scene.Camera->ParallelProjectionOn(); });
   change("values",
@@ -344,7 +344,7 @@ void TestChanges(Check& check)
       values->Modified();
       scene.Image->Modified();
     });
-  change("spacing of the image", [&] { scene.Image->SetSpacing(0.06, 0.05, 0.04); });
+  change("image spacing", [&] { scene.Image->SetSpacing(0.06, 0.05, 0.04); });
   change("no shadows", [&] { mapper->ShadowsOff(); });
   change("shadows", [&] { mapper->ShadowsOn(); });
   change("transmission",
@@ -354,8 +354,7 @@ void TestChanges(Check& check)
       function->AddRGBPoint(0.0, 1.0, 0.2, 0.0);
       mapper->SetTransmissionColor(function);
     });
-  change(
-    "transmission's points", [&] { mapper->GetTransmissionColor()->AddRGBPoint(1.0, 0, 1, 1); });
+  change("transmission points", [&] { mapper->GetTransmissionColor()->AddRGBPoint(1.0, 0, 1, 1); });
   change("values of another type",
     [&]
     {
@@ -367,7 +366,7 @@ void TestChanges(Check& check)
       }
       scene.Image->GetPointData()->SetScalars(bytes);
     });
-  change("values of two components",
+  change("two-component values",
     [&]
     {
       mapper->SetTransmissionColor(nullptr);
@@ -382,8 +381,8 @@ void TestChanges(Check& check)
     });
 }
 
-/// Images that share one array, in other dimensions, places, and as points or cells: the array has
-/// changed after all of them.
+/// Several vtkImageData, with different dimensions and positions, share one array as point or cell
+/// data. The array has a later modification time than the vtkImageData.
 void TestSharedArrays(Check& check)
 {
   constexpr vtkIdType values = 576;
@@ -426,17 +425,17 @@ void TestSharedArrays(Check& check)
   for (const int scattering :
     { vtkShadowedSliceMapper::NO_SCATTERING, vtkShadowedSliceMapper::FULL_SCATTERING })
   {
-    std::vector<RgbaPicture> expected;
+    std::vector<RgbaImage> expected;
     for (const ShadowScene& scene : scenes)
     {
       vtkNew<vtkShadowedSliceMapper> fresh;
-      fresh->SetMultipleScattering(scattering);
+      fresh->SetScatteringMode(scattering);
       expected.push_back(DrawByMapper(fresh, scene));
-      check.That(LargestAlpha(expected.back()) > 0.3, "something is seen of the shared array");
+      check.That(LargestAlpha(expected.back()) > 0.3, "the image of the shared array is not empty");
     }
     array->Modified();
     vtkNew<vtkShadowedSliceMapper> mapper;
-    mapper->SetMultipleScattering(scattering);
+    mapper->SetScatteringMode(scattering);
     VolumeStage stage(scenes[0].Size);
     Random random(5);
     for (int change = 0; change < 24; ++change)
@@ -450,27 +449,27 @@ void TestSharedArrays(Check& check)
   }
 }
 
-/// Textures are made anew after they were released, and for each window.
+/// Textures are created again after a release, and for each window.
 void TestWindows(Check& check)
 {
   const auto scene = SphereScene();
   vtkNew<vtkShadowedSliceMapper> mapper;
   VolumeStage first(scene.Size);
   SetScene(first, mapper, scene);
-  const RgbaPicture picture = first.Capture();
+  const RgbaImage image = first.Capture();
   mapper->ReleaseGraphicsResources(first.GetWindow());
-  ExpectSame(check, "after release", first.Capture(), picture);
-  check.That(LargestAlpha(picture) > 0.5, "something is seen");
+  ExpectSame(check, "after release", first.Capture(), image);
+  check.That(LargestAlpha(image) > 0.5, "the image is not empty");
   {
     VolumeStage second(scene.Size);
     SetScene(second, mapper, scene);
-    ExpectSame(check, "in another window", second.Capture(), picture);
-    ExpectSame(check, "in the first window again", first.Capture(), picture);
-    ExpectSame(check, "in the other window again", second.Capture(), picture);
+    ExpectSame(check, "in another window", second.Capture(), image);
+    ExpectSame(check, "in the first window again", first.Capture(), image);
+    ExpectSame(check, "in the other window again", second.Capture(), image);
   }
-  ExpectSame(check, "after the other window is gone", first.Capture(), picture);
+  ExpectSame(check, "after deletion of the other window", first.Capture(), image);
   first.GetWindow()->SetSize(80, 60);
-  const RgbaPicture large = first.Capture();
+  const RgbaImage large = first.Capture();
   auto resized = scene;
   resized.Size = { { 80, 60 } };
   vtkNew<vtkShadowedSliceMapper> fresh;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sharp surfaces in vtkShadowedSliceMapper against closed forms, at its own settings: an opaque
-// cube, and plates whose opacity jumps between two voxels, under light and view from 0 to 60
+// Sharp surfaces in vtkShadowedSliceMapper compared with closed forms, with default settings: an
+// opaque cube, and plates whose opacity jumps between two voxels, lit and viewed at 0 to 60
 // degrees.
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/SurfaceCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/SurfaceCases.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkNew.h"
@@ -29,10 +29,10 @@ void TestCube(Check& check)
 }
 
 SurfaceErrors MeasurePlate(
-  const Double3& normal, double light, double eye, double around, double spacing)
+  const Double3& normal, double light, double viewAngle, double azimuth, double spacing)
 {
   constexpr int cells = 32;
-  const SurfaceCase plate = MakePlate(cells, normal, light, eye, around);
+  const SurfaceCase plate = MakePlate(cells, normal, light, viewAngle, azimuth);
   vtkNew<vtkShadowedSliceMapper> mapper;
   mapper->SetSliceSpacing(spacing / cells);
   if (spacing > 0.0)
@@ -40,7 +40,7 @@ SurfaceErrors MeasurePlate(
     mapper->SetLightBufferSize(static_cast<int>(cells / spacing));
   }
   const SurfaceErrors errors = MeasureSurface(DrawByMapper(mapper, plate.Scene), plate.Expected);
-  std::cout << "plate, light " << light << ", eye " << eye << ", around " << around
+  std::cout << "plate, light " << light << ", view " << viewAngle << ", azimuth " << azimuth
             << (normal[0] > 0.0 ? ", tilted" : "") << ", spacing " << spacing << ": " << errors
             << std::endl;
   return errors;
@@ -52,19 +52,19 @@ void TestPlates(Check& check)
   const Double3 tilted = { { 0.2, 0.35, 1.0 } };
   for (const double light : { 0.0, 20.0, 40.0, 50.0, 60.0 })
   {
-    for (const auto& [eye, around] :
+    for (const auto& [viewAngle, azimuth] :
       { std::pair<double, double>{ 0.0, 0.0 }, std::pair<double, double>{ 30.0, 120.0 } })
     {
       for (const Double3& normal : { straight, tilted })
       {
-        const SurfaceErrors errors = MeasurePlate(normal, light, eye, around, 0.0);
+        const SurfaceErrors errors = MeasurePlate(normal, light, viewAngle, azimuth, 0.0);
         check.Near(errors.Rms, 0.0, 0.02, "plate under light at " + std::to_string(light), 1.0);
       }
     }
   }
   const SurfaceErrors coarse = MeasurePlate(tilted, 50.0, 30.0, 120.0, 1.0);
   const SurfaceErrors fine = MeasurePlate(tilted, 50.0, 30.0, 120.0, 0.25);
-  check.That(fine.Mean < 0.7 * coarse.Mean, "the error falls with spacing and buffer");
+  check.That(fine.Mean < 0.7 * coarse.Mean, "the error decreases with spacing and buffer size");
 }
 
 }

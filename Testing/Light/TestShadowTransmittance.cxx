@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The law of Beer and Lambert in vtkShadowedSliceMapper: what its light buffers hold against
-// analytic transmittances, by slice spacing and by the angle between view and light.
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/ReferenceMedium.h"
-#include "Support/Pictures/ReferenceShadow.h"
-#include "Support/Pictures/ReferenceShadowPicture.h"
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+// The Beer-Lambert law in vtkShadowedSliceMapper: light buffers compared with analytic
+// transmittances, for different slice spacings and angles between view and light.
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/ReferenceMedium.h"
+#include "Support/Images/ReferenceShadow.h"
+#include "Support/Images/ReferenceShadowImage.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
@@ -38,7 +38,7 @@ using namespace reference;
 constexpr double DefaultBound = 1e-3;
 constexpr double AngleBound = 2e-3;
 
-/// A value v has the extinction v times \a largest.
+/// Returns a property in which the extinction of a value v is v times \a largest.
 vtkSmartPointer<vtkVolumeProperty> MakeProportional(double largest)
 {
   constexpr int pieces = 1024;
@@ -54,7 +54,7 @@ vtkSmartPointer<vtkVolumeProperty> MakeProportional(double largest)
   return property;
 }
 
-/// What a light's buffer holds, to be looked up in the world.
+/// A light buffer, sampled at world positions.
 class LightBuffer
 {
 public:
@@ -75,7 +75,8 @@ public:
     }
   }
 
-  /// Between its samples, linear; NaN outside, and where there was no buffer.
+  /// Returns the interpolated value of a channel, or NaN outside the buffer or if there is no
+  /// buffer.
   double At(const Double3& world, int channel = 0)
   {
     if (!this->IsRead)
@@ -87,7 +88,7 @@ public:
     vtkMatrix4x4::MultiplyPoint(this->Matrix.data(), x, uv);
     const int* size = this->Image->GetDimensions();
     std::array<int, 2> lower;
-    std::array<double, 2> share;
+    std::array<double, 2> fraction;
     for (int axis = 0; axis < 2; ++axis)
     {
       const double at = uv[axis] / uv[3] * size[axis] - 0.5;
@@ -96,14 +97,14 @@ public:
         return std::nan("");
       }
       lower[axis] = std::min(static_cast<int>(at), size[axis] - 2);
-      share[axis] = at - lower[axis];
+      fraction[axis] = at - lower[axis];
     }
     vtkDataArray* values = this->Image->GetPointData()->GetScalars();
     const auto value = [&](int i, int j)
     { return values->GetComponent((lower[1] + j) * size[0] + lower[0] + i, channel); };
-    const double bottom = value(0, 0) + share[0] * (value(1, 0) - value(0, 0));
-    const double top = value(0, 1) + share[0] * (value(1, 1) - value(0, 1));
-    return bottom + share[1] * (top - bottom);
+    const double bottom = value(0, 0) + fraction[0] * (value(1, 0) - value(0, 0));
+    const double top = value(0, 1) + fraction[0] * (value(1, 1) - value(0, 1));
+    return bottom + fraction[1] * (top - bottom);
   }
 
   bool IsRead = false;
@@ -113,7 +114,8 @@ private:
   std::array<double, 16> Matrix{};
 };
 
-/// The cube with extinctions of a profile from top to bottom, \a slope of light to it.
+/// Returns a cube whose extinction follows a profile along z, and a light from above with a \a
+/// slope.
 ShadowScene LayeredScene(const std::function<double(double)>& profile, double largest, double slope)
 {
   auto scene = MakeScene(
@@ -124,8 +126,8 @@ ShadowScene LayeredScene(const std::function<double(double)>& profile, double la
   return scene;
 }
 
-/// The largest error at places whose light comes through the top and goes through the bottom; NaN
-/// where any of them has no number.
+/// Returns the largest error at positions whose light enters through the top and exits through the
+/// bottom, or NaN if a value is missing.
 double GetLargestError(LightBuffer& buffer, double slope, double depth)
 {
   const double expected = std::exp(-depth * std::sqrt(1.0 + 1.25 * slope * slope));
@@ -147,11 +149,11 @@ void TestMedia(Check& check)
   {
     const char* Name;
     std::function<double(double)> Profile;
-    /// The integral of the profile from the top, 1, to z.
+    /// Integral of the profile from z to the top at 1.
     std::function<double(double)> Integral;
   } media[] = { { "homogeneous", [](double) { return 1.0; }, [](double z) { return 1.0 - z; } },
     { "linear", [](double z) { return z; }, [](double z) { return 0.5 * (1.0 - z * z); } },
-    // A ramp of a voxel is between samples of both slabs.
+    // The transition between the slabs is a ramp over one voxel.
     { "two slabs", [](double z) { return z > 0.5 ? 0.2 : 1.0; },
       [](double z)
       {
@@ -167,20 +169,20 @@ void TestMedia(Check& check)
     for (double slope : { 0.0, 0.25 })
     {
       const std::string name =
-        std::string(medium.Name) + (slope == 0.0 ? ", light straight" : ", light aslant");
+        std::string(medium.Name) + (slope == 0.0 ? ", light straight" : ", oblique light");
       auto scene = LayeredScene(medium.Profile, largest, slope);
       vtkNew<vtkShadowedSliceMapper> mapper;
-      LightBuffer whole(mapper, scene);
-      const double error = GetLargestError(whole, slope, largest * medium.Integral(0.0));
+      LightBuffer full(mapper, scene);
+      const double error = GetLargestError(full, slope, largest * medium.Integral(0.0));
       std::cout << name << ", default spacing: " << error << std::endl;
       check.Near(error, 0.0, DefaultBound, name + ", default spacing", 1.0);
-      // At a depth: what is below is cropped.
+      // Cropping below z ends the light buffer at that depth.
       for (double z : { 0.75, 0.25 })
       {
         scene.CroppingPlanes = { { -1.0, 1.0, -1.0, 1.0, z - 0.5, 1.0 } };
         scene.CroppingFlags = VTK_CROP_SUBVOLUME;
-        LightBuffer part(mapper, scene);
-        check.Near(GetLargestError(part, slope, largest * medium.Integral(z)), 0.0, DefaultBound,
+        LightBuffer cropped(mapper, scene);
+        check.Near(GetLargestError(cropped, slope, largest * medium.Integral(z)), 0.0, DefaultBound,
           name + ", at a depth", 1.0);
       }
       scene.CroppingFlags = 0;
@@ -190,20 +192,21 @@ void TestMedia(Check& check)
         mapper->SetSliceSpacing(spacing);
         LightBuffer buffer(mapper, scene);
         errors.push_back(GetLargestError(buffer, slope, largest * medium.Integral(0.0)));
-        // So many slices that they fill the volume.
+        // The spacing is reduced such that an integer number of slices fills the volume.
         const double inUse = mapper->GetReport()->GetNumber("SliceSpacing");
-        check.That(inUse <= 1.000001 * spacing && inUse > 0.8 * spacing, "the spacing is used");
+        check.That(
+          inUse <= 1.000001 * spacing && inUse > 0.8 * spacing, "the mapper uses the spacing");
         std::cout << "  spacing " << spacing << ": " << errors.back() << std::endl;
-        // The first order, but for rounding; a sixteenth of the spacing, a sixteenth of the error.
+        // The error is of first order in the spacing, up to rounding error.
         check.That(errors.back() <= errors.front() * spacing / 0.25 + 1e-4,
-          name + ": the error falls with spacing " + std::to_string(spacing));
+          name + ": the error decreases with spacing " + std::to_string(spacing));
       }
       mapper->SetSliceSpacing(0.0);
     }
   }
 }
 
-/// Three channels of light.
+/// With a transmission color, light buffers have three channels.
 void TestTransmission(Check& check)
 {
   auto scene = LayeredScene([](double) { return 1.0; }, 3.0, 0.0);
@@ -218,8 +221,8 @@ void TestTransmission(Check& check)
   }
 }
 
-/// A ball that fades to its rim, so that no light passes beside something dense.
-ShadowScene BallScene()
+/// A sphere with a soft boundary, so that light buffers have no sharp edges.
+ShadowScene SphereScene()
 {
   auto scene = MakeScene(MakeImage(32,
                            [](const Double3& x)
@@ -237,63 +240,62 @@ ShadowScene BallScene()
 
 void TestAngles(Check& check)
 {
-  auto scene = BallScene();
+  auto scene = SphereScene();
   const ReferenceMedium medium(scene);
-  std::vector<Double3> places;
+  std::vector<Double3> positions;
   std::vector<double> expected;
   for (int j = -9; j <= 9; ++j)
   {
     for (int i = -9; i <= 9; ++i)
     {
-      places.push_back({ { 0.045 * i, 0.045 * j, -0.5 } });
-      expected.push_back(
-        ToTransmittance(GetOpticalDepth(medium, places.back(), { { 0.0, 0.0, 1.0 } }, 10.0, 2))[0]);
+      positions.push_back({ { 0.045 * i, 0.045 * j, -0.5 } });
+      expected.push_back(ToTransmittance(
+        GetOpticalDepth(medium, positions.back(), { { 0.0, 0.0, 1.0 } }, 10.0, 2))[0]);
     }
   }
-  std::vector<double> least(places.size(), 2.0);
-  std::vector<double> most(places.size(), -2.0);
+  std::vector<double> minimum(positions.size(), 2.0);
+  std::vector<double> maximum(positions.size(), -2.0);
   double error = 0.0;
-  double pictureError = 0.0;
+  double imageError = 0.0;
   for (int angle = 0; angle <= 180; angle += 5)
   {
     const double radians = vtkMath::RadiansFromDegrees(static_cast<double>(angle));
     scene.Camera = LookAt(scene.Image, { { std::sin(radians), 0.0, -std::cos(radians) } }, true);
     vtkNew<vtkShadowedSliceMapper> mapper;
-    // What is between its samples is not the buffer's error.
+    // A large buffer, to exclude the error of interpolation between texels.
     mapper->SetLightBufferSize(256);
     LightBuffer buffer(mapper, scene);
     mapper->SetLightBufferSize(0);
     const std::string name = "angle " + std::to_string(angle);
-    check.That(buffer.IsRead, name + ": there is a buffer");
-    for (std::size_t at = 0; at < places.size(); ++at)
+    check.That(buffer.IsRead, name + ": the buffer exists");
+    for (std::size_t at = 0; at < positions.size(); ++at)
     {
-      const double found = buffer.At(places[at]);
-      check.That(std::isfinite(found), name + ": a number");
-      least[at] = std::min(least[at], found);
-      most[at] = std::max(most[at], found);
+      const double found = buffer.At(positions[at]);
+      check.That(std::isfinite(found), name + ": the value is finite");
+      minimum[at] = std::min(minimum[at], found);
+      maximum[at] = std::max(maximum[at], found);
       error = std::max(error, std::abs(found - expected[at]));
     }
-    const PictureError picture =
-      ComparePictures(DrawByMapper(mapper, scene), MakeShadowPicture(scene));
-    std::cout << name << ": " << picture << std::endl;
-    check.Near(picture.Max, 0.0, AngleBound, name + ": picture", 1.0);
-    pictureError = std::max(pictureError, picture.Max);
+    const ImageError image = CompareImages(DrawByMapper(mapper, scene), MakeShadowImage(scene));
+    std::cout << name << ": " << image << std::endl;
+    check.Near(image.Max, 0.0, AngleBound, name + ": image error", 1.0);
+    imageError = std::max(imageError, image.Max);
   }
   double difference = 0.0;
-  for (std::size_t at = 0; at < places.size(); ++at)
+  for (std::size_t at = 0; at < positions.size(); ++at)
   {
-    difference = std::max(difference, most[at] - least[at]);
+    difference = std::max(difference, maximum[at] - minimum[at]);
   }
-  std::cout << "all angles: light buffer " << error << ", between angles " << difference
-            << ", pictures " << pictureError << std::endl;
-  check.Near(difference, 0.0, AngleBound, "light buffers between angles", 1.0);
+  std::cout << "all angles: light buffer " << error << ", difference between angles " << difference
+            << ", images " << imageError << std::endl;
+  check.Near(difference, 0.0, AngleBound, "difference of light buffers between angles", 1.0);
   check.Near(error, 0.0, AngleBound, "light buffers of all angles", 1.0);
 }
 
-/// Lights without a buffer have none to be read.
+/// ReadLightBuffer fails for lights without light buffers.
 void TestWithout(Check& check)
 {
-  auto scene = BallScene();
+  auto scene = SphereScene();
   vtkNew<vtkShadowedSliceMapper> mapper;
   scene.Lights[0]->SetShadowAttenuation(0.0);
   check.That(!LightBuffer(mapper, scene).IsRead, "a light without shadows");
@@ -303,16 +305,16 @@ void TestWithout(Check& check)
   mapper->SetLightBufferSize(256);
   LightBuffer far(mapper, scene);
   check.That(far.IsRead, "a light outside");
-  const Double3 place = { { 0.05, 0.05, -0.5 } };
+  const Double3 position = { { 0.05, 0.05, -0.5 } };
   Double3 direction = { { 0.05, -0.05, 5.5 } };
   const double distance = vtkMath::Normalize(direction.data());
-  check.Near(far.At(place),
-    ToTransmittance(GetOpticalDepth(ReferenceMedium(scene), place, direction, distance, 2))[0],
+  check.Near(far.At(position),
+    ToTransmittance(GetOpticalDepth(ReferenceMedium(scene), position, direction, distance, 2))[0],
     DefaultBound, "transmittance from a point", 1.0);
 }
 
-/// A homogeneous medium in the light of a large area light: the mean over the light's samples,
-/// whose rays are longer than that of its centre.
+/// A large area light above a homogeneous medium: the light buffer is the mean over the light's
+/// samples, whose rays are longer than the ray from the center.
 void TestArea(Check& check)
 {
   constexpr double largest = 3.0;
@@ -331,11 +333,12 @@ void TestArea(Check& check)
   double expected = 0.0;
   for (const vtkAreaLight::Sample& sample : light->GetSamples(mapper->GetNumberOfLightSamples()))
   {
-    const double way = std::sqrt(vtkMath::Distance2BetweenPoints(sample.Position, point.data()));
-    expected += sample.Weight[0] * std::exp(-largest * way / (sample.Position[2] - point[2]));
+    const double distance =
+      std::sqrt(vtkMath::Distance2BetweenPoints(sample.Position, point.data()));
+    expected += sample.Weight[0] * std::exp(-largest * distance / (sample.Position[2] - point[2]));
   }
-  std::cout << "area light: " << buffer.At(point) << " for " << expected << " and "
-            << std::exp(-largest) << " from the centre" << std::endl;
+  std::cout << "area light: " << buffer.At(point) << ", expected " << expected
+            << ", from the center " << std::exp(-largest) << std::endl;
   check.Near(buffer.At(point), expected, 3e-4, "area light", 1.0);
 }
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares a flat plate, whose opacity rises to 1 within about a voxel and which nothing shades,
-// with its exact brightness. The optical depths of light and view have a constant ratio there, so
-// that the brightness does not depend on the ramp. Slices and texels of the light's buffer show no
-// pattern.
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/RgbaPicture.h"
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+// Compares an unshaded plate, whose opacity increases to 1 within about one voxel, with its exact
+// brightness. The optical depths of light and view have a constant ratio, so that the brightness
+// does not depend on the opacity ramp. Slices and light buffer texels must not cause visible
+// patterns.
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/RgbaImage.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkAreaLight.h"
@@ -37,8 +37,8 @@ constexpr int VOXELS = 96;
 constexpr int LAYERS = 16;
 constexpr int PIXELS = 160;
 
-/// Makes a density that rises from 0 above to 1 below, as an edge smoothed by a Gaussian of 1.14
-/// voxels.
+/// Returns a density that increases from 0 above to 1 below, like an edge smoothed by a Gaussian of
+/// 1.14 voxels.
 vtkSmartPointer<vtkImageData> MakePlate()
 {
   return MakeImage({ { VOXELS, VOXELS, LAYERS } }, { { 1.0, 1.0, 1.0 } },
@@ -49,8 +49,8 @@ vtkSmartPointer<vtkImageData> MakePlate()
     });
 }
 
-/// Opaque within a voxel, from densities of 80 to 175 of 255.
-vtkSmartPointer<vtkVolumeProperty> MakeMatter(bool isShaded)
+/// Returns a medium that becomes opaque within a voxel, at densities between 80 and 175 of 255.
+vtkSmartPointer<vtkVolumeProperty> MakeMedium(bool isShaded)
 {
   vtkSmartPointer<vtkVolumeProperty> property =
     MakeProperty({ { 80.0 / 255.0, { { 1.0, 1.0, 1.0 } }, 0.0 },
@@ -65,27 +65,28 @@ vtkSmartPointer<vtkVolumeProperty> MakeMatter(bool isShaded)
 enum Kinds
 {
   PLAIN,
-  /// Half of the light's extinction, in the red channel.
+  /// In the red channel, the extinction for light is halved.
   COLORED,
   NEAREST,
-  /// Of half the intensity, from both sides.
+  /// Two lights of half the intensity, one from each side.
   TWO_LIGHTS,
-  /// Within the ramp, by a plane along the plate: matter begins at once there.
+  /// Cropped inside the opacity ramp by a plane parallel to the plate, so that the medium has a
+  /// sharp boundary.
   CROPPED
 };
 
 struct Case
 {
   std::string Name;
-  /// The directions in which view and light go.
+  /// View and light directions.
   Double3 View;
   Double3 Light;
-  /// The edge of the light's buffer; 0 stands for the mapper's own.
+  /// Edge length of the light buffer, or 0 for the default.
   int BufferSize;
   bool IsShaded;
-  /// The diameter of the light.
+  /// Diameter of the light.
   double Diameter;
-  /// The bounds of roughness (root mean square) and of the mean's error, in units of 1/255.
+  /// Bounds of the roughness (root mean square) and of the error of the mean, in units of 1/255.
   double Roughness;
   double Bias;
   Kinds Kind = PLAIN;
@@ -148,14 +149,14 @@ vtkSmartPointer<vtkLight> MakeLight(const Case& plate, double intensity)
     area->SetSize(plate.Diameter, plate.Diameter);
     light = area;
   }
-  // An area light is so far away that its light is nearly parallel.
-  const double away = plate.Diameter > 0.0 ? 800.0 : 1.0;
+  // An area light is far away, so that its light is almost parallel.
+  const double distance = plate.Diameter > 0.0 ? 800.0 : 1.0;
   light->SetLightTypeToSceneLight();
   light->SetPositional(plate.Diameter > 0.0);
   light->SetConeAngle(180.0);
   const double length = vtkMath::Norm(plate.Light.data());
-  light->SetPosition(-away / length * plate.Light[0], -away / length * plate.Light[1],
-    -away / length * plate.Light[2]);
+  light->SetPosition(-distance / length * plate.Light[0], -distance / length * plate.Light[1],
+    -distance / length * plate.Light[2]);
   light->SetFocalPoint(0.0, 0.0, 0.0);
   light->SetIntensity(intensity);
   return light;
@@ -168,9 +169,9 @@ void TestPlate(Check& check, const Case& plate)
   const double lit = -plate.Light[2] / vtkMath::Norm(plate.Light.data());
   constexpr double bright = 187.0;
   // The integral of exp(-a - a seen / lit) da over optical depths a is 1 / (1 + seen / lit).
-  const double part = plate.Kind == COLORED ? 0.5 : 1.0;
+  const double fraction = plate.Kind == COLORED ? 0.5 : 1.0;
   const double intensity =
-    bright / 255.0 * (1.0 + part * seen / lit) / (plate.IsShaded ? lit : 1.0);
+    bright / 255.0 * (1.0 + fraction * seen / lit) / (plate.IsShaded ? lit : 1.0);
 
   vtkNew<vtkShadowedSliceMapper> mapper;
   mapper->SetInputData(MakePlate());
@@ -181,20 +182,21 @@ void TestPlate(Check& check, const Case& plate)
   if (plate.Kind == COLORED)
   {
     vtkNew<vtkColorTransferFunction> transmission;
-    transmission->AddRGBPoint(0.0, 1.0 - part, 0.2, 0.8);
+    transmission->AddRGBPoint(0.0, 1.0 - fraction, 0.2, 0.8);
     mapper->SetTransmissionColor(transmission);
   }
   if (plate.Kind == CROPPED)
   {
     mapper->CroppingOn();
-    // All but a corner that the picture does not show, since a box is no cropping to the mapper.
+    // The mapper treats cropping to a box as a smaller volume. Therefore one corner outside the
+    // image is cropped, too.
     mapper->SetCroppingRegionPlanes(-40.0, 40.0, -40.0, 40.0, -LAYERS, 0.3);
     mapper->SetCroppingRegionFlags(0x7ffff);
   }
-  mapper->SetLightLookup(plate.Kind == NEAREST ? vtkShadowedSliceSettings::NEAREST_LIGHT
-                                               : vtkShadowedSliceSettings::BILINEAR_LIGHT);
+  mapper->SetLightLookup(plate.Kind == NEAREST ? vtkShadowedSliceSettings::NEAREST_LOOKUP
+                                               : vtkShadowedSliceSettings::BILINEAR_LOOKUP);
   VolumeStage stage(std::array<int, 2>{ { PIXELS, PIXELS } });
-  stage.SetVolume(mapper, MakeMatter(plate.IsShaded));
+  stage.SetVolume(mapper, MakeMedium(plate.IsShaded));
   vtkNew<vtkCamera> camera;
   camera->SetParallelProjection(1);
   camera->SetParallelScale(12.0);
@@ -208,16 +210,16 @@ void TestPlate(Check& check, const Case& plate)
   const bool isSplit = plate.Kind == TWO_LIGHTS;
   stage.SetLights({ MakeLight(plate, isSplit ? 0.5 * intensity : intensity),
     MakeLight(mirrored, isSplit ? 0.5 * intensity : 0.0) });
-  const RgbaPicture picture = stage.Capture();
+  const RgbaImage image = stage.Capture();
 
   std::vector<double> values;
   double mean = 0.0;
   double opacity = 1.0;
-  for (std::size_t k = 0; k < picture.Values.size(); k += 4)
+  for (std::size_t k = 0; k < image.Values.size(); k += 4)
   {
-    values.push_back(255.0 * picture.Values[k]);
+    values.push_back(255.0 * image.Values[k]);
     mean += values.back() / (PIXELS * PIXELS);
-    opacity = std::min<double>(opacity, picture.Values[k + 3]);
+    opacity = std::min<double>(opacity, image.Values[k + 3]);
   }
   RemoveQuadric(values, PIXELS);
   double square = 0.0;
@@ -229,7 +231,7 @@ void TestPlate(Check& check, const Case& plate)
   const double roughness = std::sqrt(square / values.size());
   std::sort(values.begin(), values.end());
   std::cout << plate.Name << ": roughness " << roughness << ", 99 % within "
-            << values[values.size() * 99 / 100] << ", mean off by " << mean - bright << " of 255, "
+            << values[values.size() * 99 / 100] << ", mean error " << mean - bright << " of 255, "
             << mapper->GetReport()->GetNumber("LightBufferSize") << "^2" << std::endl;
   check.That(opacity > 0.999, "the plate is opaque");
   check.Near(roughness, 0.0, plate.Roughness, "roughness", 1.0);
@@ -246,26 +248,26 @@ int TestShadowedPlate(int, char*[])
   const Double3 down = { { 0.5, 0.1, -0.9 } };
   const Double3 across = { { -0.5, 0.2, -0.9 } };
   const Double3 grazing = { { 0.8, 0.1, -0.5 } };
-  // With the sample in the middle of a slab and interpolated transmittance, roughness and bias were
-  // 0.55 and 6.7, 0.55 and 6.7, 1.3 and 1.2, 2.1 and 1.1, 2.8 and 1.5, 0.7 and 3.4, 1.3 and 1.2,
-  // 0.7 and 1.1, 0.3 and 2.7, 1.9 and 1.4, 1.9 and 1.6, 5.2 and 11.8, 5.3 and 0.7, 1.7 and 3.1, 1.7
-  // and 3.2, 1.5 and 0.2.
+  // For comparison, roughness and bias with one sample at the center of each slab and interpolated
+  // transmittance: 0.55 and 6.7, 0.55 and 6.7, 1.3 and 1.2, 2.1 and 1.1, 2.8 and 1.5, 0.7 and 3.4,
+  // 1.3 and 1.2, 0.7 and 1.1, 0.3 and 2.7, 1.9 and 1.4, 1.9 and 1.6, 5.2 and 11.8, 5.3 and 0.7, 1.7
+  // and 3.1, 1.7 and 3.2, 1.5 and 0.2.
   const std::vector<Case> cases = { { "flat view", flat, { { -0.1, 0.05, -1.0 } }, 192, true, 0.0,
                                       0.2, 0.5 },
     { "flat view, not shaded", flat, { { -0.1, 0.05, -1.0 } }, 192, false, 0.0, 0.2, 0.5 },
     { "steep view", steep, across, 192, true, 0.0, 0.6, 0.5 },
-    { "light beside the view", down, { { 0.6, -0.2, -0.7 } }, 192, true, 0.0, 0.65, 0.8 },
+    { "light close to the view", down, { { 0.6, -0.2, -0.7 } }, 192, true, 0.0, 0.65, 0.8 },
     { "grazing light", down, grazing, 192, true, 0.0, 0.45, 0.3 },
-    { "light against the view", { { -0.7, 0.1, -0.3 } }, { { 0.8, 0.1, -0.4 } }, 192, true, 0.0,
+    { "light opposite to the view", { { -0.7, 0.1, -0.3 } }, { { 0.8, 0.1, -0.4 } }, 192, true, 0.0,
       0.4, 0.6 },
     { "round light", steep, across, 192, true, 10.0, 0.6, 0.5 },
     { "colored transmission", steep, across, 192, true, 0.0, 0.55, 0.5, COLORED },
-    { "colored transmission, light against the view", { { -0.7, 0.1, -0.3 } },
+    { "colored transmission, light opposite to the view", { { -0.7, 0.1, -0.3 } },
       { { 0.8, 0.1, -0.4 } }, 192, true, 0.0, 0.5, 0.7, COLORED },
     { "two lights", steep, across, 192, true, 0.0, 0.55, 0.3, TWO_LIGHTS },
     { "cropped", steep, across, 192, true, 0.0, 2.2, 1.2, CROPPED },
-    { "cropped, light against the view", { { -0.7, 0.1, -0.3 } }, { { 0.8, 0.1, -0.4 } }, 192, true,
-      0.0, 2.2, 4.5, CROPPED },
+    { "cropped, light opposite to the view", { { -0.7, 0.1, -0.3 } }, { { 0.8, 0.1, -0.4 } }, 192,
+      true, 0.0, 2.2, 4.5, CROPPED },
     { "nearest texels", steep, across, 192, true, 0.0, 6.0, 1.0, NEAREST },
     { "automatic buffer", steep, across, 0, true, 0.0, 0.7, 0.5 },
     { "round light, automatic buffer", steep, across, 0, true, 10.0, 0.9, 1.1 },

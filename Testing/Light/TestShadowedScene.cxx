@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shadows that opaque actors cast on each other by vtkShadowedScenePass: edges where they have to
-// be, no specks, VTK's own picture where no shadow falls.
+// Shadows between opaque actors in vtkShadowedScenePass: positions of shadow edges, no specks, and
+// VTK's own image where no shadow falls.
 #include "Common/Vectors.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
@@ -24,7 +24,7 @@ using namespace reference;
 
 void TestEdges(Check& check)
 {
-  // A box of height 0.2 on a plane, under light from the left at 45 degrees.
+  // A box of height 0.2 on a plane, lit from the left at 45 degrees.
   for (const int resolution : { 64, 256, 1024 })
   {
     SceneStage stage;
@@ -32,59 +32,59 @@ void TestEdges(Check& check)
     stage.Add(MakeRectangle({ { -1.0, -1.0, 0.0 } }, { { 2.0, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }));
     stage.Add(MakeBox({ { -0.3, 0.1, -0.2, 0.2, 0.0, 0.2 } }));
     stage.Stage.SetLights({ MakeSun({ { 1.0, 0.0, -1.0 } }) });
-    const RgbaPicture picture = stage.Draw();
+    const RgbaImage image = stage.Draw();
     const std::string name = "box, " + std::to_string(resolution);
     const double lit = std::sqrt(0.5);
-    // The map shows the scene across the light, 2 units along y.
+    // The shadow map covers the scene perpendicular to the light, 2 units along y.
     const double texel = 2.0 / resolution;
     const double pixel = 2.0 / 256.0;
-    check.Near(stage.At(picture, -0.6, 0.0), lit, 1e-4, name + ": lit");
-    check.Near(stage.At(picture, 0.2, 0.0), 0.0, 0.0, name + ": in shadow", 1.0);
-    check.Near(stage.At(picture, -0.1, 0.0), lit, 1e-4, name + ": lid");
-    // Half a texel, on the plane, and half a pixel.
-    check.Near(stage.FindEdge(picture, 0.15, 0.9, 0.0, 0.5 * lit), 0.3,
+    check.Near(stage.At(image, -0.6, 0.0), lit, 1e-4, name + ": lit");
+    check.Near(stage.At(image, 0.2, 0.0), 0.0, 0.0, name + ": in shadow", 1.0);
+    check.Near(stage.At(image, -0.1, 0.0), lit, 1e-4, name + ": top of the box");
+    // The tolerance is half a texel, projected onto the plane, plus half a pixel.
+    check.Near(stage.FindEdge(image, 0.15, 0.9, 0.0, 0.5 * lit), 0.3,
       0.5 * texel * std::sqrt(2.0) + 0.5 * pixel, name + ": edge along the light", 1.0);
-    check.Near(stage.FindEdge(picture, 0.05, 0.15, 0.0, 0.5 * lit), 0.1, 0.01,
+    check.Near(stage.FindEdge(image, 0.05, 0.15, 0.0, 0.5 * lit), 0.1, 0.01,
       name + ": edge of the box", 1.0);
-    check.Near(stage.GetReport()->GetNumber("DepthMaps"), 1, 0.0, name + ": maps");
-    check.Near(stage.GetReport()->GetNumber("DepthMapsDrawn"), 0, 0.0, name + ": drawn again");
-    check.Near(stage.GetReport()->GetNumber("DepthMapBytes"), 4LL * resolution * resolution, 0.0,
+    check.Equal(stage.GetReport()->GetCount("DepthMaps"), 1, name + ": maps");
+    check.Equal(stage.GetReport()->GetCount("DepthMapsDrawn"), 0, name + ": drawn again");
+    check.Equal(stage.GetReport()->GetCount("DepthMapBytes"), 4LL * resolution * resolution,
       name + ": bytes");
   }
 }
 
-void TestLamp(Check& check)
+void TestPointLight(Check& check)
 {
-  // A plate between a lamp and a plane: its shadow is twice as large.
-  for (const double aside : { 0.0, 0.4 })
+  // The shadow of a plate between a point light and a plane is twice as large as the plate.
+  for (const double offset : { 0.0, 0.4 })
   {
     SceneStage stage;
     stage.Add(MakeRectangle({ { -1.0, -1.0, 0.0 } }, { { 2.0, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }));
     stage.Add(MakeRectangle({ { -0.2, -0.2, 0.5 } }, { { 0.4, 0.0, 0.0 } }, { { 0.0, 0.4, 0.0 } }));
-    stage.Stage.SetLights({ MakeLamp({ { aside, 0.0, 1.0 } }, { { aside, 0.0, 0.0 } }) });
-    const RgbaPicture picture = stage.Draw();
-    const std::string name = "lamp at " + std::to_string(aside);
-    check.Near(stage.GetReport()->GetNumber("DepthMaps"), 1, 0.0, name + ": maps");
-    const double cosine = 1.0 / std::hypot(1.0, 0.4 + 2.0 * aside);
-    check.Near(stage.FindEdge(picture, -0.9, -0.25 - aside, 0.0, 0.5 * cosine), -0.4 - aside, 0.006,
+    stage.Stage.SetLights({ MakePointLight({ { offset, 0.0, 1.0 } }, { { offset, 0.0, 0.0 } }) });
+    const RgbaImage image = stage.Draw();
+    const std::string name = "point light at " + std::to_string(offset);
+    check.Equal(stage.GetReport()->GetCount("DepthMaps"), 1, name + ": maps");
+    const double cosine = 1.0 / std::hypot(1.0, 0.4 + 2.0 * offset);
+    check.Near(stage.FindEdge(image, -0.9, -0.25 - offset, 0.0, 0.5 * cosine), -0.4 - offset, 0.006,
       name + ": edge", 1.0);
   }
 }
 
 void TestSpecks(Check& check)
 {
-  // Where light falls on nothing but a ball, or a thin plate, it looks as without shadows.
+  // A single sphere or thin plate looks the same with and without shadows.
   for (const double height : { 1.0, 0.3, 0.1 })
   {
     for (int shape = 0; shape < 3; ++shape)
     {
       SceneStage stage;
-      stage.Add(shape == 0 ? MakeBall({ { 0.0, 0.0, 0.0 } }, 0.8, 96)
+      stage.Add(shape == 0 ? MakeSphereActor({ { 0.0, 0.0, 0.0 } }, 0.8, 96)
           : shape == 1     ? MakeBox({ { -0.8, 0.8, -0.8, 0.8, -0.001, 0.001 } })
-                           : MakeBall({ { 0.0, 0.0, 0.0 } }, 0.8, 12));
+                           : MakeSphereActor({ { 0.0, 0.0, 0.0 } }, 0.8, 12));
       stage.Stage.SetLights({ MakeSun({ { 1.0, 0.3, -height } }) });
-      const RgbaPicture with = stage.Draw();
-      const RgbaPicture without = stage.Draw(false);
+      const RgbaImage with = stage.Draw();
+      const RgbaImage without = stage.Draw(false);
       double largest = 0.0;
       double mean = 0.0;
       for (std::size_t i = 0; i < with.Values.size(); i += 4)
@@ -102,8 +102,8 @@ void TestSpecks(Check& check)
   }
 }
 
-// The same under a sun with an extent, where all of it or nothing of it shines on a ball or a thin
-// plate: as without shadows, or dark.
+// Under a sun with an extent, a sphere or thin plate looks the same with and without shadows where
+// the full sun is above the surface, and is black where the full sun is below it.
 void TestSoftSpecks(Check& check)
 {
   for (const double height : { 1.0, 0.3 })
@@ -111,7 +111,7 @@ void TestSoftSpecks(Check& check)
     for (int shape = 0; shape < 2; ++shape)
     {
       SceneStage stage;
-      stage.Add(shape == 0 ? MakeBall({ { 0.0, 0.0, 0.0 } }, 0.8, 96)
+      stage.Add(shape == 0 ? MakeSphereActor({ { 0.0, 0.0, 0.0 } }, 0.8, 96)
                            : MakeBox({ { -0.8, 0.8, -0.8, 0.8, -0.001, 0.001 } }));
       const glm::dvec3 direction = glm::normalize(glm::dvec3(1.0, 0.3, -height));
       vtkNew<vtkAreaLight> sun;
@@ -120,10 +120,9 @@ void TestSoftSpecks(Check& check)
       sun->SetSize(0.1, 0.1);
       sun->SetShadowAttenuation(1.0F);
       stage.Stage.SetLights({ sun.Get() });
-      const RgbaPicture with = stage.Draw();
-      check.Near(
-        stage.GetReport()->GetNumber("SampleMaps"), 16, 0.0, "maps of a sun with an extent");
-      const RgbaPicture without = stage.Draw(false);
+      const RgbaImage with = stage.Draw();
+      check.Equal(stage.GetReport()->GetCount("SampleMaps"), 16, "shadow maps of an area light");
+      const RgbaImage without = stage.Draw(false);
       double lit = 0.0;
       double dark = 0.0;
       for (int j = 0; j < with.Height; ++j)
@@ -133,7 +132,7 @@ void TestSoftSpecks(Check& check)
           const glm::dvec2 at(
             2.0 * (i + 0.5) / with.Width - 1.0, 2.0 * (j + 0.5) / with.Height - 1.0);
           const double rest = 0.64 - glm::dot(at, at);
-          // The rim of a ball of polygons is not that of a ball.
+          // Skips the silhouette, where a polygonal sphere differs from an exact sphere.
           if (shape == 0 && rest < 0.02)
           {
             continue;
@@ -149,10 +148,10 @@ void TestSoftSpecks(Check& check)
       }
       const std::string name =
         "soft, shape " + std::to_string(shape) + ", light at " + std::to_string(height);
-      std::cout << name << ": " << lit << " where all shines, " << dark << " where nothing does"
+      std::cout << name << ": " << lit << " where fully lit, " << dark << " where dark"
                 << std::endl;
-      check.Near(lit, 0.0, 0.02, name + ": specks in the light", 1.0);
-      check.Near(dark, 0.0, 0.0, name + ": light in the dark", 1.0);
+      check.Near(lit, 0.0, 0.02, name + ": specks in lit areas", 1.0);
+      check.Near(dark, 0.0, 0.0, name + ": light in dark areas", 1.0);
     }
   }
 }
@@ -163,7 +162,7 @@ int TestShadowedScene(int, char*[])
 {
   Check check;
   TestEdges(check);
-  TestLamp(check);
+  TestPointLight(check);
   TestSpecks(check);
   TestSoftSpecks(check);
   return check.Result();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extremes of vtkShadowedScenePass, each by its name: actors without area, turned inside out, open,
-// mirrored, far away, tiny and huge, lamps in and on actors, smoke in a solid, a context remade.
+// Extreme and invalid input of vtkShadowedScenePass: actors without area, inverted, open, mirrored,
+// far away, tiny and huge; lights inside and on actors; smoke inside a solid; a recreated OpenGL
+// context.
 #include "Support/Pages/StabilityCase.h"
 #include "SceneStage.h"
 
@@ -40,8 +41,8 @@ vtkSmartPointer<vtkActor> MakeFloor()
   return MakeRectangle({ { -1.0, -1.0, 0.0 } }, { { 2.0, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } });
 }
 
-// A floor and a sun, and what is changed of them.
-RgbaPicture Draw(const Change& change, bool hasPass = true)
+// Draws a floor and a sun after a change of the scene.
+RgbaImage Draw(const Change& change, bool hasPass = true)
 {
   SceneStage stage(64);
   stage.Add(MakeFloor());
@@ -51,12 +52,12 @@ RgbaPicture Draw(const Change& change, bool hasPass = true)
 }
 
 vtkSmartPointer<vtkActor> MakeMesh(
-  const std::vector<std::array<double, 3>>& places, const std::vector<vtkIdType>& triangles)
+  const std::vector<std::array<double, 3>>& positions, const std::vector<vtkIdType>& triangles)
 {
   vtkNew<vtkPoints> points;
-  for (const std::array<double, 3>& place : places)
+  for (const std::array<double, 3>& position : positions)
   {
-    points->InsertNextPoint(place.data());
+    points->InsertNextPoint(position.data());
   }
   vtkNew<vtkCellArray> cells;
   for (std::size_t i = 0; i < triangles.size(); i += 3)
@@ -80,20 +81,20 @@ public:
     this->Catalogue.SetClass("vtkShadowedScenePass");
   }
 
-  /// Two scenes have the same picture.
+  /// Compares the images of two scenes.
   void Equal(const std::string& name, const std::string& extreme, const Change& change,
-    const Change& expected, double bound, const std::string& as)
+    const Change& expected, double bound, const std::string& reference)
   {
-    this->Catalogue.Measure(name, extreme, "largest difference from " + as,
-      ComparePictures(Draw(change), Draw(expected)).Max, bound);
+    this->Catalogue.Measure(name, extreme, "largest difference from " + reference,
+      CompareImages(Draw(change), Draw(expected)).Max, bound);
   }
 
   StabilityCatalogue Catalogue;
 };
 
-void AddBall(SceneStage& stage)
+void AddSphere(SceneStage& stage)
 {
-  stage.Add(MakeBall({ { -0.3, 0.0, 0.4 } }, 0.25, 32));
+  stage.Add(MakeSphereActor({ { -0.3, 0.0, 0.4 } }, 0.25, 32));
 }
 
 void TestMeshes(SceneTable& table)
@@ -103,53 +104,53 @@ void TestMeshes(SceneTable& table)
     stage.Add(MakeMesh({ { { -0.5, 0.0, 0.5 } }, { { 0.5, 0.0, 0.5 } }, { { 0.5, 0.0, 0.5 } } },
       { 0, 1, 2, 0, 0, 0 }));
   };
-  table.Equal("scene-zero-area", "triangles without area", zeroArea, Nothing, 0.0, "none");
+  table.Equal("scene-zero-area", "triangles without area", zeroArea, Nothing, 0.0, "no actor");
   table.Equal(
-    "scene-no-triangles", "an actor of no triangle",
-    [](SceneStage& stage) { stage.Add(MakeMesh({}, {})); }, Nothing, 0.0, "none");
+    "scene-no-triangles", "an actor without triangles",
+    [](SceneStage& stage) { stage.Add(MakeMesh({}, {})); }, Nothing, 0.0, "no actor");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   table.Equal(
-    "scene-nan", "a triangle at places that are no numbers",
+    "scene-nan", "a triangle with NaN points",
     [nan](SceneStage& stage)
     {
       stage.Add(MakeMesh(
         { { { nan, nan, nan } }, { { nan, 0.0, 0.5 } }, { { 0.5, nan, 0.5 } } }, { 0, 1, 2 }));
     },
-    Nothing, 0.0, "none");
+    Nothing, 0.0, "no actor");
 
-  const auto addBall = [](SceneStage& stage, int kind)
+  const auto addSphere = [](SceneStage& stage, int kind)
   {
     vtkNew<vtkSphereSource> source;
     source->SetCenter(0.0, 0.0, 0.0);
     source->SetRadius(0.25);
     source->SetThetaResolution(32);
     source->SetPhiResolution(16);
-    // Its upper half alone.
+    // The open mesh is the upper half of the sphere.
     source->SetEndPhi(kind == 1 ? 90.0 : 180.0);
     vtkNew<vtkReverseSense> reverse;
     reverse->SetInputConnection(source->GetOutputPort());
-    vtkSmartPointer<vtkActor> ball =
+    vtkSmartPointer<vtkActor> sphere =
       MakeActor(kind == 2 ? reverse->GetOutputPort() : source->GetOutputPort());
-    ball->SetPosition(-0.3, 0.0, 0.4);
+    sphere->SetPosition(-0.3, 0.0, 0.4);
     if (kind == 3)
     {
-      ball->SetScale(-1.0, 1.0, 1.0);
+      sphere->SetScale(-1.0, 1.0, 1.0);
     }
-    stage.Add(ball);
+    stage.Add(sphere);
   };
-  const Change whole = [&](SceneStage& stage) { addBall(stage, 0); };
-  // The floor alone: what a ball casts does not depend on which way its faces turn.
+  const Change full = [&](SceneStage& stage) { addSphere(stage, 0); };
+  // The shadow on the floor does not depend on the orientation of the faces.
   for (const auto& [kind, name, extreme] :
     { std::tuple<int, const char*, const char*>{ 1, "scene-open", "an open mesh" },
-      { 2, "scene-inside-out", "a mesh turned inside out" },
+      { 2, "scene-inside-out", "an inverted mesh" },
       { 3, "scene-mirrored", "an actor with a negative scale" } })
   {
-    const RgbaPicture found = Draw([&, kind = kind](SceneStage& stage) { addBall(stage, kind); });
-    const RgbaPicture expected = Draw(whole);
+    const RgbaImage found = Draw([&, kind = kind](SceneStage& stage) { addSphere(stage, kind); });
+    const RgbaImage expected = Draw(full);
     double largest = 0.0;
     for (int i = 34; i < 64; ++i)
     {
-      // Right of the ball lies its shadow; the lower half of an open one is missing from it.
+      // The sphere's shadow is to its right. The lower half of the open sphere's shadow is missing.
       largest =
         std::max(largest, std::abs(found.At(i, kind == 1 ? 40 : 34)[0] - expected.At(i, 34)[0]));
     }
@@ -160,23 +161,23 @@ void TestMeshes(SceneTable& table)
       {
         darkest = std::min(darkest, found.At(i, 34)[0]);
       }
-      table.Catalogue.Measure(name, extreme, "light in its shadow", darkest, 0.0);
+      table.Catalogue.Measure(name, extreme, "light in the shadow", darkest, 0.0);
     }
     else
     {
       table.Catalogue.Measure(
-        name, extreme, "largest difference from the ball's shadow", largest, 0.05);
+        name, extreme, "largest difference from the sphere's shadow", largest, 0.05);
     }
   }
-  table.Catalogue.Measure("scene-million-triangles", "a ball of a million triangles",
-    "mean difference from a ball of ten thousand",
-    ComparePictures(Draw(
-                      [](SceneStage& stage) {
-                        stage.Add(MakeBall({ { -0.3, 0.0, 0.4 } }, 0.25, 1000));
-                      }),
+  table.Catalogue.Measure("scene-million-triangles", "a sphere of a million triangles",
+    "mean difference from a sphere of ten thousand triangles",
+    CompareImages(Draw(
+                    [](SceneStage& stage) {
+                      stage.Add(MakeSphereActor({ { -0.3, 0.0, 0.4 } }, 0.25, 1000));
+                    }),
       Draw(
         [](SceneStage& stage) {
-          stage.Add(MakeBall({ { -0.3, 0.0, 0.4 } }, 0.25, 100));
+          stage.Add(MakeSphereActor({ { -0.3, 0.0, 0.4 } }, 0.25, 100));
         }))
       .Mean,
     1e-3);
@@ -190,138 +191,143 @@ void TestLights(SceneTable& table)
     "scene-empty", "no actor and no volume", "largest channel", LargestAlpha(empty.Draw()), 0.0);
   const Change dark = [](SceneStage& stage)
   {
-    AddBall(stage);
+    AddSphere(stage);
     stage.Stage.SetLights({});
   };
-  table.Catalogue.Measure("scene-no-light", "no light at all",
-    "largest difference from the picture without the pass",
-    ComparePictures(Draw(dark), Draw(dark, false)).Max, 0.0);
-  // A closed box around a lamp lets nothing out.
-  const RgbaPicture closed = Draw(
+  table.Catalogue.Measure("scene-no-light", "no light",
+    "largest difference from the image without the pass",
+    CompareImages(Draw(dark), Draw(dark, false)).Max, 0.0);
+  // A closed box around a point light blocks all light.
+  const RgbaImage closed = Draw(
     [](SceneStage& stage)
     {
       stage.Add(MakeBox({ { -0.2, 0.2, -0.2, 0.2, 0.3, 0.7 } }));
-      stage.Stage.SetLights({ MakeLamp({ { 0.05, 0.02, 0.5 } }, { { 0.0, 0.0, 0.0 } }) });
+      stage.Stage.SetLights({ MakePointLight({ { 0.05, 0.02, 0.5 } }, { { 0.0, 0.0, 0.0 } }) });
     });
-  double lightest = 0.0;
+  double brightest = 0.0;
   for (const double value : { closed.At(5, 5)[0], closed.At(60, 30)[0], closed.At(32, 55)[0] })
   {
-    lightest = std::max(lightest, value);
+    brightest = std::max(brightest, value);
   }
   table.Catalogue.Measure(
-    "scene-lamp-in-box", "a lamp in a closed box", "light outside of it", lightest, 0.0);
-  const RgbaPicture touching = Draw(
+    "scene-lamp-in-box", "a point light in a closed box", "light outside the box", brightest, 0.0);
+  const RgbaImage touching = Draw(
     [](SceneStage& stage)
     {
-      AddBall(stage);
-      stage.Stage.SetLights({ MakeLamp({ { 0.3, 0.0, 0.0 } }, { { 0.0, 0.0, 0.0 } }) });
+      AddSphere(stage);
+      stage.Stage.SetLights({ MakePointLight({ { 0.3, 0.0, 0.0 } }, { { 0.0, 0.0, 0.0 } }) });
     });
   double sum = 0.0;
   for (const double value : touching.Values)
   {
     sum += value;
   }
-  table.Catalogue.Check("scene-lamp-on-floor", "a lamp in the plane of a floor",
-    "a picture of finite values", std::to_string(sum), std::isfinite(sum));
-  // What happens in a solid does not show outside.
+  table.Catalogue.Check("scene-lamp-on-floor", "a point light in the plane of a floor",
+    "finite values", std::to_string(sum), std::isfinite(sum));
+  // The interior of a solid is not visible.
   const Change solid = [](SceneStage& stage) {
     stage.Add(MakeBox({ { -0.3, 0.1, -0.2, 0.2, 0.2, 0.7 } }));
   };
   table.Equal(
-    "scene-smoke-in-solid", "smoke wholly within a solid",
+    "scene-smoke-in-solid", "smoke inside a solid",
     [&solid](SceneStage& stage)
     {
       solid(stage);
       stage.AddSmoke({ { -0.2, 0.0, -0.1, 0.1, 0.3, 0.6 } }, 3.0);
     },
-    solid, 1e-6, "the solid alone");
+    solid, 1e-6, "only the solid");
 }
 
-vtkSmartPointer<vtkAreaLight> MakeSoftLamp(
+vtkSmartPointer<vtkAreaLight> MakeAreaLight(
   const std::array<double, 3>& position, double width, double height)
 {
-  vtkNew<vtkAreaLight> lamp;
-  lamp->SetPositional(true);
-  lamp->SetPosition(position[0], position[1], position[2]);
-  lamp->SetFocalPoint(position[0], position[1], position[2] - 1.0);
-  lamp->SetConeAngle(180.0);
-  lamp->SetSize(width, height);
-  return lamp;
+  vtkNew<vtkAreaLight> areaLight;
+  areaLight->SetPositional(true);
+  areaLight->SetPosition(position[0], position[1], position[2]);
+  areaLight->SetFocalPoint(position[0], position[1], position[2] - 1.0);
+  areaLight->SetConeAngle(180.0);
+  areaLight->SetSize(width, height);
+  return areaLight;
 }
 
-// Lights with an extent: what is between all and none of the light, and what leaks nowhere.
+// Under soft lights, the brightness is never negative and never exceeds the unshadowed brightness,
+// and light does not leak.
 void TestSoftLights(SceneTable& table)
 {
-  const auto isBetween = [&table](const std::string& name, const std::string& extreme,
-                           const std::array<double, 3>& place, double width, double height,
-                           int samples)
+  const auto expectBounded = [&table](const std::string& name, const std::string& extreme,
+                               const std::array<double, 3>& position, double width, double height,
+                               int samples)
   {
-    RgbaPicture pictures[2];
+    RgbaImage images[2];
     for (int i = 0; i < 2; ++i)
     {
-      pictures[i] = Draw(
+      images[i] = Draw(
         [&](SceneStage& stage)
         {
-          AddBall(stage);
+          AddSphere(stage);
           stage.Pass->SetNumberOfLightSamples(samples);
           stage.Pass->SetShadows(i == 0);
-          stage.Stage.SetLights({ MakeSoftLamp(place, width, height) });
+          stage.Stage.SetLights({ MakeAreaLight(position, width, height) });
         });
     }
-    double beyond = 0.0;
+    double excess = 0.0;
     double sum = 0.0;
-    for (std::size_t i = 0; i < pictures[0].Values.size(); ++i)
+    for (std::size_t i = 0; i < images[0].Values.size(); ++i)
     {
-      const double with = pictures[0].Values[i];
-      beyond = std::max({ beyond, -with, with - pictures[1].Values[i] });
+      const double with = images[0].Values[i];
+      excess = std::max({ excess, -with, with - images[1].Values[i] });
       sum += with;
     }
-    table.Catalogue.Measure(name, extreme, "least and most light beyond none and all of it",
-      std::isfinite(sum) ? beyond : 1e9, 1e-6);
+    table.Catalogue.Measure(name, extreme,
+      "largest deviation below zero or above the unshadowed light",
+      std::isfinite(sum) ? excess : 1e9, 1e-6);
   };
-  isBetween("scene-soft-large", "an area light larger than the scene", { { 0.0, 0.0, 2.0 } }, 20.0,
-    20.0, 16);
-  isBetween("scene-soft-touching", "an area light in the plane of a floor", { { 0.3, 0.0, 0.0 } },
-    0.5, 0.5, 16);
-  isBetween("scene-soft-in-ball", "an area light with an actor through it", { { -0.3, 0.0, 0.5 } },
-    1.0, 1.0, 16);
-  isBetween("scene-soft-line", "an area light without width", { { 0.2, 0.0, 2.0 } }, 0.0, 0.7, 16);
-  isBetween("scene-soft-many", "the most samples", { { 0.2, 0.0, 2.0 } }, 0.7, 0.7, 256);
-  isBetween("scene-soft-tiny", "an area light a millionth of its distance wide",
+  expectBounded("scene-soft-large", "an area light larger than the scene", { { 0.0, 0.0, 2.0 } },
+    20.0, 20.0, 16);
+  expectBounded("scene-soft-touching", "an area light in the plane of a floor",
+    { { 0.3, 0.0, 0.0 } }, 0.5, 0.5, 16);
+  expectBounded("scene-soft-in-ball", "an area light that intersects an actor",
+    { { -0.3, 0.0, 0.5 } }, 1.0, 1.0, 16);
+  expectBounded(
+    "scene-soft-line", "an area light of zero width", { { 0.2, 0.0, 2.0 } }, 0.0, 0.7, 16);
+  expectBounded(
+    "scene-soft-many", "the maximum number of samples", { { 0.2, 0.0, 2.0 } }, 0.7, 0.7, 256);
+  expectBounded("scene-soft-tiny", "an area light with a width of a millionth of its distance",
     { { 0.2, 0.0, 2.0 } }, 2e-6, 2e-6, 16);
 
-  const RgbaPicture closed = Draw(
+  const RgbaImage closed = Draw(
     [](SceneStage& stage)
     {
       stage.Add(MakeBox({ { -0.3, 0.3, -0.3, 0.3, 0.3, 0.9 } }));
-      stage.Stage.SetLights({ MakeSoftLamp({ { 0.0, 0.0, 0.6 } }, 0.4, 0.4) });
+      stage.Stage.SetLights({ MakeAreaLight({ { 0.0, 0.0, 0.6 } }, 0.4, 0.4) });
     });
-  double lightest = 0.0;
+  double brightest = 0.0;
   for (const double value : { closed.At(5, 5)[0], closed.At(60, 30)[0], closed.At(32, 55)[0] })
   {
-    lightest = std::max(lightest, value);
+    brightest = std::max(brightest, value);
   }
   table.Catalogue.Measure(
-    "scene-soft-in-box", "an area light in a closed box", "light outside of it", lightest, 0.0);
+    "scene-soft-in-box", "an area light in a closed box", "light outside the box", brightest, 0.0);
 
-  // A plate that lies on the floor has no penumbra: it hides what is under it, and nothing else.
-  RgbaPicture pictures[2];
+  // A plate that lies on the floor has no penumbra. It changes only the floor below it.
+  RgbaImage images[2];
   for (int i = 0; i < 2; ++i)
   {
-    pictures[i] = Draw(
+    images[i] = Draw(
       [i](SceneStage& stage)
       {
         stage.Add(MakeBox({ { -0.4, 0.4, -0.4, 0.4, -0.001, 0.001 } }));
         stage.Pass->SetShadows(i == 0);
-        stage.Stage.SetLights({ MakeSoftLamp({ { 0.3, 0.1, 2.0 } }, 0.8, 0.8) });
+        stage.Stage.SetLights({ MakeAreaLight({ { 0.3, 0.1, 2.0 } }, 0.8, 0.8) });
       });
   }
   table.Catalogue.Measure("scene-soft-contact", "a plate on a floor under an area light",
-    "largest difference from no shadow", ComparePictures(pictures[0], pictures[1]).Max, 1e-6);
+    "largest difference from the image without shadows", CompareImages(images[0], images[1]).Max,
+    1e-6);
 
-  // What a ball casts does not depend on which way its faces turn, and an open one, whose
-  // opening turns to the light, casts the same.
-  const auto drawBall = [](int kind)
+  // The shadow of a sphere does not depend on the orientation of its faces, or on an opening toward
+  // the light.
+  const auto drawSphere = [](int kind)
   {
     return Draw(
       [kind](SceneStage& stage)
@@ -329,34 +335,33 @@ void TestSoftLights(SceneTable& table)
         vtkNew<vtkSphereSource> source;
         source->SetRadius(0.25);
         source->SetThetaResolution(32);
-        // The same rows, of which an open one has those from the fifth on.
+        // The open sphere has the same rows of points, starting at 60 degrees.
         source->SetPhiResolution(kind == 1 ? 11 : 16);
         source->SetStartPhi(kind == 1 ? 60.0 : 0.0);
         vtkNew<vtkReverseSense> reverse;
         reverse->SetInputConnection(source->GetOutputPort());
-        vtkSmartPointer<vtkActor> ball =
+        vtkSmartPointer<vtkActor> sphere =
           MakeActor(kind == 2 ? reverse->GetOutputPort() : source->GetOutputPort());
-        ball->SetPosition(0.0, 0.0, 0.6);
-        stage.Add(ball);
-        stage.Stage.SetLights({ MakeSoftLamp({ { 0.0, 0.0, 2.0 } }, 0.3, 0.3) });
+        sphere->SetPosition(0.0, 0.0, 0.6);
+        stage.Add(sphere);
+        stage.Stage.SetLights({ MakeAreaLight({ { 0.0, 0.0, 2.0 } }, 0.3, 0.3) });
       });
   };
-  const RgbaPicture whole = drawBall(0);
-  for (const auto& [kind, name, extreme] :
-    { std::tuple<int, const char*, const char*>{ 1, "scene-soft-open", "an open mesh, soft" },
-      { 2, "scene-soft-inside-out", "a mesh turned inside out, soft" } })
+  const RgbaImage full = drawSphere(0);
+  for (const auto& [kind, name, extreme] : { std::tuple<int, const char*, const char*>{
+                                               1, "scene-soft-open", "an open mesh, soft shadows" },
+         { 2, "scene-soft-inside-out", "an inverted mesh, soft shadows" } })
   {
-    const RgbaPicture found = drawBall(kind);
+    const RgbaImage found = drawSphere(kind);
     double largest = 0.0;
     for (int i = 0; i < 64; ++i)
     {
-      // Beside the ball itself.
+      // Compares only pixels outside the sphere.
       const bool isFloor = std::abs(i - 31.5) > 9.0;
-      largest =
-        std::max(largest, isFloor ? std::abs(found.At(i, 32)[0] - whole.At(i, 32)[0]) : 0.0);
+      largest = std::max(largest, isFloor ? std::abs(found.At(i, 32)[0] - full.At(i, 32)[0]) : 0.0);
     }
     table.Catalogue.Measure(
-      name, extreme, "largest difference from the ball's shadow", largest, 0.02);
+      name, extreme, "largest difference from the sphere's shadow", largest, 0.02);
   }
 }
 
@@ -364,23 +369,23 @@ void TestSizes(SceneTable& table)
 {
   for (const double size : { 1e-5, 1e5 })
   {
-    RgbaPicture pictures[2];
+    RgbaImage images[2];
     for (int i = 0; i < 2; ++i)
     {
       const double scale = i == 0 ? 1.0 : size;
       SceneStage stage(64, 2.0 * scale);
       for (const vtkSmartPointer<vtkActor>& actor :
-        { MakeFloor(), MakeBall({ { -0.3, 0.0, 0.4 } }, 0.25, 32) })
+        { MakeFloor(), MakeSphereActor({ { -0.3, 0.0, 0.4 } }, 0.25, 32) })
       {
         actor->SetScale(scale);
         stage.Add(actor);
       }
       stage.Stage.SetLights({ MakeSun({ { 0.6, 0.2, -1.0 } }) });
-      pictures[i] = stage.Draw();
+      images[i] = stage.Draw();
     }
     table.Catalogue.Measure("scene-size-" + std::string(size < 1.0 ? "small" : "large"),
-      "a scene " + std::string(size < 1.0 ? "1e-5" : "1e5") + " times as large", "mean difference",
-      ComparePictures(pictures[1], pictures[0]).Mean, 1e-3);
+      "a scene " + std::string(size < 1.0 ? "1e-5" : "1e5") + " times the size", "mean difference",
+      CompareImages(images[1], images[0]).Mean, 1e-3);
   }
 }
 
@@ -388,14 +393,15 @@ void TestContext(SceneTable& table)
 {
   SceneStage stage(64);
   stage.Add(MakeFloor());
-  AddBall(stage);
+  AddSphere(stage);
   stage.AddSmoke({ { -0.5, 0.5, -0.5, 0.5, 0.1, 0.6 } }, 1.0);
   stage.Stage.SetLights({ MakeSun({ { 0.6, 0.2, -1.0 } }) });
-  const RgbaPicture before = stage.Draw();
+  const RgbaImage before = stage.Draw();
   stage.Stage.GetWindow()->Finalize();
-  const RgbaPicture after = stage.Draw();
-  table.Catalogue.Measure("scene-context-remade", "a context that is lost and made again",
-    "largest difference from before", ComparePictures(after, before).Max, 0.0);
+  const RgbaImage after = stage.Draw();
+  table.Catalogue.Measure("scene-context-remade",
+    "an OpenGL context that is lost and created again",
+    "largest difference from the previous image", CompareImages(after, before).Max, 0.0);
 }
 
 }

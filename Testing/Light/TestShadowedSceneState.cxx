@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkShadowedScenePass among VTK's other parts: several lights, viewports, samples a pixel, kinds
-// of shading, clipping, selection, other passes, resources given back, actors that cannot take
-// part.
-#include "Support/Drawing/ShadowPicture.h"
+// vtkShadowedScenePass in combination with other parts of VTK: several lights, viewports,
+// multisampling, kinds of shading, clipping, selection, other passes, released resources, and
+// unsupported actors.
+#include "Support/Drawing/ShadowImage.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
@@ -44,13 +44,13 @@ namespace
 {
 using namespace reference;
 
-// A box and a ball on a floor, with black smoke in between.
+// Creates a box and a sphere on a floor, with black smoke in between.
 std::unique_ptr<SceneStage> MakeStage()
 {
   auto stage = std::make_unique<SceneStage>(96);
   stage->Add(MakeRectangle({ { -2.0, -2.0, -0.5 } }, { { 4.0, 0.0, 0.0 } }, { { 0.0, 4.0, 0.0 } }));
   stage->Add(MakeBox({ { 0.2, 0.5, -0.6, 0.1, -0.5, 0.4 } }));
-  stage->Add(MakeBall({ { -0.3, 0.2, 0.0 } }, 0.25, 32));
+  stage->Add(MakeSphereActor({ { -0.3, 0.2, 0.0 } }, 0.25, 32));
   stage->AddSmoke({ { -0.4, 0.4, -0.4, 0.4, -0.3, 0.3 } }, 1.5, 16);
   stage->Stage.GetVolume()->GetProperty()->SetDiffuse(0.0);
   stage->Stage.SetLights({ MakeSun({ { 0.5, 0.3, -1.0 } }) });
@@ -61,29 +61,30 @@ std::unique_ptr<SceneStage> MakeStage()
 void TestLights(Check& check)
 {
   const vtkSmartPointer<vtkLight> suns[3] = { MakeSun({ { 0.5, 0.3, -1.0 } }),
-    MakeLamp({ { -0.8, -0.5, 2.0 } }, { { 0.0, 0.0, 0.0 } }), MakeSun({ { -1.0, 0.2, -0.3 } }) };
-  RgbaPicture pictures[3];
+    MakePointLight({ { -0.8, -0.5, 2.0 } }, { { 0.0, 0.0, 0.0 } }),
+    MakeSun({ { -1.0, 0.2, -0.3 } }) };
+  RgbaImage images[3];
   for (int i = 0; i < 3; ++i)
   {
     auto stage = MakeStage();
     stage->Stage.SetLights({ suns[i] });
-    pictures[i] = stage->Draw();
+    images[i] = stage->Draw();
   }
   auto stage = MakeStage();
   stage->Stage.SetLights({ suns[0], suns[1], suns[2] });
-  const RgbaPicture all = stage->Draw();
-  check.Near(stage->GetReport()->GetNumber("DepthMaps"), 3, 0.0, "maps of three lights");
+  const RgbaImage all = stage->Draw();
+  check.Equal(stage->GetReport()->GetCount("DepthMaps"), 3, "shadow maps of three lights");
   double mean = 0.0;
   for (std::size_t i = 0; i < all.Values.size(); i += 4)
   {
-    const double sum = pictures[0].Values[i] + pictures[1].Values[i] + pictures[2].Values[i];
+    const double sum = images[0].Values[i] + images[1].Values[i] + images[2].Values[i];
     mean += std::abs(all.Values[i] - sum) / (all.Values.size() / 4);
   }
-  // Slices for three lights are others than for one.
-  check.Near(mean, 0.0, 1e-3, "three lights are the sum of each", 1.0);
+  // Slices for three lights differ from slices for one light, so that only the mean is compared.
+  check.Near(mean, 0.0, 1e-3, "three lights are the sum of single lights", 1.0);
 
-  // What comes through is linear in the attenuation.
-  RgbaPicture parts[2];
+  // The received light is linear in the shadow attenuation.
+  RgbaImage parts[2];
   for (int i = 0; i < 2; ++i)
   {
     suns[0]->SetShadowAttenuation(0.5F - 0.25F * static_cast<float>(i));
@@ -94,38 +95,40 @@ void TestLights(Check& check)
   for (std::size_t i = 0; i < all.Values.size(); i += 4)
   {
     const double half = parts[0].Values[i];
-    const double expected = half + 0.5 * (half - pictures[0].Values[i]);
+    const double expected = half + 0.5 * (half - images[0].Values[i]);
     largest = std::max(largest, std::abs(parts[1].Values[i] - expected));
   }
   check.Near(largest, 0.0, 1e-4, "a quarter of the attenuation", 1.0);
   suns[0]->SetShadowAttenuation(1.0F);
 
-  // With a light at the eye actors cast none, and smoke does.
+  // A headlight casts no shadows of actors, but shadows of smoke.
   vtkSmartPointer<vtkLight> head = MakeSun({ { 0.0, 0.0, -1.0 } });
   head->SetLightTypeToHeadlight();
   stage->Stage.SetLights({ head });
   stage->Draw();
-  check.Near(stage->GetReport()->GetNumber("DepthMaps"), 0, 0.0, "maps of a headlight");
-  check.That(stage->GetReport()->GetNumber("ReceiverPasses") > 0, "a headlight's smoke");
-  // A lamp amid the actors looks to all sides.
-  stage->Stage.SetLights({ MakeLamp({ { 0.0, 0.0, 0.45 } }, { { 0.0, 0.0, 0.0 } }) });
+  check.Equal(stage->GetReport()->GetCount("DepthMaps"), 0, "shadow maps of a headlight");
+  check.That(stage->GetReport()->GetNumber("ReceiverPasses") > 0, "smoke shadows of a headlight");
+  // A point light between the actors has shadow maps in all directions.
+  stage->Stage.SetLights({ MakePointLight({ { 0.0, 0.0, 0.45 } }, { { 0.0, 0.0, 0.0 } }) });
   stage->Draw();
-  check.Near(stage->GetReport()->GetNumber("DepthMaps"), 6, 0.0, "maps of a lamp amid the actors");
-  stage->Pass->SetMaximumNumberOfShadows(0);
-  const RgbaPicture off = stage->Draw();
-  check.Near(stage->GetReport()->GetNumber("DepthMaps"), 0, 0.0, "no light may cast shadows");
-  stage->Pass->SetMaximumNumberOfShadows(16);
+  check.Equal(stage->GetReport()->GetCount("DepthMaps"), 6,
+    "shadow maps of a point light between the actors");
+  stage->Pass->SetMaximumNumberOfShadowLights(0);
+  const RgbaImage off = stage->Draw();
+  check.Equal(stage->GetReport()->GetCount("DepthMaps"), 0, "no shadow maps without shadow lights");
+  stage->Pass->SetMaximumNumberOfShadowLights(16);
   stage->Pass->ShadowsOff();
-  check.Near(ComparePictures(off, stage->Draw()).Max, 0.0, 0.0, "shadows off", 1.0);
+  check.Near(CompareImages(off, stage->Draw()).Max, 0.0, 0.0, "shadows off", 1.0);
 }
 
 void TestPasses(Check& check)
 {
   auto stage = MakeStage();
-  const RgbaPicture expected = stage->Draw();
+  const RgbaImage expected = stage->Draw();
   vtkNew<vtkRenderStepsPass> steps;
   stage->Pass->SetDelegatePass(steps);
-  check.Near(ComparePictures(stage->Draw(), expected).Max, 0.0, 0.0, "steps as the delegate", 1.0);
+  check.Near(CompareImages(stage->Draw(), expected).Max, 0.0, 0.0,
+    "a vtkRenderStepsPass as the delegate", 1.0);
 
   vtkNew<vtkRenderPassCollection> passes;
   passes->AddItem(vtkNew<vtkLightsPass>());
@@ -143,42 +146,42 @@ void TestPasses(Check& check)
   vtkNew<vtkCameraPass> camera;
   camera->SetDelegatePass(all);
   stage->Stage.SetPass(camera);
-  check.Near(ComparePictures(stage->Stage.Capture(), expected).Max, 0.0, 0.0,
-    "in a sequence, with a sequence", 1.0);
+  check.Near(CompareImages(stage->Stage.Capture(), expected).Max, 0.0, 0.0,
+    "inside a sequence, with a sequence as the delegate", 1.0);
   stage->Pass->SetDelegatePass(nullptr);
 
   stage->Pass->ReleaseGraphicsResources(stage->Stage.GetWindow());
   check.Near(
-    ComparePictures(stage->Draw(), expected).Max, 0.0, 0.0, "after resources were freed", 1.0);
-  // A map that is drawn again after the eye's camera was changed is that of before.
-  const RgbaPicture before = stage->Draw();
+    CompareImages(stage->Draw(), expected).Max, 0.0, 0.0, "after resources were released", 1.0);
+  // Shadow maps do not depend on the camera.
+  const RgbaImage before = stage->Draw();
   stage->LookAlong({ { -0.5, 0.7, -1.0 } });
   stage->Draw();
-  check.Near(stage->GetReport()->GetNumber("DepthMapsDrawn"), 0, 0.0, "maps drawn for another eye");
+  check.Equal(
+    stage->GetReport()->GetCount("DepthMapsDrawn"), 0, "no shadow maps are drawn for another view");
   stage->LookAlong({ { 0.1, 0.7, -1.0 } });
-  check.Near(ComparePictures(stage->Draw(), before).Max, 0.0, 0.0, "the eye back again", 1.0);
-  // Programs that have just drawn maps draw the picture with the eye's lights.
-  vtkSmartPointer<vtkActor> ball = MakeBall({ { -0.6, -0.5, 0.0 } }, 0.2, 32);
-  stage->Add(ball);
-  ball->SetPosition(0.1, 0.0, 0.0);
+  check.Near(CompareImages(stage->Draw(), before).Max, 0.0, 0.0, "the first view again", 1.0);
+  // Shader programs that have just drawn shadow maps draw the image with the correct lights.
+  vtkSmartPointer<vtkActor> sphere = MakeSphereActor({ { -0.6, -0.5, 0.0 } }, 0.2, 32);
+  stage->Add(sphere);
+  sphere->SetPosition(0.1, 0.0, 0.0);
   stage->Draw();
-  ball->SetPosition(0.0, 0.0, 0.0);
+  sphere->SetPosition(0.0, 0.0, 0.0);
   stage->Stage.GetWindow()->Render();
-  check.Near(
-    stage->GetReport()->GetNumber("DepthMapsDrawn"), 1, 0.0, "maps drawn for an actor that moved");
+  check.Equal(
+    stage->GetReport()->GetCount("DepthMapsDrawn"), 1, "shadow maps drawn for a moved actor");
   auto fresh = MakeStage();
-  fresh->Add(MakeBall({ { -0.6, -0.5, 0.0 } }, 0.2, 32));
-  check.Near(
-    ComparePictures(stage->Draw(), fresh->Draw()).Max, 0.0, 0.0, "an actor back again", 1.0);
+  fresh->Add(MakeSphereActor({ { -0.6, -0.5, 0.0 } }, 0.2, 32));
+  check.Near(CompareImages(stage->Draw(), fresh->Draw()).Max, 0.0, 0.0, "an actor moved back", 1.0);
 }
 
 void TestViewports(Check& check)
 {
-  // Two renderers side by side, each as in a window of its own.
-  auto alone = MakeStage();
-  alone->Stage.GetRenderer()->SetPass(alone->Pass);
-  alone->Stage.GetRenderer()->SetBackgroundAlpha(1.0);
-  const RgbaPicture expected = ReadWindow(alone->Stage.GetWindow());
+  // Two renderers next to each other have the same images as separate windows.
+  auto single = MakeStage();
+  single->Stage.GetRenderer()->SetPass(single->Pass);
+  single->Stage.GetRenderer()->SetBackgroundAlpha(1.0);
+  const RgbaImage expected = ReadWindow(single->Stage.GetWindow());
 
   auto stage = MakeStage();
   vtkRenderWindow* window = stage->Stage.GetWindow();
@@ -191,13 +194,13 @@ void TestViewports(Check& check)
   left->SetActiveCamera(right->GetActiveCamera());
   left->AutomaticLightCreationOff();
   left->AddLight(MakeSun({ { 0.5, 0.3, -1.0 } }));
-  left->AddActor(MakeBall({ { 0.0, 0.0, 0.0 } }, 0.5, 32));
+  left->AddActor(MakeSphereActor({ { 0.0, 0.0, 0.0 } }, 0.5, 32));
   vtkNew<vtkShadowedScenePass> pass;
   left->SetPass(pass);
   window->AddRenderer(left);
   window->SetSize(192, 96);
   ReadWindow(window);
-  const RgbaPicture both = ReadWindow(window);
+  const RgbaImage both = ReadWindow(window);
   double largest = 0.0;
   for (int j = 0; j < 96; ++j)
   {
@@ -206,59 +209,60 @@ void TestViewports(Check& check)
       largest = std::max(largest, std::abs(both.At(96 + i, j)[0] - expected.At(i, j)[0]));
     }
   }
-  check.Near(largest, 0.0, 0.0, "the right one of two viewports", 1.0);
-  check.That(both.At(48, 48)[0] > 0.5, "a ball in the left one");
+  check.Near(largest, 0.0, 0.0, "the right viewport", 1.0);
+  check.That(both.At(48, 48)[0] > 0.5, "a sphere in the left viewport");
   left->SetPass(nullptr);
   pass->ReleaseGraphicsResources(window);
   right->SetPass(nullptr);
-  alone->Stage.GetRenderer()->SetPass(nullptr);
+  single->Stage.GetRenderer()->SetPass(nullptr);
 }
 
-// How far pixels of eight samples lie beyond all of those around with one.
-double MeasureBeyond(bool hasPass)
+// Returns the largest deviation of pixels with 8 samples from the range of neighboring pixels with
+// one sample.
+double MeasureExcess(bool hasPass)
 {
-  RgbaPicture pictures[2];
+  RgbaImage images[2];
   for (int i = 0; i < 2; ++i)
   {
     auto stage = MakeStage();
     stage->Stage.GetWindow()->SetMultiSamples(8 * i);
     stage->Stage.GetRenderer()->SetPass(hasPass ? stage->Pass.Get() : nullptr);
-    pictures[i] = ReadWindow(stage->Stage.GetWindow());
+    images[i] = ReadWindow(stage->Stage.GetWindow());
     stage->Stage.GetRenderer()->SetPass(nullptr);
   }
-  double beyond = 0.0;
+  double excess = 0.0;
   for (int j = 1; j < 95; ++j)
   {
     for (int i = 1; i < 95; ++i)
     {
-      double least = 1.0;
-      double most = 0.0;
+      double minimum = 1.0;
+      double maximum = 0.0;
       for (int k = 0; k < 9; ++k)
       {
-        const double value = pictures[0].At(i + k % 3 - 1, j + k / 3 - 1)[0];
-        least = std::min(least, value);
-        most = std::max(most, value);
+        const double value = images[0].At(i + k % 3 - 1, j + k / 3 - 1)[0];
+        minimum = std::min(minimum, value);
+        maximum = std::max(maximum, value);
       }
-      const double value = pictures[1].At(i, j)[0];
-      beyond = std::max({ beyond, least - value, value - most });
+      const double value = images[1].At(i, j)[0];
+      excess = std::max({ excess, minimum - value, value - maximum });
     }
   }
-  return beyond;
+  return excess;
 }
 
 void TestSamples(Check& check)
 {
-  const double with = MeasureBeyond(true);
-  const double without = MeasureBeyond(false);
-  std::cout << "eight samples a pixel: " << with << " beyond the pixels around, without the pass "
-            << without << std::endl;
-  // At an edge VTK shades a surface in the middle of the pixel, where it may lie under another one.
-  check.Near(with, 0.0, 0.15, "edges of eight samples a pixel", 1.0);
+  const double with = MeasureExcess(true);
+  const double without = MeasureExcess(false);
+  std::cout << "8 samples per pixel: deviation " << with
+            << " from neighboring pixels, without the pass " << without << std::endl;
+  // At edges, VTK shades a surface at the pixel's center, which may be behind another surface.
+  check.Near(with, 0.0, 0.15, "edges with 8 samples per pixel", 1.0);
 }
 
 void TestShading(Check& check)
 {
-  // A ball that no shadow falls on keeps its look.
+  // A sphere without shadows on it looks the same with and without the pass.
   for (int kind = 0; kind < 6; ++kind)
   {
     SceneStage stage(64);
@@ -268,15 +272,15 @@ void TestShading(Check& check)
     source->SetPhiResolution(32);
     vtkNew<vtkElevationFilter> elevation;
     elevation->SetInputConnection(source->GetOutputPort());
-    vtkSmartPointer<vtkActor> ball =
+    vtkSmartPointer<vtkActor> sphere =
       MakeActor(kind == 2 ? elevation->GetOutputPort() : source->GetOutputPort());
-    vtkProperty* property = ball->GetProperty();
+    vtkProperty* property = sphere->GetProperty();
     property->SetSpecular(0.4);
     property->SetSpecularPower(20.0);
     property->SetAmbient(0.1);
     vtkNew<vtkGlyph3DMapper> glyphs;
-    vtkNew<vtkSphereSource> place;
-    place->SetRadius(0.0);
+    vtkNew<vtkSphereSource> point;
+    point->SetRadius(0.0);
     switch (kind)
     {
       case 0:
@@ -295,19 +299,19 @@ void TestShading(Check& check)
         property->SetLineWidth(3.0F);
         break;
       case 5:
-        glyphs->SetInputConnection(place->GetOutputPort());
+        glyphs->SetInputConnection(point->GetOutputPort());
         glyphs->SetSourceConnection(source->GetOutputPort());
         glyphs->ScalingOff();
-        ball->SetMapper(glyphs);
+        sphere->SetMapper(glyphs);
         break;
       default:
         break;
     }
-    stage.Add(ball);
-    // Something that falls out of the light's way, so that the map is not the ball's alone.
+    stage.Add(sphere);
+    // The sphere's own shadow is on its far side.
     stage.Stage.SetLights({ MakeSun({ { 0.1, 0.1, -1.0 } }) });
-    const RgbaPicture with = stage.Draw();
-    const RgbaPicture without = stage.Draw(false);
+    const RgbaImage with = stage.Draw();
+    const RgbaImage without = stage.Draw(false);
     double mean = 0.0;
     double brightness = 0.0;
     for (std::size_t i = 0; i < with.Values.size(); ++i)
@@ -315,15 +319,16 @@ void TestShading(Check& check)
       mean += std::abs(with.Values[i] - without.Values[i]) / with.Values.size();
       brightness = std::max(brightness, without.Values[i]);
     }
-    // Lines are as wide as texels in the map, which the next line of a mesh can hide.
+    // Wireframe lines are as wide as texels of the shadow map, so that neighboring lines can shadow
+    // each other.
     check.Near(mean, 0.0, kind == 4 ? 0.02 : 5e-4, "kind of shading " + std::to_string(kind), 1.0);
-    check.That(brightness > 0.3, "lit, kind of shading " + std::to_string(kind));
+    check.That(brightness > 0.3, "the sphere is lit, kind of shading " + std::to_string(kind));
   }
 }
 
 void TestClipping(Check& check)
 {
-  // A plate above a floor, cut at x = 0: its right half alone casts a shadow.
+  // A plate above a floor is clipped at x = 0. Only its right half casts a shadow.
   SceneStage stage;
   stage.Add(MakeRectangle({ { -1.0, -1.0, 0.0 } }, { { 2.0, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }));
   vtkSmartPointer<vtkActor> plate =
@@ -333,18 +338,18 @@ void TestClipping(Check& check)
   plate->GetMapper()->AddClippingPlane(plane);
   stage.Add(plate);
   stage.Stage.SetLights({ MakeSun({ { 1.0, 0.0, -1.0 } }) });
-  const RgbaPicture picture = stage.Draw();
+  const RgbaImage image = stage.Draw();
   const double lit = std::sqrt(0.5);
-  check.Near(stage.At(picture, -0.2, 0.0), lit, 1e-4, "the floor where the plate is cut");
-  check.Near(stage.At(picture, 0.55, 0.0), 0.0, 0.0, "the shadow of what is left", 1.0);
-  check.Near(stage.At(picture, 0.1, 0.6), lit, 1e-4, "beside the shadow");
+  check.Near(stage.At(image, -0.2, 0.0), lit, 1e-4, "the floor below the clipped half");
+  check.Near(stage.At(image, 0.55, 0.0), 0.0, 0.0, "the shadow of the remaining half", 1.0);
+  check.Near(stage.At(image, 0.1, 0.6), lit, 1e-4, "the floor outside the shadow");
 }
 
 void TestSelection(Check& check)
 {
   auto stage = MakeStage();
-  vtkSmartPointer<vtkActor> ball = MakeBall({ { 0.0, 0.0, 0.8 } }, 0.2, 16);
-  stage->Add(ball);
+  vtkSmartPointer<vtkActor> sphere = MakeSphereActor({ { 0.0, 0.0, 0.8 } }, 0.2, 16);
+  stage->Add(sphere);
   stage->LookAlong({ { 0.0, 0.0, -1.0 } });
   vtkRenderer* renderer = stage->Stage.GetRenderer();
   renderer->SetPass(stage->Pass);
@@ -352,35 +357,35 @@ void TestSelection(Check& check)
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(renderer);
   selector->SetArea(0, 0, 95, 95);
-  check.That(selector->CaptureBuffers(), "a selection");
-  const unsigned int middle[2] = { 48, 48 };
-  check.That(selector->GetPixelInformation(middle, 0).Prop == ball, "the ball is selected");
-  check.Near(stage->GetReport()->GetNumber("DepthMaps"), 0, 0.0, "maps for a selection");
+  check.That(selector->CaptureBuffers(), "the selection succeeds");
+  const unsigned int center[2] = { 48, 48 };
+  check.That(selector->GetPixelInformation(center, 0).Prop == sphere, "the sphere is selected");
+  check.Equal(stage->GetReport()->GetCount("DepthMaps"), 0, "no shadow maps for a selection");
   renderer->SetPass(nullptr);
 }
 
 void TestForeign(Check& check)
 {
-  // A shader of the actor's own, with light and without VTK's parts.
+  // A custom shader with lights, but without VTK's light code.
   auto stage = MakeStage();
-  vtkSmartPointer<vtkActor> ball = MakeBall({ { 0.0, 0.0, 0.8 } }, 0.2, 16);
-  ball->GetShaderProperty()->SetFragmentShaderCode("//VTK::System::Dec\n"
-                                                   "//VTK::Output::Dec\n"
-                                                   "uniform vec3 lightColor0;\n"
-                                                   "void main()\n"
-                                                   "{\n"
-                                                   "  gl_FragData[0] = vec4(lightColor0, 1.0);\n"
-                                                   "}\n");
-  stage->Add(ball);
+  vtkSmartPointer<vtkActor> sphere = MakeSphereActor({ { 0.0, 0.0, 0.8 } }, 0.2, 16);
+  sphere->GetShaderProperty()->SetFragmentShaderCode("//VTK::System::Dec\n"
+                                                     "//VTK::Output::Dec\n"
+                                                     "uniform vec3 lightColor0;\n"
+                                                     "void main()\n"
+                                                     "{\n"
+                                                     "  gl_FragData[0] = vec4(lightColor0, 1.0);\n"
+                                                     "}\n");
+  stage->Add(sphere);
   vtkNew<vtkTest::ErrorObserver> observer;
   stage->Pass->AddObserver(vtkCommand::WarningEvent, observer);
   stage->Draw();
   check.That(observer->GetWarning() &&
       observer->GetWarningMessage().find("vtkOpenGLActor") != std::string::npos,
-    "an actor that cannot take part is named");
+    "a warning names an unsupported actor");
   observer->Clear();
   stage->Draw();
-  check.That(!observer->GetWarning(), "it is named once");
+  check.That(!observer->GetWarning(), "there is only one warning");
 }
 
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scene of smoke and surfaces that eye and light go around in small steps: no picture stands out.
+// Camera and light rotate in small steps around a scene of smoke and surfaces. The mean brightness
+// must change smoothly.
 #include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
@@ -20,27 +21,27 @@ using namespace reference;
 
 constexpr int STEPS = 90;
 
-// The mean of each picture of a turn, less the middle of its neighbours, as a share of the mean.
-void TestTurn(Check& check, bool isOfLight)
+// Checks second differences of the mean brightness, relative to the mean.
+void TestRotation(Check& check, bool isLightRotated)
 {
   SceneStage stage(64);
   stage.Add(MakeRectangle({ { -2.0, -2.0, -0.5 } }, { { 4.0, 0.0, 0.0 } }, { { 0.0, 4.0, 0.0 } }));
   stage.Add(MakeBox({ { 0.3, 0.5, -0.5, 0.1, -0.5, 0.4 } }));
-  stage.Add(MakeBall({ { -0.2, 0.1, 0.0 } }, 0.2, 32));
+  stage.Add(MakeSphereActor({ { -0.2, 0.1, 0.0 } }, 0.2, 32));
   stage.AddSmoke({ { -0.5, 0.5, -0.4, 0.4, -0.3, 0.3 } }, 2.0, 24);
   std::vector<double> means;
   for (int i = 0; i < STEPS; ++i)
   {
     const double angle = vtkMath::RadiansFromDegrees(360.0 * i / STEPS);
-    const double eye = isOfLight ? 0.3 : angle;
-    const double light = isOfLight ? angle : 0.7;
-    stage.LookAlong({ { std::cos(eye), std::sin(eye), -1.0 } });
+    const double viewAngle = isLightRotated ? 0.3 : angle;
+    const double light = isLightRotated ? angle : 0.7;
+    stage.LookAlong({ { std::cos(viewAngle), std::sin(viewAngle), -1.0 } });
     stage.Stage.SetLights({ MakeSun({ { std::cos(light), std::sin(light), -0.8 } }) });
-    const RgbaPicture picture = stage.Draw();
+    const RgbaImage image = stage.Draw();
     double mean = 0.0;
-    for (std::size_t k = 0; k < picture.Values.size(); k += 4)
+    for (std::size_t k = 0; k < image.Values.size(); k += 4)
     {
-      mean += picture.Values[k] / static_cast<double>(picture.Values.size() / 4);
+      mean += image.Values[k] / static_cast<double>(image.Values.size() / 4);
     }
     means.push_back(mean);
   }
@@ -51,9 +52,9 @@ void TestTurn(Check& check, bool isOfLight)
     const double after = means[(i + 1) % means.size()];
     largest = std::max(largest, std::abs(0.5 * (before + after) - means[i]) / means[i]);
   }
-  const std::string name = isOfLight ? "light" : "eye";
+  const std::string name = isLightRotated ? "light" : "camera";
   std::cout << name << ": largest second difference " << largest << " of the mean" << std::endl;
-  check.Near(largest, 0.0, 0.01, "a turn of the " + name, 1.0);
+  check.Near(largest, 0.0, 0.01, "a rotation of the " + name, 1.0);
 }
 
 }
@@ -61,7 +62,7 @@ void TestTurn(Check& check, bool isOfLight)
 int TestShadowedSceneTurns(int, char*[])
 {
   Check check;
-  TestTurn(check, false);
-  TestTurn(check, true);
+  TestRotation(check, false);
+  TestRotation(check, true);
   return check.Result();
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several volumes in one set of slices by vtkShadowedScenePass, which shadow each other and are
-// mixed where they overlap: against integration in double precision.
+// Several volumes in shared slices of vtkShadowedScenePass. They shadow each other and add up where
+// they overlap. Images are compared with integration in double precision.
 #include "Light/ShadowComparison.h"
-#include "Support/Pictures/LightPoints.h"
-#include "Support/Pictures/MixedScene.h"
-#include "Support/Pictures/ReferenceMixedPicture.h"
-#include "Support/Pictures/ShadowCases.h"
+#include "Support/Images/LightPoints.h"
+#include "Support/Images/MixedScene.h"
+#include "Support/Images/ReferenceMixedImage.h"
+#include "Support/Images/ShadowCases.h"
 #include "Support/Checks/ReferenceReport.h"
 #include "SceneStage.h"
 #include "VolumePile.h"
@@ -44,8 +44,9 @@ using Box = std::array<double, 6>;
 
 constexpr int Width = 40;
 
-/// Homogeneous matter of an extinction per unit and a colour, in so many voxels along x.
-SceneVolume MakeMatter(const Box& box, double extinction, const Double3& color, int cells = 24)
+/// Returns a homogeneous medium with an extinction per unit length and a color. \a cells is the
+/// number of voxels along x.
+SceneVolume MakeMedium(const Box& box, double extinction, const Double3& color, int cells = 24)
 {
   SceneVolume volume;
   volume.Image = vtkSmartPointer<vtkImageData>::New();
@@ -110,26 +111,26 @@ MixedScene MakeScene(
   return scene;
 }
 
-/// Compares the picture with the reference, and with that of the volumes in the opposite order.
+/// Compares the image with the reference, and with the image of the volumes in reverse order.
 void TestScene(
-  Check& check, const std::string& name, const MixedScene& scene, const PictureBound& bound)
+  Check& check, const std::string& name, const MixedScene& scene, const ImageBound& bound)
 {
   VolumePile pile(scene);
-  const RgbaPicture picture = pile.Draw();
+  const RgbaImage image = pile.Draw();
   const auto volumes = static_cast<int>(scene.Volumes.size());
-  check.Near(pile.GetReport()->GetNumber("VolumesInSharedSlices"), volumes, 0.0,
-    name + ": volumes together");
+  check.Equal(pile.GetReport()->GetCount("VolumesInSharedSlices"), volumes,
+    name + ": volumes in shared slices");
   check.That(
-    pile.GetReport()->GetText("SeparateVolumesReason").empty(), name + ": nothing is apart");
-  check.Near(pile.Mappers[0]->GetReport()->GetNumber("LightBuffers"),
-    static_cast<int>(scene.Lights.size()), 0.0, name + ": one buffer for each light");
-  ExpectAlike(check, name, picture, MakeMixedPicture(scene), bound);
+    pile.GetReport()->GetText("SeparateVolumesReason").empty(), name + ": no separate volumes");
+  check.Equal(pile.Mappers[0]->GetReport()->GetCount("LightBuffers"),
+    static_cast<int>(scene.Lights.size()), name + ": one buffer per light");
+  ExpectSimilar(check, name, image, MakeMixedImage(scene), bound);
   VolumePile reversed(scene, true);
-  check.Near(ComparePictures(picture, reversed.Draw()).Max, 0.0, 1e-6,
-    name + ": the order of adding volumes", 1.0);
+  check.Near(CompareImages(image, reversed.Draw()).Max, 0.0, 1e-6,
+    name + ": same image in reverse order", 1.0);
 }
 
-/// Two boxes for light and views of all kinds: apart, half in each other, one in the other.
+/// Two boxes for different lights and views: disjoint, overlapping, and nested.
 void TestBoxes(Check& check)
 {
   const Box lower{ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } };
@@ -138,29 +139,29 @@ void TestBoxes(Check& check)
   const Box inner{ { -0.3, -0.1, -0.1, 0.1, -0.4, -0.2 } };
   const std::vector<std::tuple<std::string, Double3, Double3>> rays = {
     { "along", { { 0.0, 0.0, -1.0 } }, { { 0.0, 1.0, 0.0 } } },
-    { "with the eye", { { 0.1, 0.5, -1.0 } }, { { 0.0, 0.4, -1.0 } } },
-    { "against the eye", { { 0.2, -0.4, 1.0 } }, { { 0.1, 0.6, -1.0 } } },
+    { "with the view", { { 0.1, 0.5, -1.0 } }, { { 0.0, 0.4, -1.0 } } },
+    { "against the view", { { 0.2, -0.4, 1.0 } }, { { 0.1, 0.6, -1.0 } } },
     { "across", { { 1.0, 0.2, -0.7 } }, { { -0.3, 1.0, -0.2 } } },
   };
-  const std::vector<std::pair<std::string, Box>> others = { { "apart", upper },
+  const std::vector<std::pair<std::string, Box>> others = { { "disjoint", upper },
     { "overlapping", half }, { "inside", inner } };
-  for (const auto& [place, box] : others)
+  for (const auto& [position, box] : others)
   {
     for (const auto& [kind, light, view] : rays)
     {
       Double3 direction = view;
       vtkMath::Normalize(direction.data());
       const MixedScene scene =
-        MakeScene({ MakeMatter(lower, 2.0, RED), MakeMatter(box, 3.0, BLUE) }, light, direction);
-      // Single pixels look along a face of a box, or of its shadow.
+        MakeScene({ MakeMedium(lower, 2.0, RED), MakeMedium(box, 3.0, BLUE) }, light, direction);
+      // Single pixels look along a face of a box, or along a boundary of its shadow.
       const double largest = kind == "along" ? 0.2 : 0.04;
-      TestScene(check, place + ", " + kind, scene, { largest, 0.0005 });
+      TestScene(check, position + ", " + kind, scene, { largest, 0.0005 });
     }
   }
 }
 
-/// The picture of a scene by the pass, with settings of its own.
-RgbaPicture Draw(const MixedScene& scene, const std::function<void(VolumePile&)>& change = {})
+/// Draws a scene with the pass, after a change of settings.
+RgbaImage Draw(const MixedScene& scene, const std::function<void(VolumePile&)>& change = {})
 {
   VolumePile pile(scene);
   if (change)
@@ -170,12 +171,12 @@ RgbaPicture Draw(const MixedScene& scene, const std::function<void(VolumePile&)>
   return pile.Draw();
 }
 
-/// A share of smoke whose density changes from place to place, in the cells from one to another
-/// along x, of a cube of 32.
-SceneVolume MakeSmoke(int first, int last, double share = 1.0)
+/// Returns a range of cells along x of a cube of 32 cells with inhomogeneous smoke, whose
+/// extinction is scaled by \a fraction.
+SceneVolume MakeSmoke(int first, int last, double fraction = 1.0)
 {
   constexpr double extinction = 3.0;
-  SceneVolume volume = MakeMatter({ { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } }, extinction, WHITE);
+  SceneVolume volume = MakeMedium({ { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } }, extinction, WHITE);
   const std::array<int, 3> points{ { last - first + 1, 33, 33 } };
   volume.Image->SetDimensions(points.data());
   volume.Image->SetSpacing(1.0 / 32, 1.0 / 32, 1.0 / 32);
@@ -198,17 +199,18 @@ SceneVolume MakeSmoke(int first, int last, double share = 1.0)
   opacity->AddPoint(0.0, 0.0);
   opacity->AddPoint(1.0, -std::expm1(-0.1 * extinction));
   volume.Property->SetScalarOpacity(opacity);
-  volume.Property->SetScalarOpacityUnitDistance(0.1 / share);
+  volume.Property->SetScalarOpacityUnitDistance(0.1 / fraction);
   return volume;
 }
 
-/// Two halves are the whole, without a seam, wherever their common face turns.
+/// Two halves look like the complete volume, without a seam, for any orientation of their common
+/// face.
 void TestHalves(Check& check)
 {
   const std::vector<std::tuple<std::string, Double3, Double3>> rays = {
     { "face along the light", { { 0.0, 0.3, -1.0 } }, { { 0.0, 1.0, -0.4 } } },
-    { "light and eye from different sides", { { 1.0, 0.1, -0.3 } }, { { -0.8, 0.5, -0.4 } } },
-    { "light towards the eye", { { -1.0, 0.2, 0.3 } }, { { 0.9, 0.1, -0.2 } } },
+    { "light and view from different sides", { { 1.0, 0.1, -0.3 } }, { { -0.8, 0.5, -0.4 } } },
+    { "light toward the camera", { { -1.0, 0.2, 0.3 } }, { { 0.9, 0.1, -0.2 } } },
   };
   for (const auto& [kind, light, view] : rays)
   {
@@ -216,21 +218,22 @@ void TestHalves(Check& check)
     vtkMath::Normalize(direction.data());
     const auto draw = [&, light = light](const std::vector<SceneVolume>& volumes)
     { return Draw(MakeScene(volumes, light, direction)); };
-    const RgbaPicture whole = draw({ MakeSmoke(0, 32) });
-    ExpectAlike(check, "two halves, " + kind, draw({ MakeSmoke(0, 16), MakeSmoke(16, 32) }), whole,
-      { 0.0005, 5e-6 });
-    ExpectAlike(check, "two of half the density, " + kind,
-      draw({ MakeSmoke(0, 32, 0.5), MakeSmoke(0, 32, 0.5) }), whole, { 0.0008, 3e-5 });
+    const RgbaImage complete = draw({ MakeSmoke(0, 32) });
+    ExpectSimilar(check, "two halves, " + kind, draw({ MakeSmoke(0, 16), MakeSmoke(16, 32) }),
+      complete, { 0.0005, 5e-6 });
+    ExpectSimilar(check, "two volumes of half the density, " + kind,
+      draw({ MakeSmoke(0, 32, 0.5), MakeSmoke(0, 32, 0.5) }), complete, { 0.0008, 3e-5 });
   }
 }
 
-/// Halves of solid matter in thick slabs: the half that the light meets first is drawn first.
+/// Two dense halves in optically thick slabs. The half that is closer to the light must be drawn
+/// first.
 void TestThickHalves(Check& check)
 {
   constexpr double extinction = 8.0;
   const Box left{ { -0.5, 0.0, -0.3, 0.3, -0.3, 0.3 } };
   const Box right{ { 0.0, 0.5, -0.3, 0.3, -0.3, 0.3 } };
-  const Box whole{ { -0.5, 0.5, -0.3, 0.3, -0.3, 0.3 } };
+  const Box complete{ { -0.5, 0.5, -0.3, 0.3, -0.3, 0.3 } };
   for (const double side : { -1.0, 1.0 })
   {
     Double3 view{ { 0.7 * side, 0.3, -0.7 } };
@@ -247,23 +250,23 @@ void TestThickHalves(Check& check)
           }
         });
     };
-    ExpectAlike(check, "thick halves, light from " + std::to_string(-side),
-      draw({ MakeMatter(left, extinction, WHITE, 12), MakeMatter(right, extinction, WHITE, 12) }),
-      draw({ MakeMatter(whole, extinction, WHITE, 24) }), { 0.065, 0.00045 });
+    ExpectSimilar(check, "thick halves, light from " + std::to_string(-side),
+      draw({ MakeMedium(left, extinction, WHITE, 12), MakeMedium(right, extinction, WHITE, 12) }),
+      draw({ MakeMedium(complete, extinction, WHITE, 24) }), { 0.065, 0.00045 });
   }
 }
 
-/// The error of volumes of two colours at the same place, which falls with the spacing.
+/// Two volumes of different colors at the same position: the error decreases with the spacing.
 void TestRefinement(Check& check)
 {
   const Box box{ { -0.5, 0.5, -0.4, 0.4, -0.3, 0.3 } };
-  const MixedScene scene = MakeScene({ MakeMatter(box, 4.0, RED), MakeMatter(box, 6.0, BLUE) },
+  const MixedScene scene = MakeScene({ MakeMedium(box, 4.0, RED), MakeMedium(box, 6.0, BLUE) },
     { { 0.3, 0.2, -1.0 } }, { { 0.0, 0.6, -0.8 } });
-  const RgbaPicture expected = MakeMixedPicture(scene);
+  const RgbaImage expected = MakeMixedImage(scene);
   double last = 1.0;
   for (const double spacing : { 0.16, 0.08, 0.04, 0.02 })
   {
-    const RgbaPicture found = Draw(scene,
+    const RgbaImage found = Draw(scene,
       [spacing](VolumePile& pile)
       {
         for (vtkShadowedSliceMapper* mapper : pile.Mappers)
@@ -271,93 +274,95 @@ void TestRefinement(Check& check)
           mapper->SetSliceSpacing(spacing);
         }
       });
-    const PictureError error = ComparePictures(found, expected);
+    const ImageError error = CompareImages(found, expected);
     std::cout << "spacing " << spacing << ": " << error << std::endl;
-    check.That(error.Mean < last, "spacing " + std::to_string(spacing) + ": the error falls");
+    check.That(error.Mean < last, "spacing " + std::to_string(spacing) + ": the error decreases");
     last = error.Mean;
   }
-  check.Near(last, 0.0, 0.001, "two volumes at the same place", 1.0);
+  check.Near(last, 0.0, 0.001, "two volumes at the same position", 1.0);
 }
 
-/// Lamps beside, between and in the volumes.
-void TestLamps(Check& check)
+/// Point lights outside, between and inside the volumes.
+void TestPointLights(Check& check)
 {
-  const SceneVolume left = MakeMatter({ { -0.6, -0.1, -0.3, 0.3, -0.3, 0.3 } }, 3.0, RED);
-  const SceneVolume right = MakeMatter({ { 0.1, 0.6, -0.3, 0.3, -0.3, 0.3 } }, 3.0, BLUE);
-  for (const auto& [name, place, bound] :
-    { std::tuple<std::string, Double3, PictureBound>{
-        "lamp aside", { { -1.5, 0.4, 0.8 } }, { 0.03, 0.0003 } },
-      { "lamp between", { { 0.0, 0.05, 0.1 } }, { 0.03, 0.0004 } },
-      { "lamp within", { { -0.3, 0.05, 0.1 } }, { 0.03, 0.0004 } } })
+  const SceneVolume left = MakeMedium({ { -0.6, -0.1, -0.3, 0.3, -0.3, 0.3 } }, 3.0, RED);
+  const SceneVolume right = MakeMedium({ { 0.1, 0.6, -0.3, 0.3, -0.3, 0.3 } }, 3.0, BLUE);
+  for (const auto& [name, position, bound] :
+    { std::tuple<std::string, Double3, ImageBound>{
+        "light outside", { { -1.5, 0.4, 0.8 } }, { 0.03, 0.0003 } },
+      { "light between", { { 0.0, 0.05, 0.1 } }, { 0.03, 0.0004 } },
+      { "light inside", { { -0.3, 0.05, 0.1 } }, { 0.03, 0.0004 } } })
   {
     MixedScene scene = MakeScene({ left, right }, { { 0.0, 0.0, -1.0 } }, { { 0.0, 0.6, -0.8 } });
-    scene.Lights[0].Light = MakeLamp(place, { { 0.0, 0.0, 0.0 } });
+    scene.Lights[0].Light = MakePointLight(position, { { 0.0, 0.0, 0.0 } });
     TestScene(check, name, scene, bound);
   }
 }
 
-/// A lamp inside smoke above a floor that the plane through the lamp along the slices intersects.
-/// Rays along the slices leave the smoke before they reach a slab.
-void TestLampAboveFloor(Check& check)
+/// A point light inside smoke above a floor. The slice plane through the light intersects the
+/// floor. Rays parallel to the slices leave the smoke before they reach a slab.
+void TestPointLightAboveFloor(Check& check)
 {
   const Double3 black{ { 0.0, 0.0, 0.0 } };
   for (const double height : { 0.1, 0.3 })
   {
-    for (const bool isFlat : { false, true })
+    for (const bool isHomogeneous : { false, true })
     {
-      const SceneVolume smoke =
-        isFlat ? MakeMatter({ { -0.6, 0.6, -0.5, 0.5, -0.3, 0.4 } }, 3.0, black) : MakeSmoke(0, 32);
+      const SceneVolume smoke = isHomogeneous
+        ? MakeMedium({ { -0.6, 0.6, -0.5, 0.5, -0.3, 0.4 } }, 3.0, black)
+        : MakeSmoke(0, 32);
       MixedScene scene = MakeScene({ smoke }, { { 0.0, 0.0, -1.0 } }, { { 0.0, 0.6, -0.8 } });
       scene.Size = { { 96, 96 } };
-      scene.Lights[0].Light = MakeLamp({ { 0.1, 0.05, -0.2 + height } }, { { 0.0, 0.0, -1.0 } });
+      scene.Lights[0].Light =
+        MakePointLight({ { 0.1, 0.05, -0.2 + height } }, { { 0.0, 0.0, -1.0 } });
       scene.Surfaces.push_back(
         { MakeRectangle({ { -0.5, -0.5, -0.2 } }, { { 1.0, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } }),
           {} });
-      const std::string name = std::string(isFlat ? "even" : "uneven") + " smoke, lamp " +
-        std::to_string(height) + " above a floor";
-      const PictureBound bound = isFlat ? PictureBound{ 1e-4, 1e-5 } : PictureBound{ 0.025, 3e-4 };
-      ExpectAlike(check, name, Draw(scene), MakeMixedPicture(scene), bound);
+      const std::string name = std::string(isHomogeneous ? "homogeneous" : "inhomogeneous") +
+        " smoke, light " + std::to_string(height) + " above a floor";
+      const ImageBound bound = isHomogeneous ? ImageBound{ 1e-4, 1e-5 } : ImageBound{ 0.025, 3e-4 };
+      ExpectSimilar(check, name, Draw(scene), MakeMixedImage(scene), bound);
     }
   }
 }
 
-/// Features of one volume beside another without them.
+/// One volume has a feature that the other volume lacks.
 void TestFeatures(Check& check)
 {
   const Box lower{ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } };
   const Box upper{ { -0.2, 0.5, -0.25, 0.35, -0.2, 0.5 } };
   const Double3 light{ { 0.1, 0.3, -1.0 } };
   const Double3 view{ { 0.0, 0.6, -0.8 } };
-  SceneVolume colored = MakeMatter(upper, 3.0, BLUE);
+  SceneVolume colored = MakeMedium(upper, 3.0, BLUE);
   colored.TransmissionColor = vtkSmartPointer<vtkColorTransferFunction>::New();
   colored.TransmissionColor->AddRGBPoint(0.0, 0.1, 0.5, 0.9);
-  TestScene(check, "colour of light that passes",
-    MakeScene({ MakeMatter(lower, 2.0, RED), colored }, light, view), { 0.04, 0.0003 });
+  TestScene(check, "colored transmission",
+    MakeScene({ MakeMedium(lower, 2.0, RED), colored }, light, view), { 0.04, 0.0003 });
 
-  SceneVolume clipped = MakeMatter(upper, 3.0, BLUE);
+  SceneVolume clipped = MakeMedium(upper, 3.0, BLUE);
   vtkNew<vtkPlane> plane;
   plane->SetNormal(-1.0, 0.3, 0.2);
   plane->SetOrigin(0.2, 0.0, 0.0);
   clipped.ClippingPlanes = { vtkSmartPointer<vtkPlane>(plane) };
-  SceneVolume cropped = MakeMatter(lower, 2.0, RED);
+  SceneVolume cropped = MakeMedium(lower, 2.0, RED);
   cropped.CroppingFlags = VTK_CROP_SUBVOLUME;
   cropped.CroppingPlanes = { { -0.4, 0.0, -0.2, 0.1, -0.4, -0.2 } };
   TestScene(
     check, "clipped and cropped", MakeScene({ clipped, cropped }, light, view), { 0.04, 0.0003 });
 
-  SceneVolume turned = MakeMatter(upper, 3.0, BLUE);
-  turned.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
+  SceneVolume rotated = MakeMedium(upper, 3.0, BLUE);
+  rotated.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
   vtkNew<vtkTransform> transform;
   transform->RotateWXYZ(35.0, 1.0, 0.4, 0.2);
   transform->Scale(0.8, 1.2, -0.7);
-  turned.Matrix->DeepCopy(transform->GetMatrix());
-  turned.Property->SetShade(1);
-  TestScene(check, "turned, mirrored and shaded",
-    MakeScene({ MakeMatter(lower, 2.0, RED), turned }, light, view), { 0.04, 0.0003 });
+  rotated.Matrix->DeepCopy(transform->GetMatrix());
+  rotated.Property->SetShade(1);
+  TestScene(check, "rotated, mirrored and shaded",
+    MakeScene({ MakeMedium(lower, 2.0, RED), rotated }, light, view), { 0.04, 0.0003 });
 
   MixedScene several =
-    MakeScene({ MakeMatter(lower, 2.0, RED), MakeMatter(upper, 3.0, BLUE),
-                MakeMatter({ { -0.7, 0.7, -0.7, 0.7, -0.7, 0.7 } }, 0.5, WHITE) },
+    MakeScene({ MakeMedium(lower, 2.0, RED), MakeMedium(upper, 3.0, BLUE),
+                MakeMedium({ { -0.7, 0.7, -0.7, 0.7, -0.7, 0.7 } }, 0.5, WHITE) },
       light, view);
   several.Size = { { 28, 28 } };
   several.Lights.push_back({ MakeSun({ { -1.0, 0.2, 0.4 } }), {} });
@@ -366,27 +371,28 @@ void TestFeatures(Check& check)
   TestScene(check, "three volumes, two lights", several, { 0.04, 0.0003 });
 }
 
-vtkSmartPointer<vtkLight> MakeRoundLamp(const Double3& place, double diameter)
+vtkSmartPointer<vtkLight> MakeRoundLight(const Double3& position, double diameter)
 {
-  vtkNew<vtkAreaLight> lamp;
-  lamp->SetLightTypeToSceneLight();
-  lamp->SetPositional(true);
-  lamp->SetPosition(place.data());
-  lamp->SetFocalPoint(0.0, 0.0, 0.0);
-  lamp->SetConeAngle(180.0);
-  lamp->SetShadowAttenuation(1.0F);
-  lamp->SetShape(vtkAreaLight::ROUND);
-  lamp->SetSize(diameter, diameter);
-  return vtkSmartPointer<vtkLight>(lamp);
+  vtkNew<vtkAreaLight> areaLight;
+  areaLight->SetLightTypeToSceneLight();
+  areaLight->SetPositional(true);
+  areaLight->SetPosition(position.data());
+  areaLight->SetFocalPoint(0.0, 0.0, 0.0);
+  areaLight->SetConeAngle(180.0);
+  areaLight->SetShadowAttenuation(1.0F);
+  areaLight->SetShape(vtkAreaLight::ROUND);
+  areaLight->SetSize(diameter, diameter);
+  return vtkSmartPointer<vtkLight>(areaLight);
 }
 
-/// Two halves leave of a round lamp what the whole leaves, on surfaces in and behind them too.
+/// Two halves of a volume transmit the same fraction of a round light as the complete volume, also
+/// to surfaces inside and behind them.
 void TestSoftHalves(Check& check)
 {
   const auto draw = [](const std::vector<SceneVolume>& volumes)
   {
     MixedScene scene = MakeScene(volumes, { { 0.0, 0.0, -1.0 } }, { { 0.0, 0.6, -0.8 } });
-    scene.Lights[0].Light = MakeRoundLamp({ { 0.4, 0.3, 2.0 } }, 0.6);
+    scene.Lights[0].Light = MakeRoundLight({ { 0.4, 0.3, 2.0 } }, 0.6);
     for (const double height : { -0.9, 0.0 })
     {
       const double size = height < -0.5 ? 2.0 : 0.6;
@@ -396,19 +402,19 @@ void TestSoftHalves(Check& check)
     }
     return Draw(scene);
   };
-  ExpectAlike(check, "two halves, round lamp and surfaces",
+  ExpectSimilar(check, "two halves, round light and surfaces",
     draw({ MakeSmoke(0, 16), MakeSmoke(16, 32) }), draw({ MakeSmoke(0, 32) }), { 0.0003, 2e-6 });
 }
 
-/// A round lamp over two volumes, in layers of its samples.
+/// Checks the sample layers of a round light above two volumes.
 void TestSoftShadows(Check& check)
 {
-  MixedScene scene = MakeScene({ MakeMatter({ { -0.5, 0.2, -0.3, 0.3, -0.5, -0.1 } }, 2.0, RED),
-                                 MakeMatter({ { -0.2, 0.3, -0.25, 0.3, -0.2, 0.4 } }, 4.0, BLUE) },
+  MixedScene scene = MakeScene({ MakeMedium({ { -0.5, 0.2, -0.3, 0.3, -0.5, -0.1 } }, 2.0, RED),
+                                 MakeMedium({ { -0.2, 0.3, -0.25, 0.3, -0.2, 0.4 } }, 4.0, BLUE) },
     { { 0.0, 0.0, -1.0 } }, { { 0.0, 0.6, -0.8 } });
-  const Double3 place{ { 0.4, 0.3, 2.0 } };
+  const Double3 position{ { 0.4, 0.3, 2.0 } };
   constexpr double diameter = 0.8;
-  Double3 axis = place;
+  Double3 axis = position;
   vtkMath::Normalize(axis.data());
   Double3 side;
   Double3 up;
@@ -416,39 +422,40 @@ void TestSoftShadows(Check& check)
   vtkMath::MultiplyScalar(side.data(), diameter);
   vtkMath::MultiplyScalar(up.data(), diameter);
   scene.Size = { { 20, 20 } };
-  scene.Lights = { { MakeRoundLamp(place, diameter), MakeRoundPoints(place, side, up, 40) } };
+  scene.Lights = { { MakeRoundLight(position, diameter),
+    MakeRoundPoints(position, side, up, 40) } };
   VolumePile pile(scene);
-  const RgbaPicture picture = pile.Draw();
+  const RgbaImage image = pile.Draw();
   vtkInterlumeReport* report = pile.Mappers[1]->GetReport();
-  check.Near(report->GetNumber("LightLayers"), 8, 0.0, "soft: layers for both volumes");
-  check.Near(report->GetNumber("LightBuffers"), 1, 0.0, "soft: one buffer");
-  check.Near(report->GetNumber("AreaLightsWithHardShadows"), 0, 0.0, "soft: no hard light");
-  const RgbaPicture expected = MakeMixedPicture(scene);
-  ExpectAlike(check, "soft shadows", picture, expected, { 0.02, 0.0002 });
+  check.Equal(report->GetCount("LightLayers"), 8, "soft shadows: layers for both volumes");
+  check.Equal(report->GetCount("LightBuffers"), 1, "soft shadows: one buffer");
+  check.Equal(report->GetCount("AreaLightsWithHardShadows"), 0, "soft shadows: no hard shadows");
+  const RgbaImage expected = MakeMixedImage(scene);
+  ExpectSimilar(check, "soft shadows", image, expected, { 0.02, 0.0002 });
   scene.Lights[0].Points.clear();
-  const PictureError hard = ComparePictures(MakeMixedPicture(scene), expected);
+  const ImageError hard = CompareImages(MakeMixedImage(scene), expected);
   std::cout << "hard shadows instead: " << hard << std::endl;
-  check.That(hard.Mean > 0.0005, "soft: penumbras are seen");
+  check.That(hard.Mean > 0.0005, "soft shadows: penumbras are visible");
 }
 
-/// Opaque matter, whose surfaces are found within slabs, and shadows across.
+/// Opaque media, whose surfaces are located within slabs, and their shadows on each other.
 void TestSharp(Check& check)
 {
-  const SceneVolume lower = MakeMatter({ { -0.5, 0.3, -0.3, 0.3, -0.5, -0.2 } }, 80.0, RED);
-  const SceneVolume upper = MakeMatter({ { -0.2, 0.5, -0.15, 0.25, 0.1, 0.4 } }, 80.0, BLUE);
-  const SceneVolume thin = MakeMatter({ { -0.6, 0.6, -0.4, 0.4, -0.3, 0.0 } }, 1.0, WHITE);
+  const SceneVolume lower = MakeMedium({ { -0.5, 0.3, -0.3, 0.3, -0.5, -0.2 } }, 80.0, RED);
+  const SceneVolume upper = MakeMedium({ { -0.2, 0.5, -0.15, 0.25, 0.1, 0.4 } }, 80.0, BLUE);
+  const SceneVolume smoke = MakeMedium({ { -0.6, 0.6, -0.4, 0.4, -0.3, 0.0 } }, 1.0, WHITE);
   const Double3 view{ { 0.1, 0.6, -0.8 } };
   TestScene(check, "opaque boxes", MakeScene({ lower, upper }, { { 0.2, 0.3, -1.0 } }, view),
     { 0.4, 0.0008 });
   TestScene(check, "opaque boxes in smoke",
-    MakeScene({ lower, upper, thin }, { { 0.2, 0.3, -1.0 } }, view), { 0.2, 0.0005 });
+    MakeScene({ lower, upper, smoke }, { { 0.2, 0.3, -1.0 } }, view), { 0.2, 0.0005 });
 }
 
-/// Surfaces before, between, in and behind two volumes.
+/// Surfaces in front of, between, inside and behind two volumes.
 void TestSurfaces(Check& check)
 {
-  const SceneVolume lower = MakeMatter({ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } }, 2.0, RED);
-  const SceneVolume upper = MakeMatter({ { -0.2, 0.5, -0.25, 0.35, -0.2, 0.4 } }, 3.0, BLUE);
+  const SceneVolume lower = MakeMedium({ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } }, 2.0, RED);
+  const SceneVolume upper = MakeMedium({ { -0.2, 0.5, -0.25, 0.35, -0.2, 0.4 } }, 3.0, BLUE);
   MixedScene scene = MakeScene({ lower, upper }, { { 0.3, 0.2, -1.0 } }, { { 0.0, 0.6, -0.8 } });
   scene.Surfaces.push_back(
     { MakeRectangle({ { -1.0, -1.0, -0.55 } }, { { 2.0, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }), {} });
@@ -456,12 +463,12 @@ void TestSurfaces(Check& check)
   TestScene(check, "surfaces", scene, { 0.15, 0.0005 });
 }
 
-/// What is shared of different settings.
+/// The pass combines different settings of its volumes.
 void TestSettings(Check& check)
 {
   const MixedScene scene =
-    MakeScene({ MakeMatter({ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } }, 2.0, RED),
-                MakeMatter({ { -0.2, 0.5, -0.2, 0.3, 0.1, 0.4 } }, 3.0, BLUE) },
+    MakeScene({ MakeMedium({ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } }, 2.0, RED),
+                MakeMedium({ { -0.2, 0.5, -0.2, 0.3, 0.1, 0.4 } }, 3.0, BLUE) },
       { { 0.3, 0.2, -1.0 } }, { { 0.0, 0.6, -0.8 } });
   VolumePile pile(scene);
   vtkShadowedSliceMapper* first = pile.Mappers[0];
@@ -469,7 +476,7 @@ void TestSettings(Check& check)
   const auto draw = [&]() -> vtkInterlumeReport*
   {
     pile.Draw();
-    check.Near(pile.GetReport()->GetNumber("VolumesInSharedSlices"), 2, 0.0, "settings: together");
+    check.Equal(pile.GetReport()->GetCount("VolumesInSharedSlices"), 2, "settings: shared slices");
     return second->GetReport();
   };
   first->SetSliceSpacing(0.1);
@@ -479,97 +486,97 @@ void TestSettings(Check& check)
   check.That(draw()->GetNumber("SliceSpacing") <= 0.03 &&
       second->GetReport()->GetNumber("SliceSpacing") > 0.025,
     "settings: the finest spacing");
-  check.Near(
-    second->GetReport()->GetNumber("LightBufferSize"), 160, 0.0, "settings: the largest buffer");
-  check.Near(second->GetReport()->GetNumber("LightChannels"), 1, 0.0, "settings: one channel");
+  check.Equal(
+    second->GetReport()->GetCount("LightBufferSize"), 160, "settings: the largest buffer");
+  check.Equal(second->GetReport()->GetCount("LightChannels"), 1, "settings: one channel");
   first->SetLightBufferSize(0);
   second->SetLightBufferSize(304);
-  check.Near(draw()->GetNumber("LightBufferSize"), 304, 0.0, "settings: no less than what is set");
+  check.Equal(draw()->GetCount("LightBufferSize"), 304, "settings: at least the explicit size");
   second->SetLightBufferSize(0);
   second->SetSliceSpacing(0.0);
   check.That(draw()->GetNumber("SliceSpacing") < 0.02, "settings: the automatic spacing is finer");
   vtkNew<vtkColorTransferFunction> color;
   color->AddRGBPoint(0.0, 0.2, 0.5, 0.8);
   first->SetTransmissionColor(color);
-  check.Near(draw()->GetNumber("LightChannels"), 3, 0.0, "settings: three channels");
+  check.Equal(draw()->GetCount("LightChannels"), 3, "settings: three channels");
   check.That(second->GetReport()->GetText("Features").find("transmission") != std::string::npos,
-    "settings: the other one's light has colours too");
+    "settings: the other volume also has colored light");
   first->SetImageSampleDistance(4.0);
   second->SetImageSampleDistance(2.0);
-  check.Near(
-    draw()->GetNumber("ImageSampleDistance"), 2.0, 1e-12, "settings: the finest picture", 1.0);
+  check.Near(draw()->GetNumber("ImageSampleDistance"), 2.0, 1e-12,
+    "settings: the smallest image sample distance", 1.0);
 
-  // Enough for one of them with small buffers.
+  // The memory limit suffices for separate volumes with small buffers, but not for shared slices.
   first->SetLightBufferSize(32);
   second->SetLightBufferSize(32);
   second->SetMaximumTextureMemory(
     first->GetReport()->GetNumber("TextureBytes") + second->GetReport()->GetNumber("TextureBytes"));
   pile.Draw();
-  check.Near(pile.GetReport()->GetNumber("VolumesInSharedSlices"), 0, 0.0, "memory: apart");
+  check.Equal(pile.GetReport()->GetCount("VolumesInSharedSlices"), 0, "memory: separate");
   check.That(pile.GetReport()->GetText("SeparateVolumesReason").find("MaximumTextureMemory") !=
       std::string::npos,
-    "memory: the report says why");
-  check.Near(pile.GetReport()->GetNumber("Volumes"), 2, 0.0, "memory: both are drawn");
+    "memory: the report contains the reason");
+  check.Equal(pile.GetReport()->GetCount("Volumes"), 2, "memory: both are drawn");
 }
 
-/// What is drawn one by one, or by one volume alone.
-void TestApart(Check& check)
+/// Volumes that are drawn separately, and a single volume.
+void TestSeparate(Check& check)
 {
-  const SceneVolume large = MakeMatter({ { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 } }, 1.0, RED);
+  const SceneVolume large = MakeMedium({ { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 } }, 1.0, RED);
   const SceneVolume small =
-    MakeMatter({ { 0.6, 0.601, -0.0005, 0.0005, 0.0, 0.001 } }, 100.0, BLUE);
+    MakeMedium({ { 0.6, 0.601, -0.0005, 0.0005, 0.0, 0.001 } }, 100.0, BLUE);
   const Double3 light{ { 0.3, 0.2, -1.0 } };
   const Double3 view{ { 0.0, 0.6, -0.8 } };
   VolumePile pile(MakeScene({ large, small }, light, view));
   pile.Draw();
-  check.Near(pile.GetReport()->GetNumber("VolumesInSharedSlices"), 0, 0.0, "1 to 1000: apart");
+  check.Equal(pile.GetReport()->GetCount("VolumesInSharedSlices"), 0, "1 to 1000: separate");
   check.That(pile.GetReport()->GetText("SeparateVolumesReason").find("slices") != std::string::npos,
-    "1 to 1000: the report says why");
+    "1 to 1000: the report contains the reason");
 
-  // One volume with a floor: no group, and the same picture whatever was drawn together before.
+  // A single volume with a floor has no shared slices. Its image does not depend on volumes that
+  // were drawn earlier.
   MixedScene single = MakeScene({ large }, light, view);
   single.Surfaces.push_back(
     { MakeRectangle({ { -1.0, -1.0, -0.55 } }, { { 2.0, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }), {} });
   MixedScene both = single;
-  both.Volumes.push_back(MakeMatter({ { 0.2, 0.6, -0.2, 0.2, 0.0, 0.6 } }, 3.0, BLUE));
+  both.Volumes.push_back(MakeMedium({ { 0.2, 0.6, -0.2, 0.2, 0.0, 0.6 } }, 3.0, BLUE));
   VolumePile one(single);
-  const RgbaPicture alone = one.Draw();
+  const RgbaImage single1 = one.Draw();
   const auto expected = CopyReport(one.Mappers[0]->GetReport());
-  check.Near(
-    one.GetReport()->GetNumber("VolumesInSharedSlices"), 0, 0.0, "one volume: nothing is together");
+  check.Equal(
+    one.GetReport()->GetCount("VolumesInSharedSlices"), 0, "one volume: no shared slices");
   VolumePile two(both);
-  const RgbaPicture together = two.Draw();
-  check.Near(two.GetReport()->GetNumber("VolumesInSharedSlices"), 2, 0.0, "two volumes: together");
-  check.That(ComparePictures(alone, together).Max > 0.01, "two volumes: another picture");
+  const RgbaImage shared = two.Draw();
+  check.Equal(two.GetReport()->GetCount("VolumesInSharedSlices"), 2, "two volumes: shared slices");
+  check.That(CompareImages(single1, shared).Max > 0.01, "two volumes: a different image");
   two.Volumes[1]->VisibilityOff();
-  check.Near(ComparePictures(two.Draw(), alone).Max, 0.0, 0.0, "one is hidden: the same bytes");
-  vtkInterlumeReport* report = two.Mappers[0]->GetReport();
-  check.Near(two.GetReport()->GetNumber("VolumesInSharedSlices"), 0, 0.0,
-    "one is hidden: nothing is together");
-  check.Near(report->GetNumber("ImagePasses"), expected->GetNumber("ImagePasses"), 0.0,
-    "one is hidden: passes of the eye");
-  check.Near(report->GetNumber("LightPasses"), expected->GetNumber("LightPasses"), 0.0,
-    "one is hidden: passes of the light");
-  check.Near(report->GetNumber("LightBufferBytes"), expected->GetNumber("LightBufferBytes"), 0.0,
-    "one is hidden: light buffers");
-  check.Near(report->GetNumber("ImageBufferBytes"), expected->GetNumber("ImageBufferBytes"), 0.0,
-    "one is hidden: pictures");
-  check.That(report->GetText("Features") == expected->GetText("Features"),
-    "one is hidden: parts of shaders");
-  two.Volumes[1]->VisibilityOn();
   check.Near(
-    ComparePictures(two.Draw(), together).Max, 0.0, 0.0, "shown again: the same bytes as before");
+    CompareImages(two.Draw(), single1).Max, 0.0, 0.0, "one hidden volume: identical image");
+  vtkInterlumeReport* report = two.Mappers[0]->GetReport();
+  check.Equal(
+    two.GetReport()->GetCount("VolumesInSharedSlices"), 0, "one hidden volume: no shared slices");
+  check.Equal(report->GetCount("ImagePasses"), expected->GetCount("ImagePasses"),
+    "one hidden volume: image passes");
+  check.Equal(report->GetCount("LightPasses"), expected->GetCount("LightPasses"),
+    "one hidden volume: light passes");
+  check.Equal(report->GetCount("LightBufferBytes"), expected->GetCount("LightBufferBytes"),
+    "one hidden volume: light buffers");
+  check.Equal(report->GetCount("ImageBufferBytes"), expected->GetCount("ImageBufferBytes"),
+    "one hidden volume: image buffers");
+  check.That(report->GetText("Features") == expected->GetText("Features"),
+    "one hidden volume: shader features");
+  two.Volumes[1]->VisibilityOn();
+  check.Near(CompareImages(two.Draw(), shared).Max, 0.0, 0.0, "visible again: identical image");
   two.Mappers[1]->ShadowsOff();
   two.Draw();
-  check.Near(
-    two.GetReport()->GetNumber("VolumesInSharedSlices"), 0, 0.0, "shadows off: drawn by itself");
+  check.Equal(two.GetReport()->GetCount("VolumesInSharedSlices"), 0, "shadows off: separate");
   vtkNew<vtkImageData> buffer;
   check.That(two.Mappers[0]->ReadLightBuffer(two.Stage.GetRenderer(), both.Lights[0].Light, buffer),
-    "a light's buffer of one volume");
+    "the light buffer of one volume");
   two.Mappers[1]->ShadowsOn();
   two.Draw();
   check.That(two.Mappers[1]->ReadLightBuffer(two.Stage.GetRenderer(), both.Lights[0].Light, buffer),
-    "a light's buffer of two volumes");
+    "the light buffer of two volumes");
 }
 }
 
@@ -580,14 +587,14 @@ int TestShadowedVolumes(int, char*[])
   TestHalves(check);
   TestThickHalves(check);
   TestRefinement(check);
-  TestLamps(check);
-  TestLampAboveFloor(check);
+  TestPointLights(check);
+  TestPointLightAboveFloor(check);
   TestFeatures(check);
   TestSoftShadows(check);
   TestSoftHalves(check);
   TestSharp(check);
   TestSettings(check);
-  TestApart(check);
+  TestSeparate(check);
   TestSurfaces(check);
   return check.Result();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extremes of volumes that vtkShadowedScenePass draws together, each by its name: at the same
-// place, touching, empty, transparent, hidden, many, of very different size, with faults, a context
-// remade.
+// Extreme and invalid sets of volumes that vtkShadowedScenePass draws in shared slices: at the same
+// position, touching, empty, transparent, hidden, many, of very different sizes, with errors, with
+// a recreated OpenGL context.
 #include "Support/Pages/StabilityCase.h"
 #include "SceneStage.h"
 
@@ -43,7 +43,7 @@ vtkShadowedSliceMapper* GetMapper(SceneStage& stage, int index)
   return vtkShadowedSliceMapper::SafeDownCast(GetVolume(stage, index)->GetMapper());
 }
 
-/// A floor, a sun, and volumes over it.
+/// Draws a floor, a sun, and volumes above the floor.
 class VolumeTable
 {
 public:
@@ -53,51 +53,52 @@ public:
     this->Catalogue.SetClass("vtkShadowedScenePass");
   }
 
-  RgbaPicture Draw(const Change& add, double scale = 1.0)
+  RgbaImage Draw(const Change& add, double scale = 1.0)
   {
     SceneStage stage(64, 2.0 * scale);
     stage.Add(MakeRectangle(
       { { -scale, -scale, 0.0 } }, { { 2.0 * scale, 0.0, 0.0 } }, { { 0.0, 2.0 * scale, 0.0 } }));
     stage.Stage.SetLights({ MakeSun({ { 0.6, 0.2, -1.0 } }) });
     add(stage);
-    RgbaPicture picture = stage.Draw();
-    this->Together = stage.GetReport()->GetNumber("VolumesInSharedSlices");
-    return picture;
+    RgbaImage image = stage.Draw();
+    this->Shared = stage.GetReport()->GetNumber("VolumesInSharedSlices");
+    return image;
   }
 
-  /// Two scenes have the same picture, and so many volumes are drawn together in the first one.
-  void Equal(const std::string& name, const std::string& extreme, const Change& add, int together,
-    const Change& expected, double bound, const std::string& as)
+  /// Compares the images of two scenes, and checks the number of volumes in shared slices in the
+  /// first scene.
+  void Equal(const std::string& name, const std::string& extreme, const Change& add, int shared,
+    const Change& expected, double bound, const std::string& reference)
   {
-    const RgbaPicture found = this->Draw(add);
-    const bool isTogether = this->Together == together;
-    this->Catalogue.Check(name + "-count", extreme, std::to_string(together) + " drawn together",
-      std::to_string(this->Together), isTogether);
-    this->Catalogue.Measure(name, extreme, "largest difference from " + as,
-      ComparePictures(found, this->Draw(expected)).Max, bound);
+    const RgbaImage found = this->Draw(add);
+    const bool isExpected = this->Shared == shared;
+    this->Catalogue.Check(name + "-count", extreme, std::to_string(shared) + " in shared slices",
+      std::to_string(this->Shared), isExpected);
+    this->Catalogue.Measure(name, extreme, "largest difference from " + reference,
+      CompareImages(found, this->Draw(expected)).Max, bound);
   }
 
   StabilityCatalogue Catalogue;
-  int Together = 0;
+  int Shared = 0;
 };
 
-void AddWhole(SceneStage& stage)
+void AddOne(SceneStage& stage)
 {
   stage.AddSmoke(SMOKE, EXTINCTION);
 }
 
-/// Cuts the box into so many parts along each axis.
+/// Adds smoke that is divided into the given number of parts along each axis.
 void AddParts(SceneStage& stage, const std::array<int, 3>& parts)
 {
   for (int part = 0; part < parts[0] * parts[1] * parts[2]; ++part)
   {
-    const std::array<int, 3> place{ { part % parts[0], part / parts[0] % parts[1],
+    const std::array<int, 3> index{ { part % parts[0], part / parts[0] % parts[1],
       part / parts[0] / parts[1] } };
     Box box{};
     for (int axis = 0; axis < 3; ++axis)
     {
       const double extent = (SMOKE[2 * axis + 1] - SMOKE[2 * axis]) / parts[axis];
-      box[2 * axis] = SMOKE[2 * axis] + place[axis] * extent;
+      box[2 * axis] = SMOKE[2 * axis] + index[axis] * extent;
       box[2 * axis + 1] = box[2 * axis] + extent;
     }
     stage.AddSmoke(box, EXTINCTION, 4);
@@ -106,32 +107,32 @@ void AddParts(SceneStage& stage, const std::array<int, 3>& parts)
 
 void AddSecond(SceneStage& stage)
 {
-  AddWhole(stage);
+  AddOne(stage);
   stage.AddSmoke({ { -0.1, 0.6, -0.5, 0.2, 0.6, 0.9 } }, EXTINCTION);
 }
 
-void TestPlaces(VolumeTable& table)
+void TestPositions(VolumeTable& table)
 {
   table.Equal(
-    "volumes-same-place", "two volumes at the same place",
+    "volumes-same-place", "two volumes at the same position",
     [](SceneStage& stage)
     {
       stage.AddSmoke(SMOKE, 0.5 * EXTINCTION);
       stage.AddSmoke(SMOKE, 0.5 * EXTINCTION);
     },
-    2, AddWhole, 0.002, "one of twice the density");
+    2, AddOne, 0.002, "one volume of twice the density");
   table.Equal(
     "volumes-touching", "two volumes with a common face",
     [](SceneStage& stage) {
       AddParts(stage, { { 2, 1, 1 } });
     },
-    2, AddWhole, 0.02, "one of both");
+    2, AddOne, 0.02, "one volume of both");
   table.Equal(
     "volumes-eight", "eight volumes with a common corner",
     [](SceneStage& stage) {
       AddParts(stage, { { 2, 2, 2 } });
     },
-    8, AddWhole, 0.02, "one of all");
+    8, AddOne, 0.02, "one volume of all");
 }
 
 void TestNothing(VolumeTable& table)
@@ -143,7 +144,7 @@ void TestNothing(VolumeTable& table)
       AddSecond(stage);
       GetVolume(stage, 1)->VisibilityOff();
     },
-    0, AddWhole, 0.0, "the other one alone");
+    0, AddOne, 0.0, "the other volume");
   table.Equal(
     "volumes-empty", "one of two volumes without points",
     [](SceneStage& stage)
@@ -151,9 +152,9 @@ void TestNothing(VolumeTable& table)
       AddSecond(stage);
       GetMapper(stage, 1)->SetInputData(vtkNew<vtkImageData>());
     },
-    0, AddWhole, 0.0, "the other one alone");
+    0, AddOne, 0.0, "the other volume");
   table.Equal(
-    "volumes-transparent", "one of two volumes wholly transparent",
+    "volumes-transparent", "one of two volumes fully transparent",
     [](SceneStage& stage)
     {
       AddSecond(stage);
@@ -162,18 +163,18 @@ void TestNothing(VolumeTable& table)
       opacity->AddPoint(0.0, 0.0);
       opacity->AddPoint(2.0, 0.0);
     },
-    2, AddWhole, 0.05, "the other one alone");
+    2, AddOne, 0.05, "the other volume");
   table.Equal(
-    "volumes-1-to-1000", "two volumes whose voxels are 1 to 1000",
+    "volumes-1-to-1000", "two volumes with a ratio of voxel sizes of 1000",
     [](SceneStage& stage)
     {
-      AddWhole(stage);
+      AddOne(stage);
       stage.AddSmoke({ { 0.5, 0.5008, 0.0, 0.0008, 0.5, 0.5004 } }, EXTINCTION);
     },
-    0, AddWhole, 1e-3, "the large one alone");
+    0, AddOne, 1e-3, "the large volume");
 }
 
-void TestFaults(VolumeTable& table)
+void TestErrors(VolumeTable& table)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   table.Equal(
@@ -185,31 +186,31 @@ void TestFaults(VolumeTable& table)
       GetMapper(stage, 2)->AddObserver(vtkCommand::ErrorEvent, observer);
       GetMapper(stage, 2)->GetInput()->GetPointData()->SetScalars(nullptr);
     },
-    2, AddSecond, 0.0, "the others alone");
+    2, AddSecond, 0.0, "the other volumes");
   table.Catalogue.Check("volumes-no-scalars-error", "one of three volumes without scalars",
-    "an error names it", observer->GetErrorMessage(),
+    "an error names the problem", observer->GetErrorMessage(),
     observer->GetErrorMessage().find("no scalars") != std::string::npos);
-  const RgbaPicture picture = table.Draw(
+  const RgbaImage image = table.Draw(
     [](SceneStage& stage)
     {
-      AddWhole(stage);
+      AddOne(stage);
       vtkNew<vtkVolume> again;
       again->SetMapper(GetMapper(stage, 0));
       again->SetProperty(GetVolume(stage, 0)->GetProperty());
       stage.Stage.GetRenderer()->AddVolume(again);
     });
   table.Catalogue.Check("volumes-one-mapper", "one mapper with two volumes",
-    "none is drawn together, and something is seen",
-    std::to_string(table.Together) + ", " + std::to_string(LargestAlpha(picture)),
-    table.Together == 0 && LargestAlpha(picture) > 0.5);
+    "no shared slices, and an image that is not empty",
+    std::to_string(table.Shared) + ", " + std::to_string(LargestAlpha(image)),
+    table.Shared == 0 && LargestAlpha(image) > 0.5);
 }
 
 void TestSizes(VolumeTable& table)
 {
-  const RgbaPicture expected = table.Draw(AddSecond);
+  const RgbaImage expected = table.Draw(AddSecond);
   for (const double scale : { 1e-5, 1e5 })
   {
-    const RgbaPicture found = table.Draw(
+    const RgbaImage found = table.Draw(
       [scale](SceneStage& stage)
       {
         for (const Box& box : { SMOKE, Box{ { -0.1, 0.6, -0.5, 0.2, 0.6, 0.9 } } })
@@ -228,8 +229,8 @@ void TestSizes(VolumeTable& table)
       },
       scale);
     table.Catalogue.Measure("volumes-size-" + std::string(scale < 1.0 ? "small" : "large"),
-      "two volumes " + std::string(scale < 1.0 ? "1e-5" : "1e5") + " times as large",
-      "mean difference", ComparePictures(found, expected).Mean, 1e-3);
+      "two volumes " + std::string(scale < 1.0 ? "1e-5" : "1e5") + " times the size",
+      "mean difference", CompareImages(found, expected).Mean, 1e-3);
   }
 }
 
@@ -238,15 +239,15 @@ void TestContext(VolumeTable& table)
   SceneStage stage(64);
   stage.Stage.SetLights({ MakeSun({ { 0.6, 0.2, -1.0 } }) });
   AddSecond(stage);
-  const RgbaPicture before = stage.Draw();
+  const RgbaImage before = stage.Draw();
   stage.Stage.GetWindow()->Finalize();
-  const RgbaPicture after = stage.Draw();
+  const RgbaImage after = stage.Draw();
   table.Catalogue.Measure("volumes-context-remade",
-    "a context that is lost and made again, of two volumes and no actor",
-    "largest difference from before", ComparePictures(after, before).Max, 0.0);
-  const int together = stage.GetReport()->GetNumber("VolumesInSharedSlices");
-  table.Catalogue.Check("volumes-no-actor", "two volumes and no actor", "2 drawn together",
-    std::to_string(together), together == 2);
+    "an OpenGL context that is lost and created again, two volumes and no actor",
+    "largest difference from the previous image", CompareImages(after, before).Max, 0.0);
+  const int shared = stage.GetReport()->GetNumber("VolumesInSharedSlices");
+  table.Catalogue.Check("volumes-no-actor", "two volumes and no actor", "2 in shared slices",
+    std::to_string(shared), shared == 2);
 }
 
 }
@@ -254,9 +255,9 @@ void TestContext(VolumeTable& table)
 int TestShadowedVolumesExtremes(int argc, char* argv[])
 {
   VolumeTable table(argc, argv);
-  TestPlaces(table);
+  TestPositions(table);
   TestNothing(table);
-  TestFaults(table);
+  TestErrors(table);
   TestSizes(table);
   TestContext(table);
   return table.Catalogue.GetExitCode();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Which sweeps of slices there are, and what each light's buffer holds: for eyes, lights and boxes
-// at random, against normals tried one by one.
+// Slice plans: number and direction of sweeps, and the light buffers, for random cameras, lights
+// and boxes. Normals are compared with exhaustive search.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Light/ReferenceUnitSpace.h"
@@ -18,14 +18,14 @@ namespace
 using namespace reference;
 using namespace interlume::UnitVector;
 
-// The same place as a vector of GLM.
+// Converts an array to a GLM vector.
 glm::dvec3 ToVector(const std::array<double, 3>& a)
 {
   return glm::make_vec3(a.data());
 }
 
 using Box = std::array<std::array<double, 2>, 3>;
-using Eye = interlume::SlicePlan::Eye;
+using Camera = interlume::SlicePlan::Camera;
 using Sweep = interlume::SlicePlan::Sweep;
 
 interlume::UnitSpace MakeCube()
@@ -56,19 +56,20 @@ glm::dvec3 GetRay(const glm::dvec3& from, const glm::dvec3& to)
   return Normalize(ray, glm::dvec3(0.0, 0.0, 0.0));
 }
 
-Eye MakeParallel(const glm::dvec3& direction)
+Camera MakeParallel(const glm::dvec3& direction)
 {
-  Eye eye;
+  Camera eye;
   eye.IsParallel = true;
   eye.Direction = direction;
   eye.Position = -4.0 * direction;
   return eye;
 }
 
-// Whose picture is square, with the tangent of half its angle; 0 leaves the matrix out.
-Eye MakePerspective(const glm::dvec3& position, const glm::dvec3& direction, double tangent)
+// Returns a perspective camera with a square image and the tangent of its half view angle. If the
+// tangent is 0, the matrix is not set.
+Camera MakePerspective(const glm::dvec3& position, const glm::dvec3& direction, double tangent)
 {
-  Eye eye;
+  Camera eye;
   eye.Position = position;
   eye.Direction = direction;
   const glm::dvec3 up = Perpendicular(direction, { 0.0, 1.0, 0.0 });
@@ -99,7 +100,7 @@ interlume::LightSource MakePositional(const glm::dvec3& position)
   return light;
 }
 
-interlume::SlicePlan Plan(const Eye& eye, const std::vector<interlume::LightSource>& lights,
+interlume::SlicePlan Plan(const Camera& eye, const std::vector<interlume::LightSource>& lights,
   const interlume::UnitSpace& space, const interlume::SlicePlan::Settings& settings = {})
 {
   interlume::SlicePlan plan;
@@ -123,29 +124,29 @@ std::vector<glm::dvec3> GetRays(
   return rays;
 }
 
-double GetLeast(const std::vector<glm::dvec3>& rays, const glm::dvec3& normal, double sign = 1.0)
+double GetMinimum(const std::vector<glm::dvec3>& rays, const glm::dvec3& normal, double sign = 1.0)
 {
-  double least = 1.0;
+  double minimum = 1.0;
   for (const glm::dvec3& ray : rays)
   {
-    least = std::min(least, sign * glm::dot(ray, normal));
+    minimum = std::min(minimum, sign * glm::dot(ray, normal));
   }
-  return least;
+  return minimum;
 }
 
-// Normals everywhere, and closer around one.
-std::vector<glm::dvec3> GetNormals(const glm::dvec3& around)
+// Returns normals in all directions, with more normals near a center.
+std::vector<glm::dvec3> GetNormals(const glm::dvec3& center)
 {
-  std::vector<glm::dvec3> normals = { around };
+  std::vector<glm::dvec3> normals = { center };
   constexpr int number = 1500;
   for (int i = 0; i < number; ++i)
   {
     const double z = 1.0 - (2.0 * i + 1.0) / number;
-    const double turn = 2.399963229728653 * i;
+    const double angle = 2.399963229728653 * i;
     const double radius = std::sqrt(1.0 - z * z);
-    const glm::dvec3 normal{ radius * std::cos(turn), radius * std::sin(turn), z };
+    const glm::dvec3 normal{ radius * std::cos(angle), radius * std::sin(angle), z };
     normals.push_back(normal);
-    normals.push_back(Normalize(around + 0.3 * normal, around));
+    normals.push_back(Normalize(center + 0.3 * normal, center));
   }
   return normals;
 }
@@ -162,9 +163,9 @@ void CheckSlabs(Check& check, const interlume::SlicePlan& plan, std::size_t inde
     lower = std::min(lower, glm::dot(corner, sweep.Normal));
     upper = std::max(upper, glm::dot(corner, sweep.Normal));
   }
-  // Only before all of its lights a sweep may leave matter out, and only where another one draws
-  // it or nothing of it is seen.
-  const bool isFirstHalf = !plan.IsLastOfPicture(index);
+  // A sweep may start at the first of its lights if another sweep draws the part of the volume
+  // before that light, or if that part is not visible.
+  const bool isFirstHalf = !plan.IsLastOfImage(index);
   const bool isHalf = isFirstHalf || sweep.IsBehind;
   if (isHalf || (index > 0 && !sweep.IsFrontToBack))
   {
@@ -180,31 +181,32 @@ void CheckSlabs(Check& check, const interlume::SlicePlan& plan, std::size_t inde
   {
     const Sweep& second = plan.Sweeps[index + 1];
     check.That(!sweep.IsFrontToBack && second.IsFrontToBack && second.IsBehind && !sweep.IsBehind,
-      "from the light to the eye, then away from it");
-    check.That(second.Normal == -sweep.Normal, "halves of one set of slices");
-    check.Near(second.First, -sweep.First, 1e-9, "which meet at the light");
+      "first from the light toward the camera, then away from it");
+    check.That(second.Normal == -sweep.Normal, "both halves have the same planes");
+    check.Near(second.First, -sweep.First, 1e-9, "the halves meet at the light");
     check.That(sweep.Lights.size() == 1 && second.Lights.size() == 1 &&
         sweep.Lights[0].Light == second.Lights[0].Light,
-      "halves have one light");
+      "both halves have the same single light");
   }
-  check.That(!sweep.IsBehind || index > 0, "the first sweep is behind nothing");
+  check.That(!sweep.IsBehind || index > 0, "the first sweep is not behind another sweep");
   check.Near(interlume::Vectors::SafeLength(sweep.Normal), 1.0, 1e-12, "length of the normal");
-  check.Near(sweep.First, lower, 1e-12, "the first slab starts at the lowest corner or light", 1.0);
-  check.Near(sweep.First + sweep.Slabs * sweep.Spacing, upper, 1e-12, "the last ends", 1.0);
+  check.Near(sweep.First, lower, 1e-12, "the first slab starts at the lowest vertex or light", 1.0);
+  check.Near(sweep.First + sweep.Slabs * sweep.Spacing, upper, 1e-12,
+    "the last slab ends at the highest vertex", 1.0);
   const double voxel = interlume::SlicePlan::GetVoxelSpacing(space, sweep.Normal);
-  // No line within a voxel is longer than its sides together.
-  double longest = 0.0;
+  // No line inside a voxel is longer than the sum of its edges.
+  double maximumLength = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    longest += interlume::Vectors::SafeLength(glm::dvec3(space.UnitFromTexture[axis])) /
+    maximumLength += interlume::Vectors::SafeLength(glm::dvec3(space.UnitFromTexture[axis])) /
       static_cast<double>(space.Size[axis]);
   }
-  check.That(
-    sweep.Spacing <= std::max(voxel, longest) * (1.0 + 1e-8), "a slab is no thicker than a voxel");
-  check.That((sweep.Slabs - 1) * voxel < upper - lower, "there are no more slabs than needed");
+  check.That(sweep.Spacing <= std::max(voxel, maximumLength) * (1.0 + 1e-8),
+    "slabs are at most as thick as a voxel");
+  check.That((sweep.Slabs - 1) * voxel < upper - lower, "there are no unnecessary slabs");
 }
 
-// All corners are inside of the buffer's border and reach it.
+// All vertices are inside the border of the buffer, and the border is tight.
 void CheckBuffer(Check& check, const interlume::SlicePlan::ShadowedLight& light,
   const std::array<glm::dvec3, 8>& corners, double distance)
 {
@@ -214,7 +216,7 @@ void CheckBuffer(Check& check, const interlume::SlicePlan::ShadowedLight& light,
   for (const glm::dvec3& corner : corners)
   {
     const glm::dvec4 point = light.BufferFromUnit * glm::dvec4(corner, 1.0);
-    check.That(point.w > 0.0, "a corner is in front of the light");
+    check.That(point.w > 0.0, "vertices are in front of the light");
     for (int i = 0; i < 2; ++i)
     {
       lower[i] = std::min(lower[i], point[i] / point.w);
@@ -242,9 +244,10 @@ void CheckFrame(Check& check, const interlume::SlicePlan::ShadowedLight& light, 
   }
 }
 
-// Whatever the plan: the eye's side, each light once for all of the volume, buffers, slabs.
-void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Eye& eye,
-  const std::vector<interlume::LightSource>& lights, const interlume::UnitSpace& space, int most)
+// Checks the sweeps of any plan: side of the camera, each light exactly once for the full volume,
+// buffers, slabs.
+void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Camera& eye,
+  const std::vector<interlume::LightSource>& lights, const interlume::UnitSpace& space, int maximum)
 {
   const std::array<glm::dvec3, 8> corners = GetCorners(space, space.Box);
   std::vector<int> narrow(lights.size());
@@ -253,9 +256,9 @@ void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Eye& eye,
   {
     const Sweep& sweep = plan.Sweeps[index];
     CheckSlabs(check, plan, index, lights, space, corners);
-    check.That(static_cast<int>(sweep.Lights.size()) <= most, "lights of a sweep");
+    check.That(static_cast<int>(sweep.Lights.size()) <= maximum, "number of lights of a sweep");
     const double sign = sweep.IsFrontToBack ? 1.0 : -1.0;
-    check.That(sign * glm::dot(eye.Direction, sweep.Normal) > 0.0, "the eye's side");
+    check.That(sign * glm::dot(eye.Direction, sweep.Normal) > 0.0, "the side of the camera");
     for (const interlume::SlicePlan::ShadowedLight& light : sweep.Lights)
     {
       const auto index = static_cast<std::size_t>(light.Light);
@@ -268,15 +271,16 @@ void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Eye& eye,
       }
       ++narrow[index];
       const std::vector<glm::dvec3> rays = GetRays(source, corners);
-      // A directional one has no other choice, and the eye next to the volume leaves it little.
-      const double least = source.IsPositional ? interlume::SlicePlan::WideCosine - 1e-9 : 0.05;
+      // A directional light has only one direction. A camera close to the volume restricts the
+      // normals further.
+      const double minimum = source.IsPositional ? interlume::SlicePlan::WideCosine - 1e-9 : 0.05;
       check.That(
-        GetLeast(rays, sweep.Normal) >= least, "the least cosine of a light that is not wide");
+        GetMinimum(rays, sweep.Normal) >= minimum, "minimum cosine of a light that is not wide");
       if (std::count_if(sweep.Lights.begin(), sweep.Lights.end(),
             [](const interlume::SlicePlan::ShadowedLight& other) { return !other.IsWide; }) > 1)
       {
-        check.That(GetLeast(rays, sweep.Normal) >= interlume::SlicePlan::LightCosine - 1e-9,
-          "rays of lights that share a sweep");
+        check.That(GetMinimum(rays, sweep.Normal) >= interlume::SlicePlan::LightCosine - 1e-9,
+          "minimum cosine of lights that share a sweep");
       }
       CheckBuffer(check, light, corners,
         source.IsPositional ? interlume::Vectors::SafeLength(source.Position) : 0.0);
@@ -284,36 +288,35 @@ void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Eye& eye,
   }
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    const std::string which = "light " + std::to_string(i);
+    const std::string name = "light " + std::to_string(i);
     if (!(lights[i].ShadowStrength > 0.0) || narrow[i] > 0)
     {
-      check.Equal(narrow[i], lights[i].ShadowStrength > 0.0 ? 1 : 0, which + " once");
-      check.That(wide[i].empty(), which + " is not wide as well");
+      check.Equal(narrow[i], lights[i].ShadowStrength > 0.0 ? 1 : 0, name + " exactly once");
+      check.That(wide[i].empty(), name + " is not wide in another sweep");
       continue;
     }
-    check.That(wide[i].size() == 1 || wide[i].size() == 2, which + " has one or two half spaces");
-    check.That(
-      wide[i].size() < 2 || wide[i][0] == -wide[i][1], which + "'s half spaces are opposite");
+    check.That(wide[i].size() == 1 || wide[i].size() == 2, name + " has one or two half spaces");
+    check.That(wide[i].size() < 2 || wide[i][0] == -wide[i][1], name + " has opposite half spaces");
     for (const glm::dvec3& side : wide[i])
     {
-      double most = 0.0;
+      double maximum = 0.0;
       for (const glm::dvec3& corner : corners)
       {
-        most = std::max(most, glm::dot(corner - lights[i].Position, side));
+        maximum = std::max(maximum, glm::dot(corner - lights[i].Position, side));
       }
-      check.That(most > 0.0, which + " has volume on each of its sides");
+      check.That(maximum > 0.0, name + " has a part of the volume on each side");
     }
     for (const glm::dvec3& corner : corners)
     {
       const bool isLit = std::any_of(wide[i].begin(), wide[i].end(),
         [&](const glm::dvec3& side)
         { return glm::dot(corner - lights[i].Position, side) >= -1e-8; });
-      check.That(isLit, which + " shines on all of the volume");
+      check.That(isLit, name + " illuminates the full volume");
     }
   }
 }
 
-// Cosines that are promised are there if any normal has them.
+// The guaranteed cosines are reached if some normal reaches them.
 void CheckAngles(Check& check, const interlume::SlicePlan& plan,
   const std::vector<glm::dvec3>& eyeRays, const interlume::LightSource& light,
   const std::array<glm::dvec3, 8>& corners)
@@ -323,16 +326,16 @@ void CheckAngles(Check& check, const interlume::SlicePlan& plan,
   const double sign = sweep.IsFrontToBack ? 1.0 : -1.0;
   const auto isGood = [&](const glm::dvec3& normal, double side, double tolerance)
   {
-    return GetLeast(eyeRays, normal, side) >= interlume::SlicePlan::EyeCosine - tolerance &&
-      GetLeast(rays, normal) >= interlume::SlicePlan::LightCosine - tolerance;
+    return GetMinimum(eyeRays, normal, side) >= interlume::SlicePlan::ViewCosine - tolerance &&
+      GetMinimum(rays, normal) >= interlume::SlicePlan::LightCosine - tolerance;
   };
-  const bool asPromised = !sweep.Lights.front().IsWide && isGood(sweep.Normal, sign, 1e-9);
+  const bool isBounded = !sweep.Lights.front().IsWide && isGood(sweep.Normal, sign, 1e-9);
   const std::vector<glm::dvec3> normals = GetNormals(sweep.Normal);
-  check.That(asPromised ||
+  check.That(isBounded ||
       std::none_of(normals.begin(), normals.end(),
         [&](const glm::dvec3& normal)
         { return isGood(normal, 1.0, -1e-6) || isGood(normal, -1.0, -1e-6); }),
-    "all angles are good where there is a normal for it");
+    "all angles are within bounds if a normal exists");
 }
 
 interlume::UnitSpace MakeRandomSpace(Random& random)
@@ -364,7 +367,7 @@ void CheckRandomLight(Check& check)
     const bool isParallel = i % 3 == 0;
     const glm::dvec3 position =
       -random.Get(1.1, 10.0) * view + 0.2 * ToVector(random.GetDirection());
-    const Eye eye = isParallel ? MakeParallel(view) : MakePerspective(position, view, 0.0);
+    const Camera eye = isParallel ? MakeParallel(view) : MakePerspective(position, view, 0.0);
     const interlume::LightSource light = i % 2
       ? MakeDirectional(ToVector(random.GetDirection()))
       : MakePositional(GetRandomDistance(random) * ToVector(random.GetDirection()));
@@ -379,7 +382,7 @@ void CheckRandomLight(Check& check)
   }
 }
 
-// What is in the picture is in order along each ray, with the eye anywhere and lights of all kinds.
+// Visible slices are in order along each view ray, for any camera position and all kinds of lights.
 void CheckRandomLights(Check& check)
 {
   Random random(5);
@@ -390,7 +393,7 @@ void CheckRandomLights(Check& check)
     const glm::dvec3 view = ToVector(random.GetDirection());
     const double tangent = random.Get(0.05, 1.0);
     const glm::dvec3 position = ToVector(random.GetPoint(0.2)) - random.Get(0.0, 3.0) * view;
-    const Eye eye = i % 4 == 0 ? MakeParallel(view) : MakePerspective(position, view, tangent);
+    const Camera eye = i % 4 == 0 ? MakeParallel(view) : MakePerspective(position, view, tangent);
     std::vector<interlume::LightSource> lights;
     for (int number = i % 9; number > 0; --number)
     {
@@ -421,7 +424,7 @@ void CheckRandomLights(Check& check)
         const double sign = sweep.IsFrontToBack ? 1.0 : -1.0;
         check.That(!isSeen ||
             sign * glm::dot(ray, sweep.Normal) > 0.05 * interlume::Vectors::SafeLength(ray),
-          "a ray of the picture goes through the slabs in order");
+          "a view ray passes the slabs in order");
       }
     }
   }
@@ -448,8 +451,8 @@ void CheckHalfVector(Check& check)
   }
 }
 
-// Around the eye in steps of a hundredth of a degree the normal turns as slowly as the light, but
-// for the change of side at 90 degrees.
+// While the light rotates around the view in steps of 0.01 degrees, the normal rotates at most as
+// fast as the light, except for the change of sides at 90 degrees.
 void CheckContinuity(Check& check)
 {
   const interlume::UnitSpace space = MakeCube();
@@ -458,8 +461,9 @@ void CheckContinuity(Check& check)
   {
     for (const double distance : { 1e6, 12.0, 3.0, 2.0 })
     {
-      const Eye eye = distance > 1e5 ? MakeParallel(view)
-                                     : MakePerspective(glm::dvec3(0.0, 0.0, distance), view, 0.0);
+      const Camera eye = distance > 1e5
+        ? MakeParallel(view)
+        : MakePerspective(glm::dvec3(0.0, 0.0, distance), view, 0.0);
       int changes = 0;
       Sweep before;
       for (int step = 0; step <= 18000; ++step)
@@ -469,21 +473,21 @@ void CheckContinuity(Check& check)
         const Sweep sweep =
           Plan(eye, { isPositional ? MakePositional(-2.5 * light) : MakeDirectional(light) }, space)
             .Sweeps.front();
-        check.That(!sweep.Lights.front().IsWide, "the light is outside of the volume");
+        check.That(!sweep.Lights.front().IsWide, "the light is outside the volume");
         if (step > 0 && sweep.IsFrontToBack != before.IsFrontToBack)
         {
           ++changes;
-          check.Near(0.01 * step, 90.0, 1.2e-4, "angle at which the side changes");
+          check.Near(0.01 * step, 90.0, 1.2e-4, "angle where the side changes");
         }
         else if (step > 0)
         {
           check.That(interlume::Vectors::SafeLength(sweep.Normal - before.Normal) < 1e-3,
-            "the normal jumps at " + std::to_string(0.01 * step) + " degrees from " +
+            "the normal is discontinuous at " + std::to_string(0.01 * step) + " degrees from " +
               std::to_string(distance));
         }
         before = sweep;
       }
-      check.Equal(changes, 1, "changes of side from " + std::to_string(distance));
+      check.Equal(changes, 1, "number of side changes at distance " + std::to_string(distance));
     }
   }
 }
@@ -516,28 +520,30 @@ void CheckCounts(Check& check)
     { "against the view", { back }, 1, 0, 0 },
     { "front and back", { front, back }, 2, 1, 0 },
     { "two in front", { front, oblique }, 1, 1, 0 },
-    { "one a little behind shares", { oblique, behindSide }, 1, 1, 0 },
-    { "five are too many for one", { front, front, front, front, front }, 2, 2, 0 },
-    { "at the eye", { MakePositional(eye) }, 1, 1, 0 },
+    { "two lights, one slightly behind the volume, in one sweep", { oblique, behindSide }, 1, 1,
+      0 },
+    { "five lights, more than one sweep may have", { front, front, front, front, front }, 2, 2, 0 },
+    { "at the camera", { MakePositional(eye) }, 1, 1, 0 },
     { "opposite", { MakePositional(glm::dvec3(0.0, 0.0, -4.0)) }, 1, 0, 0 },
     { "inside", { MakePositional(glm::dvec3(0.0, 0.0, 0.0)) }, 2, 1, 2 },
-    { "inside, off the middle", { MakePositional(glm::dvec3(0.1, 0.2, 0.3)) }, 2, 1, 2 },
+    { "inside, off center", { MakePositional(glm::dvec3(0.1, 0.2, 0.3)) }, 2, 1, 2 },
     { "a thousandth inside", { MakePositional(glm::dvec3(0.0, 0.0, side - 1e-3)) }, 2, 1, 2 },
     { "in the front face", { MakePositional(glm::dvec3(0.0, 0.0, side)) }, 1, 1, 1 },
     { "a thousandth in front", { MakePositional(glm::dvec3(0.0, 0.0, side + 1e-3)) }, 1, 1, 1 },
     { "a thousandth behind", { MakePositional(glm::dvec3(0.0, 0.0, -side - 1e-3)) }, 1, 0, 1 },
-    { "a thousandth beside", { MakePositional(glm::dvec3(side + 1e-3, 0.0, 0.0)) }, 2, 1, 2 },
+    { "a thousandth to the side", { MakePositional(glm::dvec3(side + 1e-3, 0.0, 0.0)) }, 2, 1, 2 },
     { "at a million", { MakePositional(glm::dvec3(1e6, 0.0, 1e6)) }, 1, 1, 0 },
     { "at 1e12", { MakePositional(glm::dvec3(1e12, 0.0, -1e12)) }, 1, 0, 0 },
-    { "inside joins front", { front, MakePositional(glm::dvec3(0.0, 0.0, 0.0)) }, 2, 1, 2 },
-    { "in the front face joins", { front, MakePositional(glm::dvec3(0.0, 0.0, side)) }, 1, 1, 1 },
-    { "two inside share",
+    { "one inside, one in front", { front, MakePositional(glm::dvec3(0.0, 0.0, 0.0)) }, 2, 1, 2 },
+    { "one in the front face, one in front", { front, MakePositional(glm::dvec3(0.0, 0.0, side)) },
+      1, 1, 1 },
+    { "two inside",
       { MakePositional(glm::dvec3(0.0, 0.0, 0.0)), MakePositional(glm::dvec3(0.1, 0.2, 0.3)) }, 2,
       1, 4 },
   };
   for (const Case& one : cases)
   {
-    const Eye view = MakePerspective(eye, glm::dvec3(0.0, 0.0, -1.0), 0.27);
+    const Camera view = MakePerspective(eye, glm::dvec3(0.0, 0.0, -1.0), 0.27);
     const interlume::SlicePlan plan = Plan(view, one.Lights, space);
     CheckSweeps(check, plan, view, one.Lights, space, 4);
     int frontToBack = 0;
@@ -551,17 +557,17 @@ void CheckCounts(Check& check)
       }
     }
     check.Equal(static_cast<long long>(plan.Sweeps.size()), one.Sweeps, one.Name + ": sweeps");
-    check.Equal(frontToBack, one.FrontToBack, one.Name + ": from front to back");
+    check.Equal(frontToBack, one.FrontToBack, one.Name + ": front to back");
     check.Equal(wide, one.Wide, one.Name + ": half spaces");
   }
 }
 
-// A light inside the volume has as many slabs as one outside of it has.
+// A light inside the volume has as many slabs as a light outside.
 void CheckHalves(Check& check)
 {
   check.SetContext("halves");
   const interlume::UnitSpace space = MakeCube();
-  const Eye eye = MakePerspective(glm::dvec3(0.0, 0.0, 4.0), glm::dvec3(0.0, 0.0, -1.0), 0.27);
+  const Camera eye = MakePerspective(glm::dvec3(0.0, 0.0, 4.0), glm::dvec3(0.0, 0.0, -1.0), 0.27);
   const auto count = [&](const std::vector<interlume::LightSource>& lights)
   {
     int slabs = 0;
@@ -571,71 +577,71 @@ void CheckHalves(Check& check)
     }
     return slabs;
   };
-  const int whole = count({});
+  const int full = count({});
   const interlume::LightSource inside = MakePositional(glm::dvec3(0.1, 0.2, 0.3));
-  check.That(count({ inside }) <= whole + 1, "a light inside: slabs of one sweep");
+  check.That(count({ inside }) <= full + 1, "a light inside: slabs of one sweep");
   const interlume::SlicePlan plan = Plan(eye, { inside }, space);
-  check.That(plan.IsOfFirstPicture(0) && plan.IsOfFirstPicture(1) && !plan.HasFurtherPictures(),
-    "a light inside: one picture");
-  // The eye's half of a light that shares the other one.
+  check.That(plan.IsOfFirstImage(0) && plan.IsOfFirstImage(1) && !plan.HasFurtherImages(),
+    "a light inside: one image");
+  // The half on the camera's side of another light is shared.
   const interlume::LightSource far = MakePositional(glm::dvec3(0.0, 0.0, -0.2));
-  check.That(count({ inside, far }) < 1.8 * whole, "two lights inside: less than two sweeps");
+  check.That(count({ inside, far }) < 1.8 * full, "two lights inside: fewer than two sweeps");
   const interlume::SlicePlan two = Plan(eye, { inside, far }, space);
-  check.That(two.HasFurtherPictures() && two.Sweeps[0].IsFrontToBack && !two.Sweeps[1].IsBehind,
-    "two lights inside: two pictures, of which the first is whole");
+  check.That(two.HasFurtherImages() && two.Sweeps[0].IsFrontToBack && !two.Sweeps[1].IsBehind,
+    "two lights inside: two images, the first of which is complete");
 }
 
-void CheckDenseMatter(Check& check)
+void CheckDenseMedium(Check& check)
 {
   const interlume::UnitSpace space = MakeUnitSpace({ { 101, 201, 3 } }, { { 1.0, 1.0, 50.0 } });
-  const Eye eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
+  const Camera eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
   interlume::SlicePlan::Settings settings;
-  settings.PictureSize = 1000;
-  // Slabs are 50 thick.
+  settings.SmallerImageSize = 1000;
+  // Slabs are 50 units thick.
   const auto getSize = [&](double depth)
   {
-    const interlume::SlicePlan::Matter matter = { &space, space.Box, 0.0,
+    const interlume::SlicePlan::SlicedVolume volume = { &space, space.Box, 0.0,
       depth * space.Radius / 50.0 };
     interlume::SlicePlan plan;
-    plan.Make(eye, { MakeDirectional(glm::dvec3(0.0, 0.0, -1.0)) }, { matter }, settings);
+    plan.Make(eye, { MakeDirectional(glm::dvec3(0.0, 0.0, -1.0)) }, { volume }, settings);
     return plan.Sweeps[0].Lights[0].BufferSize;
   };
-  check.Equal(getSize(0.99), 208, "thin matter: a texel a voxel");
-  check.Equal(getSize(1.01), 304, "dense matter: one and a half");
-  settings.PictureSize = 260;
-  check.Equal(getSize(1.01), 256, "no more than a texel a pixel");
-  settings.PictureSize = 100;
-  check.Equal(getSize(1.01), 208, "a small picture: no fewer than a texel a voxel");
-  settings.PictureSize = 1000;
+  check.Equal(getSize(0.99), 208, "low density: one texel per voxel");
+  check.Equal(getSize(1.01), 304, "dense medium: 1.5 texels per voxel");
+  settings.SmallerImageSize = 260;
+  check.Equal(getSize(1.01), 256, "at most one texel per pixel");
+  settings.SmallerImageSize = 100;
+  check.Equal(getSize(1.01), 208, "a small image: at least one texel per voxel");
+  settings.SmallerImageSize = 1000;
   settings.BufferSize = 100;
-  check.Equal(getSize(1.01), 100, "dense matter: size as set");
+  check.Equal(getSize(1.01), 100, "dense medium: explicit size");
 }
 
 void CheckSettings(Check& check)
 {
   const interlume::UnitSpace space = MakeUnitSpace({ { 101, 201, 3 } }, { { 1.0, 1.0, 50.0 } });
-  const Eye eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
+  const Camera eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
   const std::vector<interlume::LightSource> lights = { MakeDirectional(
     glm::dvec3(0.0, 0.0, -1.0)) };
   interlume::SlicePlan::Settings settings;
   const auto make = [&] { return Plan(eye, lights, space, settings).Sweeps.front(); };
-  check.Equal(make().Slabs, 2, "one slab for each voxel along the normal");
-  check.Equal(make().Lights[0].BufferSize, 208, "200 voxels across, and the border");
+  check.Equal(make().Slabs, 2, "one slab per voxel along the normal");
+  check.Equal(make().Lights[0].BufferSize, 208, "200 voxels across, plus the border");
   settings.AutomaticFactor = 0.25;
-  check.Equal(make().Slabs, 8, "a quarter of the distance");
+  check.Equal(make().Slabs, 8, "a quarter of the spacing");
   settings.Spacing = 30.0 / space.Radius;
-  check.Equal(make().Slabs, 4, "100 in slabs of at most 30");
-  check.Near(make().Spacing * space.Radius, 25.0, 1e-9, "which are 25");
+  check.Equal(make().Slabs, 4, "a length of 100 in slabs of at most 30");
+  check.Near(make().Spacing * space.Radius, 25.0, 1e-9, "slabs of 25");
   settings.MaximumNumberOfSlabs = 3;
-  check.Equal(make().Slabs, 3, "no more than 3");
+  check.Equal(make().Slabs, 3, "at most 3 slabs");
   settings.Spacing = 1e-300;
-  check.Equal(make().Slabs, 3, "however small the distance");
+  check.Equal(make().Slabs, 3, "at most 3 slabs for any spacing");
   settings.BufferSize = 100;
-  check.Equal(make().Lights[0].BufferSize, 100, "size as set");
+  check.Equal(make().Lights[0].BufferSize, 100, "explicit size");
   settings.LargestBufferSize = 90;
-  check.Equal(make().Lights[0].BufferSize, 90, "and as can be");
+  check.Equal(make().Lights[0].BufferSize, 90, "explicit size, limited");
   settings.BufferSize = 0;
-  check.Equal(make().Lights[0].BufferSize, 90, "automatic as can be");
+  check.Equal(make().Lights[0].BufferSize, 90, "automatic size, limited");
   settings.LargestBufferSize = 8192;
   check.Equal(
     Plan(eye, lights, MakeCube(), settings).Sweeps[0].Lights[0].BufferSize, 80, "64 voxels");
@@ -643,13 +649,13 @@ void CheckSettings(Check& check)
                 .Sweeps[0]
                 .Lights[0]
                 .BufferSize,
-    64, "the smallest automatic one");
+    64, "smallest automatic size");
   check.Equal(Plan(eye, lights, MakeUnitSpace({ { 5001, 9, 9 } }, { { 1.0, 1.0, 1.0 } }), settings)
                 .Sweeps[0]
                 .Lights[0]
                 .BufferSize,
-    2048, "the largest automatic one");
-  // A sheet, and a needle, of 100 voxels by 100 by 50 under oblique light.
+    2048, "largest automatic size");
+  // A sheet and a needle of 100 x 100 x 50 voxels in oblique light.
   const std::vector<interlume::LightSource> oblique = { MakeDirectional(
     Normalize(glm::dvec3(0.3, -0.4, -1.0), {})) };
   const auto getSize = [&](const std::array<double, 3>& spacing)
@@ -658,10 +664,10 @@ void CheckSettings(Check& check)
     return Plan(eye, oblique, volume, settings).Sweeps[0].Lights[0].BufferSize;
   };
   check.Equal(getSize({ { 1.0, 1.0, 1e-9 } }), getSize({ { 1.0, 1.0, 1e-6 } }),
-    "voxels of a sheet that is thinner than a texel need none");
-  check.That(getSize({ { 1.0, 1.0, 1e-9 } }) <= 160, "but those across the sheet");
-  check.That(getSize({ { 1.0, 1e9, 1.0 } }) <= 160, "and those along a needle");
-  check.Equal(getSize({ { 1.0, 1.0, 0.01 } }), 2048, "those of a thicker sheet do");
+    "the thickness of a sheet below a texel does not affect the size");
+  check.That(getSize({ { 1.0, 1.0, 1e-9 } }) <= 160, "a sheet needs texels for its area");
+  check.That(getSize({ { 1.0, 1e9, 1.0 } }) <= 160, "a needle needs texels along its length");
+  check.Equal(getSize({ { 1.0, 1.0, 0.01 } }), 2048, "a thicker sheet needs more texels");
 
   const glm::dvec3 voxel{ 1.0 / space.Radius, 1.0 / space.Radius, 50.0 / space.Radius };
   Random random(5);
@@ -670,18 +676,19 @@ void CheckSettings(Check& check)
     const glm::dvec3 n = ToVector(random.GetDirection());
     const glm::dvec3 a{ n[0] / voxel[0], n[1] / voxel[1], n[2] / voxel[2] };
     check.Near(interlume::SlicePlan::GetVoxelSpacing(space, n), 1.0 / std::sqrt(glm::dot(a, a)),
-      1e-12, "a voxel's length along a normal");
+      1e-12, "length of a voxel along a normal");
   }
 }
 
-// The screen's corners are at the buffer's border where the screen is smaller than the box.
+// If the screen is smaller than the box, the screen's corners are at the buffer's border.
 void CheckScreens(Check& check)
 {
   const interlume::UnitSpace space = MakeCube();
-  const Eye eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
+  const Camera eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
   for (const bool isPositional : { false, true })
   {
-    check.SetContext(isPositional ? "screen of a positional light" : "screen of a parallel light");
+    check.SetContext(
+      isPositional ? "screen of a positional light" : "screen of a directional light");
     vtkNew<vtkProjectiveLight> projective;
     projective->SetPositional(isPositional);
     projective->SetPosition(2.0, 0.5, 2.0);
@@ -709,25 +716,27 @@ void CheckScreens(Check& check)
       {
         const glm::dvec3 corner = glm::dvec3(0.1, 0.0, 0.0) + (0.15 * u) * right + (0.1 * v) * up;
         const glm::dvec4 to = cut.BufferFromUnit * glm::dvec4(corner, 1.0);
-        check.That(to[3] > 0.0, "in front");
+        check.That(to[3] > 0.0, "w is positive in front");
         check.Near(to[0] / to[3], u * border, 1e-9, "across");
         check.Near(to[1] / to[3], v * border, 1e-9, "up");
       }
     }
     CheckBuffer(check, make(100.0, 100.0), GetCorners(space, space.Box), 0.0);
-    check.Equal(cut.BufferSize, 64, "a small part needs few texels");
+    check.Equal(cut.BufferSize, 64, "a small screen needs few texels");
   }
 }
 
-// A camera as far away as 1e300 leaves no ray to a corner: the view's direction remains.
+// For a camera at a distance of 1e300, rays to vertices are undefined. The view direction is used
+// instead.
 void CheckEyeWithoutPosition(Check& check)
 {
   const interlume::UnitSpace space = MakeCube();
-  Eye eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
+  Camera eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
   eye.IsParallel = false;
   eye.Position = glm::dvec3(std::numeric_limits<double>::quiet_NaN());
-  check.SetContext("eye without a position");
-  check.Equal(Plan(eye, {}, space).Sweeps.front().Normal == eye.Direction, true, "along the view");
+  check.SetContext("camera without a position");
+  check.Equal(Plan(eye, {}, space).Sweeps.front().Normal == eye.Direction, true,
+    "the normal is along the view");
   const Sweep sweep = Plan(eye, { MakeDirectional(glm::dvec3(0.0, -1.0, 0.0)) }, space).Sweeps[0];
   check.Near(glm::length(sweep.Normal), 1.0, 1e-12, "length of the normal", 1.0);
 }
@@ -746,22 +755,22 @@ void CheckOctahedralMap(Check& check)
     std::copy_n(glm::value_ptr(normal), 3, frame.begin() + 6);
     glm::dvec3 direction = ToVector(random.GetDirection());
     const double along = glm::dot(direction, normal);
-    // Some on the rim.
+    // Every fifth direction is on the boundary of the half space.
     direction = Normalize(
       (along < 0.0 ? -1.0 : 1.0) * direction + (i % 5 ? 0.0 : -std::abs(along)) * normal, normal);
-    const std::array<double, 2> place =
-      interlume::SlicePlan::GetBufferPlace(frame, random.Get(0.1, 10.0) * direction);
-    const glm::dvec3 back = interlume::SlicePlan::GetBufferDirection(frame, place);
-    for (const double coordinate : place)
+    const std::array<double, 2> position =
+      interlume::SlicePlan::GetBufferPosition(frame, random.Get(0.1, 10.0) * direction);
+    const glm::dvec3 back = interlume::SlicePlan::GetBufferDirection(frame, position);
+    for (const double coordinate : position)
     {
-      check.That(coordinate > -1e-12 && coordinate < 1.0 + 1e-12, "inside of the buffer");
+      check.That(coordinate > -1e-12 && coordinate < 1.0 + 1e-12, "inside the buffer");
     }
-    check.Near(glm::dot(back, direction), 1.0, 1e-12, "and back");
+    check.Near(glm::dot(back, direction), 1.0, 1e-12, "mapped back to the direction");
     const double x = glm::dot(direction, first);
     const double y = glm::dot(direction, second);
     const double size = std::abs(x) + std::abs(y) + glm::dot(direction, normal);
-    check.Near(place[0], 0.5 + 0.5 * (x + y) / size, 1e-12, "first coordinate", 1.0);
-    check.Near(place[1], 0.5 + 0.5 * (x - y) / size, 1e-12, "second coordinate", 1.0);
+    check.Near(position[0], 0.5 + 0.5 * (x + y) / size, 1e-12, "first coordinate", 1.0);
+    check.Near(position[1], 0.5 + 0.5 * (x - y) / size, 1e-12, "second coordinate", 1.0);
   }
 }
 }
@@ -773,7 +782,7 @@ int TestSlicePlan(int, char*[])
   CheckContinuity(check);
   CheckCounts(check);
   CheckHalves(check);
-  CheckDenseMatter(check);
+  CheckDenseMedium(check);
   CheckSettings(check);
   CheckScreens(check);
   CheckEyeWithoutPosition(check);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The polygons of slices against the same planes clipped to each block by itself: areas, points
-// that are covered once, ties, and threads.
+// Polygons of slices, compared with planes that are clipped to each block separately: areas,
+// coverage of points, planes on block faces, and threads.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
 #include "Support/Checks/ReferenceRandom.h"
@@ -17,7 +17,7 @@ namespace
 using namespace reference;
 using namespace interlume::UnitVector;
 
-// The same place as a vector of GLM.
+// Converts an array to a GLM vector.
 glm::dvec3 ToVector(const std::array<double, 3>& a)
 {
   return glm::make_vec3(a.data());
@@ -36,7 +36,7 @@ struct Scene
   interlume::SlicePlan::Sweep Sweep;
 };
 
-// As interlume::VolumeBlocks has them, between the centres of the outermost texels.
+// Returns borders as in interlume::VolumeBlocks, between the centers of the outermost texels.
 std::vector<double> MakeBorders(int size, int block)
 {
   std::vector<double> borders;
@@ -58,10 +58,10 @@ void SetSlabs(Scene& scene, const glm::dvec3& normal, int slabs)
     {
       for (const double z : scene.Crop[2])
       {
-        const double place =
+        const double position =
           glm::dot(normal, TransformPoint(scene.Space.UnitFromTexture, glm::dvec3(x, y, z)));
-        lower = std::min(lower, place);
-        upper = std::max(upper, place);
+        lower = std::min(lower, position);
+        upper = std::max(upper, position);
       }
     }
   }
@@ -71,7 +71,7 @@ void SetSlabs(Scene& scene, const glm::dvec3& normal, int slabs)
   scene.Sweep.Spacing = (upper - lower) / slabs;
 }
 
-// Each visible block by itself.
+// Returns the box of each visible block.
 std::vector<Box> GetBlocks(const Scene& scene)
 {
   std::vector<Box> blocks;
@@ -80,21 +80,21 @@ std::vector<Box> GetBlocks(const Scene& scene)
   for (int axis = 0; axis < 3; ++axis)
   {
     sizes[axis] = scene.Borders[axis].size() - 1;
-    // Moves the face's plane by the margin.
+    // The margin is measured in unit space, perpendicular to the face.
     margins[axis] = scene.Margin * glm::length(GetRow(scene.Space.TextureFromUnit, axis));
   }
   for (std::size_t block = 0; block < scene.Visible.size(); ++block)
   {
-    const std::size_t place[3] = { block % sizes[0], block / sizes[0] % sizes[1],
+    const std::size_t position[3] = { block % sizes[0], block / sizes[0] % sizes[1],
       block / sizes[0] / sizes[1] };
     Box box;
     bool isEmpty = scene.Visible[block] == 0;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const std::array<double, 2>& crop = scene.Crop[axis];
-      const double start = place[axis] == 0 ? -1.0 : scene.Borders[axis][place[axis]];
+      const double start = position[axis] == 0 ? -1.0 : scene.Borders[axis][position[axis]];
       const double end =
-        place[axis] + 1 == sizes[axis] ? 2.0 : scene.Borders[axis][place[axis] + 1];
+        position[axis] + 1 == sizes[axis] ? 2.0 : scene.Borders[axis][position[axis] + 1];
       isEmpty = isEmpty || start >= crop[1] || end <= crop[0];
       box[axis][0] = start > crop[0] ? start : crop[0] - margins[axis];
       box[axis][1] = end < crop[1] ? end : crop[1] + margins[axis];
@@ -107,7 +107,7 @@ std::vector<Box> GetBlocks(const Scene& scene)
   return blocks;
 }
 
-// Two directions in the plane.
+// Returns two directions in the plane.
 std::array<glm::dvec3, 2> GetAxes(const glm::dvec3& normal)
 {
   const glm::dvec3 first = Perpendicular(normal, { 0.3, 0.8, 0.5 });
@@ -125,8 +125,8 @@ double GetArea(const Polygon& polygon)
   return interlume::Vectors::SafeLength(sum);
 }
 
-// The part of the plane in a block: a large square clipped by its faces.
-Polygon ClipPlane(const Scene& scene, double place, const Box& block)
+// Returns the intersection of the plane with a block: a large square clipped by the block's faces.
+Polygon ClipPlane(const Scene& scene, double position, const Box& block)
 {
   const glm::dvec3& normal = scene.Sweep.Normal;
   const std::array<glm::dvec3, 2> axes = GetAxes(normal);
@@ -134,7 +134,7 @@ Polygon ClipPlane(const Scene& scene, double place, const Box& block)
   for (const std::array<double, 2>& corner : { std::array<double, 2>{ { -9.0, -9.0 } },
          { { 9.0, -9.0 } }, { { 9.0, 9.0 } }, { { -9.0, 9.0 } } })
   {
-    polygon.push_back(place * normal + corner[0] * axes[0] + corner[1] * axes[1]);
+    polygon.push_back(position * normal + corner[0] * axes[0] + corner[1] * axes[1]);
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -172,7 +172,7 @@ Polygon ClipPlane(const Scene& scene, double place, const Box& block)
 using Point = std::array<double, 2>;
 using Triangle = std::array<Point, 3>;
 
-// Of the slab's triangles, in the plane. Equal vertices stay equal.
+// Returns the triangles of a slab in plane coordinates. Equal vertices remain equal.
 std::vector<Triangle> GetTriangles(
   const Scene& scene, const interlume::SlicePolygons& polygons, int slab)
 {
@@ -194,7 +194,8 @@ std::vector<Triangle> GetTriangles(
   return triangles;
 }
 
-// Which side of an edge a point is on; the same edge gives the same answer in both triangles.
+// Returns true if a point is to the left of an edge. The result is consistent between both
+// triangles of the edge.
 bool IsLeft(const Point& a, const Point& b, const Point& p)
 {
   if (b < a)
@@ -214,7 +215,7 @@ int CountCover(const std::vector<Triangle>& triangles, const Point& p)
     }));
 }
 
-// How far inside of a block a point is, in texture coordinates.
+// Returns the distance of a point inside a block to its boundary, in texture coordinates.
 double GetDepth(const Box& block, const glm::dvec3& texture)
 {
   double depth = 1.0;
@@ -225,8 +226,8 @@ double GetDepth(const Box& block, const glm::dvec3& texture)
   return depth;
 }
 
-// Areas of each slab, and points of its plane: inside of the visible blocks they are covered once,
-// on common faces too, and outside not at all.
+// Checks the areas of each slab, and points in its plane: points in visible blocks are covered
+// exactly once, also on common faces, and other points are not covered.
 void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
 {
   interlume::SlicePolygons polygons;
@@ -238,13 +239,13 @@ void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
   const std::array<glm::dvec3, 2> axes = GetAxes(scene.Sweep.Normal);
   for (int slab = 0; slab < scene.Sweep.Slabs; ++slab)
   {
-    const double place = scene.Sweep.First + (slab + 0.5) * scene.Sweep.Spacing;
-    // Just into the upper side where planes are along faces.
-    const double beside = place + (hasTies ? 1e-9 : 0.0);
+    const double position = scene.Sweep.First + (slab + 0.5) * scene.Sweep.Spacing;
+    // If planes coincide with faces, the expected area is that of a plane slightly above.
+    const double sampledPosition = position + (hasTies ? 1e-9 : 0.0);
     double expected = 0.0;
     for (const Box& block : blocks)
     {
-      expected += GetArea(ClipPlane(scene, beside, block));
+      expected += GetArea(ClipPlane(scene, sampledPosition, block));
     }
     double found = 0.0;
     const std::vector<Triangle> triangles = GetTriangles(scene, polygons, slab);
@@ -254,19 +255,21 @@ void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
         std::abs(
           (t[1][0] - t[0][0]) * (t[2][1] - t[0][1]) - (t[1][1] - t[0][1]) * (t[2][0] - t[0][0]));
       found += area;
-      check.That(t[0] != t[1] && t[1] != t[2] && t[2] != t[0], "a triangle has three corners");
+      check.That(
+        t[0] != t[1] && t[1] != t[2] && t[2] != t[0], "the vertices of a triangle are distinct");
     }
     check.Near(found, expected, 2e-6, "area of slab " + std::to_string(slab), 1.0);
     check.That(polygons.IsEmpty(slab) == triangles.empty(), "empty slabs");
 
     const auto checkPoint = [&](const Point& p)
     {
-      const glm::dvec3 unit = beside * scene.Sweep.Normal + p[0] * axes[0] + p[1] * axes[1];
+      const glm::dvec3 unit =
+        sampledPosition * scene.Sweep.Normal + p[0] * axes[0] + p[1] * axes[1];
       const glm::dvec3 texture = TransformPoint(scene.Space.TextureFromUnit, unit);
       double depth = -1.0;
       for (const Box& block : blocks)
       {
-        // A little larger, so that points on common faces are inside of one.
+        // Boxes are enlarged slightly, so that points on common faces are inside.
         Box larger = block;
         for (std::array<double, 2>& range : larger)
         {
@@ -274,7 +277,7 @@ void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
         }
         depth = std::max(depth, GetDepth(larger, texture));
       }
-      // Near the outline of what is visible either may be.
+      // Points close to the boundary of the visible blocks may be covered or not.
       bool isNear = false;
       for (int corner = 0; corner < 8; ++corner)
       {
@@ -290,7 +293,7 @@ void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
       if (!isNear)
       {
         check.Equal(CountCover(triangles, p), depth > 0.0 ? 1 : 0,
-          "cover of a point of slab " + std::to_string(slab));
+          "coverage of a point of slab " + std::to_string(slab));
       }
     };
     for (int i = 0; i < 20; ++i)
@@ -299,7 +302,7 @@ void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
     }
     for (std::size_t i = 0; i < triangles.size(); i += 7)
     {
-      // On the triangle's edges, most of them common to two.
+      // Points on edges, most of which are shared by two triangles.
       for (std::size_t edge = 0; edge < 3; ++edge)
       {
         const Point& a = triangles[i][edge];
@@ -324,7 +327,7 @@ void CheckRandom(Check& check)
     {
       size[axis] = number % 10 == 0 && axis == 2 ? 2 : static_cast<int>(random.Get(2.0, 40.0));
       const auto block = static_cast<int>(random.Get(2.0, 16.0));
-      // Cells, of which there is one less.
+      // The number of cells is one less than the number of points.
       scene.Borders[axis] =
         size[axis] == 2 ? std::vector<double>{ 0.5, 0.5 } : MakeBorders(size[axis] - 1, block);
       blocks *= scene.Borders[axis].size() - 1;
@@ -332,10 +335,10 @@ void CheckRandom(Check& check)
     const double shear = number % 4 == 0 ? random.Get(-1.0, 1.0) : 0.0;
     scene.Space = MakeUnitSpace(
       size, { { random.Get(0.5, 2.0), random.Get(0.5, 2.0), random.Get(0.5, 2.0) } }, shear);
-    const double share = number % 5 == 0 ? 1.1 : random.Get(0.1, 0.9);
+    const double fraction = number % 5 == 0 ? 1.1 : random.Get(0.1, 0.9);
     for (std::size_t block = 0; block < blocks; ++block)
     {
-      scene.Visible.push_back(random.Get(0.0, 1.0) < share ? 1 : 0);
+      scene.Visible.push_back(random.Get(0.0, 1.0) < fraction ? 1 : 0);
     }
     scene.Crop = scene.Space.Box;
     for (std::size_t axis = 0; axis < 3 && number % 3 == 0; ++axis)
@@ -348,7 +351,7 @@ void CheckRandom(Check& check)
   }
 }
 
-// Unit space of which all coordinates of block borders are exact.
+// Returns a unit space in which all block borders have exact coordinates.
 interlume::UnitSpace MakeExactSpace()
 {
   interlume::UnitSpace space;
@@ -361,7 +364,7 @@ interlume::UnitSpace MakeExactSpace()
   return space;
 }
 
-// Planes along the faces of blocks and through their corners.
+// Tests planes on the faces of blocks and through their vertices.
 void CheckTies(Check& check)
 {
   Random random(11);
@@ -374,7 +377,7 @@ void CheckTies(Check& check)
   {
     for (const bool isFull : { false, true })
     {
-      check.SetContext("planes along faces and through corners");
+      check.SetContext("planes on faces and through vertices");
       Scene scene;
       scene.Space = MakeExactSpace();
       scene.Borders.fill({ 0.0, 0.25, 0.5, 0.75, 1.0 });
@@ -383,14 +386,14 @@ void CheckTies(Check& check)
         scene.Visible.push_back(isFull || random.Get(0.0, 1.0) < 0.5 ? 1 : 0);
       }
       scene.Crop = scene.Space.Box;
-      // Slabs around the borders, and beyond them.
+      // Slabs include the planes of the borders and one plane outside.
       SetSlabs(scene, normal, 4);
       scene.Sweep.First -= 0.5 * scene.Sweep.Spacing;
       scene.Sweep.Slabs = 5;
       CheckScene(check, scene, random, true);
     }
   }
-  // Outer faces: the lower one is drawn, the upper one is not.
+  // Outer faces: the lower face is drawn, the upper face is not.
   Scene scene;
   scene.Space = MakeExactSpace();
   scene.Borders.fill({ 0.0, 0.5, 1.0 });
@@ -403,7 +406,7 @@ void CheckTies(Check& check)
   polygons.Build(scene.Sweep, { scene.Borders, scene.Visible }, scene.Space, scene.Crop, 0.0);
   check.That(!polygons.IsEmpty(0) && !polygons.IsEmpty(1) && polygons.IsEmpty(2),
     "a block owns its lower face");
-  // One block for all that is visible: two triangles.
+  // All visible blocks are merged into one polygon of two triangles.
   check.Equal(static_cast<long long>(polygons.GetStarts()[2] - polygons.GetStarts()[1]), 6,
     "vertices of a slab across all blocks");
 }
@@ -434,12 +437,12 @@ void CheckThreads(Check& check)
     return std::make_pair(polygons.GetVertices(), polygons.GetStarts());
   };
   CheckSame("polygons", get, check);
-  // Nothing is left of what was there before.
+  // Results of earlier calls are cleared.
   scene.Visible.assign(512, 0);
   build();
   check.That(
     polygons.GetVertices().empty() && polygons.GetNumberOfSlabs() == 300 && polygons.IsEmpty(0),
-    "no triangles where nothing is visible");
+    "there are no triangles without visible blocks");
 }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every choice in the table of SliceFeatures, and every pair of choices that may meet, is a program
-// that OpenGL compiles.
+// Each choice in the table of SliceFeatures, and each valid pair of choices, yields a program that
+// OpenGL compiles.
 #include "Buffers/SlicePass.h"
 #include "Shaders/SliceFeatures.h"
 
@@ -23,36 +23,35 @@ namespace
 using interlume::SliceFeatures;
 using reference::Check;
 using Choice = SliceFeatures::Choice;
-using Words = std::set<std::string>;
+using Macros = std::set<std::string>;
 
-Words Split(const std::string& text)
+Macros Split(const std::string& text)
 {
-  Words words;
+  Macros macros;
   std::istringstream stream(text);
-  for (std::string word; stream >> word;)
+  for (std::string macro; stream >> macro;)
   {
-    words.insert(word);
+    macros.insert(macro);
   }
-  return words;
+  return macros;
 }
 
-std::string GetName(const std::string& word)
+std::string GetName(const std::string& macro)
 {
-  return word.substr(0, word.find('='));
+  return macro.substr(0, macro.find('='));
 }
 
-/// Returns whether a macro is among the words, with the value that \a macro has or, without one,
-/// with any.
-bool Has(const Words& words, const std::string& macro)
+/// Returns true if the set contains a macro, with its value if given, otherwise with any value.
+bool Has(const Macros& macros, const std::string& name)
 {
-  return std::any_of(words.begin(), words.end(),
-    [&macro](const std::string& word) { return word == macro || GetName(word) == macro; });
+  return std::any_of(macros.begin(), macros.end(),
+    [&name](const std::string& macro) { return macro == name || GetName(macro) == name; });
 }
 
-bool HasAll(const Words& words, const Choice& choice)
+bool HasAll(const Macros& macros, const Choice& choice)
 {
-  const Words own = Split(choice.Macros);
-  return std::includes(words.begin(), words.end(), own.begin(), own.end());
+  const Macros chosen = Split(choice.Macros);
+  return std::includes(macros.begin(), macros.end(), chosen.begin(), chosen.end());
 }
 
 std::vector<Choice> GetChoices(SliceFeatures::Programs program)
@@ -68,64 +67,65 @@ std::vector<Choice> GetChoices(SliceFeatures::Programs program)
   return choices;
 }
 
-/// Returns the macros of a program with two choices, which may be the same one; none if these
-/// cannot meet.
-Words Combine(const std::vector<Choice>& choices, const Choice& first, const Choice& second)
+/// Returns the macros of a program with two choices, which may be equal, or an empty set if the
+/// choices exclude each other.
+Macros Combine(const std::vector<Choice>& choices, const Choice& first, const Choice& second)
 {
   if (std::string(first.Aspect) == second.Aspect && std::string(first.Macros) != second.Macros)
   {
     return {};
   }
-  Words words;
-  Words aspects;
+  Macros macros;
+  std::set<std::string> aspects;
   for (const Choice* choice : { &first, &second })
   {
     aspects.insert(choice->Aspect);
-    words.merge(Split(choice->Macros));
-    words.merge(Split(choice->Needs));
+    macros.merge(Split(choice->Macros));
+    macros.merge(Split(choice->Needs));
   }
   for (const Choice& choice : choices)
   {
     if (choice.IsRequired && aspects.insert(choice.Aspect).second)
     {
-      words.merge(Split(choice.Macros));
+      macros.merge(Split(choice.Macros));
     }
   }
-  const auto isMade = [&](const Choice& choice)
+  const auto isSelected = [&](const Choice& choice)
   {
-    // Of choices for one aspect of which one has the macros of another and more, the former.
-    return HasAll(words, choice) &&
+    // If the macros of one choice include the macros of another choice for the same aspect, the
+    // larger choice is selected.
+    return HasAll(macros, choice) &&
       std::none_of(choices.begin(), choices.end(),
         [&](const Choice& other)
         {
-          return std::string(other.Aspect) == choice.Aspect && HasAll(words, other) &&
+          return std::string(other.Aspect) == choice.Aspect && HasAll(macros, other) &&
             Split(other.Macros).size() > Split(choice.Macros).size();
         });
   };
   const bool isValid = std::none_of(choices.begin(), choices.end(),
     [&](const Choice& choice)
     {
-      const Words excluded = Split(choice.Excludes);
-      return isMade(choice) &&
+      const Macros excluded = Split(choice.Excludes);
+      return isSelected(choice) &&
         std::any_of(excluded.begin(), excluded.end(),
-          [&words](const std::string& macro) { return Has(words, macro); });
+          [&macros](const std::string& name) { return Has(macros, name); });
     });
-  return isValid ? words : Words();
+  return isValid ? macros : Macros();
 }
 
-std::string MakeSource(SliceFeatures::Programs program, const Words& words)
+std::string MakeSource(SliceFeatures::Programs program, const Macros& macros)
 {
   SliceFeatures features(program);
-  for (const std::string& word : words)
+  for (const std::string& macro : macros)
   {
-    const std::string name = GetName(word);
-    if (name == word)
+    const std::string name = GetName(macro);
+    if (name == macro)
     {
       features.Add(name);
     }
     else
     {
-      features.AddValue(name, word.substr(name.size() + 1));
+      features.AddValue(name, macro.substr(name.size() + 1));
     }
   }
   SliceFeatures::Sources sources;
@@ -144,18 +144,18 @@ vec2 reflectionOf(vec3 axis, vec3 l, vec3 eye)
   return vec2(dot(axis, l), dot(axis, eye));
 }
 )";
-  const bool hasLight = program == SliceFeatures::RECEIVER || Has(words, "LIT");
+  const bool hasLight = program == SliceFeatures::RECEIVER || Has(macros, "LIT");
   sources.Lights.resize(hasLight && program != SliceFeatures::LIGHT ? 1 : 0);
-  sources.HasFluence = Has(words, "FIELD_MAPS");
+  sources.HasFluence = Has(macros, "FIELD_MAPS");
   return features.MakeSource(sources);
 }
 
-void TestProgram(SliceFeatures::Programs program, const std::string& name, std::size_t least,
+void TestProgram(SliceFeatures::Programs program, const std::string& name, std::size_t minimum,
   vtkOpenGLRenderWindow* window, Check& check)
 {
   const std::vector<Choice> choices = GetChoices(program);
-  std::set<Words> combinations;
-  Words met;
+  std::set<Macros> combinations;
+  Macros used;
   for (const Choice& first : choices)
   {
     for (const Choice& second : choices)
@@ -163,28 +163,28 @@ void TestProgram(SliceFeatures::Programs program, const std::string& name, std::
       combinations.insert(Combine(choices, first, second));
     }
   }
-  combinations.erase(Words());
+  combinations.erase(Macros());
   vtkNew<vtkOpenGLBufferObject> vertices;
   vertices->Upload(std::vector<float>(9, 0.5F), vtkOpenGLBufferObject::ArrayBuffer);
   interlume::SlicePass pass;
-  for (const Words& words : combinations)
+  for (const Macros& macros : combinations)
   {
     std::string text = name + ":";
-    for (const std::string& word : words)
+    for (const std::string& macro : macros)
     {
-      text += " " + word;
+      text += " " + macro;
     }
-    met.insert(words.begin(), words.end());
-    const interlume::Error error = pass.Prepare(window, MakeSource(program, words), vertices);
+    used.insert(macros.begin(), macros.end());
+    const interlume::Error error = pass.Prepare(window, MakeSource(program, macros), vertices);
     check.That(!error, text + ": " + error.GetMessage());
   }
   for (const Choice& choice : choices)
   {
-    check.That(HasAll(met, choice), name + ": a program has " + choice.Macros);
+    check.That(HasAll(used, choice), name + ": some program has " + choice.Macros);
   }
-  check.That(combinations.size() >= least,
-    name + ": " + std::to_string(combinations.size()) + " programs are at least " +
-      std::to_string(least));
+  check.That(combinations.size() >= minimum,
+    name + ": " + std::to_string(combinations.size()) + " programs, at least " +
+      std::to_string(minimum));
   pass.ReleaseGraphicsResources();
   vertices->ReleaseGraphicsResources();
 }
@@ -205,6 +205,7 @@ int TestSliceShaders(int, char*[])
   TestProgram(SliceFeatures::RECEIVER, "receiver", 120, opengl, check);
   SliceFeatures unknown(SliceFeatures::IMAGE);
   unknown.Add("SHADOWS");
-  check.That(unknown.MakeSource({}).find("#error SHADOWS") == 0, "a macro outside of the table");
+  check.That(
+    unknown.MakeSource({}).find("#error SHADOWS") == 0, "a macro that is not in the table");
   return check.Result();
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A random sequence of changes to area lights and soft shadows, each picture the same as that of a
-// mapper made anew.
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+// A random sequence of changes to area lights and soft shadows. After each change, the image equals
+// that of a new mapper.
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 
@@ -42,17 +42,17 @@ int TestSoftShadowChanges(int, char*[])
   {
     Configure(mapper, scene);
     stage.SetLights(scene.Lights);
-    const RgbaPicture found = ReadWindow(stage.GetWindow());
+    const RgbaImage found = ReadWindow(stage.GetWindow());
     soft += mapper->GetReport()->GetNumber("SoftShadowPasses") > 0 ? 1 : 0;
 
     vtkNew<Mapper> other;
     other->SetSoftShadowMethod(mapper->GetSoftShadowMethod());
     other->SetNumberOfLightSamples(mapper->GetNumberOfLightSamples());
     other->SetLightBufferSize(mapper->GetLightBufferSize());
-    VolumeStage anew(scene.Size);
-    SetScene(anew, other, scene);
-    check.Near(ComparePictures(found, ReadWindow(anew.GetWindow())).Max, 0.0, 0.0,
-      "picture " + std::to_string(i), 1.0);
+    VolumeStage fresh(scene.Size);
+    SetScene(fresh, other, scene);
+    check.Near(CompareImages(found, ReadWindow(fresh.GetWindow())).Max, 0.0, 0.0,
+      "image " + std::to_string(i), 1.0);
 
     const int size = pick(4);
     switch (pick(8))
@@ -87,7 +87,7 @@ int TestSoftShadowChanges(int, char*[])
         break;
     }
   }
-  std::cout << soft << " pictures of " << changes << " with soft shadows\n";
-  check.That(soft > changes / 3, "pictures with soft shadows");
+  std::cout << soft << " images of " << changes << " with soft shadows\n";
+  check.That(soft > changes / 3, "number of images with soft shadows");
   return check.Result();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Soft shadows that surfaces cast by vtkShadowedScenePass: the penumbra of a half plane against its
-// exact profile, under square and round lights, parallel and tilted, near and far.
+// Soft shadows of surfaces in vtkShadowedScenePass: the penumbra of a half plane compared with its
+// exact profile, for square and round lights, parallel and tilted, positional and directional.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceReport.h"
 #include "Support/Light/ReferencePenumbra.h"
@@ -24,8 +24,8 @@ namespace
 {
 using namespace reference;
 
-/// A half plane x < 0 at a height of GAP above the floor z = 0, and a light at GAP / Ratio from its
-/// edge, so that the penumbra is WIDTH wide under a light that is not tilted.
+/// A half plane x < 0 at height GAP above the floor z = 0, and a light at distance GAP / Ratio from
+/// its edge. The penumbra has the width WIDTH unless the light is tilted.
 struct Case
 {
   std::string Name;
@@ -35,9 +35,9 @@ struct Case
   int Samples = 16;
   int Resolution = 1024;
   bool IsPositional = true;
-  /// How far the emitter is turned around its axis, in degrees.
-  double Turn = 0.0;
-  /// The most that the width, as a share, and the profile may be off.
+  /// Rotation of the emitter around its axis, in degrees.
+  double Rotation = 0.0;
+  /// Bounds of the relative width error and of the largest profile error.
   double WidthBound = 0.05;
   double ProfileBound = 0.05;
 };
@@ -57,7 +57,7 @@ Profile MeasureProfile(const Case& half)
 {
   const double angle = half.Tilt * std::acos(-1.0) / 180.0;
   const glm::dvec3 toLight(std::sin(angle), 0.0, std::cos(angle));
-  // Moved so that the shadow's edge is in the middle of the picture.
+  // The scene is shifted such that the shadow's edge is at the center of the image.
   const double shift = GAP * std::tan(angle);
   const glm::dvec3 edge(shift, 0.0, GAP);
   const glm::dvec3 center = edge + (GAP / half.Ratio) * toLight;
@@ -75,27 +75,27 @@ Profile MeasureProfile(const Case& half)
   light->SetConeAngle(180.0);
   light->SetShape(half.IsRound ? vtkAreaLight::ROUND : vtkAreaLight::SQUARE);
   light->SetSize(size, size);
-  const double turn = half.Turn * std::acos(-1.0) / 180.0;
+  const double rotation = half.Rotation * std::acos(-1.0) / 180.0;
   const glm::dvec3 right(std::cos(angle), 0.0, -std::sin(angle));
   const glm::dvec3 across(0.0, 1.0, 0.0);
-  const glm::dvec3 up = std::cos(turn) * across - std::sin(turn) * right;
+  const glm::dvec3 up = std::cos(rotation) * across - std::sin(rotation) * right;
   light->SetViewUp(glm::value_ptr(up));
   light->SetShadowAttenuation(1.0F);
   stage.Stage.SetLights({ light.Get() });
-  // The near plane cuts the half plane off, so that the eye sees the floor behind it.
+  // The near plane cuts off the half plane, so that the floor behind it is visible.
   stage.Stage.GetRenderer()->GetActiveCamera()->SetClippingRange(
     4.0 * SIZE - 0.5 * GAP, 8.0 * SIZE);
-  const RgbaPicture with = stage.Draw();
+  const RgbaImage with = stage.Draw();
   const auto report = CopyReport(stage.GetReport());
   stage.Pass->ShadowsOff();
-  const RgbaPicture without = stage.Draw();
+  const RgbaImage without = stage.Draw();
 
   ReferencePenumbra reference;
   reference.IsRound = half.IsRound;
   reference.IsPositional = half.IsPositional;
   reference.Center = center - edge;
   reference.Center.z += half.IsPositional ? GAP : 0.0;
-  reference.Axes = { size * (std::cos(turn) * right + std::sin(turn) * across), size * up };
+  reference.Axes = { size * (std::cos(rotation) * right + std::sin(rotation) * across), size * up };
   reference.Height = GAP;
   Profile profile;
   for (int i = 0; i < PIXELS; ++i)
@@ -103,14 +103,14 @@ Profile MeasureProfile(const Case& half)
     const double x = ((i + 0.5) / PIXELS - 0.5) * SIZE;
     const double lit = without.At(i, PIXELS / 2)[0];
     profile.Found.push_back(with.At(i, PIXELS / 2)[0] / lit);
-    profile.Exact.push_back(reference.GetShare({ x - shift, 0.5 * SIZE / PIXELS, 0.0 }));
+    profile.Exact.push_back(reference.GetLightFraction({ x - shift, 0.5 * SIZE / PIXELS, 0.0 }));
   }
   std::cout << half.Name << ": " << report->GetNumber("SampleMaps") << " maps of "
             << report->GetNumber("SampleMapResolution") << "^2, ";
   return profile;
 }
 
-/// The left half of an emitter is red, the right one blue: each has the shadow of that half.
+/// The left half of an emitter is red, the right half blue. Each color has the shadow of its half.
 void TestColors(Check& check)
 {
   constexpr double size = WIDTH;
@@ -141,17 +141,17 @@ void TestColors(Check& check)
   stage.Stage.SetLights({ light.Get() });
   stage.Stage.GetRenderer()->GetActiveCamera()->SetClippingRange(
     4.0 * SIZE - 0.5 * GAP, 8.0 * SIZE);
-  const RgbaPicture with = stage.Draw();
+  const RgbaImage with = stage.Draw();
   stage.Pass->ShadowsOff();
-  const RgbaPicture without = stage.Draw();
+  const RgbaImage without = stage.Draw();
   vtkNew<vtkMatrix4x4> matrix;
   light->GetEmitterMatrix(matrix);
   for (const int channel : { 0, 2 })
   {
-    const double aside = (channel == 0 ? -0.25 : 0.25) * size * matrix->GetElement(0, 0);
+    const double offset = (channel == 0 ? -0.25 : 0.25) * size * matrix->GetElement(0, 0);
     ReferencePenumbra reference;
     reference.IsRound = false;
-    reference.Center = { aside, 0.0, 2.0 * GAP };
+    reference.Center = { offset, 0.0, 2.0 * GAP };
     reference.Axes = { glm::dvec3(0.5 * size, 0.0, 0.0), glm::dvec3(0.0, size, 0.0) };
     reference.Height = GAP;
     double largest = 0.0;
@@ -159,16 +159,17 @@ void TestColors(Check& check)
     {
       const double x = ((i + 0.5) / PIXELS - 0.5) * SIZE;
       const double found = with.At(i, PIXELS / 2)[channel] / without.At(i, PIXELS / 2)[channel];
-      const double exact = reference.GetShare({ x, 0.5 * SIZE / PIXELS, 0.0 });
+      const double exact = reference.GetLightFraction({ x, 0.5 * SIZE / PIXELS, 0.0 });
       largest = std::max(largest, std::abs(found - exact));
     }
     const std::string name = "channel " + std::to_string(channel);
-    std::cout << name << " of a red and blue emitter: profile by at most " << largest << std::endl;
+    std::cout << name << " of a red and blue emitter: largest profile error " << largest
+              << std::endl;
     check.Near(largest, 0.0, 0.05, name + ": profile", 1.0);
   }
 }
 
-/// The width of the even ramp that has the spread of the profile's slope.
+/// Returns the width of the linear ramp whose slope has the same variance as that of the profile.
 double GetRampWidth(const std::vector<double>& profile)
 {
   double sum = 0.0;
@@ -198,22 +199,22 @@ double TestProfile(Check& check, const Case& half)
     mean += error / static_cast<double>(profile.Found.size());
   }
   const double width = GetRampWidth(profile.Found) / GetRampWidth(profile.Exact) - 1.0;
-  std::cout << "width off by " << 100.0 * width << " %, profile by at most " << largest
-            << ", in the mean " << mean << std::endl;
+  std::cout << "width error " << 100.0 * width << " %, largest profile error " << largest
+            << ", mean " << mean << std::endl;
   check.Near(width, 0.0, half.WidthBound, half.Name + ": width", 1.0);
   check.Near(largest, 0.0, half.ProfileBound, half.Name + ": profile", 1.0);
   return mean;
 }
 
-/// A wall on the floor x > 0, under a light aside from it: up to its foot each place sees the part
-/// of the light on its own side of the wall, and what shines over its top.
+/// A wall on the floor at x = 0, and a light to the side of it. Near the wall, each point of the
+/// floor sees the part of the light on its own side, and the light above the wall.
 void TestFoot(Check& check)
 {
   constexpr int pixels = 256;
   constexpr double size = 2.0;
   constexpr double lightHeight = 1.0;
   constexpr double lightSize = 0.4;
-  constexpr double aside = 0.1;
+  constexpr double offset = 0.1;
   for (const double height : { 0.3, 0.6 })
   {
     for (const bool isRound : { false, true })
@@ -224,30 +225,30 @@ void TestFoot(Check& check)
       stage.Add(
         MakeRectangle({ { 0.0, -1.0, 0.0 } }, { { 0.0, 2.0, 0.0 } }, { { 0.0, 0.0, height } }));
       vtkNew<vtkAreaLight> light;
-      light->SetPosition(aside, 0.0, lightHeight);
-      light->SetFocalPoint(aside, 0.0, 0.0);
+      light->SetPosition(offset, 0.0, lightHeight);
+      light->SetFocalPoint(offset, 0.0, 0.0);
       light->PositionalOn();
       light->SetConeAngle(180.0);
       light->SetShape(isRound ? vtkAreaLight::ROUND : vtkAreaLight::SQUARE);
       light->SetSize(lightSize, lightSize);
       light->SetShadowAttenuation(1.0F);
       stage.Stage.SetLights({ light.Get() });
-      const RgbaPicture with = stage.Draw();
+      const RgbaImage with = stage.Draw();
       stage.Pass->ShadowsOff();
-      const RgbaPicture without = stage.Draw();
+      const RgbaImage without = stage.Draw();
       double largest = 0.0;
       for (int i = pixels / 2; i < pixels / 2 + 40; ++i)
       {
         const double x = ((i + 0.5) / pixels - 0.5) * size;
-        const double edge = aside + x * (lightHeight - height) / height;
+        const double edge = offset + x * (lightHeight - height) / height;
         const double exact = isRound ? ReferencePenumbra::GetSegment(edge, lightSize)
                                      : ReferencePenumbra::GetRamp(edge, lightSize);
         const double found = with.At(i, pixels / 2)[0] / without.At(i, pixels / 2)[0];
         largest = std::max(largest, std::abs(found - exact));
       }
-      const std::string name = std::string(isRound ? "round" : "square") +
-        " light, wall as high as " + std::to_string(height);
-      std::cout << name << ": floor before it by at most " << largest << std::endl;
+      const std::string name =
+        std::string(isRound ? "round" : "square") + " light, wall height " + std::to_string(height);
+      std::cout << name << ": largest error of the floor at the wall " << largest << std::endl;
       check.Near(largest, 0.0, 0.05, name + ": floor", 1.0);
     }
   }
@@ -272,20 +273,20 @@ int TestSurfacePenumbra(int, char*[])
       TestProfile(check, half);
     }
     half.Ratio = 1.0;
-    // No two samples are on one line along the edge, but the last ones stand alone.
-    half.Turn = 30.0;
+    // No two samples are aligned with the edge, but steps from the outermost samples are visible.
+    half.Rotation = 30.0;
     half.WidthBound = 0.06;
     half.ProfileBound = 0.07;
-    half.Name = shape + ", turned";
+    half.Name = shape + ", rotated";
     TestProfile(check, half);
-    half.Turn = 0.0;
+    half.Rotation = 0.0;
     half.WidthBound = 0.015;
     half.ProfileBound = isRound ? 0.045 : 0.03;
     half.IsPositional = false;
-    half.Name = shape + ", far";
+    half.Name = shape + ", directional";
     TestProfile(check, half);
     half.Tilt = 45.0;
-    half.Name = shape + ", far, tilted";
+    half.Name = shape + ", directional, tilted";
     TestProfile(check, half);
     half.IsPositional = true;
     half.Name = shape + ", tilted";
@@ -293,7 +294,7 @@ int TestSurfacePenumbra(int, char*[])
   }
   TestColors(check);
   TestFoot(check);
-  // Samples and texels together make the profile converge.
+  // The profile converges with the number of samples and the resolution.
   double last = 1.0;
   for (const int samples : { 4, 16, 64, 256 })
   {
@@ -304,7 +305,7 @@ int TestSurfacePenumbra(int, char*[])
     half.WidthBound = samples == 4 ? 0.1 : 0.01;
     half.ProfileBound = samples == 4 ? 0.12 : samples == 16 ? 0.016 : 0.01;
     const double mean = TestProfile(check, half);
-    check.That(mean < 0.7 * last, half.Name + ": the mean error falls");
+    check.That(mean < 0.7 * last, half.Name + ": the mean error decreases");
     last = mean;
   }
   return check.Result();

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Translucent surfaces in order with sliced smoke by vtkShadowedScenePass, and the light that they
-// take, against the double-precision reference of mixed scenes.
-#include "Support/Pictures/MixedScene.h"
-#include "Support/Pictures/ReferenceMixedPicture.h"
+// Translucent surfaces in vtkShadowedScenePass, composited in depth order with sliced smoke, and
+// the light that they absorb. Images are compared with the double-precision reference of mixed
+// scenes.
+#include "Support/Images/MixedScene.h"
+#include "Support/Images/ReferenceMixedImage.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
@@ -47,7 +48,7 @@ constexpr double SIZE = 1.6;
 constexpr double EXTINCTION = 2.0;
 
 std::unique_ptr<SceneStage> MakeStage(
-  const std::vector<vtkSmartPointer<vtkActor>>& panes, vtkLight* light, bool hasFloor = true)
+  const std::vector<vtkSmartPointer<vtkActor>>& squares, vtkLight* light, bool hasFloor = true)
 {
   auto stage = std::make_unique<SceneStage>(PIXELS, SIZE);
   if (hasFloor)
@@ -55,16 +56,16 @@ std::unique_ptr<SceneStage> MakeStage(
     stage->Add(
       MakeRectangle({ { -3.0, -3.0, -0.8 } }, { { 6.0, 0.0, 0.0 } }, { { 0.0, 6.0, 0.0 } }));
   }
-  for (const vtkSmartPointer<vtkActor>& pane : panes)
+  for (const vtkSmartPointer<vtkActor>& square : squares)
   {
-    stage->Add(pane);
+    stage->Add(square);
   }
   stage->AddSmoke({ { -0.5, 0.5, -0.4, 0.4, -0.3, 0.3 } }, EXTINCTION, 24);
   stage->Stage.SetLights({ vtkSmartPointer<vtkLight>(light) });
   return stage;
 }
 
-// What the reference knows of a stage.
+// Returns the scene of a stage for the reference.
 MixedScene MakeMixed(SceneStage& stage, vtkLight* light)
 {
   MixedScene scene;
@@ -89,12 +90,12 @@ MixedScene MakeMixed(SceneStage& stage, vtkLight* light)
   return scene;
 }
 
-// Compares the picture with the reference and returns the share of pixels that are off by more than
-// 0.002: these lie at edges, of surfaces, of smoke and of shadows.
+// Returns the fraction of pixels with an error above 0.002. Such pixels are at edges of surfaces,
+// smoke and shadows.
 double Compare(SceneStage& stage, vtkLight* light, const std::string& name)
 {
-  const RgbaPicture found = stage.Draw();
-  const RgbaPicture expected = MakeMixedPicture(MakeMixed(stage, light));
+  const RgbaImage found = stage.Draw();
+  const RgbaImage expected = MakeMixedImage(MakeMixed(stage, light));
   std::vector<double> errors;
   for (std::size_t i = 0; i < found.Values.size(); i += 4)
   {
@@ -105,151 +106,152 @@ double Compare(SceneStage& stage, vtkLight* light, const std::string& name)
     }
     errors.push_back(largest);
   }
-  const double off = static_cast<double>(std::count_if(
-                       errors.begin(), errors.end(), [](double error) { return error > 0.002; })) /
+  const double fraction = static_cast<double>(std::count_if(errors.begin(), errors.end(),
+                            [](double error) { return error > 0.002; })) /
     (PIXELS * PIXELS);
   std::sort(errors.begin(), errors.end());
   vtkInterlumeReport* report = stage.GetReport();
   std::cout << name << ": 90 % " << errors[errors.size() * 9 / 10] << ", largest " << errors.back()
-            << ", above 0.002: " << off << " of the pixels, layers "
+            << ", above 0.002: " << fraction << " of the pixels, layers "
             << report->GetNumber("CameraLayers") << " " << report->GetNumber("LightLayers")
             << ", sweeps " << stage.Mapper->GetReport()->GetNumber("Sweeps") << " "
             << stage.Mapper->GetReport()->GetNumber("FrontToBackSweeps") << std::endl;
-  return off;
+  return fraction;
 }
 
-void TestPlaces(Check& check)
+void TestPositions(Check& check)
 {
   const vtkSmartPointer<vtkLight> lights[3] = { MakeSun({ { 0.5, 0.2, -1.0 } }),
-    MakeSun({ { 0.6, 0.1, 0.8 } }), MakeLamp({ { -1.0, 0.2, 2.0 } }, { { 0.0, 0.0, 0.0 } }) };
-  const char* names[3] = { "sun", "sun from below", "lamp" };
+    MakeSun({ { 0.6, 0.1, 0.8 } }), MakePointLight({ { -1.0, 0.2, 2.0 } }, { { 0.0, 0.0, 0.0 } }) };
+  const char* names[3] = { "sun", "sun from below", "point light" };
   const Vector up{ { 0.0, 0.0, 1.0 } };
   const Vector tilted{ { -0.8, 0.1, 0.6 } };
   const Vector other{ { 0.6, 0.2, 0.7 } };
   struct Case
   {
     const char* Name;
-    std::vector<vtkSmartPointer<vtkActor>> Panes;
+    std::vector<vtkSmartPointer<vtkActor>> Squares;
   };
   for (int i = 0; i < 3; ++i)
   {
-    const std::vector<Case> cases{ { "without panes", {} },
-      { "a pane before", { MakePane({ { 0.05, 0.0, 0.5 } }, up, 0.6) } },
-      { "a pane inside", { MakePane({ { 0.05, 0.0, 0.1 } }, up, 0.6) } },
-      { "a pane behind", { MakePane({ { 0.05, 0.0, -0.5 } }, up, 0.6) } },
-      { "a pane across", { MakePane({ { 0.0, 0.0, 0.05 } }, tilted, 0.9) } },
-      { "two panes through each other",
-        { MakePane({ { 0.0, 0.0, 0.05 } }, tilted, 0.9),
-          MakePane({ { 0.1, 0.0, 0.0 } }, other, 0.7, 0.3) } } };
+    const std::vector<Case> cases{ { "without squares", {} },
+      { "a square in front", { MakeTranslucentSquare({ { 0.05, 0.0, 0.5 } }, up, 0.6) } },
+      { "a square inside", { MakeTranslucentSquare({ { 0.05, 0.0, 0.1 } }, up, 0.6) } },
+      { "a square behind", { MakeTranslucentSquare({ { 0.05, 0.0, -0.5 } }, up, 0.6) } },
+      { "a square across", { MakeTranslucentSquare({ { 0.0, 0.0, 0.05 } }, tilted, 0.9) } },
+      { "two intersecting squares",
+        { MakeTranslucentSquare({ { 0.0, 0.0, 0.05 } }, tilted, 0.9),
+          MakeTranslucentSquare({ { 0.1, 0.0, 0.0 } }, other, 0.7, 0.3) } } };
     double edges = 0.0;
     for (const Case& one : cases)
     {
-      // A floor would keep light from below out.
-      const auto stage = MakeStage(one.Panes, lights[i], i != 1);
+      // A floor would block light from below.
+      const auto stage = MakeStage(one.Squares, lights[i], i != 1);
       const std::string name = std::string(names[i]) + ", " + one.Name;
-      const double off = Compare(*stage, lights[i], name);
-      // Those at edges of smoke are there without panes; an edge of a pane adds a row of pixels.
-      edges = one.Panes.empty() ? off : edges;
-      check.Near(off, 0.0, edges + 0.02, name + ": share of pixels off by 0.002", 1.0);
-      check.Near(stage->GetReport()->GetNumber("CameraLayers"), static_cast<int>(one.Panes.size()),
-        0.0, name + ": layers of the eye");
-      check.Near(stage->GetReport()->GetNumber("LightLayers"), static_cast<int>(one.Panes.size()),
-        0.0, name + ": layers of the light");
+      const double fraction = Compare(*stage, lights[i], name);
+      // Edges of smoke have errors without squares, too. The edges of a square add a row of pixels.
+      edges = one.Squares.empty() ? fraction : edges;
+      check.Near(
+        fraction, 0.0, edges + 0.02, name + ": fraction of pixels with an error above 0.002", 1.0);
+      check.Equal(stage->GetReport()->GetCount("CameraLayers"),
+        static_cast<int>(one.Squares.size()), name + ": camera layers");
+      check.Equal(stage->GetReport()->GetCount("LightLayers"), static_cast<int>(one.Squares.size()),
+        name + ": light layers");
     }
     check.Near(edges, 0.0, 0.08, std::string(names[i]) + ": edges of smoke", 1.0);
   }
 }
 
-// Two volumes in one set of slices, which overlap, with a pane across both.
+// Two overlapping volumes in shared slices, with a square across both.
 void TestTwoVolumes(Check& check)
 {
   const auto sun = MakeSun({ { 0.5, 0.2, -1.0 } });
   double edges = 0.0;
   for (int i = 0; i < 2; ++i)
   {
-    std::vector<vtkSmartPointer<vtkActor>> panes;
+    std::vector<vtkSmartPointer<vtkActor>> squares;
     if (i == 1)
     {
-      panes.push_back(MakePane({ { 0.0, 0.0, 0.1 } }, { { -0.8, 0.1, 0.6 } }, 0.9));
+      squares.push_back(MakeTranslucentSquare({ { 0.0, 0.0, 0.1 } }, { { -0.8, 0.1, 0.6 } }, 0.9));
     }
-    const auto stage = MakeStage(panes, sun);
+    const auto stage = MakeStage(squares, sun);
     stage->AddSmoke({ { -0.3, 0.4, -0.35, 0.35, 0.1, 0.5 } }, 0.5 * EXTINCTION, 24);
-    const std::string name = i == 0 ? "two volumes" : "two volumes, a pane across";
-    const double off = Compare(*stage, sun, name);
-    check.Near(stage->GetReport()->GetNumber("Volumes"), 2, 0.0, name + ": volumes");
-    check.Near(
-      stage->GetReport()->GetNumber("VolumesInSharedSlices"), 2, 0.0, name + ": volumes together");
-    check.Near(
-      off, 0.0, i == 0 ? 0.08 : edges + 0.02, name + ": share of pixels off by 0.002", 1.0);
-    edges = off;
+    const std::string name = i == 0 ? "two volumes" : "two volumes, a square across";
+    const double fraction = Compare(*stage, sun, name);
+    check.Equal(stage->GetReport()->GetCount("Volumes"), 2, name + ": volumes");
+    check.Equal(stage->GetReport()->GetCount("VolumesInSharedSlices"), 2,
+      name + ": volumes in shared slices");
+    check.Near(fraction, 0.0, i == 0 ? 0.08 : edges + 0.02,
+      name + ": fraction of pixels with an error above 0.002", 1.0);
+    edges = fraction;
   }
 }
 
-// Without volumes: the floor behind panes has the light that they leave, exactly, and VTK draws
-// them.
+// Without volumes, the floor behind squares has exactly the transmitted light, and VTK draws the
+// squares.
 void TestLight(Check& check)
 {
   const auto sun = MakeSun({ { 0.0, 0.0, -1.0 } });
   for (const double opacity : { 0.25, 0.5, 1.0 })
   {
-    for (int panes = 1; panes < 3; ++panes)
+    for (int squares = 1; squares < 3; ++squares)
     {
       SceneStage stage(PIXELS, SIZE);
       stage.Add(
         MakeRectangle({ { -3.0, -3.0, -0.8 } }, { { 6.0, 0.0, 0.0 } }, { { 0.0, 6.0, 0.0 } }));
-      for (int i = 0; i < panes; ++i)
+      for (int i = 0; i < squares; ++i)
       {
-        vtkSmartPointer<vtkActor> pane =
-          MakePane({ { 0.0, 0.0, 0.2 * i } }, { { 0.0, 0.0, 1.0 } }, 0.8, opacity);
-        pane->ForceTranslucentOn();
-        pane->GetProperty()->SetDiffuse(0.0);
-        stage.Add(pane);
+        vtkSmartPointer<vtkActor> square =
+          MakeTranslucentSquare({ { 0.0, 0.0, 0.2 * i } }, { { 0.0, 0.0, 1.0 } }, 0.8, opacity);
+        square->ForceTranslucentOn();
+        square->GetProperty()->SetDiffuse(0.0);
+        stage.Add(square);
       }
       stage.Stage.SetLights({ sun });
-      const RgbaPicture picture = stage.Draw();
+      const RgbaImage image = stage.Draw();
       const std::string name =
-        std::to_string(panes) + " panes of opacity " + std::to_string(opacity);
-      const double through = std::pow(1.0 - opacity, panes);
-      check.Near(stage.At(picture, 0.0, 0.0), through * through, 1e-6, name + ": behind", 1.0);
-      check.Near(stage.At(picture, 0.6, 0.0), 1.0, 1e-6, name + ": beside");
+        std::to_string(squares) + " squares of opacity " + std::to_string(opacity);
+      const double transmitted = std::pow(1.0 - opacity, squares);
       check.Near(
-        stage.GetReport()->GetNumber("LightLayers"), panes, 0.0, name + ": layers of the light");
-      check.Near(
-        stage.GetReport()->GetNumber("CameraLayers"), 0, 0.0, name + ": layers of the eye");
-      check.Near(stage.GetReport()->GetNumber("LightLayerBytes"), 8LL * panes * 1024 * 1024, 0.0,
+        stage.At(image, 0.0, 0.0), transmitted * transmitted, 1e-6, name + ": behind", 1.0);
+      check.Near(stage.At(image, 0.6, 0.0), 1.0, 1e-6, name + ": next to the squares");
+      check.Equal(stage.GetReport()->GetCount("LightLayers"), squares, name + ": light layers");
+      check.Equal(stage.GetReport()->GetCount("CameraLayers"), 0, name + ": camera layers");
+      check.Equal(stage.GetReport()->GetCount("LightLayerBytes"), 8LL * squares * 1024 * 1024,
         name + ": bytes");
     }
   }
 }
 
-// A sheet of colours by points, of which a clipping plane leaves the right half: both show in the
-// picture and in the shadow, since VTK's own shader decides.
+// A clipping plane removes the left half of a square, both from the image and from its shadow.
+// VTK's own shader code determines the coverage.
 void TestMappers(Check& check)
 {
-  RgbaPicture pictures[2];
+  RgbaImage images[2];
   for (int i = 0; i < 2; ++i)
   {
     const auto sun = MakeSun({ { 0.5, 0.0, -1.0 } });
-    vtkSmartPointer<vtkActor> pane = MakePane({ { 0.0, 0.0, 0.05 } }, { { 0.0, 0.0, 1.0 } }, 0.8);
+    vtkSmartPointer<vtkActor> square =
+      MakeTranslucentSquare({ { 0.0, 0.0, 0.05 } }, { { 0.0, 0.0, 1.0 } }, 0.8);
     if (i == 0)
     {
       vtkNew<vtkPlane> plane;
       plane->SetNormal(1.0, 0.0, 0.0);
-      pane->GetMapper()->AddClippingPlane(plane);
+      square->GetMapper()->AddClippingPlane(plane);
     }
     else
     {
-      pane = MakeRectangle({ { 0.0, -0.4, 0.05 } }, { { 0.4, 0.0, 0.0 } }, { { 0.0, 0.8, 0.0 } });
-      pane->GetProperty()->SetOpacity(0.5);
-      pane->GetProperty()->SetColor(0.9, 0.6, 0.2);
+      square = MakeRectangle({ { 0.0, -0.4, 0.05 } }, { { 0.4, 0.0, 0.0 } }, { { 0.0, 0.8, 0.0 } });
+      square->GetProperty()->SetOpacity(0.5);
+      square->GetProperty()->SetColor(0.9, 0.6, 0.2);
     }
-    const auto stage = MakeStage({ pane }, sun);
-    pictures[i] = stage->Draw();
+    const auto stage = MakeStage({ square }, sun);
+    images[i] = stage->Draw();
   }
-  const PictureError clipped = ComparePictures(pictures[0], pictures[1]);
-  check.Near(clipped.Mean, 0.0, 1e-3, "a pane that is cut: mean difference from half a pane", 1.0);
+  const ImageError clipped = CompareImages(images[0], images[1]);
+  check.Near(clipped.Mean, 0.0, 1e-3, "a clipped square: mean difference from half a square", 1.0);
 
-  // Opacity by points: the array's alpha, which goes from 0 to 1 along x.
+  // Opacity per point: the alpha component of the array increases from 0 to 1 along x.
   vtkNew<vtkPlaneSource> sheet;
   sheet->SetOrigin(-0.4, -0.4, 0.05);
   sheet->SetPoint1(0.4, -0.4, 0.05);
@@ -269,20 +271,20 @@ void TestMappers(Check& check)
   vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(mesh);
   const auto stage = MakeStage({ actor }, MakeSun({ { 0.0, 0.0, -1.0 } }));
   stage->Stage.GetVolume()->GetProperty()->SetDiffuse(0.0);
-  const RgbaPicture picture = stage->Draw();
-  check.Near(stage->GetReport()->GetNumber("CameraLayers"), 1, 0.0, "opacity by points: layers");
+  const RgbaImage image = stage->Draw();
+  check.Equal(stage->GetReport()->GetCount("CameraLayers"), 1, "opacity per point: layers");
   double largest = 0.0;
   for (int i = 18; i < 46; ++i)
   {
     const double x = ((i + 0.5) / PIXELS - 0.5) * SIZE;
-    const double through = 0.5 - x / 0.8;
-    const double expected = through * through * std::exp(-2.0 * EXTINCTION * 0.6);
-    largest = std::max(largest, std::abs(picture.At(i, PIXELS / 2)[0] - expected));
+    const double transmitted = 0.5 - x / 0.8;
+    const double expected = transmitted * transmitted * std::exp(-2.0 * EXTINCTION * 0.6);
+    largest = std::max(largest, std::abs(image.At(i, PIXELS / 2)[0] - expected));
   }
-  check.Near(largest, 0.0, 2e-3, "opacity by points: the floor behind", 1.0);
+  check.Near(largest, 0.0, 2e-3, "opacity per point: the floor behind", 1.0);
 }
 
-// What takes no part, and what no part costs.
+// Unsupported actors are reported, and scenes without translucent actors cause no work.
 void TestCounters(Check& check)
 {
   const auto sun = MakeSun({ { 0.5, 0.2, -1.0 } });
@@ -290,41 +292,41 @@ void TestCounters(Check& check)
     const auto stage = MakeStage({}, sun);
     stage->Draw();
     vtkInterlumeReport* report = stage->GetReport();
-    check.Near(report->GetNumber("TranslucentActors") + report->GetNumber("LightLayers") +
-        report->GetNumber("CameraLayers") + report->GetNumber("SlicedSegments"),
-      0, 0.0, "no translucent actor: passes");
-    check.Near(report->GetNumber("LightLayerBytes") + report->GetNumber("CameraLayerBytes"), 0, 0.0,
+    check.Equal(report->GetCount("TranslucentActors") + report->GetCount("LightLayers") +
+        report->GetCount("CameraLayers") + report->GetCount("SlicedSegments"),
+      0, "no translucent actor: passes");
+    check.Equal(report->GetCount("LightLayerBytes") + report->GetCount("CameraLayerBytes"), 0,
       "no translucent actor: bytes");
     check.That(stage->Mapper->GetReport()->GetText("Features").find("panes") == std::string::npos,
       "no translucent actor: features");
   }
-  const auto pane = MakePane({ { 0.0, 0.0, 0.1 } }, { { 0.0, 0.0, 1.0 } }, 0.6);
-  pane->GetShaderProperty()->SetFragmentShaderCode("//VTK::System::Dec\n"
-                                                   "//VTK::Output::Dec\n"
-                                                   "void main()\n"
-                                                   "{\n"
-                                                   "  gl_FragData[0] = vec4(0.5);\n"
-                                                   "}\n");
-  const auto stage = MakeStage({ pane }, sun);
+  const auto square = MakeTranslucentSquare({ { 0.0, 0.0, 0.1 } }, { { 0.0, 0.0, 1.0 } }, 0.6);
+  square->GetShaderProperty()->SetFragmentShaderCode("//VTK::System::Dec\n"
+                                                     "//VTK::Output::Dec\n"
+                                                     "void main()\n"
+                                                     "{\n"
+                                                     "  gl_FragData[0] = vec4(0.5);\n"
+                                                     "}\n");
+  const auto stage = MakeStage({ square }, sun);
   vtkNew<vtkTest::ErrorObserver> observer;
   stage->Pass->AddObserver(vtkCommand::WarningEvent, observer);
   stage->Draw();
   check.That(observer->GetWarning() &&
       observer->GetWarningMessage().find("is translucent") != std::string::npos,
-    "an actor that cannot take part is named");
-  check.Near(
-    stage->GetReport()->GetNumber("TranslucentActors"), 0, 0.0, "an actor that cannot take part");
+    "a warning names an unsupported actor");
+  check.Equal(
+    stage->GetReport()->GetCount("TranslucentActors"), 0, "an unsupported actor is not counted");
   observer->Clear();
   stage->Draw();
-  check.That(!observer->GetWarning(), "it is named once");
+  check.That(!observer->GetWarning(), "there is only one warning");
 }
 
-// The first picture of a window, whose textures have no values yet, is as the second one.
-void TestFirstPicture(Check& check)
+// The first image of a window, whose textures are not initialized yet, equals the second image.
+void TestFirstImage(Check& check)
 {
   const auto sun = MakeSun({ { 0.3, 0.2, -1.0 } });
   const auto stage =
-    MakeStage({ MakePane({ { 0.0, 0.0, 0.5 } }, { { 0.0, 0.0, 1.0 } }, 0.6) }, sun);
+    MakeStage({ MakeTranslucentSquare({ { 0.0, 0.0, 0.5 } }, { { 0.0, 0.0, 1.0 } }, 0.6) }, sun);
   stage->Stage.GetRenderer()->SetPass(stage->Pass);
   const auto draw = [&]()
   {
@@ -335,8 +337,8 @@ void TestFirstPicture(Check& check)
     return std::vector<unsigned char>(pixels->Begin(), pixels->End());
   };
   const std::vector<unsigned char> first = draw();
-  check.That(first == draw(), "the first picture is as the second");
-  check.That(*std::max_element(first.begin(), first.end()) > 100, "there is light in it");
+  check.That(first == draw(), "the first image equals the second image");
+  check.That(*std::max_element(first.begin(), first.end()) > 100, "the image is lit");
 }
 
 }
@@ -344,8 +346,8 @@ void TestFirstPicture(Check& check)
 int TestTranslucentScene(int, char*[])
 {
   Check check;
-  TestFirstPicture(check);
-  TestPlaces(check);
+  TestFirstImage(check);
+  TestPositions(check);
   TestTwoVolumes(check);
   TestLight(check);
   TestMappers(check);

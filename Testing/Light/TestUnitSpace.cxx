@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The unit space of images of any place, size and turn, against the image's own points.
+// The unit space of images of random position, size and orientation, compared with the image's own
+// points.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 
@@ -17,8 +18,8 @@ namespace
 using namespace reference;
 using namespace interlume::UnitVector;
 
-// A turn about an axis at random; mirrored if wanted.
-std::array<double, 9> MakeTurn(Random& random, bool isMirrored)
+// Returns a random rotation matrix, with a reflection if \a isMirrored.
+std::array<double, 9> MakeRotation(Random& random, bool isMirrored)
 {
   const glm::dvec3 a = Normalize(glm::dvec3(random.Get(-1.0, 1.0), random.Get(-1.0, 1.0), 0.5), {});
   const glm::dvec3 b = Perpendicular(a, { 0.2, random.Get(-1.0, 1.0), 0.9 });
@@ -34,7 +35,7 @@ struct Scene
   std::array<int, 6> Extent{};
   bool IsOfCells = false;
 
-  // Of a place in the image given in indices.
+  // Returns the point at image indices in volume coordinates.
   glm::dvec3 GetVolumePoint(const glm::dvec3& index)
   {
     glm::dvec3 point;
@@ -57,29 +58,29 @@ bool IsFlat(const Scene& scene, std::size_t axis)
   return scene.Extent[2 * axis] == scene.Extent[2 * axis + 1];
 }
 
-// Distance between two points, as a share of a length.
+// Checks the distance between two points, relative to a length.
 void CheckNear(Check& check, const glm::dvec3& found, const glm::dvec3& expected, double tolerance,
   double length, const std::string& what)
 {
   check.Near(interlume::Vectors::SafeLength(found - expected) / length, 0.0, tolerance, what, 1.0);
 }
 
-// \a far is how far off the origin the volume is, in its size.
+// \a far is the distance of the volume from the origin, relative to its size.
 void CheckPoints(Check& check, Scene& scene, Random& random, double far)
 {
   const interlume::UnitSpace& space = scene.Space;
-  // Digits that are lost in the world's own coordinates.
+  // Allows for rounding errors of world coordinates.
   const double tolerance = 1e-12 + 1e-14 * far;
   const double size = interlume::Vectors::SafeLength(
     glm::dvec3(double(space.Size[0]), double(space.Size[1]), double(space.Size[2])));
-  double farthest = 0.0;
+  double maximum = 0.0;
   for (int corner = 0; corner < 40; ++corner)
   {
     glm::dvec3 index;
     glm::dvec3 texture;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      // The corners of the box, then anywhere.
+      // First the corners of the box, then random positions.
       const double lower = scene.Extent[2 * axis] - (IsFlat(scene, axis) ? 0.5 : 0.0);
       const double upper = scene.Extent[2 * axis + 1] + (IsFlat(scene, axis) ? 0.5 : 0.0);
       const double t = corner < 8 ? corner >> axis & 1 : random.Get(0.0, 1.0);
@@ -89,12 +90,14 @@ void CheckPoints(Check& check, Scene& scene, Random& random, double far)
       texture[axis] = hasEnds ? t : (index[axis] - scene.Extent[2 * axis] + 0.5) / points;
       if (corner < 8)
       {
-        check.Near(space.Box[axis][corner >> axis & 1], texture[axis], 1e-14, "the box", 1.0);
+        check.Near(
+          space.Box[axis][corner >> axis & 1], texture[axis], 1e-14, "the corners of the box", 1.0);
       }
     }
     const glm::dvec3 unit = TransformPoint(space.UnitFromTexture, texture);
     const glm::dvec3 world = scene.GetWorldPoint(index);
-    CheckNear(check, TransformPoint(space.TextureFromUnit, unit), texture, 1e-11, 1.0, "and back");
+    CheckNear(check, TransformPoint(space.TextureFromUnit, unit), texture, 1e-11, 1.0,
+      "mapped back to texture coordinates");
     CheckNear(check, space.ToUnit(glm::value_ptr(world)), unit, tolerance, 1.0, "unit from world");
     const glm::dvec3 volume = TransformPoint(space.VolumeFromTexture, texture);
     const glm::dvec3 expected = scene.GetVolumePoint(index);
@@ -105,10 +108,10 @@ void CheckPoints(Check& check, Scene& scene, Random& random, double far)
       "volume from texture");
     if (corner < 8)
     {
-      farthest = std::max(farthest, interlume::Vectors::SafeLength(unit));
+      maximum = std::max(maximum, interlume::Vectors::SafeLength(unit));
     }
   }
-  check.Near(farthest, 1.0, 1e-12, "the farthest corner is on the sphere");
+  check.Near(maximum, 1.0, 1e-12, "the farthest corner is on the unit sphere");
 }
 
 void MakeScene(Scene& scene, Random& random, int number, double far)
@@ -127,9 +130,9 @@ void MakeScene(Scene& scene, Random& random, int number, double far)
   scene.Image->SetExtent(scene.Extent.data());
   scene.Image->SetSpacing(spacing);
   scene.Image->SetOrigin(origin);
-  scene.Image->SetDirectionMatrix(MakeTurn(random, number % 2 == 0).data());
-  // Any affine matrix: a turn, then scales and shears.
-  const std::array<double, 9> turn = MakeTurn(random, number % 5 == 0);
+  scene.Image->SetDirectionMatrix(MakeRotation(random, number % 2 == 0).data());
+  // An affine matrix: a rotation with scale and shear.
+  const std::array<double, 9> rotation = MakeRotation(random, number % 5 == 0);
   const double scale = std::pow(10.0, random.Get(-3.0, 3.0));
   for (int row = 0; row < 3; ++row)
   {
@@ -138,7 +141,7 @@ void MakeScene(Scene& scene, Random& random, int number, double far)
       const int element = 3 * row + column;
       const double shear = row < column ? random.Get(-1.0, 1.0) : 0.0;
       scene.Matrix->SetElement(
-        row, column, scale * (turn[static_cast<std::size_t>(element)] + shear));
+        row, column, scale * (rotation[static_cast<std::size_t>(element)] + shear));
     }
     scene.Matrix->SetElement(row, 3, random.Get(-1.0, 1.0) * far * size * scale);
   }
@@ -168,8 +171,9 @@ void CheckSizes(Check& check)
   image->SetExtent(5, 8, 0, 0, -1, 0);
   check.That(!space.Set(image, false, matrix), "no error");
   check.That(space.Size == std::array<int, 3>{ { 4, 1, 2 } }, "texels of points");
-  check.Near(space.Radius, 0.5 * std::sqrt(9.0 + 1.0 + 1.0), 1e-14, "one voxel thick");
-  check.Near(space.Center[0], 6.5, 1e-14, "middle");
+  check.Near(
+    space.Radius, 0.5 * std::sqrt(9.0 + 1.0 + 1.0), 1e-14, "radius with a thickness of one voxel");
+  check.Near(space.Center[0], 6.5, 1e-14, "center");
   check.That(!space.Set(image, true, matrix), "no error");
   check.That(space.Size == std::array<int, 3>{ { 3, 1, 1 } }, "texels of cells");
   check.That(space.Box[0] == std::array<double, 2>{ { 0.0, 1.0 } }, "cells fill their texture");
@@ -192,17 +196,17 @@ void CheckErrors(Check& check)
     matrix->Identity();
   }
   matrix->SetElement(1, 3, std::numeric_limits<double>::quiet_NaN());
-  check.That(hasError(), "a place that is not a number");
+  check.That(hasError(), "a NaN translation");
   matrix->Identity();
   matrix->SetElement(0, 1, 1.0);
   matrix->SetElement(1, 0, 1.0);
-  check.That(hasError(), "two rows alike");
+  check.That(hasError(), "two equal rows");
   matrix->Identity();
   matrix->SetElement(3, 0, 0.1);
-  check.That(hasError(), "a perspective");
+  check.That(hasError(), "a perspective matrix");
   matrix->Identity();
   image->SetSpacing(1.0, 0.0, 1.0);
-  check.That(hasError(), "no spacing");
+  check.That(hasError(), "zero spacing");
 }
 }
 

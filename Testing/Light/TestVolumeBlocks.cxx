@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Blocks with something to see, and blocks around it, are visible; blocks whose values and those
-// between them have no opacity are not; the borders are where the samples are.
+// Visible blocks: blocks with some opacity and their neighbors are visible. Blocks are invisible if
+// neither their values nor interpolated values have opacity. Block borders are at the samples.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
 
@@ -26,9 +26,9 @@ namespace
 using namespace reference;
 
 using Size = std::array<int, 3>;
-using Place = std::array<int, 3>;
+using Index = std::array<int, 3>;
 
-/// A volume with its values, and what can be seen of a range of those.
+/// A volume with its values.
 struct Case
 {
   std::string Name;
@@ -36,11 +36,11 @@ struct Case
   Size Samples{};
   int Components = 1;
   bool Independent = true;
-  /// Value of a component of a sample.
-  std::function<double(const Place&, int)> Value;
+  /// Value of a component at a sample index.
+  std::function<double(const Index&, int)> Value;
 };
 
-/// Opaque from 0.25 (excluded) to 0.75 (excluded) of what the type can have, by component.
+/// Range of values with nonzero opacity, both ends excluded, as fractions of the type's range.
 const std::array<double, 2> Band = { { 0.25, 0.75 } };
 
 double FullOf(int type)
@@ -56,18 +56,19 @@ vtkSmartPointer<vtkDataArray> MakeArray(const Case& volume)
   array->SetNumberOfTuples(size[0] * size[1] * size[2]);
   for (int v = 0; v < array->GetNumberOfTuples(); ++v)
   {
-    const Place place{ { v % size[0], v / size[0] % size[1], v / size[0] / size[1] } };
+    const Index index{ { v % size[0], v / size[0] % size[1], v / size[0] / size[1] } };
     for (int c = 0; c < volume.Components; ++c)
     {
-      array->SetComponent(v, c, volume.Value(place, c));
+      array->SetComponent(v, c, volume.Value(index, c));
     }
   }
   return array;
 }
 
-/// Whether a band meets the values of a component in blocks' boxes, widened by a column if \a wide.
-bool MeetsBand(
-  vtkDataArray* array, const Case& volume, const Place& block, int edge, int component, bool wide)
+/// Returns true if the band intersects the values of a component in a block and its neighbors. The
+/// band is widened by two columns of the material table if \a isWidened.
+bool IntersectsBand(vtkDataArray* array, const Case& volume, const Index& block, int edge,
+  int component, bool isWidened)
 {
   const Size& size = volume.Samples;
   double lower = std::numeric_limits<double>::infinity();
@@ -96,11 +97,11 @@ bool MeetsBand(
     }
   }
   const double full = FullOf(volume.Type);
-  const double margin = wide ? 2.0 * full / interlume::MaterialTable::Columns : 0.0;
+  const double margin = isWidened ? 2.0 * full / interlume::MaterialTable::Columns : 0.0;
   return lower <= upper && upper > Band[0] * full - margin && lower < Band[1] * full + margin;
 }
 
-/// Opacity of the band alone.
+/// Returns a property with nonzero opacity in the band only.
 vtkNew<vtkVolumeProperty> MakeProperty(const Case& volume)
 {
   vtkNew<vtkVolumeProperty> property;
@@ -117,7 +118,7 @@ vtkNew<vtkVolumeProperty> MakeProperty(const Case& volume)
   return property;
 }
 
-/// Of blocks of so many cells along an edge.
+/// Checks blocks with \a edge cells along each edge.
 void CheckBlocks(const Case& volume, int edge, Check& check)
 {
   check.SetContext(volume.Name + ", blocks of " + std::to_string(edge));
@@ -129,7 +130,7 @@ void CheckBlocks(const Case& volume, int edge, Check& check)
   check.That(!material.Build(property, samples, nullptr), "materials");
   interlume::VolumeBlocks blocks;
   blocks.Build(samples, edge);
-  check.Equal(blocks.GetNumberVisible(), 0, "none before they are classified");
+  check.Equal(blocks.GetNumberVisible(), 0, "no block is visible before classification");
   blocks.Classify(material);
 
   int count = 1;
@@ -142,41 +143,41 @@ void CheckBlocks(const Case& volume, int edge, Check& check)
   }
   check.Equal(blocks.GetNumberOfBlocks(), count, "all blocks");
 
-  std::vector<int> seen;
+  std::vector<int> opacityComponents;
   if (volume.Independent)
   {
     for (int c = 0; c < volume.Components; ++c)
     {
-      seen.push_back(c);
+      opacityComponents.push_back(c);
     }
   }
   else
   {
-    seen.push_back(volume.Components - 1);
+    opacityComponents.push_back(volume.Components - 1);
   }
   const Size size = blocks.GetSize();
   int visible = 0;
   for (int b = 0; b < count; ++b)
   {
-    const Place block{ { b % size[0], b / size[0] % size[1], b / size[0] / size[1] } };
-    bool must = false;
-    bool may = false;
-    for (const int c : seen)
+    const Index block{ { b % size[0], b / size[0] % size[1], b / size[0] / size[1] } };
+    bool isRequired = false;
+    bool isAllowed = false;
+    for (const int c : opacityComponents)
     {
-      must = must || MeetsBand(array, volume, block, edge, c, false);
-      may = may || MeetsBand(array, volume, block, edge, c, true);
+      isRequired = isRequired || IntersectsBand(array, volume, block, edge, c, false);
+      isAllowed = isAllowed || IntersectsBand(array, volume, block, edge, c, true);
     }
     const bool found = blocks.IsVisible(block[0], block[1], block[2]);
     const std::string name =
       std::to_string(block[0]) + " " + std::to_string(block[1]) + " " + std::to_string(block[2]);
-    check.That(found || !must, "visible: block " + name);
-    check.That(!found || may, "not visible: block " + name);
+    check.That(found || !isRequired, "visible: block " + name);
+    check.That(!found || isAllowed, "not visible: block " + name);
     visible += found ? 1 : 0;
   }
   check.Equal(blocks.GetNumberVisible(), visible, "visible blocks");
 }
 
-/// Blocks that are joined of small ones are those that are found from the samples.
+/// Blocks that are joined from small blocks equal blocks that are computed from the samples.
 void CheckJoined(const Case& volume, Check& check)
 {
   check.SetContext(volume.Name + ", joined blocks");
@@ -193,7 +194,8 @@ void CheckJoined(const Case& volume, Check& check)
   built.Build(samples);
   built.Classify(material);
   check.That(joined.GetSize() == built.GetSize(), "blocks");
-  check.That(joined.GetLattice().GetVisible() == built.GetLattice().GetVisible(), "visible blocks");
+  check.That(
+    joined.GetBlockGrid().GetVisible() == built.GetBlockGrid().GetVisible(), "visible blocks");
   for (int axis = 0; axis < 3; ++axis)
   {
     check.That(joined.GetBorders(axis) == built.GetBorders(axis), "borders");
@@ -207,23 +209,23 @@ void CheckCase(const Case& volume, Check& check)
   CheckBlocks(volume, interlume::VolumeBlocks::SmallSize, check);
 }
 
-/// 0 with a few samples in the band.
-std::function<double(const Place&, int)> MakeSparse(const Size& size, int type, int points)
+/// Returns values of 0 with a few samples in the band.
+std::function<double(const Index&, int)> MakeSparse(const Size& size, int type, int points)
 {
   std::mt19937 random(static_cast<unsigned int>(size[0] + 100 * size[1] + points));
-  std::vector<Place> places;
+  std::vector<Index> indices;
   for (int i = 0; i < points; ++i)
   {
-    Place place{};
+    Index index{};
     for (int axis = 0; axis < 3; ++axis)
     {
-      place[axis] = static_cast<int>(random() % static_cast<unsigned int>(size[axis]));
+      index[axis] = static_cast<int>(random() % static_cast<unsigned int>(size[axis]));
     }
-    places.push_back(place);
+    indices.push_back(index);
   }
-  return [places, type](const Place& place, int)
+  return [indices, type](const Index& index, int)
   {
-    return std::find(places.begin(), places.end(), place) != places.end()
+    return std::find(indices.begin(), indices.end(), index) != indices.end()
       ? std::floor(0.5 * FullOf(type)) + (FullOf(type) == 1.0 ? 0.5 : 0.0)
       : 0.0;
   };
@@ -252,15 +254,15 @@ void CheckSizes(Check& check)
   }
 }
 
-/// A sample at each place near the borders of blocks, one at a time.
+/// One sample at each index near block borders.
 void CheckNeighbors(Check& check)
 {
-  for (int place = 0; place < 50; ++place)
+  for (int index = 0; index < 50; ++index)
   {
     Case volume;
-    volume.Name = "sample " + std::to_string(place) + " of a row";
+    volume.Name = "sample " + std::to_string(index) + " of a row";
     volume.Samples = { { 50, 1, 1 } };
-    volume.Value = [place](const Place& p, int) { return p[0] == place ? 0.5 : 0.0; };
+    volume.Value = [index](const Index& p, int) { return p[0] == index ? 0.5 : 0.0; };
     CheckCase(volume, check);
   }
 }
@@ -270,7 +272,7 @@ void CheckBetween(Check& check)
   Case volume;
   volume.Name = "0 beside 1";
   volume.Samples = { { 60, 20, 20 } };
-  volume.Value = [](const Place& p, int) { return p[0] < 25 ? 0.0 : 1.0; };
+  volume.Value = [](const Index& p, int) { return p[0] < 25 ? 0.0 : 1.0; };
   CheckCase(volume, check);
 }
 
@@ -278,7 +280,7 @@ void CheckComponents(Check& check)
 {
   Case volume;
   volume.Samples = { { 70, 20, 20 } };
-  volume.Value = [](const Place& p, int c) { return p[0] == 8 + 16 * c ? 0.5 : 0.0; };
+  volume.Value = [](const Index& p, int c) { return p[0] == 8 + 16 * c ? 0.5 : 0.0; };
   for (const int components : { 2, 3, 4 })
   {
     volume.Components = components;
@@ -299,20 +301,20 @@ void CheckNonFinite(Check& check)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   Case volume;
   volume.Samples = { { 70, 18, 18 } };
-  volume.Name = "nothing finite in some blocks";
-  volume.Value = [nan](const Place& p, int) {
+  volume.Name = "some blocks have no finite value";
+  volume.Value = [nan](const Index& p, int) {
     return p[0] < 40 ? nan : p[0] == 60 ? 0.5 : p[0] == 44 ? nan : 0.0;
   };
   CheckCase(volume, check);
   volume.Name = "1 beside NaN";
-  volume.Value = [nan](const Place& p, int) { return p[0] % 2 == 0 ? nan : 1.0; };
+  volume.Value = [nan](const Index& p, int) { return p[0] % 2 == 0 ? nan : 1.0; };
   CheckCase(volume, check);
-  volume.Name = "in another component";
+  volume.Name = "NaN in another component";
   volume.Components = 2;
-  volume.Value = [nan](const Place& p, int c) { return c == 0 && p[0] < 40 ? nan : 0.5; };
+  volume.Value = [nan](const Index& p, int c) { return c == 0 && p[0] < 40 ? nan : 0.5; };
   CheckCase(volume, check);
-  volume.Name = "nothing finite";
-  volume.Value = [nan](const Place&, int) { return nan; };
+  volume.Name = "no finite value";
+  volume.Value = [nan](const Index&, int) { return nan; };
   CheckCase(volume, check);
 }
 
@@ -323,7 +325,7 @@ void CheckBorders(Check& check)
   {
     Case volume;
     volume.Samples = size;
-    volume.Value = [](const Place&, int) { return 0.0; };
+    volume.Value = [](const Index&, int) { return 0.0; };
     interlume::VolumeSamples samples;
     check.That(!samples.Build(MakeArray(volume), size, false), "samples");
     interlume::VolumeBlocks blocks;
@@ -333,7 +335,7 @@ void CheckBorders(Check& check)
   const Size size{ { 40, 17, 1 } };
   check.That(
     bordersOf(size, 0) == std::vector<double>{ 0.5 / 40.0, 16.5 / 40.0, 32.5 / 40.0, 39.5 / 40.0 },
-    "from the first sample to the last");
+    "borders from the first sample to the last");
   check.That(bordersOf(size, 1) == std::vector<double>{ 0.5 / 17.0, 16.5 / 17.0 }, "one block");
   check.That(bordersOf(size, 2) == std::vector<double>{ 0.0, 1.0 }, "one sample");
   check.That(

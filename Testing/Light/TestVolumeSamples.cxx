@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of every type and layout come back from their texels within the texel's own rounding;
-// voxels that are not finite are masked and counted; wrong input is named; the same bytes for any
-// number of threads.
+// Texels of volume samples: values of each type and layout are reproduced within the rounding error
+// of texels; non-finite voxels are masked and counted; invalid input is reported; results do not
+// depend on the number of threads.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
 
@@ -50,7 +50,8 @@ double GetTexel(const interlume::VolumeSamples& samples, vtkIdType index)
   return texel;
 }
 
-/// Values come back within \a tolerance, and are all of a size that single precision can square.
+/// Checks that values are reproduced within \a tolerance, and that texels are small enough to be
+/// squared in single precision.
 void CheckValues(
   vtkDataArray* array, const interlume::VolumeSamples& samples, double tolerance, Check& check)
 {
@@ -61,9 +62,9 @@ void CheckValues(
     {
       const double texel = GetTexel(samples, voxel * components + c);
       const double value = array->GetComponent(voxel, c);
-      check.That(
-        std::abs(samples.Offset[c] + samples.Scale[c] * texel - value) <= tolerance, "the value");
-      check.That(std::abs(texel) <= 2.0, "a texel of the size of 1");
+      check.That(std::abs(samples.Offset[c] + samples.Scale[c] * texel - value) <= tolerance,
+        "the value of a texel");
+      check.That(std::abs(texel) <= 2.0, "a texel of at most 2");
     }
   }
 }
@@ -100,7 +101,7 @@ const Type Types[] = { { VTK_CHAR_MIN, VTK_CHAR_MAX, VTK_CHAR, interlume::Volume
   { -1e308, 1e308, VTK_DOUBLE, interlume::VolumeSamples::FLOAT32 },
   { 1.1e308, 1.7e308, VTK_DOUBLE, interlume::VolumeSamples::FLOAT32 } };
 
-/// Lowest and highest value, and others between them.
+/// Fills an array with the lowest, the highest and random values.
 void Fill(vtkDataArray* array, const Type& type, vtkIdType voxels, int components)
 {
   std::mt19937 random(static_cast<unsigned int>(type.Id));
@@ -108,10 +109,10 @@ void Fill(vtkDataArray* array, const Type& type, vtkIdType voxels, int component
   array->SetNumberOfTuples(voxels);
   for (vtkIdType i = 0; i < voxels * components; ++i)
   {
-    const double part = i < components ? 0.0
-      : i < 2 * components             ? 1.0
-                                       : random() / static_cast<double>(random.max());
-    const double value = type.Lowest * (1.0 - part) + type.Highest * part;
+    const double fraction = i < components ? 0.0
+      : i < 2 * components                 ? 1.0
+                                           : random() / static_cast<double>(random.max());
+    const double value = type.Lowest * (1.0 - fraction) + type.Highest * fraction;
     const bool real = type.Id == VTK_FLOAT || type.Id == VTK_DOUBLE;
     array->SetComponent(
       i / components, static_cast<int>(i % components), real ? value : std::floor(value));
@@ -122,7 +123,7 @@ void CheckType(vtkDataArray* array, const Type& type, int components, bool widen
 {
   check.SetContext("type " + std::to_string(array->GetDataType()) + " " + array->GetClassName() +
     " from " + std::to_string(type.Lowest) + ", components " + std::to_string(components) +
-    (widens ? ", wide" : ""));
+    (widens ? ", widened" : ""));
   const Size size{ { 5, 4, 3 } };
   Fill(array, type, 60, components);
   interlume::VolumeSamples samples;
@@ -206,10 +207,12 @@ void CheckNonFinite(Check& check)
     }
     interlume::VolumeSamples samples;
     check.That(!samples.Build(array, { { 3, 2, 1 } }, false), "no error");
-    check.Equal(samples.NonFinite, 3, "voxels, not values");
+    check.Equal(samples.NonFinite, 3, "voxels are counted, not values");
     check.That(samples.Mask == mask, "the mask");
-    check.That(samples.Range[0] == std::array<double, 2>{ { 1.0, 4.0 } }, "range of the first");
-    check.That(samples.Range[1] == std::array<double, 2>{ { 5.0, 9.0 } }, "range of the second");
+    check.That(
+      samples.Range[0] == std::array<double, 2>{ { 1.0, 4.0 } }, "range of the first component");
+    check.That(
+      samples.Range[1] == std::array<double, 2>{ { 5.0, 9.0 } }, "range of the second component");
     for (int i = 0; i < 12; ++i)
     {
       const double texel = GetTexel(samples, i);
@@ -219,15 +222,15 @@ void CheckNonFinite(Check& check)
     }
   }
 
-  check.SetContext("nothing but NaN");
+  check.SetContext("all values are NaN");
   vtkNew<vtkFloatArray> none;
   none->SetNumberOfTuples(8);
   none->FillValue(std::numeric_limits<float>::quiet_NaN());
   interlume::VolumeSamples samples;
   check.That(!samples.Build(none, { { 2, 2, 2 } }, false), "no error");
-  check.Equal(samples.NonFinite, 8, "all");
-  check.That(samples.Range[0] == std::array<double, 2>{ { 0.0, 0.0 } }, "a range of zeros");
-  check.That(samples.Scale[0] > 0.0 && samples.Offset[0] == 0.0, "a scale");
+  check.Equal(samples.NonFinite, 8, "all voxels are counted");
+  check.That(samples.Range[0] == std::array<double, 2>{ { 0.0, 0.0 } }, "the range is zero");
+  check.That(samples.Scale[0] > 0.0 && samples.Offset[0] == 0.0, "the scale is positive");
 }
 
 void CheckExtremes(Check& check)
@@ -267,7 +270,7 @@ void CheckErrors(Check& check)
     check.That(!samples.Build(before, { { 1, 1, 1 } }, false), "no error before");
     const std::string message = samples.Build(array, size, false).GetMessage();
     check.That(message.find(word) != std::string::npos, "'" + word + "' in: " + message);
-    check.That(samples.Texels.empty() && samples.Components == 0, "nothing is left");
+    check.That(samples.Texels.empty() && samples.Components == 0, "no data are left");
   };
   vtkNew<vtkFloatArray> array;
   array->SetName("density");
@@ -280,12 +283,12 @@ void CheckErrors(Check& check)
   wide->SetName("stress");
   wide->SetNumberOfComponents(5);
   wide->SetNumberOfTuples(8);
-  fails(wide, { { 2, 2, 2 } }, "stress has 5");
+  fails(wide, { { 2, 2, 2 } }, "stress' has 5");
 }
 
 void CheckThreads(Check& check)
 {
-  // Zeros of both signs and voxels to be masked, in more than one part.
+  // Zeros of both signs and masked voxels, in more than one block of work.
   vtkNew<vtkDoubleArray> array;
   array->SetNumberOfComponents(2);
   array->SetNumberOfTuples(60 * 60 * 50);
@@ -300,8 +303,8 @@ void CheckThreads(Check& check)
   vtkSMPTools::SetBackend("Sequential");
   SetThreads(1);
   check.That(!expected.Build(array, size, false), "no error");
-  check.That(
-    !std::signbit(expected.Range[0][0]) && !std::signbit(expected.Range[1][1]), "zero has no sign");
+  check.That(!std::signbit(expected.Range[0][0]) && !std::signbit(expected.Range[1][1]),
+    "the zero of a range is positive");
   const auto compare = [&]()
   {
     interlume::VolumeSamples samples;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumePile.h"
 
-#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Drawing/ShadowImage.h"
 
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -15,18 +15,18 @@ VolumePile::VolumePile(const MixedScene& scene, bool isReversed)
   : Stage(scene.Size)
 {
   this->Stage.GetVolume()->VisibilityOff();
-  for (const SceneVolume& part : scene.Volumes)
+  for (const SceneVolume& sceneVolume : scene.Volumes)
   {
-    ShadowScene whole;
-    static_cast<SceneVolume&>(whole) = part;
-    whole.Shadows = scene.Shadows;
+    ShadowScene shadowScene;
+    static_cast<SceneVolume&>(shadowScene) = sceneVolume;
+    shadowScene.Shadows = scene.Shadows;
     const auto mapper = vtkSmartPointer<vtkShadowedSliceMapper>::New();
-    Configure(mapper, whole);
+    Configure(mapper, shadowScene);
     mapper->AutoAdjustSampleDistancesOff();
     const auto volume = vtkSmartPointer<vtkVolume>::New();
     volume->SetMapper(mapper);
-    volume->SetProperty(part.Property);
-    volume->SetUserMatrix(part.Matrix);
+    volume->SetProperty(sceneVolume.Property);
+    volume->SetUserMatrix(sceneVolume.Matrix);
     this->Mappers.push_back(mapper);
     this->Volumes.push_back(volume);
   }

@@ -2,8 +2,8 @@
 #ifndef VolumePile_h
 #define VolumePile_h
 
-#include "Support/Pictures/MixedScene.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/MixedScene.h"
+#include "Support/Images/VolumeStage.h"
 
 #include "vtkNew.h"
 #include "vtkShadowedScenePass.h"
@@ -18,22 +18,22 @@ namespace reference
 
 /**
  * @class   VolumePile
- * @brief   a window out of sight with the volumes and surfaces of a scene, drawn by
- * vtkShadowedScenePass
+ * @brief   an offscreen window with the volumes and surfaces of a scene, drawn by
+ *          vtkShadowedScenePass
  */
 class VolumePile
 {
 public:
-  /// Adds the scene's volumes in their order, or in the opposite one.
+  /// Adds the volumes in the order of the scene, or in reverse order.
   explicit VolumePile(const MixedScene& scene, bool isReversed = false);
   ~VolumePile();
 
-  RgbaPicture Draw() { return this->Stage.Capture(); }
+  RgbaImage Draw() { return this->Stage.Capture(); }
   vtkInterlumeReport* GetReport() const { return this->Pass->GetReport(); }
 
   VolumeStage Stage;
   vtkNew<vtkShadowedScenePass> Pass;
-  /// In the order of the scene's volumes.
+  /// One mapper per volume, in the order of the scene.
   std::vector<vtkSmartPointer<vtkShadowedSliceMapper>> Mappers;
   std::vector<vtkSmartPointer<vtkVolume>> Volumes;
 };

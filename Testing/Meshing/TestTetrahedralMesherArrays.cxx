@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Point arrays at new points: linear functions come out to rounding, values stay within the range
-// of those given, and points of the input keep theirs.
+// Point arrays at new points: linear functions are reproduced up to rounding error, values remain
+// within the input range, and input points retain their values.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceField.h"
 #include "Support/Meshes/ReferenceMeshing.h"
@@ -47,7 +47,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Refined(vtkDataSet* input, vtkIdType* added
   mesher->Update();
   if (added)
   {
-    *added = static_cast<vtkIdType>(mesher->GetReport()->GetNumber("AddedPoints"));
+    *added = mesher->GetReport()->GetCount("AddedPoints");
   }
   return mesher->GetOutput();
 }
@@ -59,14 +59,14 @@ void CheckLinear(Check& check)
   AddLinearField(surface, Function);
   vtkIdType added = 0;
   auto mesh = Refined(surface, &added);
-  check.That(added > 1000, "many points are added");
+  check.That(added > 1000, "more than the input points are used");
   const double error = LinearError(mesh, "f", Function);
   std::cout << "linear field at " << mesh->GetNumberOfPoints() << " points, " << added
             << " of them new: relative error " << error << "\n";
   check.That(error < 1e-12, "a linear field is reproduced: " + std::to_string(error));
 }
 
-/// x^2 - y^2 on a fine boundary is nearly harmonic: its values inside are near.
+/// x^2 - y^2 is harmonic. Values interpolated from a fine boundary approximate it in the interior.
 void CheckHarmonic(Check& check)
 {
   check.SetContext("harmonic field");
@@ -96,7 +96,7 @@ void CheckHarmonic(Check& check)
   }
   std::cout << "x^2 - y^2 on " << mesh->GetNumberOfPoints() << " points: error " << error
             << " of 1.96\n";
-  check.That(error < 0.02, "a harmonic function is followed: " + std::to_string(error));
+  check.That(error < 0.02, "a harmonic function is approximated: " + std::to_string(error));
 }
 
 template <typename Array>
@@ -151,9 +151,9 @@ void CheckTypes(Check& check)
         std::string("range of ") + one.first);
     }
   }
-  check.Equal(out->GetNumberOfArrays(), 4, "arrays: strings and global ids stay out");
-  check.That(out->GetVectors() == out->GetArray("vectors"), "the active vectors stay active");
-  // Points of the input that are used come first, with their values.
+  check.Equal(out->GetNumberOfArrays(), 4, "string arrays and global ids are not passed");
+  check.That(out->GetVectors() == out->GetArray("vectors"), "the active vectors remain active");
+  // The input points in use come first and retain their values.
   vtkDataArray* values = out->GetArray("double");
   vtkIdType at = 0;
   for (vtkIdType p = 0; values && p < surface->GetNumberOfPoints(); ++p)
@@ -165,11 +165,12 @@ void CheckTypes(Check& check)
     if (x[0] == y[0] && x[1] == y[1] && x[2] == y[2])
     {
       check.Near(values->GetComponent(at, 0),
-        surface->GetPointData()->GetArray("double")->GetComponent(p, 0), 0.0, "a given value");
+        surface->GetPointData()->GetArray("double")->GetComponent(p, 0), 0.0,
+        "value at an input point");
       ++at;
     }
   }
-  check.Equal(at, surface->GetNumberOfPoints(), "points of the input, in their order");
+  check.Equal(at, surface->GetNumberOfPoints(), "the input points retain their order");
 }
 
 void CheckExtreme(Check& check)
@@ -186,8 +187,8 @@ void CheckExtreme(Check& check)
     {
       notFinite += !std::isfinite(values->GetComponent(p, 0));
     }
-    // The point itself, and new ones on the triangles around it.
-    check.That(notFinite <= (std::isfinite(bad) ? 0 : 100), "the others stay finite");
+    // The point itself and new points on adjacent triangles may be non-finite.
+    check.That(notFinite <= (std::isfinite(bad) ? 0 : 100), "the other values remain finite");
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The cells of grids: concave polyhedra with concave faces that are not planar, beside every other
-// cell, become positive tetrahedra that fit together and fill what the cells fill.
+// Cells of grids: concave polyhedra with concave, nonplanar faces and all other cell types are
+// split into positively oriented tetrahedra that match at their faces and fill the cells.
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
@@ -50,17 +50,17 @@ vtkSmartPointer<vtkInterlumeReport> CheckMesh(vtkDataSet* input, long double vol
   check.Equal(report.Tetrahedra, output->GetNumberOfCells(), "every cell is a tetrahedron");
   check.Equal(report.NotPositive, 0, "every tetrahedron is positive");
   check.Equal(report.FacesTooOften, 0, "no face belongs to more than two tetrahedra");
-  check.Equal(report.FacesTurned, 0, "two tetrahedra are on two sides of a face");
+  check.Equal(report.FacesTurned, 0, "tetrahedra lie on opposite sides of their common face");
   check.Equal(report.UnusedPoints, 0, "every point is used");
   check.Near(report.Volume, volume, 1e-12, "volume");
-  // A crack inside has faces that occur once: each adds to the surface of the whole.
+  // Each face along an interior crack occurs once and changes the volume within the outer faces.
   check.Near(report.BoundaryVolume, volume, 1e-12, "volume within the outer faces");
   if (input->GetPointData()->GetArray("f"))
   {
     check.That(LinearError(output, "f", Function) < 1e-10, "a linear field is reproduced");
   }
-  check.Near(
-    mesher->GetReport()->GetNumber("Tetrahedra"), report.Tetrahedra, 0.0, "tetrahedra reported");
+  check.Equal(
+    mesher->GetReport()->GetCount("Tetrahedra"), report.Tetrahedra, "tetrahedra reported");
   return mesher->GetReport();
 }
 
@@ -80,10 +80,10 @@ void CheckKinds(Check& check)
     auto mesh = MakeMesh(kind, { 3, 3, 3 });
     AddLinearField(mesh, Function);
     const auto report = CheckMesh(mesh, MeshVolume(mesh), check);
-    check.Near(report->GetNumber("Cells"), mesh->GetNumberOfCells(), 0.0, "cells decomposed");
-    check.Near(report->GetNumber("AddedPoints"), 0, 0.0, "convex cells need no new point");
+    check.Equal(report->GetCount("Cells"), mesh->GetNumberOfCells(), "cells decomposed");
+    check.Equal(report->GetCount("AddedPoints"), 0, "convex cells require no new point");
   }
-  // Each side of the box has 3 x 3 squares of two triangles: one crack more would have more.
+  // Each side of the box has 3 x 3 squares of two triangles. A crack would add more.
   check.SetContext("outer faces");
   check.Equal(OuterFaces(MakeMesh(MeshKind::Mixed, { 3, 3, 3 })), 6 * 9 * 2, "of a mixed mesh");
 }
@@ -99,8 +99,9 @@ void CheckConcave(Check& check)
       auto mesh = MakeConcaveMesh(blocks, shift, seed);
       AddLinearField(mesh, Function);
       const auto report = CheckMesh(mesh, 4.0L * blocks[0] * blocks[1] * blocks[2], check);
-      check.Near(report->GetNumber("Cells"), mesh->GetNumberOfCells(), 0.0, "cells decomposed");
-      // Sides: 2*6 x 4 squares in x and in y, 3*3*4 squares above and below, two triangles each.
+      check.Equal(report->GetCount("Cells"), mesh->GetNumberOfCells(), "cells decomposed");
+      // The sides in x and in y have 2 x 6 x 4 squares each, top and bottom have 3 x 3 x 4 squares
+      // each. Each square has two triangles.
       check.Equal(OuterFaces(mesh), 2 * (2 * (6 * 4) + 2 * (6 * 4) + 2 * 36), "outer faces");
       if (seed == 1)
       {
@@ -114,7 +115,7 @@ void CheckConcave(Check& check)
   }
 }
 
-/// Returns whether two points are those of an edge of \a mesh.
+/// Returns whether the points \a a and \a b are connected by an edge of \a mesh.
 bool HasEdge(vtkUnstructuredGrid* mesh, vtkIdType a, vtkIdType b)
 {
   vtkNew<vtkIdList> ids;
@@ -129,7 +130,8 @@ bool HasEdge(vtkUnstructuredGrid* mesh, vtkIdType a, vtkIdType b)
   return false;
 }
 
-/// The diagonal of each face starts at the point of the least global id, not of the least point id.
+/// The diagonal of each face starts at the point with the smallest global id, not at the smallest
+/// point id.
 void CheckGlobalIds(Check& check)
 {
   const int faces[6][4] = { { 0, 1, 2, 3 }, { 4, 5, 6, 7 }, { 0, 1, 5, 4 }, { 1, 2, 6, 5 },
@@ -158,18 +160,18 @@ void CheckGlobalIds(Check& check)
     mesher->Update();
     for (const auto& face : faces)
     {
-      const int least = static_cast<int>(
+      const int smallest = static_cast<int>(
         std::min_element(face, face + 4, [&](int a, int b) { return order[a] < order[b]; }) - face);
-      check.That(HasEdge(mesher->GetOutput(), face[least], face[(least + 2) % 4]),
-        "the least id's diagonal");
-      check.That(!HasEdge(mesher->GetOutput(), face[(least + 1) % 4], face[(least + 3) % 4]),
-        "the other diagonal is none");
+      check.That(HasEdge(mesher->GetOutput(), face[smallest], face[(smallest + 2) % 4]),
+        "the face has the diagonal at the smallest global id");
+      check.That(!HasEdge(mesher->GetOutput(), face[(smallest + 1) % 4], face[(smallest + 3) % 4]),
+        "the face does not have the other diagonal");
     }
     std::shuffle(order.begin(), order.end(), std::mt19937(seed));
   }
 }
 
-/// Hidden and duplicate cells are left out and counted; other marks do not count.
+/// Hidden and duplicate cells are skipped and counted. Other ghost flags have no effect.
 void CheckGhosts(Check& check)
 {
   check.SetContext("ghosts");
@@ -187,13 +189,15 @@ void CheckGhosts(Check& check)
   vtkNew<vtkTetrahedralMesher> mesher;
   mesher->SetInputData(mesh);
   mesher->Update();
-  check.Near(mesher->GetReport()->GetNumber("Cells"), 2, 0.0, "cells decomposed");
-  check.Near(mesher->GetReport()->GetNumber("SkippedCells"), 2, 0.0, "cells left out");
-  check.Near(Inspect(mesher->GetOutput()).Volume, whole / 2, 1e-12, "volume of the others");
+  check.Equal(mesher->GetReport()->GetCount("Cells"), 2, "cells decomposed");
+  check.Equal(mesher->GetReport()->GetCount("SkippedCells"), 2, "cells skipped");
+  check.Near(
+    Inspect(mesher->GetOutput()).Volume, whole / 2, 1e-12, "volume of the remaining cells");
   check.Equal(mesher->GetOutput()->GetNumberOfCells(), 12, "tetrahedra");
 }
 
-/// Two blocks with orders of their own cut the faces between them alike by ids of any type.
+/// Two blocks with different point orders split their common faces in the same way if they have
+/// global ids, of any type.
 void CheckBlocks(Check& check)
 {
   std::vector<IdStorage> storages = AllIdStorages();
@@ -213,13 +217,13 @@ void CheckBlocks(Check& check)
         mesher->Update();
         faces[side] = FacesBetweenBlocks(mesher->GetOutput(), 0);
       }
-      check.That(!faces[0].empty(), "there are faces");
+      check.That(!faces[0].empty(), "there are common faces");
       different += faces[0] != faces[1];
     }
     check.That((different > 0) == (ids.Type == VTK_VOID),
-      "orders in which faces differ: " + std::to_string(different));
+      "point orders for which common faces differ: " + std::to_string(different));
   }
-  check.SetContext("wrong ids");
+  check.SetContext("array of global ids with an invalid length");
   const auto block = MakeBlocks(MeshKind::Hexahedra, 0, 1, { VTK_INT, false })[0];
   block->GetPointData()->GetGlobalIds()->SetNumberOfTuples(17);
   vtkNew<vtkTetrahedralMesher> mesher;
@@ -228,7 +232,7 @@ void CheckBlocks(Check& check)
   check.Contains(message, "\"ids\" has 17 tuples; 18 are needed");
 }
 
-/// A prism over a polygon in the plane, its points listed counterclockwise.
+/// Returns a prism over a polygon in the plane. The points are listed counterclockwise.
 vtkSmartPointer<vtkUnstructuredGrid> MakePrism(
   const std::vector<std::array<double, 2>>& polygon, double twist = 0.0)
 {
@@ -258,7 +262,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePrism(
 
 void CheckSingle(Check& check)
 {
-  // No point of a U sees all of it.
+  // No point of a U-shaped cell sees the entire cell.
   check.SetContext("U");
   CheckMesh(MakePrism({ { { 0, 0 } }, { { 3, 0 } }, { { 3, 3 } }, { { 2, 3 } }, { { 2, 1 } },
               { { 1, 1 } }, { { 1, 3 } }, { { 0, 3 } } }),
@@ -276,8 +280,9 @@ void CheckSingle(Check& check)
     }
   }
   CheckMesh(MakePrism(comb), 9.0L + 5 * 2.0L, check);
-  // Schoenhardt's polyhedron has no tetrahedra without a new point: 12 triangles and one point in
-  // the interior of a twisted prism whose sides are cut the wrong way.
+  // Schoenhardt's polyhedron cannot be tetrahedralized without a new point. It is a twisted prism
+  // whose sides are split along the concave diagonals. The result has 12 triangles and one interior
+  // point.
   check.SetContext("Schoenhardt");
   MeshBuilder builder;
   const double pi = std::acos(-1.0);
@@ -307,7 +312,8 @@ void CheckArrays(Check& check)
   mesher->SetInputData(mesh);
   mesher->Update();
   vtkDataArray* kinds = mesher->GetOutput()->GetCellData()->GetArray("kind");
-  check.That(kinds && kinds->GetDataType() == VTK_INT, "the cell array is there, with its type");
+  check.That(
+    kinds && kinds->GetDataType() == VTK_INT, "the cell array exists and retains its type");
   check.Equal(
     kinds ? kinds->GetNumberOfTuples() : 0, mesher->GetOutput()->GetNumberOfCells(), "values");
   long double polyhedra = 0;
@@ -317,10 +323,10 @@ void CheckArrays(Check& check)
     polyhedra += kinds->GetComponent(t, 0) == 0;
   }
   check.That(polyhedra > 0 && polyhedra < mesher->GetOutput()->GetNumberOfCells(),
-    "tetrahedra of polyhedra and of others");
+    "tetrahedra of polyhedra and of other cells");
 }
 
-/// A cell with too few points is named, be it between others or the last one.
+/// The error names a cell with too few points, whether it is the last cell or not.
 void CheckTooFew(Check& check)
 {
   for (const int type :
@@ -342,10 +348,10 @@ void CheckTooFew(Check& check)
         check.SetContext("type " + std::to_string(type) + ", " + std::to_string(has) + " points");
         vtkNew<vtkTetrahedralMesher> mesher;
         mesher->SetInputData(mesh);
-        const std::string said = MessagesOf(mesher);
-        check.That(said.find("Cell 8 (") != std::string::npos &&
-            said.find("; " + std::to_string(needed) + " are needed") != std::string::npos,
-          "error: " + said);
+        const std::string message = MessagesOf(mesher);
+        check.That(message.find("Cell 8 (") != std::string::npos &&
+            message.find("; " + std::to_string(needed) + " are needed") != std::string::npos,
+          "error: " + message);
         check.Equal(mesher->GetOutput()->GetNumberOfCells(), 0, "cells");
       }
     }

@@ -28,13 +28,14 @@ void CheckRuns(vtkDataSet* input, Check& check)
   mesher->Update();
   vtkNew<vtkUnstructuredGrid> first;
   first->DeepCopy(mesher->GetOutput());
-  check.That(first->GetNumberOfCells() > 0, "there is output");
-  check.That(watch.Progress.size() >= 3, "progress is told");
-  check.That(std::is_sorted(watch.Progress.begin(), watch.Progress.end()), "progress grows");
+  check.That(first->GetNumberOfCells() > 0, "the output is not empty");
+  check.That(watch.Progress.size() >= 3, "progress is reported");
+  check.That(std::is_sorted(watch.Progress.begin(), watch.Progress.end()), "progress increases");
   check.That(watch.Progress.back() <= 1, "progress is at most 1");
   mesher->Modified();
   mesher->Update();
-  check.That(FindDifference(first, mesher->GetOutput()).empty(), "the same bytes again");
+  check.That(
+    FindDifference(first, mesher->GetOutput()).empty(), "a second run yields bit-identical output");
   for (std::size_t after : { 0, 1 })
   {
     watch = ProgressWatch();
@@ -47,10 +48,11 @@ void CheckRuns(vtkDataSet* input, Check& check)
   watch = ProgressWatch();
   mesher->Modified();
   mesher->Update();
-  check.That(FindDifference(first, mesher->GetOutput()).empty(), "the same bytes after an abort");
+  check.That(
+    FindDifference(first, mesher->GetOutput()).empty(), "output after an abort is bit-identical");
 }
 
-/// A mesh that would take minutes is given up within the time that a user waits.
+/// Aborting interrupts TetGen within seconds, although the mesh would take minutes.
 void CheckAbortWithinTetGen(Check& check)
 {
   auto box = MakeBoxes();
@@ -66,7 +68,8 @@ void CheckAbortWithinTetGen(Check& check)
   mesher->Update();
   const std::chrono::duration<double> time = std::chrono::steady_clock::now() - start;
   check.Equal(mesher->GetOutput()->GetNumberOfCells(), 0, "cells");
-  check.That(time.count() < 10.0, "it ends at once: " + std::to_string(time.count()));
+  check.That(time.count() < 10.0,
+    "the filter returns soon after the abort: " + std::to_string(time.count()));
 }
 
 void CheckPrint(Check& check)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Closed surfaces: the tetrahedra fill the space within, to rounding, shells within shells too.
+// Closed surfaces: the tetrahedra fill the enclosed space up to rounding error, also for nested
+// shells.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -40,13 +41,13 @@ void CheckVolume(vtkUnstructuredGrid* mesh, long double volume, Check& check)
   const TetrahedraReport report = Inspect(mesh);
   check.That(report.Tetrahedra > 0, "there are tetrahedra");
   check.Equal(report.NotPositive, 0, "every tetrahedron is positive");
-  check.Equal(report.FacesTooOften + report.FacesTurned, 0, "tetrahedra fit together");
+  check.Equal(report.FacesTooOften + report.FacesTurned, 0, "tetrahedra match at their faces");
   check.Equal(report.UnusedPoints, 0, "every point is used");
   check.Near(report.Volume, volume, 1e-12, "volume");
   check.Near(report.BoundaryVolume, volume, 1e-12, "volume within the outer faces");
 }
 
-/// The volume of each value of RegionId.
+/// Returns the volume per value of RegionId.
 std::map<int, long double> RegionVolumes(vtkUnstructuredGrid* mesh)
 {
   std::map<int, long double> volumes;
@@ -154,7 +155,8 @@ void CheckShells(Check& check)
     AppendBox(boxes, { 2, 2, 2 }, { 4, 4, 4 });
     AppendBox(boxes, { 6, 6, 6 }, { 7, 7, 7 }, inward);
     auto cavities = MeshOf(boxes);
-    // In the order of the first polygon of the shells around them: 512 - 8 - 1 is a cavity.
+    // Regions are in the order of the first polygon of their shells: The space of volume 512 - 8 -
+    // 1 is a cavity unless nested shells are filled.
     CheckRegions(cavities, { 1000 - 512, 1, 8, 1 }, check);
     CheckVolume(cavities, 1000 - 512 + 1 + 8 + 1, check);
     auto filled = MeshOf(boxes, true);
@@ -176,7 +178,7 @@ void CheckWalls(Check& check)
 
 using Corner = std::array<double, 3>;
 
-/// Boxes that touch: their volumes and contacts.
+/// Boxes that touch, with the expected numbers of split triangles and added points.
 struct Contact
 {
   const char* Name;
@@ -185,8 +187,9 @@ struct Contact
   vtkIdType AddedPoints;
 };
 
-/// Turns \a surface, so that no coordinate is exact and planes of two parts differ by rounding.
-void Turn(vtkPolyData* surface)
+/// Rotates \a surface. Its coordinates become inexact, so that coincident planes of two parts
+/// differ by rounding errors.
+void Rotate(vtkPolyData* surface)
 {
   vtkNew<vtkTransform> transform;
   transform->Translate(0.1, 0.2, 0.3);
@@ -197,8 +200,8 @@ void Turn(vtkPolyData* surface)
   surface->SetPoints(points);
 }
 
-/// Parts that touch other than in common points and edges are split there, and each keeps its
-/// region and its volume.
+/// Parts that touch elsewhere than at common points and edges are split there. Each part retains
+/// its region and its volume.
 void CheckContacts(Check& check)
 {
   std::vector<std::array<Corner, 2>> blocks;
@@ -216,7 +219,7 @@ void CheckContacts(Check& check)
       8, 9 },
     { "half a side", { { { { 0, 0, 0 }, { 1, 1, 1 } } }, { { { 1, 0, 0 }, { 2, .5, 1 } } } }, 7,
       1 },
-    { "a part of an edge",
+    { "a section of an edge",
       { { { { 0, 0, 0 }, { 1, 1, 1 } } }, { { { 1, 1, .5 }, { 2, 2, 1.5 } } } }, 4, 0 },
     { "three along an edge",
       { { { { 0, 0, 0 }, { 1, 1, 1 } } }, { { { 1, 0, 0 }, { 2, 1, .7 } } },
@@ -231,7 +234,7 @@ void CheckContacts(Check& check)
   {
     for (bool isTurned : { false, true })
     {
-      check.SetContext(contact.Name + std::string(isTurned ? ", turned" : ""));
+      check.SetContext(contact.Name + std::string(isTurned ? ", rotated" : ""));
       auto surface = MakeBoxes();
       std::vector<double> volumes;
       for (const auto& box : contact.Boxes)
@@ -242,7 +245,7 @@ void CheckContacts(Check& check)
       }
       if (isTurned)
       {
-        Turn(surface);
+        Rotate(surface);
       }
       AddLinearField(surface, { 0.5, { 1.0, -2.0, 3.0 } });
       vtkNew<vtkTetrahedralMesher> mesher;
@@ -254,16 +257,16 @@ void CheckContacts(Check& check)
         "a linear field is reproduced");
       if (!isTurned)
       {
-        check.Near(mesher->GetReport()->GetNumber("SplitTriangles"), contact.SplitTriangles, 0.0,
+        check.Equal(mesher->GetReport()->GetCount("SplitTriangles"), contact.SplitTriangles,
           "triangles split");
-        check.Near(
-          mesher->GetReport()->GetNumber("AddedPoints"), contact.AddedPoints, 0.0, "points added");
+        check.Equal(
+          mesher->GetReport()->GetCount("AddedPoints"), contact.AddedPoints, "points added");
       }
     }
   }
 }
 
-/// A cavity that another part fills.
+/// A cavity filled by another part.
 void CheckFilledCavity(Check& check)
 {
   check.SetContext("a filled cavity");
@@ -275,7 +278,7 @@ void CheckFilledCavity(Check& check)
   CheckRegions(MeshOf(boxes, true), { 56, 8 }, check);
 }
 
-/// One point of a pyramid, or one of its edges, is on the top of a cube.
+/// A point or an edge of a pyramid lies on the top of a cube.
 void CheckPointContacts(Check& check)
 {
   for (bool isEdge : { false, true })
@@ -298,7 +301,7 @@ void CheckPointContacts(Check& check)
   }
 }
 
-/// A wall of triangles with one diagonal meets one with the other diagonal.
+/// Two walls of triangles with different diagonals touch.
 void CheckDiagonals(Check& check)
 {
   check.SetContext("a wall with other diagonals");
@@ -323,8 +326,8 @@ void CheckDiagonals(Check& check)
   CheckVolume(mesher->GetOutput(), 2.0L, check);
 }
 
-/// Without SplitContacts an error names the cells: the top of the first cube and the bottom of the
-/// second one.
+/// Without SplitContacts, an error names the cells: the top of the first cube and the bottom of the
+/// second cube.
 void CheckContactError(Check& check)
 {
   check.SetContext("SplitContacts off");

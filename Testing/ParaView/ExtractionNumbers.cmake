@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# In the build of the VTK modules: the numbers and pictures for ParaView to repeat, and the defaults of
-# its XML.
+# Used in the build of the VTK modules: writes the numbers and images for ParaView to reproduce, and checks
+# the defaults in the plugin's XML.
 if (NOT INTERLUME_PYTHON)
   return()
 endif ()
@@ -25,7 +25,8 @@ extraction_test(TestRepresentationPictures image
 extraction_test(TestShadowedSlicePictures image
   Extractions/write_shadowed_slices.py "${extractions_folder}")
 extraction_test(TestPluginXMLDefaults "value;quick" TestPluginXMLDefaults.py "${PROJECT_SOURCE_DIR}/Plugin")
-# One of the flows of the numbers has no critical point, which is warned of.
+# TestExtractionNumbers may print warnings, since one of the flows of write_numbers.py has no
+# critical point. The image tests may not.
 set_tests_properties(TestInflowTexturePictures TestRepresentationPictures TestShadowedSlicePictures PROPERTIES
   TIMEOUT 300
   FAIL_REGULAR_EXPRESSION "ERROR: ;Warning: ;ERR\\|;WARN\\|;Traceback")

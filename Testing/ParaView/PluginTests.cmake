@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# In the build of the plugin: scripts that pvbatch runs, alone and with four MPI ranks.
-set(INTERLUME_EXTRACTIONS "" CACHE PATH
-  "The folder that TestExtractionNumbers and the tests of pictures wrote in a build of the VTK modules")
-if (NOT INTERLUME_EXTRACTIONS)
+# Used in the build of the plugin: runs scripts with pvbatch, serially and with four MPI ranks.
+set(INTERLUME_EXTRACTION_DATA_DIR "" CACHE PATH
+  "Directory with the results of TestExtractionNumbers and the image tests from a build of the VTK modules")
+if (NOT INTERLUME_EXTRACTION_DATA_DIR)
   message(FATAL_ERROR
-    "The plugin's tests need INTERLUME_EXTRACTIONS, a folder that the tests of a build of the VTK "
-    "modules write; or set BUILD_TESTING to OFF. Utilities/test does both builds.")
+    "The plugin's tests need INTERLUME_EXTRACTION_DATA_DIR, a directory with test results from a build of the VTK "
+    "modules. Set it, or set BUILD_TESTING to OFF. Utilities/test does both builds.")
 endif ()
 find_program(PVBATCH pvbatch HINTS "${ParaView_PREFIX_PATH}/bin" REQUIRED)
 find_program(PVPYTHON pvpython HINTS "${ParaView_PREFIX_PATH}/bin" REQUIRED)
@@ -23,7 +23,7 @@ get_filename_component(paraview_libraries "${ParaView_DIR}/../.." ABSOLUTE)
 include("${CMAKE_CURRENT_LIST_DIR}/../MPIEnvironment.cmake")
 set(plugin_environment
   "INTERLUME_PLUGIN=$<TARGET_FILE:Interlume>"
-  "INTERLUME_EXTRACTIONS=${INTERLUME_EXTRACTIONS}"
+  "INTERLUME_EXTRACTION_DATA_DIR=${INTERLUME_EXTRACTION_DATA_DIR}"
   "INTERLUME_CLIENT=${PARAVIEW_CLIENT}"
   "INTERLUME_DATA=${PROJECT_SOURCE_DIR}/Data"
   "PYTHONPATH=${INTERLUME_PARAVIEW_PYTHON}:${CMAKE_CURRENT_SOURCE_DIR}"
@@ -32,8 +32,8 @@ set(plugin_environment
   ${interlume_mpi_environment})
 set(server_file "${CMAKE_CURRENT_BINARY_DIR}/server.npz")
 
-# ParaView 6.1, without the plugin too, warns of textures that it leaves active where it has drawn two
-# views: "There are still active textures", "Leaked for texture object".
+# ParaView 6.1 warns of active textures after rendering two views, even without the plugin. The
+# pattern ignores the two messages: "There are still active textures", "Leaked for texture object".
 set(plugin_failures "ERR\\|;WARN\\| +[^TL ];ERROR: ;Warning: ;Traceback")
 
 # plugin_test(NAME LABELS COMMAND...)
@@ -50,7 +50,7 @@ set(script "${CMAKE_CURRENT_SOURCE_DIR}")
 set(batch "${PVBATCH}" --force-offscreen-rendering)
 set(ranks "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} 4)
 
-# plugin_pieces_test(ONE PIECES KIND): what the script PIECES writes in one process it compares in four.
+# plugin_pieces_test(ONE PIECES KIND): compares the results of the script PIECES in one and in four processes.
 function (plugin_pieces_test one pieces kind)
   set(file "${CMAKE_CURRENT_BINARY_DIR}/${pieces}.npz")
   plugin_test(${one} "paraview;${kind}" ${batch} "${script}/${pieces}.py" write "${file}")
@@ -80,8 +80,8 @@ plugin_test(TestPluginFlowProperties "paraview;value"
   ${batch} "${script}/TestPluginFlowProperties.py")
 plugin_pieces_test(TestPluginOnePiece TestPluginPieces value)
 plugin_pieces_test(TestPluginFlowOnePiece TestPluginFlowPieces value)
-plugin_test(TestPluginPicture "paraview;image"
-  ${batch} "${script}/TestPluginPicture.py" "${CMAKE_CURRENT_BINARY_DIR}/TestPluginPicture.png")
+plugin_test(TestPluginImage "paraview;image"
+  ${batch} "${script}/TestPluginImage.py" "${CMAKE_CURRENT_BINARY_DIR}/TestPluginImage.png")
 plugin_test(TestPluginBlankView "paraview;image"
   ${batch} "${script}/TestPluginBlankView.py" "${CMAKE_CURRENT_BINARY_DIR}")
 plugin_test(TestPluginBlocks "paraview;image" ${batch} "${script}/TestPluginBlocks.py")
@@ -125,13 +125,13 @@ foreach (side IN ITEMS client server)
     ${client} "${script}/TestPluginServer.py" alone ${side} "${PVSERVER}")
 endforeach ()
 
-# The driver is no program of ParaView's, whose MPI would not let mpiexec start.
+# The driver must not be a program of ParaView, whose MPI would prevent mpiexec from starting.
 plugin_test(TestPluginKilledRank "paraview;mpi;value" "${Python3_EXECUTABLE}"
   "${script}/TestPluginKilled.py" rank "${MPIEXEC_EXECUTABLE}" ${MPIEXEC_NUMPROC_FLAG} "${PVBATCH}")
 plugin_test(TestPluginKilledClient "paraview;value" "${Python3_EXECUTABLE}"
   "${script}/TestPluginKilled.py" client "${PVSERVER}" "${PVPYTHON}")
 set_tests_properties(TestPluginKilledRank PROPERTIES RUN_SERIAL ON)
-# What the server says of its client's end is looked at by the test itself.
+# The test itself checks the server's messages about the client's exit.
 set_tests_properties(TestPluginKilledClient PROPERTIES FAIL_REGULAR_EXPRESSION "Traceback")
 
 if (TARGET Interlume_qch)
@@ -155,8 +155,8 @@ plugin_example(intervals_of_a_tooth tooth.vti)
 plugin_example(mug_over_time mug.ex2)
 plugin_example(stream_volume_around_a_disk disk_out_ref.vtu)
 
-# The client itself, as a newcomer uses it: a test for each session of newcomer_uses.py. Its pictures
-# become the baselines with: ctest -R TestNewcomer, and INTERLUME_WRITE_BASELINES in the environment.
+# Tests of the client as a new user operates it, one per session of newcomer_uses.py. To write new baselines,
+# run ctest -R TestNewcomer with INTERLUME_WRITE_BASELINES in the environment.
 foreach (session IN ITEMS Open Scans Images Intervals Time Contours Flow Meshing)
   plugin_test(TestNewcomer${session} "paraview;image" "${Python3_EXECUTABLE}"
     "${script}/TestNewcomer.py" ${session} "${CMAKE_CURRENT_BINARY_DIR}/newcomer")
@@ -166,5 +166,5 @@ add_custom_target(guide-pictures
   COMMAND "${CMAKE_COMMAND}" -E env ${plugin_environment} "${Python3_EXECUTABLE}"
           "${script}/newcomer_guide.py" "${PROJECT_SOURCE_DIR}/Documentation/pictures/guide"
   DEPENDS Interlume
-  COMMENT "Making the pictures of the guide in the client"
+  COMMENT "Rendering the images of the guide in the client"
   VERBATIM)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Drives the real ParaView client as a newcomer would, and looks at what is shown.
+"""Drives the ParaView client as a new user would, and checks the images.
 
-Arguments: a session of newcomer_uses.py and the folder for what is written. Every use must show
-something on at least a twentieth of the view, like its baseline, without an error or a warning in the
-log. With INTERLUME_WRITE_BASELINES in the environment the pictures become the baselines.
+Arguments: a session of newcomer_uses.py and the output directory. After each use, something must cover at
+least 5 % of the view, the image must equal its baseline, and the log must have no error or warning. With
+INTERLUME_WRITE_BASELINES in the environment, the images become the baselines.
 """
 
 import argparse
@@ -17,23 +17,23 @@ from paraview import servermanager
 
 from newcomer_client import play, python
 from newcomer_uses import sessions
-from plugin_pictures import pixels
+from plugin_images import pixels
 from plugin_testing import Checks, data_path
 
-SECONDS = 560  # for a session, on a busy machine; an idle one takes a tenth
-SMALLEST_SHARE = 0.05  # of the picture that differs from the background
-SMALLEST_OUTLINE = 0.01  # what ParaView itself makes of structured data that is only opened
-LARGEST_DIFFERENCE = 8  # of a pixel from the baseline, in steps of 1/255
-LARGEST_SHARE_OFF = 0.002  # of the pixels that may differ more: edges drawn by another driver
+SECONDS = 560  # Limit of a session on a busy machine. An idle one takes a tenth.
+SMALLEST_FRACTION = 0.05  # Fraction of pixels that differ from the background.
+SMALLEST_OUTLINE = 0.01  # The same for the outline of structured data that is only opened.
+LARGEST_DIFFERENCE = 8  # Difference of a pixel from the baseline, in steps of 1/255.
+LARGEST_FRACTION_OFF = 0.002  # Fraction of pixels that may differ more, such as edges.
 LARGEST_MEAN = 0.25
-# What the first word of a use's name says about its picture, besides that there is something.
+# Expected representation by the first word of a use's name.
 REPRESENTATIONS = {"intervals": "Interval Volume", "time": "Interval Volume", "slices": "Shadowed Slices"}
 COLORED = ["intervals", "time", "slices", "contour", "flow"]
 COMPLAINT = re.compile(r"ERR\||WARN\||ERROR:|Error:|Warning:|Traceback|Success = *false|critical:|FATAL", re.I)
 
 
 def gestures(folder, uses):
-    """All gestures of a session, what is recorded after each use included."""
+    """Yields all gestures of a session, including the recording after each use."""
     yield python("import newcomer_record")
     for use, steps in uses.items():
         yield from steps
@@ -49,8 +49,8 @@ def compare(checks, use, drawn, baseline):
     difference = numpy.abs(drawn - expected)
     off = numpy.mean((difference > LARGEST_DIFFERENCE).any(axis=1))
     print(f"  from the baseline: mean {difference.mean():.4f}, off {off:.5f}", flush=True)
-    checks.that(off <= LARGEST_SHARE_OFF, f"{use} is like its baseline: {off:.5f} of its pixels are off")
-    checks.that(difference.mean() <= LARGEST_MEAN, f"{use} is like its baseline on the mean")
+    checks.that(off <= LARGEST_FRACTION_OFF, f"{use} equals its baseline: {off:.5f} of its pixels differ")
+    checks.that(difference.mean() <= LARGEST_MEAN, f"{use} equals its baseline on average")
 
 
 def check_use(checks, folder, use, baselines, write):
@@ -60,20 +60,20 @@ def check_use(checks, folder, use, baselines, write):
             facts = json.load(file)
         drawn = pixels(path)
     except FileNotFoundError:
-        checks.that(False, f"{use} came to a picture")
+        checks.that(False, f"{use} has an image")
         return
     background = numpy.round(255 * numpy.array(facts["background"]))
-    share = numpy.mean((numpy.abs(drawn - background) > 2).any(axis=1))
-    print(f"{use}: {share:.3f} of the view, {facts}", flush=True)
+    fraction = numpy.mean((numpy.abs(drawn - background) > 2).any(axis=1))
+    print(f"{use}: {fraction:.3f} of the view, {facts}", flush=True)
     outline = use.startswith("open-") and facts["representation"] == "Outline"
-    smallest = SMALLEST_OUTLINE if outline else SMALLEST_SHARE
-    checks.that(share >= smallest, f"{use} shows something: {share:.4f} of the view")
+    smallest = SMALLEST_OUTLINE if outline else SMALLEST_FRACTION
+    checks.that(fraction >= smallest, f"{use} is visible in {fraction:.4f} of the view")
     checks.that(facts["cells"] > 0, f"{use} has cells")
     family = use.split("-")[0]
     if family in REPRESENTATIONS:
         checks.equal(facts["representation"], REPRESENTATIONS[family], f"representation of {use}")
     if family in COLORED:
-        checks.that(facts["colored by"], f"{use} is coloured by an array")
+        checks.that(facts["colored by"], f"{use} is colored by an array")
     baseline = os.path.join(baselines, use + ".png")
     if write:
         shutil.copyfile(path, baseline)
@@ -90,7 +90,7 @@ def main():
     arguments = parser.parse_args()
     folder = os.path.realpath(arguments.folder)
     os.makedirs(folder, exist_ok=True)
-    # Background and colours of ParaView's own are others from 6 on.
+    # ParaView 6 has another default background and default colors.
     major = servermanager.vtkSMProxyManager.GetVersionMajor()
     baselines = data_path("Baseline/newcomer" if major < 6 else f"Baseline/newcomer-{major}")
     write = bool(os.environ.get("INTERLUME_WRITE_BASELINES"))
@@ -105,7 +105,7 @@ def main():
     status, log = play(gestures(folder, uses), folder, arguments.session, SECONDS)
     checks.equal(status, 0, "exit status of the client")
     for line in log:
-        checks.that(not COMPLAINT.search(line), "the log has no complaint: " + line)
+        checks.that(not COMPLAINT.search(line), "no error or warning in the log: " + line)
     for use in uses:
         check_use(checks, folder, use, baselines, write)
     checks.finish()

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The area light of Shadowed Slices: its soft shadows on a floor are as wide as geometry says, it comes
-and goes with its representation, takes an image, and its handles move it.
+"""Tests the area light of Shadowed Slices: widths of its soft shadows on a floor against geometry, switching it
+with its representation, its image, and its handles.
 
-Argument: a folder for pictures."""
+Argument: a directory for images.
+"""
 
 import math
 import os
@@ -14,7 +15,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
-from plugin_pictures import add_array, coordinates, image, load_texture, producer, snapshot
+from plugin_images import add_array, coordinates, image, load_texture, producer, snapshot
 from plugin_testing import run
 from shadow_scene import add_sun, brightness, dark_view, make_plate, show_surface
 
@@ -22,14 +23,14 @@ WHITE = 255.0
 SPACING = 0.25
 ORIGIN = (-2.5, -2.0, 0.0)
 CELLS = (28, 16, 16)
-EDGE = 2.0  # of the matter, which ends half a voxel beyond it
-BOTTOM, TOP = 3.0, 4.0  # of the matter
-TRANSMITTANCE = 0.05  # of a unit of it
-DISTANCE = 10.0  # of the light to its focal point
+EDGE = 2.0  # the medium ends half a voxel outside
+BOTTOM, TOP = 3.0, 4.0  # heights of the medium
+TRANSMITTANCE = 0.05  # one unit of the medium
+DISTANCE = 10.0  # from the light to its focal point
 
 
 def make_slab():
-    """A volume that begins at the floor and is empty but for its upper left part."""
+    """Returns a volume above the floor that is empty except for its upper left part."""
     data = image(2, ORIGIN)
     data.SetDimensions(*(cells + 1 for cells in CELLS))
     data.SetSpacing(SPACING, SPACING, SPACING)
@@ -50,7 +51,7 @@ def show_slab(slab, view):
 
 
 def make_scene():
-    """A floor in the light of a display's own area light from above, dense matter between them."""
+    """Returns a view with a floor, dense smoke above it, and the area light of the display above both."""
     view = dark_view()
     slab = make_slab()
     show_surface(make_plate((-8.0, -8.0), 16.0, 0.0), view)
@@ -65,22 +66,23 @@ def make_scene():
 
 
 def profile(view, shot):
-    """The light along x, across the right edge of the slab's shadow, before the slab."""
+    """Returns the light along x in front of the slab, across the right edge of its shadow."""
     return numpy.array([brightness(view, shot, (x, -1.5, 0.0)) for x in numpy.arange(0.5, 4.0, 0.05)]) / WHITE
 
 
 def width_of(values):
-    """The width of a linear ramp with as much between dark and light: 12 times the variance of its rise,
-    square root."""
+    """Returns the width of a linear ramp of equal spread: the square root of 12 times the variance of the
+    rise."""
     rise = numpy.diff(values)
-    places = numpy.arange(len(rise)) * 0.05
-    mean = (rise * places).sum() / rise.sum()
-    return float(numpy.sqrt(max(0.0, 12.0 * (rise * (places - mean) ** 2).sum() / rise.sum())))
+    positions = numpy.arange(len(rise)) * 0.05
+    mean = (rise * positions).sum() / rise.sum()
+    return float(numpy.sqrt(max(0.0, 12.0 * (rise * (positions - mean) ** 2).sum() / rise.sum())))
 
 
 def check_width(checks, view, display):
-    """A square parallel light of width w, seen from the focal point at distance D, has a penumbra of w z / D
-    behind an edge z above: here the lower edge of the slab and its upper one take part, z from 3 to 4."""
+    """A parallel square light of width w, with the size seen from the focal point at distance D, has a
+    penumbra of width w z / D behind an edge at height z. The edges of the slab are at heights z from 3 to
+    4."""
     values = profile(view, snapshot(view))
     checks.that(abs(values[0] - TRANSMITTANCE) < 0.02 and values[-1] > 0.98, f"shadow of size 0: {values}")
     checks.that(width_of(values) < 0.35, f"width of a hard shadow: {width_of(values)}")
@@ -88,23 +90,24 @@ def check_width(checks, view, display):
     for size in (2.0, 4.0):
         display.AreaLightWidth = size
         soft = profile(view, snapshot(view))
-        least, most = (size * z / DISTANCE for z in (BOTTOM, TOP))
+        minimum, maximum = (size * z / DISTANCE for z in (BOTTOM, TOP))
         found = width_of(soft)
-        checks.that(0.9 * least < found < 1.1 * most, f"width of {size}: {found}, expected {least} to {most}")
-        checks.that(numpy.diff(soft).min() > -0.02, f"shadow of {size} falls nowhere: {soft}")
+        checks.that(0.9 * minimum < found < 1.1 * maximum, f"width of {size}: {found}, expected {minimum} to {maximum}")
+        checks.that(numpy.diff(soft).min() > -0.02, f"shadow of {size} increases monotonically: {soft}")
     across = abs(width_of(profile(view, snapshot(view))))
     display.AreaLightWidth, display.AreaLightHeight = 0.0, 4.0
     along = width_of(profile(view, snapshot(view)))
-    checks.that(along < across / 2, f"an edge along the light's height: {along}")
+    checks.that(along < across / 2, f"edge along the light's height: {along}")
     display.AreaLightViewUp = [1.0, 0.0, 0.0]
-    turned = width_of(profile(view, snapshot(view)))
-    checks.that(abs(turned - across) < 0.1 * across, f"a light turned: {turned}, expected {across}")
+    rotated = width_of(profile(view, snapshot(view)))
+    checks.that(abs(rotated - across) < 0.1 * across, f"a rotated light: {rotated}, expected {across}")
     display.AreaLightViewUp = [0.0, 1.0, 0.0]
     display.AreaLightWidth = display.AreaLightHeight = 4.0
 
 
 def check_settings(checks, view, display):
-    """Method, samples, type and shape reach the picture. Volumes beside surfaces have 16 samples or more."""
+    """Tests that settings of the light change the image. Next to surfaces, the mapper uses at least 16
+    samples."""
     soft = snapshot(view)
     for name, value in (("SoftShadowMethod", "Accumulated Convolution"), ("NumberOfLightSamples", 100),
                         ("AreaLightShape", "Round"), ("AreaLightPositional", "Lamp"),
@@ -112,13 +115,13 @@ def check_settings(checks, view, display):
                         ("AreaLightShadows", 0)):
         first = display.GetProperty(name).GetData()
         setattr(display, name, value)
-        checks.that(numpy.abs(snapshot(view) - soft).max() > 4, f"{name} changes the picture")
+        checks.that(numpy.abs(snapshot(view) - soft).max() > 4, f"{name} changes the image")
         setattr(display, name, first)
-    checks.equal(numpy.abs(snapshot(view) - soft).max(), 0, "picture of the first values")
+    checks.equal(numpy.abs(snapshot(view) - soft).max(), 0, "difference after restoring the values")
 
 
 def check_image(checks, view, display, folder):
-    """Of an image with one bright side light comes from there."""
+    """Tests an image with one bright half, which halves the light."""
     soft = profile(view, snapshot(view))
     values = numpy.zeros((8, 8, 3), numpy.uint8)
     values[:, 4:] = 255
@@ -134,9 +137,9 @@ def check_image(checks, view, display, folder):
     display.AreaLightImage = load_texture(path)
     half = profile(view, snapshot(view))
     ratio = width_of(half) / width_of(soft)
-    checks.that(0.4 < ratio < 0.7, f"half a light has half a penumbra: {ratio}")
+    checks.that(0.4 < ratio < 0.7, f"half the light has half the penumbra: {ratio}")
     display.AreaLightImage = None
-    checks.close(width_of(profile(view, snapshot(view))), width_of(soft), 1e-6, "the image taken away")
+    checks.close(width_of(profile(view, snapshot(view))), width_of(soft), 1e-6, "width after removing the image")
 
 
 def own_lights(view):
@@ -146,7 +149,7 @@ def own_lights(view):
 
 
 def check_light(checks, view, slab, display):
-    """The light shines with its representation, and only then."""
+    """Tests that the light is on only while its representation is visible."""
     checks.equal(own_lights(view), [1], "switched on")
     simple.Hide(slab, view)
     checks.equal(own_lights(view), [0], "hidden")
@@ -163,8 +166,8 @@ def check_light(checks, view, slab, display):
 
 
 def check_view_lights(checks, view, display):
-    """A light of the view that is seen under an angle is the area light of that size; between pictures the
-    view has its own lights."""
+    """Tests that ViewLightAngle turns a light of the view into an area light of that size, and that the view
+    has its own lights between frames."""
     display.AreaLightShape = "Round"
     display.AreaLightWidth = display.AreaLightHeight = 2.0
     own = snapshot(view)
@@ -174,10 +177,11 @@ def check_view_lights(checks, view, display):
     checks.that(width_of(profile(view, hard)) < width_of(profile(view, own)) / 2, "the sun's shadow is hard")
     display.ViewLightAngle = 2.0 * math.degrees(math.atan(1.0 / DISTANCE))
     soft = snapshot(view)
-    checks.that(numpy.abs(soft - own).max() <= 1, f"widened sun and area light: {numpy.abs(soft - own).max()}")
-    checks.equal(own_lights(view), [0], "area lights between pictures")
+    checks.that(numpy.abs(soft - own).max() <= 1,
+                f"difference between widened sun and area light: {numpy.abs(soft - own).max()}")
+    checks.equal(own_lights(view), [0], "area lights between frames")
     display.ViewLightAngle = 0.0
-    checks.equal(numpy.abs(snapshot(view) - hard).max(), 0, "the sun's hard shadow again")
+    checks.equal(numpy.abs(snapshot(view) - hard).max(), 0, "difference after restoring the sun's hard shadow")
     simple.RemoveLight(light)
     display.AreaLight = True
 
@@ -188,9 +192,9 @@ class Handles:
     def __init__(self, view, values):
         self.proxy = servermanager.ProxyManager().NewProxy("representations", "InterlumeAreaLightWidget")
         self.set(values)
-        self.drawn = self.proxy.GetClientSideObject().GetRepresentation()
+        self.representation = self.proxy.GetClientSideObject().GetRepresentation()
         self.renderer = view.GetClientSideObject().GetRenderer()
-        self.drawn.SetRenderer(self.renderer)
+        self.representation.SetRenderer(self.renderer)
 
     def set(self, values):
         for name, numbers in values.items():
@@ -208,36 +212,36 @@ class Handles:
         self.renderer.WorldToDisplay()
         return numpy.array(self.renderer.GetDisplayPoint())
 
-    def world(self, place):
-        self.renderer.SetDisplayPoint(*place)
+    def world(self, pixel):
+        self.renderer.SetDisplayPoint(*pixel)
         self.renderer.DisplayToWorld()
         point = numpy.array(self.renderer.GetWorldPoint())
         return point[:3] / point[3]
 
     def drag(self, point, motion):
-        """From the pixel of a point by a motion in pixels. Returns the state, and how far a point there is
-        moved in the world."""
-        place = self.display(point)
-        state = self.drawn.ComputeInteractionState(int(place[0]), int(place[1]))
-        self.drawn.StartWidgetInteraction(place[:2])
-        after = place + [*motion, 0.0]
-        self.drawn.WidgetInteraction(after[:2])
-        return state, self.world(after) - self.world(place)
+        """Drags from the pixel of a point by a motion in pixels. Returns the interaction state and the motion
+        in world coordinates."""
+        pixel = self.display(point)
+        state = self.representation.ComputeInteractionState(int(pixel[0]), int(pixel[1]))
+        self.representation.StartWidgetInteraction(pixel[:2])
+        after = pixel + [*motion, 0.0]
+        self.representation.WidgetInteraction(after[:2])
+        return state, self.world(after) - self.world(pixel)
 
 
 def check_handles(checks, view):
-    """Each handle is found under the cursor, and changes what it is for and nothing else."""
+    """Tests that each handle is found under the cursor and changes only its own value."""
     first = {"WorldPosition": [0.0, 0.0, 3.0], "FocalPoint": [0.0, 0.0, 0.0], "Width": [2.0], "Height": [8.0]}
     handles = Handles(view, first)
     cases = (("WorldPosition", (0.0, 0.0, 3.0), 1.0), ("FocalPoint", (0.0, 0.0, 0.0), 1.0),
              ("Width", (1.0, 0.0, 3.0), 2.0), ("Height", (0.0, 4.0, 3.0), 2.0))
     for name, point, factor in cases:
         handles.set(first)
-        if factor == 2.0:  # the handle is beyond the edge, by some pixels
+        if factor == 2.0:  # the handle is some pixels outside the edge
             direction = numpy.array(point) * [1.0, 1.0, 0.0]
             step = direction / numpy.linalg.norm(direction) * 0.05
-            point = next(place for place in (numpy.array(point) + i * step for i in range(1, 60))
-                         if handles.drawn.ComputeInteractionState(*(int(n) for n in handles.display(place)[:2])))
+            point = next(candidate for candidate in (numpy.array(point) + i * step for i in range(1, 60))
+                         if handles.representation.ComputeInteractionState(*(int(n) for n in handles.display(candidate)[:2])))
         state, moved = handles.drag(point, (12.0, 9.0))
         checks.that(state > 0, f"there is a handle for {name}")
         for other, values in first.items():
@@ -246,16 +250,17 @@ def check_handles(checks, view):
             if other == name:
                 axis = {"Width": 0, "Height": 1}.get(name)
                 expected = moved if axis is None else factor * moved[axis:axis + 1]
-                checks.that(numpy.abs(expected).max() > 0.1, f"{name} is dragged")
-            # The cursor need not be as far away as the handle's centre.
+                checks.that(numpy.abs(expected).max() > 0.1, f"dragging changes {name}")
+            # The depth of the cursor may differ from the depth of the handle's center.
             bound = 0.05 * numpy.abs(expected).max() + 1e-9
-            checks.that(numpy.abs(found - expected).max() < bound, f"{other}, {name} dragged: {found}, {expected}")
+            checks.that(numpy.abs(found - expected).max() < bound,
+                        f"{other} after dragging {name}: {found}, {expected}")
     handles.set(first)
-    checks.equal(handles.drawn.ComputeInteractionState(5, 5), 0, "no handle in the corner of the view")
-    place = next(x for x in range(1, 60) if handles.drawn.ComputeInteractionState(
+    checks.equal(handles.representation.ComputeInteractionState(5, 5), 0, "interaction state in a corner of the view")
+    count = next(x for x in range(1, 60) if handles.representation.ComputeInteractionState(
         *(int(n) for n in handles.display((1.0 + 0.05 * x, 0.0, 3.0))[:2])))
-    handles.drag((1.0 + 0.05 * place, 0.0, 3.0), (-200.0, 0.0))
-    checks.equal(handles.get("Width"), [0.0], "no width below 0")
+    handles.drag((1.0 + 0.05 * count, 0.0, 3.0), (-200.0, 0.0))
+    checks.equal(handles.get("Width"), [0.0], "the width is not negative")
 
 
 def main(checks):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A representation of the plugin that is switched on never shows an empty view: it takes an array to
-colour by, or draws the solid colour.
+"""Tests that a representation of the plugin never shows an empty view: it selects an array for coloring, or
+uses the solid color.
 
-Argument: a folder for a state file.
+Argument: a directory for a state file.
 """
 
 import os
@@ -12,16 +12,17 @@ import numpy
 from paraview import simple
 from vtkmodules.vtkCommonCore import vtkFloatArray, vtkIdTypeArray, vtkStringArray
 
-from plugin_pictures import (
-    add_array, color_by, coordinates, grid, image, look_at, plain_view, producer, share_shown, snapshot)
+from plugin_images import (
+    add_array, color_by, coordinates, fraction_shown, grid, image, look_at, plain_view, producer,
+    snapshot)
 from plugin_testing import open_data, open_file, run
 
-SMALLEST_SHARE = 0.05
+SMALLEST_FRACTION = 0.05
 KINDS = (("Shadowed Slices", image), ("Interval Volume", grid))
 
 
 def show(data, kind, by_method=True):
-    """The data first as an outline without colours, then in the representation."""
+    """Shows the data first as an outline without colors, then in the representation."""
     view = plain_view()
     display = simple.Show(producer(data), view)
     display.SetRepresentationType("Outline")
@@ -44,13 +45,13 @@ def radius(data):
 
 
 def check_shown(checks, view, what):
-    share = share_shown(snapshot(view))
-    print(f"{what}: {share:.3f} of the picture")
-    checks.that(share >= SMALLEST_SHARE, f"{what} is shown")
+    fraction = fraction_shown(snapshot(view))
+    print(f"{what}: {fraction:.3f} of the image")
+    checks.that(fraction >= SMALLEST_FRACTION, f"{what} is visible")
 
 
 def check_switched_on(checks, kind, make):
-    """By the method, which the client uses, and by the property."""
+    """Switches with the method that the client uses, and with the property."""
     for by_method in (True, False):
         data = make()
         add_array(data, "radius", radius(data))
@@ -59,13 +60,13 @@ def check_switched_on(checks, kind, make):
         checks.equal(colored_by(display), ("POINTS", "radius"), f"{what}, array")
         check_shown(checks, view, what)
         points = list(display.LookupTable.RGBPoints)
-        checks.close(points[-4], radius(data).max(), 1e-6, f"{what}, the colours have the array's range")
+        checks.close(points[-4], radius(data).max(), 1e-6, f"{what}, range of the colors")
         simple.Delete(view)
 
 
 def check_choice(checks, kind, make):
-    """Ids last, then arrays with a range before constant ones, points before cells, scalars before vectors;
-    no strings and no field data."""
+    """Tests the order of preference: arrays with a range before constant ones and ids, points before cells,
+    scalars before vectors. Strings and field data are never selected."""
     data = make()
     count, cells = data.GetNumberOfPoints(), data.GetNumberOfCells()
     words = vtkStringArray()
@@ -78,7 +79,7 @@ def check_choice(checks, kind, make):
     data.GetFieldData().AddArray(field)
     add_array(data, "a zero", numpy.zeros(count))
     view, display = show(data, kind)
-    checks.equal(colored_by(display), ("POINTS", "a zero"), f"{kind}, a constant array alone")
+    checks.equal(colored_by(display), ("POINTS", "a zero"), f"{kind}, only a constant array")
     check_shown(checks, view, f"{kind}, constant array")
     simple.Delete(view)
     ids = vtkIdTypeArray()
@@ -93,7 +94,7 @@ def check_choice(checks, kind, make):
     for name, values, of_points, association in steps:
         add_array(data, name, values, of_points)
         view, display = show(data, kind)
-        checks.equal(colored_by(display), (association, name), f"{kind}, best array")
+        checks.equal(colored_by(display), (association, name), f"{kind}, selected array")
         check_shown(checks, view, f"{kind}, {name}")
         simple.Delete(view)
 
@@ -103,13 +104,13 @@ def mean_color(shot):
 
 
 def check_solid(checks, kind, make):
-    """Without any array the solid colour is drawn, and where it is chosen."""
+    """Tests that the solid color is used if there is no array or if the user selects it."""
     view, display = show(make(), kind)
     check_shown(checks, view, f"{kind}, no array")
-    checks.equal(colored_by(display)[1], "", f"{kind}, no array to take")
+    checks.equal(colored_by(display)[1], "", f"{kind}, no array is selected")
     display.DiffuseColor = [1.0, 0.0, 0.0]
     red, green, blue = mean_color(snapshot(view))
-    checks.that(red > 50 and green == 0 and blue == 0, f"{kind}, the solid colour is red")
+    checks.that(red > 50 and green == 0 and blue == 0, f"{kind}, the solid color is red")
     simple.Delete(view)
 
     data = make()
@@ -118,8 +119,8 @@ def check_solid(checks, kind, make):
     color_by(display, None)
     display.DiffuseColor = [0.0, 0.0, 1.0]
     red, green, blue = mean_color(snapshot(view))
-    checks.that(blue > 50 and red == 0 and green == 0, f"{kind}, the solid colour is blue")
-    checks.equal(colored_by(display)[1], "", f"{kind}, Solid Color that was chosen is kept")
+    checks.that(blue > 50 and red == 0 and green == 0, f"{kind}, the solid color is blue")
+    checks.equal(colored_by(display)[1], "", f"{kind}, the selected solid color is kept")
     for missing in (["POINTS", "missing"], ["CELLS", "radius"], ["FIELD", "radius"]):
         display.ColorArrayName = missing
         check_shown(checks, view, f"{kind}, by {missing}")
@@ -127,7 +128,7 @@ def check_solid(checks, kind, make):
 
 
 def check_state(checks, kind, make, folder):
-    """A state file brings back the array, and the solid colour."""
+    """Tests that a state file restores the array or the solid color."""
     path = os.path.join(folder, f"TestPluginBlankView-{kind.replace(' ', '-')}.pvsm")
     for solid in (False, True):
         simple.ResetSession()
@@ -147,8 +148,8 @@ def check_state(checks, kind, make, folder):
         display = simple.GetRepresentations()[list(simple.GetRepresentations())[0]]
         after = snapshot(view)
         checks.equal(colored_by(display), colors, f"{kind}, state, solid {solid}, array")
-        checks.that(share_shown(after) >= SMALLEST_SHARE, f"{kind}, state, solid {solid}, is shown")
-        checks.equal(int(numpy.abs(before - after).max()), 0, f"{kind}, state, solid {solid}, pixels")
+        checks.that(fraction_shown(after) >= SMALLEST_FRACTION, f"{kind}, state, solid {solid}, is visible")
+        checks.equal(int(numpy.abs(before - after).max()), 0, f"{kind}, state, solid {solid}, pixel difference")
         simple.Delete(view)
 
 

@@ -1,26 +1,28 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Blocks of composite data are drawn: by Interval Volume all, or those that are selected; by Shadowed
-Slices those that fill a box together."""
+"""Tests composite data: Interval Volume shows all blocks or the selected ones, and Shadowed Slices shows blocks
+that fill a box together.
+"""
 
 import numpy
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPartitionedDataSet
 
-from plugin_pictures import (
-    add_array, color_by, coordinates, grid, image, look_at, plain_view, producer, share_shown, snapshot)
+from plugin_images import (
+    add_array, color_by, coordinates, fraction_shown, grid, image, look_at, plain_view, producer,
+    snapshot)
 from plugin_testing import open_file, run
 
 SIDE = 5
 
 
 def drawn(display):
-    """What the mapper of the representation that is shown has as its input."""
+    """Returns the input of the active representation's mapper."""
     active = display.GetClientSideObject().GetActiveRepresentation()
     return active.GetActor().GetMapper().GetInputDataObject(0, 0)
 
 
 def blocks(make, kind=vtkMultiBlockDataSet, gap=0.0):
-    """Two cubes side by side, one lattice if the gap is 0."""
+    """Returns two adjacent cubes, which form one regular grid if the gap is 0."""
     data = kind()
     for i in range(2):
         part = make(SIDE, (i * (SIDE - 1.0 + gap), 0.0, 0.0))
@@ -42,47 +44,46 @@ def show(source, kind):
 
 
 def check_selection(checks):
-    """All blocks at first, then the one that is selected, as in ParaView's Volume."""
+    """Tests that all blocks are shown, or the selected ones as in ParaView's Volume."""
     cells = grid(SIDE).GetNumberOfCells()
     for kind in (vtkMultiBlockDataSet, vtkPartitionedDataSet):
         source = producer(blocks(grid, kind))
         view, display = show(source, "Interval Volume")
         shot = snapshot(view)
-        checks.equal(drawn(display).GetNumberOfCells(), 2 * cells, f"{kind.__name__}, tetrahedra")
-        checks.that(share_shown(shot) > 0.05, f"{kind.__name__} is shown")
+        checks.equal(drawn(display).GetNumberOfCells(), 2 * cells, f"{kind.__name__}, number of tetrahedra")
+        checks.that(fraction_shown(shot) > 0.05, f"{kind.__name__} is visible")
         simple.Delete(view)
     view, display = show(producer(blocks(grid)), "Interval Volume")
-    whole = share_shown(snapshot(view))
+    full = fraction_shown(snapshot(view))
     for selectors, number in ((["/Root/Block0"], 1), (["/Root/Block1"], 1), ([], 0), (["/"], 2)):
         display.BlockSelectors = selectors
-        share = share_shown(snapshot(view))
+        fraction = fraction_shown(snapshot(view))
         checks.equal(drawn(display).GetNumberOfCells() if number else 0, number * cells, f"{selectors}")
         display.SetRepresentationType("Volume")
-        volume = share_shown(snapshot(view))
+        volume = fraction_shown(snapshot(view))
         display.SetRepresentationType("Interval Volume")
-        checks.that(abs(share - volume) < 0.02, f"{selectors}: {share} of the picture, Volume {volume}")
-        checks.that((share == 0.0, 0 < share < whole, share == whole)[number], f"{selectors}, {share}")
+        checks.that(abs(fraction - volume) < 0.02, f"{selectors}: {fraction} of the image, {volume} as Volume")
+        checks.that((fraction == 0.0, 0 < fraction < full, fraction == full)[number], f"{selectors}, {fraction}")
     simple.Delete(view)
 
 
 def check_mug(checks):
-    """An Exodus file, as it opens."""
+    """Tests an Exodus file with default settings."""
     view, display = show(open_file("mug.ex2"), "Interval Volume")
-    share = share_shown(snapshot(view))
-    checks.that(share > 0.05, f"mug.ex2, {share} of the picture")
+    fraction = fraction_shown(snapshot(view))
+    checks.that(fraction > 0.05, f"mug.ex2, {fraction} of the image")
     checks.that(drawn(display).GetNumberOfCells() > 0, "mug.ex2, tetrahedra")
     simple.Delete(view)
 
 
 def check_images(checks):
-    """Images that fill a box are drawn as the one image they are parts of; else the largest, with a
-    warning."""
-    whole = image(2 * SIDE - 1)
-    whole.SetDimensions(2 * SIDE - 1, SIDE, SIDE)
-    points = coordinates(whole)
-    add_array(whole, "value", points[:, 0] + 0.1 * points[:, 1])
-    cells = numpy.arange(whole.GetNumberOfCells(), dtype=float)
-    view, display = show(producer(whole), "Shadowed Slices")
+    """Tests that images that fill a box are joined. Otherwise only the largest is shown, with a warning."""
+    full = image(2 * SIDE - 1)
+    full.SetDimensions(2 * SIDE - 1, SIDE, SIDE)
+    points = coordinates(full)
+    add_array(full, "value", points[:, 0] + 0.1 * points[:, 1])
+    cells = numpy.arange(full.GetNumberOfCells(), dtype=float)
+    view, display = show(producer(full), "Shadowed Slices")
     expected = snapshot(view)
     unit = display.ShadowedOpacityUnitDistance
     simple.Delete(view)
@@ -90,7 +91,7 @@ def check_images(checks):
         view, display = show(producer(blocks(image, kind)), "Shadowed Slices")
         display.ShadowedOpacityUnitDistance = unit
         found = snapshot(view)
-        checks.equal(int(numpy.abs(found - expected).max()), 0, f"{kind.__name__}, joined, pixels")
+        checks.equal(int(numpy.abs(found - expected).max()), 0, f"{kind.__name__}, joined, pixel difference")
         checks.equal(drawn(display).GetNumberOfPoints(), len(points), f"{kind.__name__}, samples")
         simple.Delete(view)
 
@@ -101,19 +102,19 @@ def check_images(checks):
     color_by(display, ["CELLS", "cell"])
     snapshot(view)
     values = drawn(display).GetCellData().GetArray("cell")
-    checks.that([values.GetValue(i) for i in range(len(cells))] == list(cells), "cells in order")
+    checks.that([values.GetValue(i) for i in range(len(cells))] == list(cells), "cells are in order")
     simple.Delete(view)
 
     one = vtkMultiBlockDataSet()
-    one.SetBlock(0, whole)
+    one.SetBlock(0, full)
     for name, data, warnings in (("one", one, 0), ("with a gap", blocks(image, gap=0.5), 1)):
         view, display = show(producer(data), "Outline")
         display.SetRepresentationType("Shadowed Slices")
         active = display.GetClientSideObject().GetActiveRepresentation()
         messages = []
         active.AddObserver("WarningEvent", lambda _, event, to=messages: to.append(event))
-        share = share_shown(snapshot(view))
-        checks.that(share > 0.05, f"{name}, {share} of the picture")
+        fraction = fraction_shown(snapshot(view))
+        checks.that(fraction > 0.05, f"{name}, {fraction} of the image")
         checks.equal(len(messages), warnings, f"{name}, warnings")
         simple.Delete(view)
 

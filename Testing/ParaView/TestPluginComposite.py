@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A composite input gives a composite output of the same structure, leaf by leaf the same simplices."""
+"""Tests that a composite input produces a composite output of the same structure, with the same simplices per
+leaf."""
 
 import numpy
 from paraview import simple
@@ -11,7 +12,7 @@ LEAVES = (("wavelet", "RTData", (140.0, 180.0)), ("disk_out_ref", "Temp", (400.0
 
 
 def renamed(name, array):
-    """The data with its scalars called `value`, so that all leaves have that array."""
+    """Returns the data with the scalars renamed to `value`, so that all leaves have the array."""
     calculator = simple.Calculator(Input=open_data(name))
     calculator.Function = array
     calculator.ResultArrayName = "value"
@@ -34,9 +35,9 @@ def main(checks):
         checks.equal(len(list(leaves(output))), len(LEAVES), f"{name}, leaves")
 
     for (name, _, _), source, leaf in zip(LEAVES, sources, leaves(tetrahedra)):
-        alone = simplices(fetch(interval_volume(source, "value", intervals)))
-        checks.that(len(alone) > 0, f"{name} has tetrahedra")
-        checks.that(numpy.array_equal(as_set(simplices(leaf)), as_set(alone)), f"tetrahedra of {name}")
+        single = simplices(fetch(interval_volume(source, "value", intervals)))
+        checks.that(len(single) > 0, f"{name} has tetrahedra")
+        checks.that(numpy.array_equal(as_set(simplices(leaf)), as_set(single)), f"tetrahedra of {name}")
     for (name, _, _), leaf in zip(LEAVES, leaves(triangles)):
         checks.that(leaf.GetNumberOfCells() > 0, f"{name} has triangles")
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""However a display came to its settings, it draws what a new display with them draws: random sequences of
-arrays, representations, blocks, opacities, colours and visibility."""
+"""Tests random sequences of changes of arrays, representations, blocks, opacity, colors and visibility. The
+image must equal that of a new display with the same settings."""
 
 import random
 
@@ -8,7 +8,7 @@ import numpy
 from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 
-from plugin_pictures import add_array, color_by, coordinates, grid, image, plain_view, producer, snapshot
+from plugin_images import add_array, color_by, coordinates, grid, image, plain_view, producer, snapshot
 from plugin_testing import run
 
 SEQUENCES = 6
@@ -42,7 +42,7 @@ def blocks():
     return data
 
 
-# What is drawn, the representations to go through, the last of which is compared, and the choices.
+# Name, data, representations (the last one is compared), and possible values of further properties.
 CASES = (
     ("image", lambda: arrays_of(image(6)), ("Outline", "Surface", "Volume", "Shadowed Slices"), OF_IMAGES),
     ("grid", lambda: arrays_of(grid(5)), ("Outline", "Surface", "Volume", "Interval Volume"), OF_GRIDS),
@@ -87,13 +87,13 @@ def check(checks, name, source, kinds, choices, seed):
 
     view = plain_view()
     display = simple.Show(source, view)
-    for key in ("Representation", *options, "array"):  # the range of the functions is set with the array
+    for key in ("Representation", *options, "array"):  # setting the array sets the range of the functions
         set_value(display, key, last[key])
     expected = shot_of(view)
     simple.Delete(view)
     difference = int(numpy.abs(found - expected).max())
     checks.equal(difference, 0, f"{name}, sequence {seed}, {last}")
-    checks.that(expected.max() > 0, f"{name}, sequence {seed}, shows something, {last}")
+    checks.that(expected.max() > 0, f"{name}, sequence {seed}, is visible, {last}")
 
 
 def main(checks):

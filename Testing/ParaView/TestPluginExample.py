@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs a script of Examples/ParaView and looks at the picture that it writes.
+"""Runs a script of Examples/ParaView and checks its image.
 
-Arguments: the script, the data file and the picture.
+Arguments: the script, the data file and the image.
 """
 
 import os
@@ -10,12 +10,12 @@ import sys
 
 import numpy
 
-from plugin_pictures import pixels
+from plugin_images import pixels
 from plugin_testing import Checks, data_path
 
-SMALLEST_SHARE = 0.12  # of the picture that shows something
-SMALLEST_MARGIN = 5  # rows and columns of background around it
-FEWEST_COLOURS = 200
+SMALLEST_FRACTION = 0.12  # fraction of pixels that differ from the background
+SMALLEST_MARGIN = 5  # background rows and columns at the borders
+MINIMUM_COLORS = 200
 
 
 def main():
@@ -28,12 +28,12 @@ def main():
     shown = (drawn != drawn[0, 0]).any(axis=2)
     rows, columns = numpy.nonzero(shown)
     margin = min(rows.min(), columns.min(), size[1] - 1 - rows.max(), size[0] - 1 - columns.max())
-    colours = len(numpy.unique(drawn.reshape(-1, 3), axis=0))
-    print(f"shown {shown.mean():.3f}, margin {margin}, colours {colours}", flush=True)
+    colors = len(numpy.unique(drawn.reshape(-1, 3), axis=0))
+    print(f"shown {shown.mean():.3f}, margin {margin}, colors {colors}", flush=True)
     checks = Checks()
-    checks.that(shown.mean() >= SMALLEST_SHARE, "the picture shows something")
-    checks.that(margin >= SMALLEST_MARGIN, "nothing is cut off")
-    checks.that(colours >= FEWEST_COLOURS, "it has form")
+    checks.that(shown.mean() >= SMALLEST_FRACTION, "the image is not empty")
+    checks.that(margin >= SMALLEST_MARGIN, "there is a margin")
+    checks.that(colors >= MINIMUM_COLORS, "the image has many colors")
     checks.finish()
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Implicit flow fields, inflow mappings and flow volumes inside ParaView are those that the C++ classes
-gave: several surfaces, meshes, vortex axes, images, all of their properties."""
+"""Tests that implicit flow fields, inflow mappings and flow volumes in ParaView equal the results of the C++
+classes, with several surfaces, meshes, vortex axes and images, and all properties.
+"""
 
 import numpy
 from paraview import simple
@@ -30,14 +31,14 @@ def compare_samples(checks, name, data, expected):
 
 
 def compare_texture(checks, name, flow, volume, extraction):
-    """Texture coordinates and LIC of the stream surfaces."""
+    """Compares texture coordinates and LIC of the stream surfaces."""
     expected = extraction["textured"]
     arrays = fetch(stream_texture(volume, extraction)).GetPointData()
     checks.equal(arrays.GetTCoords().GetName(), "StreamTexture", f"{name}, texture coordinates")
     checks.equal(counts(arrays.GetArray("ContourId")), expected["contours"], f"{name}, contours")
     coordinates = vtk_to_numpy(arrays.GetTCoords())
-    check_sum(checks, coordinates[:, 0], expected["length"], f"{name}, length along contours")
-    check_sum(checks, coordinates[:, 1], expected["time"], f"{name}, time of the texture")
+    check_sum(checks, coordinates[:, 0], expected["length"], f"{name}, sum of the lengths along contours")
+    check_sum(checks, coordinates[:, 1], expected["time"], f"{name}, sum of the times")
     values = fetch(stream_lic(volume, flow, extraction)).GetPointData().GetArray("LIC")
     check_sum(checks, vtk_to_numpy(values).astype(float), extraction["lic_sum"], f"{name}, LIC")
 
@@ -53,7 +54,7 @@ def repeat(checks, name, extraction):
     if "texture" in extraction:
         compare_texture(checks, name, flow, volume, extraction)
     search = simple.FlowCriticalPoints(Input=flow)
-    # Some of the fields have none, which the filter warns of.
+    # Some fields have no critical points, which causes a warning.
     warnings = []
     search.GetClientSideObject().AddObserver("WarningEvent", lambda *event: warnings.append(event))
     types = fetch(search).GetPointData().GetArray("CriticalPointType")

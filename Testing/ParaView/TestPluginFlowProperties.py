@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the flow filters ask and start with in ParaView: their inputs, panels and termination surfaces."""
+"""Tests the flow filters in ParaView: their inputs, panels, defaults and termination surfaces."""
 
 import numpy
 from paraview import servermanager, simple
@@ -11,14 +11,14 @@ KINDS = ["Rectangle", "Sphere", "Cylinder", "Box", "Tube", "Parallelogram"]
 
 
 def fresh(kind):
-    """A surface with the values that it has before any data are there."""
+    """Returns a surface with the values that it has before it is used with data."""
     group = servermanager.ProxyNamespace(
         ["termination_surfaces"], servermanager.ActiveConnection.Session)
     return getattr(group, kind)()
 
 
 def check_shapes(checks):
-    """Each surface as it is at first, drawn: its bounds and texture coordinates."""
+    """Tests bounds and texture coordinates of each surface with default values."""
     half = 0.5
     flat = [-half, half, -half, half, 0.0, 0.0]
     cube = [-half, half] * 3
@@ -34,7 +34,7 @@ def check_shapes(checks):
 
 
 def check_placing(checks):
-    """The values of the widgets place the surfaces."""
+    """Tests that the values of the widgets place the surfaces."""
     rectangle = fresh("Rectangle")
     rectangle.Center, rectangle.Normal, rectangle.Lengths = [1, 2, 3], [0, 2, 0], [4, 2]
     cylinder = fresh("Cylinder")
@@ -49,11 +49,11 @@ def check_placing(checks):
     rectangle.Normal, rectangle.Lengths, rectangle.Angle = [0, 0, 1], [2, 2], 45
     found = fetch(simple.TerminationSurface(Surface=rectangle)).GetBounds()
     expected = [1 - 2**0.5, 1 + 2**0.5, 2 - 2**0.5, 2 + 2**0.5, 3, 3]
-    checks.that(numpy.abs(numpy.subtract(found, expected)).max() < 1e-6, f"turned to {found}")
+    checks.that(numpy.abs(numpy.subtract(found, expected)).max() < 1e-6, f"rotated to {found}")
 
 
-def turn_across(surface):
-    """A plane that is along x, which the flow goes, through the middle of it."""
+def make_perpendicular(surface):
+    """Makes a plane perpendicular to the flow along x, through the center of the data."""
     if hasattr(surface, "Normal"):
         surface.Normal = [1, 0, 0]
     else:
@@ -65,29 +65,29 @@ def surface_of(field):
 
 
 def check_field(checks, flow):
-    """Surfaces are chosen by name and start in the middle of the data."""
+    """Tests that surfaces can be selected by name and start at the center of the data."""
     simple.SetActiveSource(flow)
     field = simple.ImplicitFlowField(Input=flow)
     checks.equal(list(field.Vectors), ["POINTS", "Velocity"], "vectors")
-    # ParaView 6.1 leaves the spaces out.
+    # ParaView 6.1 removes the spaces.
     kinds = [kind.replace(" ", "") for kind in field.GetProperty("TerminationSurface").Available]
     checks.equal(kinds, ["Wheretheflowenters", *KINDS, "None"], "kinds of surfaces")
     checks.equal(surface_of(field).SMProxy.GetXMLLabel(), "Where the flow enters", "the first surface")
-    checks.equal(surface_of(field).Size, 1.0, "all of the flow")
+    checks.equal(surface_of(field).Size, 1.0, "default size")
     reached = {}
     for kind in KINDS:
         field.TerminationSurface = kind
         surface = surface_of(field)
-        if kind in ("Rectangle", "Parallelogram"):  # at first along the flow
-            turn_across(surface)
+        if kind in ("Rectangle", "Parallelogram"):  # parallel to the flow by default
+            make_perpendicular(surface)
         if kind not in ("Tube", "Parallelogram", "Box"):
-            checks.equal(list(surface.Center), [1.0, 0.0, 0.0], f"{kind}, centre")
+            checks.equal(list(surface.Center), [1.0, 0.0, 0.0], f"{kind}, center")
         statuses = vtk_to_numpy(fetch(field).GetPointData().GetArray("FlowStatus"))
         reached[kind] = int((statuses == 0).sum())
         checks.that(reached[kind] > 0, f"{kind} is reached")
     field.TerminationSurface = "Box"
-    checks.equal(list(surface_of(field).Position), [0.0, -1.0, -1.0], "the box's corner")
-    checks.equal(list(surface_of(field).Lengths), [2.0, 2.0, 2.0], "the box's lengths")
+    checks.equal(list(surface_of(field).Position), [0.0, -1.0, -1.0], "corner of the box")
+    checks.equal(list(surface_of(field).Lengths), [2.0, 2.0, 2.0], "lengths of the box")
     field.TerminationSurface = "None"
     field.DomainFaces = True
     ids = vtk_to_numpy(fetch(field).GetPointData().GetArray("TerminationId"))
@@ -96,19 +96,19 @@ def check_field(checks, flow):
 
 
 def check_samples(checks, flow, field):
-    """Samples of an input: its points and type."""
+    """Tests samples from an input, which determine the points and the type of the output."""
     field.SampleMode = "Points of the samples"
     field.Samples = simple.Sphere(Center=[1.0, 0.0, 0.0])
     samples = fetch(field)
     checks.equal(samples.GetClassName(), "vtkPolyData", "type of the samples")
     times = vtk_to_numpy(samples.GetPointData().GetArray("AdvectionTime"))
-    places = vtk_to_numpy(samples.GetPoints().GetData())[:, 0]
-    checks.that(numpy.abs(times - places).max() < 1e-6, "times of the samples")
+    positions = vtk_to_numpy(samples.GetPoints().GetData())[:, 0]
+    checks.that(numpy.abs(times - positions).max() < 1e-6, "times of the samples")
     field.SampleMode = "Image"
     field.SampleDimensions = [5, 4, 3]
     checks.equal(fetch(field).GetDimensions(), (5, 4, 3), "image of samples")
     field.SampleMode = "Points of the field"
-    checks.equal(fetch(field).GetNumberOfPoints(), fetch(flow).GetNumberOfPoints(), "the field's points")
+    checks.equal(fetch(field).GetNumberOfPoints(), fetch(flow).GetNumberOfPoints(), "number of points of the field")
 
 
 def mean_arrays(field):
@@ -117,13 +117,13 @@ def mean_arrays(field):
 
 
 def check_means(checks, flow, field):
-    """Arrays of one component can be chosen; none is at first."""
-    checks.equal(mean_arrays(field), set(), "arrays of one component in the flow")
+    """Tests that one-component arrays can be selected and that none is selected by default."""
+    checks.equal(mean_arrays(field), set(), "one-component arrays of the flow")
     speed = simple.Calculator(Input=flow, ResultArrayName="Speed", Function="mag(Velocity)")
     speed.UpdatePipeline()
     means = simple.ImplicitFlowField(Input=speed, TerminationSurface="None", DomainFaces=True)
-    checks.equal(mean_arrays(means), {"Speed"}, "arrays of one component")
-    checks.equal(list(means.MeanArrays), [], "means at first")
+    checks.equal(mean_arrays(means), {"Speed"}, "one-component arrays")
+    checks.equal(list(means.MeanArrays), [], "default means")
     means.MeanArrays = ["Speed"]
     low, high = fetch(means).GetPointData().GetArray("MeanSpeed").GetRange()
     checks.that(abs(low - 1.0) < 1e-6 and abs(high - 1.0) < 1e-6, f"means {low} to {high}")
@@ -131,25 +131,25 @@ def check_means(checks, flow, field):
 
 def check_mapping(checks, field):
     mapping = simple.InflowMapping(Input=field)
-    checks.equal(mapping.Formula, "u", "formula at first")
+    checks.equal(mapping.Formula, "u", "default formula")
     values = lambda: vtk_to_numpy(fetch(mapping).GetPointData().GetArray("Inflow"))
     parameters = vtk_to_numpy(fetch(mapping).GetPointData().GetArray("TerminationUV"))
     checks.that(numpy.array_equal(values(), parameters[:, 0]), "Inflow is u")
     mapping.Formula = "2*v"
     checks.that(numpy.array_equal(values(), 2 * parameters[:, 1]), "Inflow is 2 v")
     mapping.FormulasById = ["1000", "u + f"]
-    checks.that(numpy.array_equal(values(), parameters[:, 0] + 1000), "Inflow is of the id")
+    checks.that(numpy.array_equal(values(), parameters[:, 0] + 1000), "Inflow uses the formula of the id")
     mapping.Rings = ["1000", "0.5", "0.5", "0.25", "0.1", "3"]
     distances = numpy.hypot(*(parameters - 0.5).T)
     ring = 3 * numpy.exp(-(((distances - 0.25) / 0.1) ** 2))
     checks.that(numpy.abs(values() - ring).max() < 1e-12, "Inflow is a ring")
     image = simple.Wavelet(WholeExtent=[0, 4, 0, 4, 0, 0])
     mapping.Image = image
-    checks.that(numpy.abs(values() - ring).max() < 1e-12, "the image is of ids without a mapping")
+    checks.that(numpy.abs(values() - ring).max() < 1e-12, "the image applies only to ids without a mapping")
     mapping.ImageId = 1000
     low, high = fetch(image).GetPointData().GetArray("RTData").GetRange()
     found = values()
-    checks.that(abs(found.min() - low) < 1e-4 and abs(found.max() - high) < 1e-4, "Inflow is the image's")
+    checks.that(abs(found.min() - low) < 1e-4 and abs(found.max() - high) < 1e-4, "Inflow is read from the image")
     mapping.Image = None
     mapping.Rings = []
     mapping.FormulasById = []
@@ -161,11 +161,11 @@ def check_volume(checks, mapping):
     volume = simple.FlowVolume(Input=mapping)
     for port, name in enumerate(("Volume", "Stream Surfaces", "Time Surfaces")):
         checks.equal(volume.SMProxy.GetOutputPortName(port), name, f"output port {port}")
-    checks.that(0 < fetch(volume).GetNumberOfCells(), "some of the flow at first")
+    checks.that(0 < fetch(volume).GetNumberOfCells(), "the default volume is not empty")
     volume.Intervals = []
-    checks.that(fetch(volume).GetNumberOfCells() > 0, "all of the flow without an interval")
-    checks.equal(fetch(volume, 1).GetNumberOfCells(), 0, "stream surfaces not asked for")
-    checks.equal(fetch(volume, 2).GetNumberOfCells(), 0, "time surfaces not asked for")
+    checks.that(fetch(volume).GetNumberOfCells() > 0, "without an interval the volume is not empty")
+    checks.equal(fetch(volume, 1).GetNumberOfCells(), 0, "stream surfaces are off by default")
+    checks.equal(fetch(volume, 2).GetNumberOfCells(), 0, "time surfaces are off by default")
     volume.TimeRange = [0.25, 0.75]
     low, high = fetch(volume).GetPointData().GetArray("AdvectionTime").GetRange()
     checks.that(abs(low - 0.25) < 1e-6 and abs(high - 0.75) < 1e-6, f"times {low} to {high}")
@@ -181,25 +181,26 @@ def upright_rectangle(height):
 
 
 def check_lengths(checks, texture, height):
-    """On the surface u = 0.5, which is y = 0, the length is that from one end of the rectangle."""
+    """Checks that on the surface u = 0.5, which is y = 0, the length is measured from one end of the
+    rectangle."""
     surface = fetch(texture)
     used = numpy.unique(vtk_to_numpy(surface.GetPolys().GetConnectivityArray()))
     points = vtk_to_numpy(surface.GetPoints().GetData())[used]
     found = vtk_to_numpy(surface.GetPointData().GetTCoords())[used]
-    checks.that(len(points) > 0 and numpy.abs(points[:, 1]).max() < 1e-6, f"{height}: the middle")
+    checks.that(len(points) > 0 and numpy.abs(points[:, 1]).max() < 1e-6, f"{height}: the surface is at y = 0")
     error = min(numpy.abs(found[:, 0] - height / 2 - side * points[:, 2]).max() for side in (1, -1))
-    checks.that(error < 1e-5, f"{height}: length along the contour, {error}")
+    checks.that(error < 1e-5, f"{height}: error {error} of the length along the contour")
     checks.that(numpy.abs(found[:, 1] - points[:, 0]).max() < 1e-5, f"{height}: time")
 
 
 def check_texture(checks, flow):
-    """Texture coordinates follow the filters upstream."""
+    """Tests that texture coordinates are updated after changes upstream."""
     field = simple.ImplicitFlowField(Input=flow, TerminationSurface=upright_rectangle(2))
     mapping = simple.InflowMapping(Input=field, Formula="u")
     volume = simple.FlowVolume(
         Input=mapping, Intervals=[], StreamSurfaces=[0.5], GenerateStreamSurfaces=True)
     texture = simple.StreamSurfaceParameters(Input=simple.OutputPort(volume, 1))
-    checks.equal(texture.Resolution, 256, "resolution at first")
+    checks.equal(texture.Resolution, 256, "default resolution")
     check_lengths(checks, texture, 2)
     field.TerminationSurface = upright_rectangle(4)
     check_lengths(checks, texture, 4)

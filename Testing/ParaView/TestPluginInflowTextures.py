@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The representation Inflow Textures draws what the mapper draws in C++, with images from files,
-pulses that move with the phase, opacity and shading by an array, cropping and shadows; at its
-defaults a flow field is seen, of a formula as of a file; an image without arrays is an error.
+"""Tests that the representation Inflow Textures reproduces images of the C++ mapper: textures from files, pulses
+that move with the phase, opacity and shading by an array, cropping and shadows. With default settings, flow
+fields must be visible, and an image without arrays must cause an error.
 
-Argument: the folder for the pictures.
+Argument: the directory for images.
 """
 
 import sys
@@ -11,12 +11,14 @@ import sys
 from paraview import simple
 
 from flow_testing import analytic_flow, flow_field
-from plugin_pictures import (
-    Comparison, image, load_texture, look_at, make_view, picture_path, plain_view, producer, set_light, share_shown, snapshot)
+from plugin_images import (
+    Comparison, fraction_shown, image, load_texture, look_at, make_view, image_path, plain_view,
+    producer, set_light, snapshot)
 from plugin_testing import extractions_path, open_file, read_extractions, run
 
 REPRESENTATION = "Inflow Textures"
-# Largest and mean difference in steps of 1/255. Both round the same numbers, in other versions of VTK.
+# Largest and mean difference between the images of ParaView and of the VTK modules, in steps of
+# 1/255. Both show the same data, but the versions of VTK may differ.
 BOUNDS = (2, 0.2)
 TEXTURES = {"inflow": "InflowTexture", "surface": "InflowSurfaceTexture", "detail": "InflowDetailTexture"}
 SURFACE_ID = 3
@@ -55,53 +57,53 @@ def draw(picture, path):
     view.UseLight = False
     set_light(simple.AddLight(view=view), picture["light"])
     simple.SaveScreenshot(path, view, ImageResolution=picture["size"])
-    simple.Delete(view)  # while its window still has a display
+    simple.Delete(view)  # before its window loses its display
     simple.Delete(field)
 
 
 def check_defaults(checks, picture):
-    """The field is seen as soon as the representation is chosen, and what is offered is explained."""
+    """Tests that the field is visible with default settings and that all properties have documentation."""
     field = make_field(picture)
     view = plain_view()
     display = simple.Show(field, view)
-    checks.that(REPRESENTATION in display.GetProperty("Representation").Available, "it can be chosen")
+    checks.that(REPRESENTATION in display.GetProperty("Representation").Available, "the representation is available")
     display.SetRepresentationType(REPRESENTATION)
     look_at(view)
-    share = share_shown(snapshot(view))
-    checks.that(share > 0.1, f"something is seen at the defaults: {share}")
+    fraction = fraction_shown(snapshot(view))
+    checks.that(fraction > 0.1, f"the field is visible with default settings: {fraction}")
     for name in display.ListProperties():
         if name.startswith("Inflow"):
             text = display.GetProperty(name).SMProperty.GetDocumentation()
-            checks.that(text and text.GetDescription().strip(), f"{name} has a documentation")
+            checks.that(text and text.GetDescription().strip(), f"{name} has documentation")
     checks.that(display.GetProperty("InflowTimePhase").SMProperty.GetAnimateable(), "the phase can be animated")
     simple.Hide(field, view)
-    checks.equal(share_shown(snapshot(view)), 0.0, "nothing of it is seen when it is hidden")
+    checks.equal(fraction_shown(snapshot(view)), 0.0, "visible fraction of a hidden field")
     simple.Delete(view)
     simple.Delete(field)
 
 
 def check_file(checks):
-    """A file's flow, with nothing set but that samples be an image."""
+    """Tests the flow of a file with default settings, except that the samples must be an image."""
     field = simple.ImplicitFlowField(Input=open_file("disk_out_ref.vtu"), SampleMode="Image")
     view = plain_view()
     simple.Show(field, view).SetRepresentationType(REPRESENTATION)
     look_at(view)
-    share = share_shown(snapshot(view))
-    checks.that(share > 0.1, f"something is seen of disk_out_ref.vtu: {share}")
+    fraction = fraction_shown(snapshot(view))
+    checks.that(fraction > 0.1, f"disk_out_ref.vtu is visible: {fraction}")
     simple.Delete(view)
     simple.Delete(field)
 
 
 def check_errors(checks):
-    """An image without arrays, of which the mapper is not asked: the representation says so."""
+    """Tests that the representation reports an image without arrays, for which the mapper is not called."""
     view = plain_view()
     display = simple.Show(producer(image()), view)
     display.SetRepresentationType(REPRESENTATION)
-    said = []
+    messages = []
     active = display.GetClientSideObject().GetActiveRepresentation()
-    active.AddObserver("ErrorEvent", lambda _, event: said.append(event))
-    checks.equal(share_shown(snapshot(view)), 0.0, "nothing is seen without arrays")
-    checks.equal(len(said), 1, "errors without arrays")
+    active.AddObserver("ErrorEvent", lambda _, event: messages.append(event))
+    checks.equal(fraction_shown(snapshot(view)), 0.0, "visible fraction without arrays")
+    checks.equal(len(messages), 1, "errors without arrays")
     simple.Delete(view)
 
 
@@ -112,7 +114,7 @@ def main(checks):
     check_errors(checks)
     comparison = Comparison(checks)
     for picture in pictures:
-        path = picture_path(sys.argv[1], "TestPluginInflowTextures", picture["name"])
+        path = image_path(sys.argv[1], "TestPluginInflowTextures", picture["name"])
         draw(picture, path)
         comparison.compare(picture["name"], path, BOUNDS)
 

@@ -1,48 +1,50 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Colours and opacities that a representation of the plugin begins with: an interval has a colour of its
-own, and is seen; so is an array with one value; Opacity thins what is drawn."""
+"""Tests default colors and opacities of the plugin's representations: every interval is visible in its own color,
+an array with one value is visible, and Opacity makes the volume more transparent.
+"""
 
 import numpy
 from paraview import simple
 
-from plugin_pictures import (
-    VIEW_SIZE, add_array, color_by, coordinates, grid, image, plain_view, producer, share_shown, snapshot)
+from plugin_images import (
+    VIEW_SIZE, add_array, color_by, coordinates, fraction_shown, grid, image, plain_view, producer,
+    snapshot)
 from plugin_testing import interval_volume, open_file, run
 
 SIDE = 13
 INTERVALS = 4
-# The hues of the first intervals: blue, orange, green, red.
+# Largest color channels of the first intervals, which are blue, orange, green and red.
 LARGEST_CHANNEL = (2, 0, 1, 0)
-# Each is drawn as densely as the first.
+# All intervals are as dense as the first.
 DENSITY_TOLERANCE = 0.02
 KINDS = (("Shadowed Slices", image), ("Interval Volume", grid))
 
 
 def layers(number):
-    """A cube with so many layers along x, an interval each."""
+    """Returns a cube with the given number of layers along x, one per interval."""
     data = grid(SIDE)
-    middles = numpy.array([data.GetCell(i).GetBounds()[:2] for i in range(data.GetNumberOfCells())]).mean(axis=1)
-    ids = numpy.floor(middles / (SIDE - 1) * number).astype(numpy.int32)
+    centers = numpy.array([data.GetCell(i).GetBounds()[:2] for i in range(data.GetNumberOfCells())]).mean(axis=1)
+    ids = numpy.floor(centers / (SIDE - 1) * number).astype(numpy.int32)
     add_array(data, "IntervalId", ids, False)
     return data
 
 
 def show(source, kind):
-    """From the front, x to the right, filling the picture's width."""
+    """Shows the source from the front, with x to the right, over the full width of the image."""
     view = plain_view()
     display = simple.Show(source, view)
     display.SetRepresentationType(kind)
-    simple.Render(view)  # places the camera, the first time
-    middle = (SIDE - 1) / 2
+    simple.Render(view)  # sets the default camera
+    center = (SIDE - 1) / 2
     view.CameraParallelProjection = True
-    view.CameraParallelScale = middle
-    view.CameraPosition = [middle, middle, 10 * SIDE]
-    view.CameraFocalPoint = [middle, middle, middle]
+    view.CameraParallelScale = center
+    view.CameraPosition = [center, center, 10 * SIDE]
+    view.CameraFocalPoint = [center, center, center]
     return view, display
 
 
 def bands(view, number):
-    """The mean colour of each of so many columns of the picture, without their seams."""
+    """Returns the mean color of each of `number` columns of the image, without their borders."""
     shot = snapshot(view).reshape(VIEW_SIZE[1], VIEW_SIZE[0], 3)
     width = VIEW_SIZE[0] // number
     margin = width // 4
@@ -50,7 +52,7 @@ def bands(view, number):
 
 
 def depth(display, value):
-    """The opacity that the function has for a value."""
+    """Returns the opacity of a value."""
     function = display.ScalarOpacityFunction.GetClientSideObject()
     return function.GetValue(value)
 
@@ -61,19 +63,19 @@ def check_ids(checks):
     color_by(display, ["CELLS", "IntervalId"])
     colors = bands(view, INTERVALS)
     for i, color in enumerate(colors):
-        checks.that(color.max() > 40, f"interval {i} is seen: {color}")
-        checks.equal(int(numpy.argmax(color)), LARGEST_CHANNEL[i], f"interval {i}, hue of {color}")
+        checks.that(color.max() > 40, f"interval {i} is visible: {color}")
+        checks.equal(int(numpy.argmax(color)), LARGEST_CHANNEL[i], f"interval {i}, largest channel of {color}")
         checks.close(depth(display, i), depth(display, 0), DENSITY_TOLERANCE, f"interval {i}, opacity")
         for j in range(i):
             checks.that(numpy.abs(color - colors[j]).max() > 30, f"intervals {i} and {j} differ")
-    checks.equal(list(display.LookupTable.Annotations)[::2], [str(i) for i in range(INTERVALS)], "legend")
+    checks.equal(list(display.LookupTable.Annotations)[::2], [str(i) for i in range(INTERVALS)], "annotations of the legend")
 
-    # A rescale, as the client's button does, leaves each its colour.
+    # Rescaling, as by the client's button, must not change the colors.
     display.RescaleTransferFunctionToDataRange(False, True)
     for i, color in enumerate(bands(view, INTERVALS)):
         checks.that(numpy.abs(color - colors[i]).max() < 2, f"interval {i} after rescaling: {color}")
 
-    # More of them than at first.
+    # Add more intervals.
     more = INTERVALS + 2
     source.GetClientSideObject().SetOutput(layers(more))
     source.SMProxy.MarkModified(source.SMProxy)
@@ -81,11 +83,11 @@ def check_ids(checks):
     snapshot(view)
     found = bands(view, more)
     for i, color in enumerate(found):
-        checks.that(color.max() > 40, f"interval {i} of {more} is seen: {color}")
+        checks.that(color.max() > 40, f"interval {i} of {more} is visible: {color}")
         for j in range(i):
             checks.that(numpy.abs(color - found[j]).max() > 15, f"intervals {i} and {j} of {more} differ")
 
-    # What a user sets holds.
+    # User settings must be preserved.
     display.LookupTable.RGBPoints = [0.0, 1.0, 0.0, 0.0, more - 1.0, 0.0, 0.0, 1.0]
     display.ScalarOpacityFunction.Points = [0.0, 1.0, 0.5, 0.0, more - 1.0, 1.0, 0.5, 0.0]
     display.Representation = "Surface"
@@ -97,7 +99,7 @@ def check_ids(checks):
 
 
 def check_filter(checks):
-    """The filter's output, its cells by interval."""
+    """Tests that each interval of a filter's output is visible."""
     source = open_file("disk_out_ref.vtu")
     volume = interval_volume(source, "Temp", [(300.0, 400.0), (500.0, 600.0), (700.0, 850.0)])
     view = plain_view()
@@ -105,37 +107,38 @@ def check_filter(checks):
     display.SetRepresentationType("Interval Volume")
     color_by(display, ["CELLS", "IntervalId"])
     simple.ResetCamera(view)
-    shares = []
-    for kept in range(3):
-        alone = simple.Threshold(Input=volume, Scalars=["CELLS", "IntervalId"], ThresholdMethod="Between",
-                                 LowerThreshold=kept, UpperThreshold=kept)
+    fractions = []
+    for number in range(3):
+        single = simple.Threshold(Input=volume, Scalars=["CELLS", "IntervalId"], ThresholdMethod="Between",
+                                 LowerThreshold=number, UpperThreshold=number)
         simple.Hide(volume, view)
-        part = simple.Show(alone, view)
-        part.SetRepresentationType("Interval Volume")
-        color_by(part, ["CELLS", "IntervalId"])
-        shares.append(share_shown(snapshot(view)))
-        simple.Hide(alone, view)
-    print("shares of the intervals alone:", shares)
-    checks.that(min(shares) > 0.05, f"each interval alone is seen: {shares}")
+        single_display = simple.Show(single, view)
+        single_display.SetRepresentationType("Interval Volume")
+        color_by(single_display, ["CELLS", "IntervalId"])
+        fractions.append(fraction_shown(snapshot(view)))
+        simple.Hide(single, view)
+    print("visible fractions of single intervals:", fractions)
+    checks.that(min(fractions) > 0.05, f"each interval is visible: {fractions}")
     simple.Delete(view)
 
 
 def check_constant(checks):
-    """One value, whatever it is."""
+    """Tests arrays with a single value."""
     for kind, make in KINDS:
         for value in (0.0, 5.0, -3.0, 1e6):
             data = make(SIDE)
-            name = f"constant {value}"  # functions are by name
+            name = f"constant {value}"  # functions are shared by name
             add_array(data, name, numpy.full(data.GetNumberOfPoints(), value))
             view, display = show(producer(data), kind)
-            share = share_shown(snapshot(view))
-            checks.that(share > 0.9, f"{kind}, constant {value}: {share} of the picture")
+            fraction = fraction_shown(snapshot(view))
+            checks.that(fraction > 0.9, f"{kind}, constant {value}: {fraction} of the image")
             checks.equal(display.ColorArrayName.GetArrayName(), name, f"{kind}, constant, array")
             simple.Delete(view)
 
 
 def check_opacity(checks):
-    """It thins the volume, with an array and without, and at 1 is as if it were not there."""
+    """Tests that Opacity makes the volume more transparent, with an array and without, and has no effect at
+    1."""
     for kind, make in KINDS:
         data = make(SIDE)
         add_array(data, "value", coordinates(data)[:, 0])
@@ -147,10 +150,10 @@ def check_opacity(checks):
                 display.Opacity = opacity
                 brightness.append(snapshot(view).mean())
             checks.that(brightness[0] > brightness[1] > brightness[2] > brightness[3],
-                        f"{kind}, by {array}, Opacity thins: {brightness}")
+                        f"{kind}, by {array}, Opacity reduces the brightness: {brightness}")
             checks.equal(brightness[3], 0.0, f"{kind}, by {array}, Opacity 0")
             display.Opacity = 1.0
-            checks.equal(snapshot(view).mean(), brightness[0], f"{kind}, by {array}, Opacity 1 again")
+            checks.equal(snapshot(view).mean(), brightness[0], f"{kind}, by {array}, Opacity restored to 1")
         simple.Delete(view)
 
 

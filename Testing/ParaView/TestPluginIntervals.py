@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Intervals are proposed from the data, for each array anew until somebody sets them; results come
-coloured, in the representation made for them, the first output alone; what is wrong is said."""
+"""Tests that default intervals follow the data and the array until a user sets them, that outputs are colored and
+shown in the right representation, and that invalid settings are reported.
+"""
 
 import os
 import tempfile
@@ -16,7 +17,7 @@ def proposal(source, array):
 
 
 def check_reset(checks, source):
-    """The reset button gives a whole row, whatever there was."""
+    """Tests that the reset button sets one complete row, regardless of the previous values."""
     volume = interval_volume(source, "Temp", [(400, 500)])
     intervals = volume.SMProxy.GetProperty("Intervals")
     expected = proposal(source, "Temp")
@@ -25,16 +26,16 @@ def check_reset(checks, source):
         intervals.ResetToDomainDefaults()
         checks.equal(list(volume.Intervals), expected, f"reset from {before}")
         volume.SMProxy.UpdateVTKObjects()
-        checks.that(fetch(volume).GetNumberOfCells() > 0, f"reset from {before} gives tetrahedra")
+        checks.that(fetch(volume).GetNumberOfCells() > 0, f"reset from {before} produces tetrahedra")
     contour = simple.IsotableContour(Input=source)
     contour.Isosurfaces = [1, 2]
     contour.SMProxy.GetProperty("ContourValues").ResetToDomainDefaults()
-    middle = proposal(source, contour.ContourBy[1])[0]
-    checks.equal(list(contour.Isosurfaces), [middle], "reset of the contour")
+    center = proposal(source, contour.ContourBy[1])[0]
+    checks.equal(list(contour.Isosurfaces), [center], "reset of the contour")
 
 
 def check_new_array(checks, source):
-    """Another array gets values of its own, in a script and in a panel before Apply."""
+    """Tests that another array gets other defaults, in a script and in a panel before Apply."""
     volume = simple.IntervalVolume(Input=source)
     contour = simple.IsotableContour(Input=source)
     for array in ("Temp", "Pres"):
@@ -46,7 +47,7 @@ def check_new_array(checks, source):
         checks.equal(list(contour.Isosurfaces), proposal(source, array)[:1], f"value for {array}")
     volume.Intervals = [1, 2]
     volume.Scalars = ["POINTS", "Temp"]
-    checks.equal(list(volume.Intervals), [1, 2], "intervals that were set stay")
+    checks.equal(list(volume.Intervals), [1, 2], "intervals set by a user are kept")
 
     volume = simple.IntervalVolume(Input=source)
     before = list(volume.Intervals)
@@ -54,59 +55,60 @@ def check_new_array(checks, source):
     intervals = volume.SMProxy.GetProperty("Intervals")
     scalars.SetUncheckedElement(4, "Temp")
     shown = [intervals.GetUncheckedElement(i) for i in range(intervals.GetNumberOfUncheckedElements())]
-    checks.equal(shown, proposal(source, "Temp"), "proposed in the panel")
-    checks.equal(list(volume.Intervals), before, "before Apply nothing has changed")
+    checks.equal(shown, proposal(source, "Temp"), "defaults in the panel")
+    checks.equal(list(volume.Intervals), before, "intervals before Apply")
     scalars.ClearUncheckedElements()
     intervals.ClearUncheckedElements()
 
 
 def check_display(checks, source):
-    """Coloured by the scalars chosen, as Interval Volume; other outputs wait to be shown."""
+    """Tests that outputs are colored by the selected scalars as Interval Volume, and only the first is
+    shown."""
     view = simple.CreateRenderView()
     controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
     volume = interval_volume(source, "Temp", [(400, 500)])
     display = simple.Show(volume, view)
     checks.equal(display.Representation, "Interval Volume", "representation")
-    checks.equal(list(display.ColorArrayName), ["POINTS", "Temp"], "colours")
+    checks.equal(list(display.ColorArrayName), ["POINTS", "Temp"], "colors")
     for port, shown in ((0, True), (1, False)):
         preferred = controller.ShowInPreferredView(volume.SMProxy, port, view.SMProxy)
         checks.equal(preferred is not None, shown, f"output {port} is shown after Apply")
     contour = simple.IsotableContour(Input=source)
     contour.ContourBy = ["POINTS", "Pres"]
-    checks.equal(list(simple.Show(contour, view).ColorArrayName), ["POINTS", "Pres"], "its colours")
+    checks.equal(list(simple.Show(contour, view).ColorArrayName), ["POINTS", "Pres"], "colors of the contour")
     simple.Delete(view)
 
 
-def check_said(checks, source):
-    """What is wrong is said, once."""
+def check_messages(checks, source):
+    """Tests that each problem is reported once."""
     volume = interval_volume(source, "Temp", [(4000, 5000)])
-    with warnings_of(volume) as said:
+    with warnings_of(volume) as messages:
         fetch(volume)
-    checks.said(said, "from 293.15 to 913.15", "an interval outside of the range")
+    checks.one_message(messages, "from 293.15 to 913.15", "an interval outside the range")
     group = simple.GroupDatasets(Input=[source, source])
     grouped = interval_volume(group, "Temp", [(4000, 5000)])
-    with warnings_of(grouped) as said:
+    with warnings_of(grouped) as messages:
         grouped.UpdatePipeline()
-    checks.said(said, "from 293.15 to 913.15", "a group")
+    checks.one_message(messages, "from 293.15 to 913.15", "an interval of a group outside the range")
     for name, values, part in (("Intervals", [400, 500, 600], "1 of 2 values"),
                                ("Criteria", ["AsH3", "0.1"], "2 of 3 values")):
         volume = interval_volume(source, "Temp", [(400, 500)])
         fetch(volume)
-        domain = volume.SMProxy.GetProperty(name).FindDomain("vtkSMWholeRowsDomain")
-        with warnings_of(domain) as said:
+        domain = volume.SMProxy.GetProperty(name).FindDomain("vtkSMCompleteRowsDomain")
+        with warnings_of(domain) as messages:
             setattr(volume, name, values)
             fetch(volume)
-        checks.said(said, part, f"half a row of {name}")
+        checks.one_message(messages, part, f"an incomplete row of {name}")
         simple.Delete(volume)
     volume = interval_volume(source, "Temp", [(400, 500)], [("AsH3", "low", 1)])
     errors = []
     volume.GetClientSideObject().AddObserver("ErrorEvent", lambda *_: errors.append(1))
-    checks.equal(fetch(volume).GetNumberOfCells(), 0, "tetrahedra where a bound is a word")
-    checks.equal(len(errors), 1, "errors where a bound is a word")
+    checks.equal(fetch(volume).GetNumberOfCells(), 0, "tetrahedra if a bound is not a number")
+    checks.equal(len(errors), 1, "errors if a bound is not a number")
 
 
 def check_animation(checks, source):
-    """Bounds and values follow an animation, one or all."""
+    """Tests that bounds and values can be animated."""
     volume = interval_volume(source, "Temp", [(400, 500)])
     contour = simple.IsotableContour(Input=source)
     contour.ContourBy = ["POINTS", "Temp"]
@@ -133,7 +135,7 @@ def check_animation(checks, source):
 
 
 def check_state(checks, source):
-    """A state file brings intervals and array back as they were."""
+    """Tests that a state file restores intervals and arrays."""
     volume = interval_volume(source, "Temp", [(400, 500), (600, 700)], [("AsH3", 0.1, 0.2)])
     simple.RenameSource("saved", volume)
     expected = fetch(volume).GetNumberOfCells()
@@ -155,7 +157,7 @@ def main(checks):
     check_reset(checks, source)
     check_new_array(checks, source)
     check_display(checks, source)
-    check_said(checks, source)
+    check_messages(checks, source)
     check_animation(checks, source)
     check_state(checks, source)
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Intervals in time are proposed from all time steps; slices follow the animation's time until a time
-is set."""
+"""Tests that default intervals in time cover all time steps, and that slices follow the animation time unless a
+time is set.
+"""
 
 import sys
 
@@ -14,12 +15,12 @@ def times_of(simplex_slice):
 
 
 def check_proposal(checks, path):
-    """The first step of the mug is 0 everywhere; the proposal is not."""
+    """Tests the default intervals of the mug, whose first time step is 0 everywhere."""
     mug = simple.OpenDataFile(path)
     mug.UpdatePipeline()
     name = simple.TimeVaryingIntervalVolume(Input=mug).Scalars[1]
     lowest, highest = mug.PointData.GetArray(name).GetRange()
-    checks.equal((lowest, highest), (0.0, 0.0), f"{name} at first")
+    checks.equal((lowest, highest), (0.0, 0.0), f"{name} at the first step")
     reached = [0.0, 0.0]
     for time in mug.TimestepValues:
         mug.UpdatePipeline(time)
@@ -28,14 +29,14 @@ def check_proposal(checks, path):
     mug.UpdatePipeline(mug.TimestepValues[0])
     volume = simple.TimeVaryingIntervalVolume(Input=mug)
     expected = [sum(reached) / 2, reached[1]]
-    checks.equal(list(volume.Intervals), expected, "proposed over all time steps")
+    checks.equal(list(volume.Intervals), expected, "default intervals of all time steps")
     cells = sum(block.GetNumberOfCells() for block in blocks_of(fetch(volume)))
-    checks.that(cells > 0, "the mug at its defaults gives tetrahedra")
+    checks.that(cells > 0, "the mug has tetrahedra with default settings")
     domain = volume.SMProxy.GetProperty("Intervals").FindDomain("vtkSMProposedRangeDomain")
-    checks.equal(domain.GetMaximum(0), reached[1], "the sliders reach the highest value")
+    checks.equal(domain.GetMaximum(0), reached[1], "maximum of the sliders")
     mug.UpdatePipeline(mug.TimestepValues[-1])
-    checks.equal(list(volume.Intervals), expected, "another time proposes nothing")
-    checks.equal(domain.GetMaximum(1), reached[1], "another time leaves the sliders' range")
+    checks.equal(list(volume.Intervals), expected, "intervals after another time is shown")
+    checks.equal(domain.GetMaximum(1), reached[1], "maximum of the sliders after another time is shown")
 
 
 def blocks_of(data):
@@ -55,10 +56,10 @@ def check_display(checks, volume):
     controller = servermanager.vtkSMParaViewPipelineControllerWithRendering()
     display = simple.Show(volume, view)
     checks.equal(display.Representation, "Interval Volume", "representation in time")
-    checks.equal(list(display.ColorArrayName), ["POINTS", "f"], "colours in time")
+    checks.equal(list(display.ColorArrayName), ["POINTS", "f"], "colors in time")
     for port in (1, 2):
         preferred = controller.ShowInPreferredView(volume.SMProxy, port, view.SMProxy)
-        checks.that(preferred is None, f"output {port} in time waits to be shown")
+        checks.that(preferred is None, f"output {port} in time is hidden")
         active = fetch(volume, port).GetPointData().GetScalars()
         checks.that(active and active.GetName() == "f", f"the scalar is active on output {port}")
     simple.Delete(view)
@@ -72,27 +73,27 @@ def check_slice(checks, volume):
         checks.equal(times_of(simplex_slice), (expected, expected), f"slice while {time} is shown")
         active = servermanager.Fetch(simplex_slice).GetPointData().GetScalars()
         checks.that(active and active.GetName() == "f", "the scalar is active on the slice")
-    # As scripts and state files of before do.
+    # Scripts and state files set a time.
     simplex_slice.Time = 0.75
-    checks.equal(simplex_slice.UseAnimationTime, 0, "a time that is set is meant")
+    checks.equal(simplex_slice.UseAnimationTime, 0, "setting a time switches the animation time off")
     for time in (0.25, 1.25):
         simplex_slice.UpdatePipeline(time)
         checks.equal(times_of(simplex_slice), (0.75, 0.75), f"slice at a set time, {time} shown")
     simplex_slice.UseAnimationTime = 1
     simplex_slice.UpdatePipeline(1.25)
-    checks.equal(times_of(simplex_slice), (1.25, 1.25), "slice that follows again")
+    checks.equal(times_of(simplex_slice), (1.25, 1.25), "slice that follows the animation again")
     set_at_once = simple.SimplexTimeSlice(Input=source, Time=0.5)
     set_at_once.UpdatePipeline(1.25)
-    checks.equal(times_of(set_at_once), (0.5, 0.5), "slice made with a time")
+    checks.equal(times_of(set_at_once), (0.5, 0.5), "slice created with a time")
 
     panel = simple.SimplexTimeSlice(Input=source).SMProxy
     time, follow = panel.GetProperty("Time"), panel.GetProperty("UseAnimationTime")
     time.SetUncheckedElement(0, 0.5)
-    checks.equal(follow.GetUncheckedElement(0), 0, "a time typed in the panel is meant")
-    checks.equal(follow.GetElement(0), 1, "before Apply nothing has changed")
+    checks.equal(follow.GetUncheckedElement(0), 0, "typing a time in the panel switches the animation time off")
+    checks.equal(follow.GetElement(0), 1, "UseAnimationTime before Apply")
     follow.SetUncheckedElement(0, 1)
     time.SetElement(0, 0.5)
-    checks.equal(follow.GetElement(0), 1, "what was switched on after the time stays on")
+    checks.equal(follow.GetElement(0), 1, "UseAnimationTime remains on if it is set after the time")
 
 
 def main(checks):

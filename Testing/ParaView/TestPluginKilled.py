@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A process of a parallel run, or a client of a server, is killed while intervals are extracted that are
-to be saved. What is left is no file, or a whole one; the others end, and someone says what has happened.
+"""Kills a process of a parallel run, or a client of a server, during an extraction whose result is to be saved.
+There must be no file or a complete one, the other processes must end, and the event must be reported.
 
-Arguments: `rank` and mpiexec, its flag for the number of processes and pvbatch; or `client`, the server's
-program and that of a client. The other modes are those of the processes that are started here.
+Arguments: `rank` with mpiexec, its flag for the number of processes and pvbatch, or `client` with the programs of
+server and client. The other modes are used by the processes started here.
 """
 
 import os
@@ -21,10 +21,10 @@ from plugin_testing import Checks, interval_volume, load_plugin
 from server_testing import Server, load_plugin_on
 
 KILLED_RANK = 1
-# That of this process as it began: what MPI has added since would make mpiexec start nothing.
+# Environment at the start of this process: variables that MPI adds later would prevent mpiexec from starting.
 ENVIRONMENT = dict(os.environ)
-LONGEST_WAIT = 240.0  # seconds, on a busy machine; an idle one takes a few
-# What a process that extracts for a client leaves once its input is there.
+LONGEST_WAIT = 240.0  # seconds on a busy machine; an idle one takes a few
+# File that a server process writes as soon as the input exists.
 BEGUN = "begun"
 NOTE_BEGIN = """
 self.GetOutput().ShallowCopy(self.GetInputDataObject(0, 0))
@@ -33,7 +33,7 @@ open({path!r}, "w").close()
 
 
 def extraction(half_size, begun=None):
-    """Intervals of a wavelet; a file begun is made when the wavelet is there."""
+    """Extracts intervals of a wavelet. The file `begun` is written when the wavelet exists."""
     source = simple.Wavelet(WholeExtent=[-half_size, half_size] * 3)
     source.UpdatePipelineInformation()
     if begun:
@@ -44,7 +44,7 @@ def extraction(half_size, begun=None):
 
 
 def extract_and_die(folder):
-    """In one of several processes: kills itself in the middle of the extraction."""
+    """Kills one of several processes during the extraction."""
     load_plugin()
     volume = extraction(30)
     extractor = volume.GetClientSideObject()
@@ -60,15 +60,15 @@ def extract_and_die(folder):
 
 
 def extract_for_client(folder, port):
-    """In a client: asks a server for an extraction and a file."""
+    """Requests an extraction and a file from a server."""
     simple.Connect("localhost", int(port))
     load_plugin_on(client=True, server=True)
     volume = extraction(60, os.path.join(folder, BEGUN))
     simple.SaveData(os.path.join(folder, "saved.vtu"), proxy=volume)
 
 
-def is_whole(path):
-    """Whether VTK reads the file without an error, and there are cells."""
+def is_complete(path):
+    """Returns whether VTK reads the file without error and it has cells."""
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(path)
     reader.Update()
@@ -79,7 +79,7 @@ def check_files(checks, folder):
     left = [name for name in os.listdir(folder) if name != BEGUN]
     print("left:", left, flush=True)
     for name in left:
-        checks.that(name == "saved.vtu" and is_whole(os.path.join(folder, name)), f"{name} is whole")
+        checks.that(name == "saved.vtu" and is_complete(os.path.join(folder, name)), f"{name} is complete")
 
 
 def check_rank(checks, mpiexec, flag, batch):
@@ -89,12 +89,12 @@ def check_rank(checks, mpiexec, flag, batch):
              "extract", folder],
             stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=LONGEST_WAIT,
             check=False, env=ENVIRONMENT)
-        checks.that(run.returncode != 0, "the run has failed")
-        # Messages of Open MPI 5 are broken into lines.
-        said = re.search(rf"rank {KILLED_RANK}\b[^.]*signal 9 \(Killed\)",
+        checks.that(run.returncode != 0, "the run fails")
+        # Open MPI 5 breaks messages into lines.
+        messages = re.search(rf"rank {KILLED_RANK}\b[^.]*signal 9 \(Killed\)",
                          " ".join(run.stdout.split()))
-        checks.that(said is not None, f"the process that was killed is named: {run.stdout}")
-        checks.equal(os.listdir(folder), [], "files that are left")
+        checks.that(messages is not None, f"the message names the killed process: {run.stdout}")
+        checks.equal(os.listdir(folder), [], "remaining files")
 
 
 def check_client(checks, program, client):
@@ -109,10 +109,11 @@ def check_client(checks, program, client):
         checks.that(os.path.exists(os.path.join(folder, BEGUN)), "the extraction has begun")
         process.kill()
         process.wait()
-        checks.equal(server.process.wait(LONGEST_WAIT), 0, "what the server ends with")
-        said = "\n".join(server.lines)
-        print(said, flush=True)
-        checks.that("Client connection closed" in said or "Exiting" in said, f"the server says so: {said}")
+        checks.equal(server.process.wait(LONGEST_WAIT), 0, "exit code of the server")
+        messages = "\n".join(server.lines)
+        print(messages, flush=True)
+        checks.that("Client connection closed" in messages or "Exiting" in messages,
+                    f"the server reports the closed connection: {messages}")
         check_files(checks, folder)
 
 

@@ -9,12 +9,13 @@ from simplex_measures import simplices, sizes
 
 
 def volumes(mesh):
-    """The volume of each tetrahedron."""
+    """Returns the volume of each tetrahedron."""
     return sizes(simplices(mesh))
 
 
 def check_sphere(checks):
-    """A sphere of triangles: its volume by the divergence theorem is that of the tetrahedra."""
+    """Tests a triangulated sphere: the volume of the tetrahedra must equal its volume by the divergence
+    theorem."""
     sphere = simple.Sphere(ThetaResolution=24, PhiResolution=16)
     surface = fetch(sphere)
     corners = numpy.array([[surface.GetCell(i).GetPoints().GetPoint(j) for j in range(3)]
@@ -30,12 +31,13 @@ def check_sphere(checks):
     fine = fetch(mesher)
     checks.that(volumes(fine).max() <= largest * 1.0001, "largest volume of a tetrahedron")
     checks.close(volumes(fine).sum(), expected, 1e-6, "volume of the fine sphere")
-    checks.that(fine.GetNumberOfCells() > max(500, plain.GetNumberOfCells()), "finer by the bound")
-    checks.that(fine.GetCellData().GetArray("RegionId") is not None, "regions")
+    checks.that(fine.GetNumberOfCells() > max(500, plain.GetNumberOfCells()),
+                "the bound increases the number of tetrahedra")
+    checks.that(fine.GetCellData().GetArray("RegionId") is not None, "the mesh has RegionId")
 
 
 def check_grid(checks):
-    """Hexahedra are cut into tetrahedra of the same volume that keep the array."""
+    """Tests that hexahedra are split into tetrahedra of the same volume, which keep the array."""
     wavelet = simple.Wavelet(WholeExtent=[-3, 3, -3, 3, -3, 3])
     grid = simple.AppendDatasets(Input=wavelet)
     mesh = fetch(simple.TetrahedralMesher(Input=grid))

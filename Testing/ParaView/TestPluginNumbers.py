@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Both filters give inside ParaView what the C++ classes gave in the build of the VTK modules."""
+"""Tests that both filters in ParaView reproduce the results of the C++ classes."""
 
 from paraview import simple
 

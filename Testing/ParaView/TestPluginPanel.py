@@ -1,35 +1,36 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Each control that the panel shows for a representation of the plugin changes the picture; what would
-change nothing is hidden."""
+"""Tests that each control in the panel of the plugin's representations changes the image. Controls without effect
+must be hidden.
+"""
 
 import os
 
 import numpy
 from paraview import simple
 
-from plugin_pictures import (
+from plugin_images import (
     add_array, coordinates, grid, image, load_texture, look_at, plain_view, producer, snapshot)
 from plugin_testing import run
 
 HIDDEN_VISIBILITIES = {"never", "multiblock_inspector"}
-# What is no part of the volume's picture, or chooses how fast it is drawn, or speaks of other data.
-WITHOUT_PICTURE = {
+# Properties that do not affect the image of the volume, only affect speed, or belong to other data.
+NOT_VISIBLE = {
     "AmbientColor", "AutoAdjustSampleDistances", "ColorArrayName", "CroppingOrigin", "CroppingScale", "DataAxesGrid",
     "Input", "IntervalAutoAdjustLevelOfDetail", "LookupTable", "MapScalars", "Pickable", "PolarAxes", "Representation",
     "Selection"}
-# Another value of each, and what must be set first for it to matter.
+# A new value for each property, and settings that must be made first for it to have an effect.
 LIGHT = {"ProjectiveLight": 1}
 LAMP = {"AreaLight": 1, "AreaLightIntensity": 2.0, "NumberOfLightSamples": 4}
 PHASE = {"MultipleScattering": "Single", "ScatteringAnisotropy": 0.8}
 NEARBY = {"Orientation": [0.0, 0.0, 40.0]}
-PLACE = {
+TRANSFORM = {
     "Orientation": ([10.0, 20.0, 30.0], {}), "Origin": ([3.0, 0.0, 0.0], NEARBY), "Position": ([1.0, 0.0, 0.0], {}),
     "Scale": ([0.5, 1.0, 1.0], {})}
-COMMON = {**PLACE, "Opacity": (0.3, {}), "DiffuseColor": ([1.0, 0.0, 0.0], {"array": None})}
+COMMON = {**TRANSFORM, "Opacity": (0.3, {}), "DiffuseColor": ([1.0, 0.0, 0.0], {"array": None})}
 
 
 def picture():
-    """A texture to paint with."""
+    """Loads a texture."""
     return load_texture(os.path.join(
         os.path.dirname(__file__), "..", "..", "Documentation", "pictures", "flow-disk.png"))
 
@@ -41,7 +42,7 @@ BY_TIME = {"InflowUseOpacityArray": 1, "InflowOpacityArray": ["POINTS", "Advecti
 SHADED = {"InflowShade": 1, "InflowShadingArray": ["POINTS", "AdvectionTime"]}
 CASES = {
     "Inflow Textures": (None, {
-        **PLACE, "InflowTexture": (picture, {}), "InflowSurfaceTexture": (None, {}), "InflowSurfaceId": (None, {}),
+        **TRANSFORM, "InflowTexture": (picture, {}), "InflowSurfaceTexture": (None, {}), "InflowSurfaceId": (None, {}),
         "InflowDefaultColor": ([1.0, 0.0, 0.0], {}), "InflowDefaultOpacity": (0.5, {}),
         "InflowOpacityUnitDistance": (0.2, {}), "InflowDetailTexture": (picture, {}), "InflowDetailMode": ("Over", DETAIL),
         "InflowDetailScale": ([5.0, 3.0, 1.0], DETAIL), "InflowPulseLength": (0.5, {"InflowTimePeriod": 2.0}),
@@ -96,15 +97,15 @@ CASES = {
         "ScatteringForwardSpread": (0.5, {"MultipleScattering": "Forward"}),
         "ScatteringBackwardLayers": (1, {"MultipleScattering": "Full"}),
         "ScatteringGridSize": (4, {"MultipleScattering": "Full"})})}
-# Take a texture file, surfaces, or several processes; TestPluginShadowedSlices, TestPluginAreaLight,
-# TestPluginInflowTextures, TestPluginSceneShadows and TestPluginPieceShadows draw with them.
-TESTED_ELSEWHERE = {
+# These need a texture file, surfaces or several processes. TestPluginShadowedSlices, TestPluginAreaLight,
+# TestPluginInflowTextures, TestPluginSceneShadows and TestPluginPieceShadows test them.
+TESTED_IN_OTHER_SCRIPTS = {
     "AreaLightImage", "InflowSurfaceId", "InflowSurfaceTexture", "ProjectiveLightImage", "SceneDepthBias", "SceneDepthMapResolution", "SceneShadows",
     "ShadowGridResolution"}
 
 
 def shows(decorator, representation):
-    """Whether a decorator shows its widget for a representation."""
+    """Returns whether a decorator shows its widget for a representation."""
     kind = decorator.GetAttribute("type")
     if kind == "CompositeDecorator":
         expression = decorator.GetNestedElement(0)
@@ -119,7 +120,7 @@ def shows(decorator, representation):
 
 
 def is_shown(item, representation):
-    """A property or a group by its hints."""
+    """Returns whether the hints show a property or a group."""
     hints = item.GetHints()
     elements = [hints.GetNestedElement(i) for i in range(hints.GetNumberOfNestedElements())] if hints else []
     return all(shows(element, representation) for element in elements
@@ -127,7 +128,7 @@ def is_shown(item, representation):
 
 
 def controls(display, representation):
-    """The names of the properties that the panel shows."""
+    """Returns the names of the properties shown in the panel."""
     proxy = display.SMProxy
     groups = {}
     for i in range(proxy.GetNumberOfPropertyGroups()):
@@ -149,7 +150,7 @@ def controls(display, representation):
 
 
 def make_data(make):
-    """Two layers that overlap, so that order and priority matter, for the grid; a ball for the image."""
+    """Returns data with a sphere. The grid has two overlapping layers, for which order and priority count."""
     data = make(9)
     points = coordinates(data)
     distance = numpy.linalg.norm(points - points.mean(axis=0), axis=1)
@@ -163,7 +164,7 @@ def make_data(make):
 
 
 def make_source(make):
-    """Made data, or a flow field."""
+    """Returns a source of generated data, or a flow field."""
     if make:
         return producer(make_data(make))
     flow = simple.AnalyticFlow()
@@ -191,8 +192,8 @@ def check_control(checks, source, representation, name, value, first):
     before = snapshot(view)
     set_value(display, name, value)
     change = numpy.abs(snapshot(view) - before).max()
-    checks.that(change > 0, f"{representation}, {name} changes the picture")
-    checks.that(before.max() > 0, f"{representation}, {name}, something is shown before")
+    checks.that(change > 0, f"{representation}, {name} changes the image")
+    checks.that(before.max() > 0, f"{representation}, {name}, the image before is not empty")
     simple.Delete(view)
 
 
@@ -203,12 +204,12 @@ def main(checks):
         display = simple.Show(source, view)
         display.SetRepresentationType(representation)
         if display.SMProxy.GetProperty("Translation"):
-            values["Translation"] = values.pop("Position")  # as ParaView calls it from 5.12 on
-        shown = controls(display, representation) - WITHOUT_PICTURE
+            values["Translation"] = values.pop("Position")  # the name in ParaView 5.12 or later
+        shown = controls(display, representation) - NOT_VISIBLE
         simple.Delete(view)
         checks.equal(sorted(shown - set(values)), [], f"{representation}, controls without effect")
-        checks.equal(sorted(set(values) - shown), [], f"{representation}, controls that are hidden")
-        for name in sorted(shown & set(values) - TESTED_ELSEWHERE):
+        checks.equal(sorted(set(values) - shown), [], f"{representation}, hidden controls")
+        for name in sorted(shown & set(values) - TESTED_IN_OTHER_SCRIPTS):
             check_control(checks, source, representation, name, *values[name])
 
 

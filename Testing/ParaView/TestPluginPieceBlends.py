@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pictures of pieces on several processes are those of one process, in every blend mode.
+"""Tests that images of pieces on several processes equal the images of one process, in every blend mode.
 
-Each process draws its piece. Composite is put together in the order of the pieces; the other modes need no
-order, and are summed up before they become a picture. Compared are pieces that fill boxes beside each other,
-point and cell colours, an extent in time, and an opaque surface that stands in all pieces; and of Shadowed
-Slices the one mode that it has, without shading and shadows, which TestPluginPieceShadows compares.
+Each process renders its piece. Composite blending uses the order of the pieces. The other modes are independent of
+the order and are summed before the final image. The scenes have adjacent pieces, point and cell colors, an extent
+in time, and an opaque surface in all pieces. Shadowed Slices is compared without shading and shadows, which
+TestPluginPieceShadows compares.
 
-Arguments: `write` or `compare`, and the file of the pictures of one process."""
+Arguments: `write` or `compare`, and the file with the images of one process.
+"""
 
 import sys
 
 import numpy
 from paraview import servermanager, simple
 
-from plugin_pictures import color_by, look_at, plain_view, share_shown, snapshot
+from plugin_images import color_by, fraction_shown, look_at, plain_view, snapshot
 from plugin_testing import (
     can_exchange_data, interval_volume, open_data, run, set_properties, temporal_source, time_varying_volume,
     warnings_of)
@@ -21,19 +22,19 @@ from plugin_testing import (
 REPRESENTATION = "Interval Volume"
 ORDERED = "Composite"
 BLENDS = (ORDERED, "Maximum", "Additive", "Priority", "Optical Depth", "Automatic")
-# In steps of 1/255, each pixel.
+# Largest allowed difference of a pixel, in steps of 1/255.
 LARGEST = 2
-# Shadowed Slices lay four pictures over each other that are rounded to 1/255 before: up to 28 of 90,000 pixels
-# were seen to be off by 3, as of Composite where OpenGL draws it.
+# Shadowed Slices composites four images that are already rounded to 1/255. Up to 28 of 90,000 pixels differed
+# by 3, as in Composite mode with OpenGL.
 LARGEST_OF_LAYERS = 3
-MOST_OF_LAYERS = 50
-SMALLEST_SHARE = 0.1  # of the picture that shows something
+MAXIMUM_PIXELS_OF_LAYERS = 50
+SMALLEST_FRACTION = 0.1  # fraction of pixels that differ from the background
 FIELD = {"WholeExtent": [0, 23, 0, 19, 0, 19], "Bounds": [-0.5, 0.5, -0.4, 0.4, -0.4, 0.4]}
 IN_TIME = {"Intervals": [0.1, 0.4, 0.4, 0.9]}
 SLICES = {
     "ShadowedOpacityUnitDistance": 4.0, "ShadowedShade": False, "Shadows": False,
     "AutoAdjustSampleDistances": False, "Opacity": 1.0}
-# The cropped box, of all pieces together, ends within pieces and stands across their borders.
+# The cropped box of all pieces ends within pieces and crosses their borders.
 CROPPED = {
     "ShadowedUseCropping": 1, "ShadowedCroppingOrigin": [1.0, 0.5, -1.0],
     "ShadowedCroppingScale": [0.6, 0.7, 0.8]}
@@ -57,8 +58,8 @@ def intervals_in_time():
     return time_varying_volume(temporal_source("AnalyticField", FIELD), IN_TIME)
 
 
-# Name: what is drawn, what it is coloured by with the ends of its colours, the opacity's unit, the radius of
-# a sphere within, and whether tetrahedra overlap, so that no order exists.
+# By name: function for the volume, array for coloring, range of its colors, unit distance of the opacity,
+# radius of an enclosed sphere, and whether tetrahedra overlap, so that no order exists.
 SCENES = {
     "points": (wavelet_intervals, ["POINTS", "RTData"], (100.0, 230.0), 4.0, 0.0, False),
     "cells": (wavelet_intervals, ["CELLS", "IntervalId"], (0.0, 2.0), 4.0, 0.0, False),
@@ -71,21 +72,21 @@ SCENES = {
 
 def set_functions(display, ends):
     lowest, highest = ends
-    middle = 0.5 * (lowest + highest)
+    center = 0.5 * (lowest + highest)
     display.LookupTable.ColorSpace = "RGB"
-    display.LookupTable.RGBPoints = [lowest, 0.1, 0.2, 0.9, middle, 0.2, 0.8, 0.3, highest, 0.9, 0.3, 0.1]
-    opacities = [lowest, 0.1, 0.5, 0.0, middle, 0.6, 0.5, 0.0, highest, 0.3, 0.5, 0.0]
+    display.LookupTable.RGBPoints = [lowest, 0.1, 0.2, 0.9, center, 0.2, 0.8, 0.3, highest, 0.9, 0.3, 0.1]
+    opacities = [lowest, 0.1, 0.5, 0.0, center, 0.6, 0.5, 0.0, highest, 0.3, 0.5, 0.0]
     display.ScalarOpacityFunction.Points = opacities
 
 
 def make_view():
     view = plain_view()
-    view.UseFXAA = False  # it makes more of a step of 1/255 where that is across its threshold
+    view.UseFXAA = False  # it amplifies steps of 1/255 that are at its threshold
     return view
 
 
-def draw_nothing():
-    """A volume without cells."""
+def draw_empty():
+    """Renders a volume without cells."""
     volume = interval_volume(open_data("wavelet"), "RTData", [(1000.0, 1001.0)])
     with warnings_of(volume):
         volume.UpdatePipeline()
@@ -115,7 +116,7 @@ def draw_slices(settings):
 
 
 def draw(scene):
-    """The pictures of a scene, by their blend modes, each with what the representation warned of."""
+    """Returns the images of a scene by blend mode, each with the warnings of the representation."""
     make, array, ends, unit, radius, _ = scene
     volume = make()
     view = make_view()
@@ -130,51 +131,51 @@ def draw(scene):
     set_properties(display, {"IntervalOpacityUnitDistance": unit, "Opacity": 1.0})
     look_at(view)
     shots = {}
-    with warnings_of(display.GetClientSideObject().GetActiveRepresentation()) as said:
+    with warnings_of(display.GetClientSideObject().GetActiveRepresentation()) as messages:
         for blend in BLENDS:
-            before = len(said)
+            before = len(messages)
             display.IntervalBlendMode = blend
-            shots[blend] = snapshot(view), said[before:]
+            shots[blend] = snapshot(view), messages[before:]
     simple.Delete(view)
     return shots
 
 
 def compare(checks, name, shot, expected, are_layers=False):
     difference = numpy.abs(shot - expected).max(axis=1)
-    beyond = numpy.count_nonzero(difference > LARGEST)
+    above = numpy.count_nonzero(difference > LARGEST)
     print(f"{name}: largest {difference.max()}, 99.9 % {numpy.quantile(difference, 0.999):.0f},",
-          f"mean {difference.mean():.4f}, beyond {LARGEST}/255: {beyond} of {len(difference)}", flush=True)
+          f"mean {difference.mean():.4f}, above {LARGEST}/255: {above} of {len(difference)}", flush=True)
     checks.that(difference.max() <= (LARGEST_OF_LAYERS if are_layers else LARGEST), f"{name}, every pixel")
-    checks.that(beyond <= MOST_OF_LAYERS, f"{name}, pixels beyond {LARGEST}/255")
+    checks.that(above <= MAXIMUM_PIXELS_OF_LAYERS, f"{name}, number of pixels above {LARGEST}/255")
 
 
 def main(checks):
     mode, path = sys.argv[1:]
     ranks = servermanager.ActiveConnection.GetNumberOfDataPartitions()
-    whole = numpy.load(path) if mode == "compare" else {}
+    complete = numpy.load(path) if mode == "compare" else {}
     found = {}
-    checks.equal(ranks > 1, mode == "compare", "several processes compare")
+    checks.equal(ranks > 1, mode == "compare", "comparing needs several processes")
     for scene, values in SCENES.items():
-        # The processes have to send each other the opaque surface.
+        # The processes must send the opaque surface to each other.
         if mode == "compare" and values[4] > 0.0 and not can_exchange_data():
             print(f"{scene}: not compared, this ParaView cannot exchange grids", flush=True)
             continue
-        for blend, (shot, said) in draw(values).items():
+        for blend, (shot, messages) in draw(values).items():
             name = f"{scene}, {blend}"
             found[name] = shot
-            checks.that(share_shown(shot) >= SMALLEST_SHARE, f"{name} shows something")
+            checks.that(fraction_shown(shot) >= SMALLEST_FRACTION, f"{name} is visible")
             if mode == "compare" and values[-1] and blend == ORDERED:
-                checks.said(said, "overlap and have no order", name)
+                checks.one_message(messages, "overlap and have no order", name)
                 continue
-            checks.equal(said, [], f"{name}, warnings")
+            checks.equal(messages, [], f"{name}, warnings")
             if mode == "compare":
-                compare(checks, name, shot, whole[name])
-    checks.equal(draw_nothing().max(), 0, "what a volume without cells shows")
+                compare(checks, name, shot, complete[name])
+    checks.equal(draw_empty().max(), 0, "largest channel for a volume without cells")
     for name, settings in {"slices": {}, "cropped slices": CROPPED}.items():
         found[name] = draw_slices(settings)
-        checks.that(share_shown(found[name]) >= SMALLEST_SHARE, f"{name} show something")
+        checks.that(fraction_shown(found[name]) >= SMALLEST_FRACTION, f"{name} are visible")
         if mode == "compare":
-            compare(checks, name, found[name], whole[name], True)
+            compare(checks, name, found[name], complete[name], True)
     if mode == "write":
         numpy.savez(path, **found)
 

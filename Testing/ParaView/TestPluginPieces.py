@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The pieces of a parallel run give the same simplices, as a set, as one process, and tell how they share
-the work.
+"""Tests that the pieces of a parallel run have the same set of simplices as one process, and report the load
+balance.
 
-Arguments: `write` or `compare`, and the file of simplices that one process wrote.
+Arguments: `write` or `compare`, and the file with the simplices of one process.
 """
 
 from collections import Counter
@@ -18,13 +18,12 @@ FIELD = {"WholeExtent": [0, 23, 0, 19, 0, 19], "Bounds": [-0.5, 0.5, -0.4, 0.4, 
 IN_TIME = {"Intervals": [0.3, 0.5, 0.5, 0.8], "GenerateSimplices": True}
 
 
-# ParaView 6.1 calls it otherwise than 5.11 and 5.13.
+# The filter has another name in ParaView 6.1 than in 5.11 and 5.13.
 ghost_cells = getattr(simple, "GhostCells", None) or simple.GhostCellsGenerator
 
 
 def volumes(mode):
-    """Name, extraction and the port whose output is compared; to compare, the unstructured grids are
-    read in pieces."""
+    """Yields name, extraction and compared output port. To compare, unstructured grids are read in pieces."""
     wavelet = open_data("wavelet")
     ghosts = ghost_cells(Input=wavelet)
     ghosts.UpdatePipeline()
@@ -46,22 +45,22 @@ def volumes(mode):
 
 
 def differences(expected, rows):
-    """How many rows are only in the first, and only in the second; a repeated row counts."""
+    """Returns the number of rows only in the first and only in the second array, counting repeated rows."""
     counted = [Counter(map(bytes, numpy.ascontiguousarray(part))) for part in (expected, rows)]
     return tuple(sum((counted[a] - counted[1 - a]).values()) for a in (0, 1))
 
 
 def check_balance(checks, name, volume, ranks):
-    """What the Information panel shows of the balance."""
+    """Checks the balance shown in the Information panel."""
     fields = volume.FieldData
     if ranks == 1:
-        checks.equal(fields["LoadBalance"], None, f"{name}: balance of one process")
+        checks.equal(fields["LoadBalance"], None, f"{name}: no balance with one process")
         return
-    least, most = fields["CellsOfProcesses"].GetRange()
+    minimum, maximum = fields["CellsOfProcesses"].GetRange()
     balance, same = fields["LoadBalance"].GetRange()
-    checks.equal(balance, same, f"{name}: the balance is the same in all processes")
-    print(f"{name}: {least:.0f} to {most:.0f} cells of a process, balance {balance:.3f}")
-    checks.that(0 < least <= most and 1.0 <= balance <= ranks, f"{name}: balance {balance}")
+    checks.equal(balance, same, f"{name}: equal balance in all processes")
+    print(f"{name}: {minimum:.0f} to {maximum:.0f} cells per process, balance {balance:.3f}")
+    checks.that(0 < minimum <= maximum and 1.0 <= balance <= ranks, f"{name}: balance {balance}")
 
 
 def main(checks):
@@ -79,7 +78,7 @@ def main(checks):
         checks.equal(ranks, 1, "processes that write")
         numpy.savez(path, **found)
     else:
-        checks.that(ranks > 1, "several processes compare")
+        checks.that(ranks > 1, "comparing needs several processes")
         expected = numpy.load(path)
         for name, rows in found.items():
             missing, extra = differences(expected[name], rows)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A filter made in ParaView starts with values from its input's range, makes what is chosen, and says
-what all is for."""
+"""Tests that filters in ParaView start with values from the input's range, produce the selected outputs, and have
+documentation.
+"""
 
 import numpy
 from paraview import simple
@@ -12,8 +13,9 @@ FLOAT_ROUNDING = 1e-7
 
 
 def check_scalars(checks, name, wavelet):
-    """The input takes data with a point array of one component, and a group of such; no other."""
-    vectors = simple.Sphere()  # has normals only
+    """Tests that the input accepts data with a one-component point array and groups of such data, but no
+    other."""
+    vectors = simple.Sphere()  # has only normals
     group = simple.GroupDatasets(Input=[wavelet])
     check_inputs(checks, name, ((wavelet, True), (group, True), (vectors, False)))
 
@@ -26,9 +28,9 @@ def boundary_kinds(volume):
 
 
 def check_boundaries(checks, volume):
-    """Boundaries are chosen by name; those no longer chosen are gone."""
-    checks.equal(list(volume.Boundaries), [], "boundaries, at first")
-    checks.equal(boundary_kinds(volume), [], "kinds of boundaries, at first")
+    """Tests that boundaries are selected by name, and others are removed."""
+    checks.equal(list(volume.Boundaries), [], "default boundaries")
+    checks.equal(boundary_kinds(volume), [], "default kinds of boundaries")
     for kind, name in enumerate(volume.GetProperty("Boundaries").Available):
         volume.Boundaries = [name]
         checks.equal(boundary_kinds(volume), [kind], f"kinds of {name}")
@@ -39,7 +41,7 @@ def check_boundaries(checks, volume):
 
 
 def check_in_time(checks, field):
-    """The filter over time steps."""
+    """Tests the filter over time steps."""
     ranges = []
     for time in field.TimestepValues:
         field.UpdatePipeline(time)
@@ -47,29 +49,29 @@ def check_in_time(checks, field):
     lowest, highest = min(low for low, _ in ranges), max(high for _, high in ranges)
     volume = simple.TimeVaryingIntervalVolume(Input=field)
     checks.equal(list(volume.Scalars), ["POINTS", "f"], "scalars in time")
-    checks.equal(list(volume.Intervals), [(lowest + highest) / 2, highest], "first interval in time")
-    checks.equal(list(volume.TimeStepRange), [0, 2**31 - 1], "time steps taken")
+    checks.equal(list(volume.Intervals), [(lowest + highest) / 2, highest], "default interval in time")
+    checks.equal(list(volume.TimeStepRange), [0, 2**31 - 1], "default time steps")
     checks.equal(volume.OutputPointsPrecision, "Same as input", "precision in time")
     for port, name in enumerate(("Tetrahedra", "Boundaries", "Simplices")):
         checks.equal(volume.SMProxy.GetOutputPortName(port), name, f"output port {port} in time")
-    checks.that(fetch(volume).GetNumberOfCells() > 0, "the first interval lasts")
+    checks.that(fetch(volume).GetNumberOfCells() > 0, "the default interval has tetrahedra")
     volume.Intervals = [-0.15, 0.15]
     check_boundaries(checks, volume)
     simplex_slice = simple.SimplexTimeSlice(Input=simple.OutputPort(volume, 2))
     simplex_slice.Time = 0.4
-    with warnings_of(simplex_slice) as said:
+    with warnings_of(simplex_slice) as messages:
         checks.equal(
-            fetch(simplex_slice).GetNumberOfCells(), 0, "slice of 4-simplices not asked for")
-    checks.said(said, "GenerateSimplices", "slice of 4-simplices not asked for")
+            fetch(simplex_slice).GetNumberOfCells(), 0, "slice without 4-simplices")
+    checks.one_message(messages, "GenerateSimplices", "slice without 4-simplices")
     volume.GenerateSimplices = True
-    checks.that(fetch(volume, 2).GetNumberOfCells() > 0, "there are 4-simplices")
+    checks.that(fetch(volume, 2).GetNumberOfCells() > 0, "the output has 4-simplices")
     checks.equal(fetch(simplex_slice).GetPointData().GetArray("Time").GetRange(), (0.4, 0.4), "slice")
     volume.GenerateTetrahedra = False
-    checks.equal(fetch(volume).GetNumberOfCells(), 0, "tetrahedra not asked for")
+    checks.equal(fetch(volume).GetNumberOfCells(), 0, "tetrahedra if they are off")
     volume.Intervals = []
-    with warnings_of(volume) as said:
-        checks.equal(fetch(volume, 2).GetNumberOfCells(), 0, "4-simplices of no interval")
-    checks.said(said, "no interval is set", "no interval in time")
+    with warnings_of(volume) as messages:
+        checks.equal(fetch(volume, 2).GetNumberOfCells(), 0, "4-simplices without an interval")
+    checks.one_message(messages, "no interval is set", "no interval in time")
     for proxy in (volume, simplex_slice):
         check_documentation(checks, proxy)
         check_menu(checks, "filters", proxy.SMProxy.GetXMLName())
@@ -79,27 +81,27 @@ def check_in_time(checks, field):
 def main(checks):
     wavelet = open_data("wavelet")
     lowest, highest = wavelet.PointData.GetArray("RTData").GetRange()
-    middle = (lowest + highest) / 2
+    center = (lowest + highest) / 2
 
     volume = simple.IntervalVolume(Input=wavelet)
     checks.equal(list(volume.Scalars), ["POINTS", "RTData"], "scalars")
-    checks.equal(list(volume.Intervals), [middle, highest], "first interval")
+    checks.equal(list(volume.Intervals), [center, highest], "default interval")
     checks.equal(list(volume.Criteria), [], "criteria")
     values = fetch(volume).GetPointData().GetArray("RTData").GetRange()
-    for value, bound in zip(values, (middle, highest)):
-        checks.close(value, bound, FLOAT_ROUNDING, "end of the values in the first interval")
+    for value, bound in zip(values, (center, highest)):
+        checks.close(value, bound, FLOAT_ROUNDING, "range of the values in the default interval")
     checks.equal(volume.SMProxy.GetOutputPortName(0), "Tetrahedra", "output port 0")
     checks.equal(volume.SMProxy.GetOutputPortName(1), "Boundary", "output port 1")
-    checks.equal(fetch(volume, 1).GetNumberOfCells(), 0, "boundary triangles, not asked for")
+    checks.equal(fetch(volume, 1).GetNumberOfCells(), 0, "boundary triangles are off by default")
     volume.Intervals = []
-    with warnings_of(volume) as said:
-        checks.equal(fetch(volume).GetNumberOfCells(), 0, "tetrahedra of no interval")
-    checks.said(said, "no interval is set", "no interval")
+    with warnings_of(volume) as messages:
+        checks.equal(fetch(volume).GetNumberOfCells(), 0, "tetrahedra without an interval")
+    checks.one_message(messages, "no interval is set", "no interval")
 
     contour = simple.IsotableContour(Input=wavelet)
-    checks.equal(list(contour.ContourBy), ["POINTS", "RTData"], "contour's scalars")
-    checks.equal(list(contour.Isosurfaces), [middle], "first contour value")
-    checks.that(fetch(contour).GetNumberOfCells() > 0, "the first contour has triangles")
+    checks.equal(list(contour.ContourBy), ["POINTS", "RTData"], "scalars of the contour")
+    checks.equal(list(contour.Isosurfaces), [center], "default contour value")
+    checks.that(fetch(contour).GetNumberOfCells() > 0, "the default contour has triangles")
 
     for proxy in (volume, contour):
         check_documentation(checks, proxy)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The classes in ParaView's Python: a programmable filter that uses one of them gives what the plugin's
-own filter gives, to the last byte, and a report. Nothing but the plugin says where Python finds them."""
+"""Tests the classes in ParaView's Python: a programmable filter must produce exactly the output of the plugin's
+filter, and a report. Only the plugin configures where Python finds the classes.
+"""
 
 import numpy as np
 from paraview import simple
@@ -32,10 +33,10 @@ def main(checks):
     own = simple.ProgrammableFilter(Input=wavelet, OutputDataSetType="vtkUnstructuredGrid", Script=SCRIPT)
     found = arrays(fetch(own))
     expected = arrays(fetch(interval_volume(wavelet, "RTData", [[130.0, 180.0]])))
-    checks.that(len(expected[1]) > 0, "there are tetrahedra")
+    checks.that(len(expected[1]) > 0, "the output has tetrahedra")
     checks.that(len(found) == len(expected), "both have the same number of arrays")
     for number, (one, other) in enumerate(zip(found, expected)):
-        checks.that(np.array_equal(one, other), f"array {number} is that of the plugin's filter")
+        checks.that(np.array_equal(one, other), f"array {number} equals that of the plugin's filter")
 
 
 run(main)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The representation Interval Volume draws what the mapper draws in C++, pixel by pixel.
+"""Tests that the representation Interval Volume reproduces images of the C++ mapper.
 
-Arguments: the folder for the pictures, and `whole`, or `distributed` in a run with several processes:
-each has a piece of the data, and those pictures are compared that ordered compositing can make. Where
-they cannot send each other grids, one warning says so, and the pictures are as good.
+Arguments: the directory for images, and `whole`, or `distributed` in a run with several processes. Each process
+then has a piece of the data, and only images that support ordered compositing are compared. If the processes
+cannot send each other grids, there must be one warning, and the images must still be equal.
 """
 
 import sys
@@ -11,21 +11,22 @@ import sys
 from paraview import servermanager, simple
 
 from flow_testing import analytic_flow, flow_field, flow_volume, inflow_mapping
-from plugin_pictures import Comparison, make_view, picture_path, set_colors
+from plugin_images import Comparison, make_view, image_path, set_colors
 from plugin_testing import (
     can_exchange_data, interval_volume, open_data, read_extractions, run, temporal_source,
     time_varying_volume, warnings_of)
 
 REPRESENTATION = "Interval Volume"
-# Largest and mean difference in steps of 1/255. Both round the same numbers, in other versions of VTK.
-WHOLE_BOUNDS = (1, 0.2)
-# Of many thin tetrahedra that overlap, one may begin or end at the very centre of a pixel.
+# Largest and mean difference between the images of ParaView and of the VTK modules, in steps of
+# 1/255. Both show the same data, but the versions of VTK may differ.
+FULL_BOUNDS = (1, 0.2)
+# One of many thin overlapping tetrahedra may begin or end exactly at the center of a pixel.
 IN_TIME_BOUNDS = (2, 0.1)
-# One pixel's centre lies on a face that is seen edge-on, to the last digits of the camera.
+# The center of one pixel is on a face seen edge-on, up to rounding errors of the camera.
 ON_EDGE_BOUNDS = (2, 0.2)
-# Cells that straddle the regions of two processes are drawn by one of them.
+# Cells that straddle the regions of two processes are rendered by one of them.
 DISTRIBUTED_BOUNDS = (24, 0.4)
-DISTRIBUTED_PICTURES = ("by-temperature", "by-interval")
+DISTRIBUTED_IMAGES = ("by-temperature", "by-interval")
 
 
 def extract(picture, distributed):
@@ -44,16 +45,16 @@ def draw(picture, volume, path):
     view = make_view(picture)
     display = simple.Show(volume, view)
     display.SetRepresentationType(REPRESENTATION)
-    with warnings_of(display.GetClientSideObject().GetActiveRepresentation()) as said:
+    with warnings_of(display.GetClientSideObject().GetActiveRepresentation()) as messages:
         set_colors(display, view, picture["color_by"], picture)
-        show_as_in(picture, display)
+        apply_settings(picture, display)
         simple.SaveScreenshot(path, view, ImageResolution=picture["size"])
-    simple.Delete(view)  # while its window still has a display
+    simple.Delete(view)  # before its window loses its display
     simple.Delete(volume)
-    return said
+    return messages
 
 
-def show_as_in(picture, display):
+def apply_settings(picture, display):
     display.IntervalOpacityUnitDistance = picture["unit"]
     display.IntervalBlendMode = picture["blend"]
     display.IntervalSortMode = picture["sort"]
@@ -64,7 +65,7 @@ def show_as_in(picture, display):
 
 
 def check_mapper(checks, display):
-    """What no picture shows reaches the mapper too."""
+    """Tests settings of the mapper that do not affect the images."""
     display.IntervalRenderPath = "OpenGL"
     display.IntervalAutoAdjustLevelOfDetail = False
     display.IntervalLayerArrayName = "TimeSlab"
@@ -74,11 +75,11 @@ def check_mapper(checks, display):
 
 
 def check_choice(checks):
-    """The representation can be chosen for the filter's output."""
+    """Tests that the representation is available for the filter's output."""
     volume = interval_volume(open_data("wavelet"), "RTData", [(140.0, 180.0)])
     view = simple.CreateView("RenderView")
     display = simple.Show(volume, view)
-    checks.that(REPRESENTATION in display.GetProperty("Representation").Available, "it can be chosen")
+    checks.that(REPRESENTATION in display.GetProperty("Representation").Available, "the representation is available")
     display.SetRepresentationType(REPRESENTATION)
     simple.ColorBy(display, None)
     simple.Render(view)
@@ -86,8 +87,8 @@ def check_choice(checks):
     for name in display.ListProperties():
         if name.startswith("Interval"):
             text = display.GetProperty(name).SMProperty.GetDocumentation()
-            checks.that(text and text.GetDescription().strip(), f"{name} has a documentation")
-    checks.that(own.GetDocumentation().GetDescription().strip(), "it has a documentation")
+            checks.that(text and text.GetDescription().strip(), f"{name} has documentation")
+    checks.that(own.GetDocumentation().GetDescription().strip(), "the representation has documentation")
     check_mapper(checks, display)
     simple.Delete(view)
 
@@ -97,27 +98,27 @@ def bounds(picture, distributed):
         return DISTRIBUTED_BOUNDS
     if picture["name"] == "extent-in-time":
         return ON_EDGE_BOUNDS
-    return IN_TIME_BOUNDS if "source" in picture else WHOLE_BOUNDS
+    return IN_TIME_BOUNDS if "source" in picture else FULL_BOUNDS
 
 
 def main(checks):
     pictures = read_extractions("representation.json")
     distributed = sys.argv[2] == "distributed"
-    said = []
+    messages = []
     if distributed:
-        pictures = [picture for picture in pictures if picture["name"] in DISTRIBUTED_PICTURES]
+        pictures = [picture for picture in pictures if picture["name"] in DISTRIBUTED_IMAGES]
     else:
         check_choice(checks)
     comparison = Comparison(checks)
     for picture in pictures:
         name = picture["name"]
-        path = picture_path(sys.argv[1], f"TestPluginRepresentation-{sys.argv[2]}", name)
-        said += draw(picture, extract(picture, distributed), path)
+        path = image_path(sys.argv[1], f"TestPluginRepresentation-{sys.argv[2]}", name)
+        messages += draw(picture, extract(picture, distributed), path)
         comparison.compare(name, path, bounds(picture, distributed))
     if distributed and not can_exchange_data():
-        checks.said(said, "cannot send each other grids", "all pictures")
+        checks.one_message(messages, "cannot send each other grids", "all images")
     else:
-        checks.equal(said, [], "warnings")
+        checks.equal(messages, [], "warnings")
 
 
 run(main)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Scene Shadows of Shadowed Slices: surfaces and volumes of a view shadow each other, as much as closed
-forms say, whatever the view is told, as long as the volume is visible; nothing of it is left after.
+"""Tests Scene Shadows of Shadowed Slices: surfaces and volumes of a view shadow each other, with brightness known
+in closed form, for any settings of the view, while the volume is visible. Afterward the view must be restored.
 
-Argument: a folder for pictures and a state."""
+Argument: a directory for images and a state.
+"""
 
 import os
 import sys
@@ -10,7 +11,7 @@ import sys
 import numpy
 from paraview import servermanager, simple
 
-from plugin_pictures import pixels, snapshot
+from plugin_images import pixels, snapshot
 from plugin_testing import run
 from shadow_scene import (
     BENEATH_PLATE, BENEATH_SMOKE, FLOOR, SLAB_TRANSMITTANCE, SMOKE, SMOKE_UNDER_PLATE, add_sun, brightness,
@@ -28,39 +29,39 @@ def check_point(checks, view, shot, point, expected, what):
 
 
 def check_values(checks, view, shot, what):
-    """Light that plate and smoke leave on the floor, and in the smoke's front."""
+    """Checks the light on the floor below plate and smoke, and at the front of the smoke."""
     check_point(checks, view, shot, FLOOR, WHITE, f"{what}: floor in the light")
     check_point(checks, view, shot, BENEATH_SMOKE, WHITE * SLAB_TRANSMITTANCE, f"{what}: beneath the smoke")
     check_point(checks, view, shot, BENEATH_PLATE, 0.0, f"{what}: beneath the plate")
     dark, bright = (brightness(view, shot, point) for point in (SMOKE_UNDER_PLATE, SMOKE))
-    checks.that(dark < 20 and bright > 80, f"{what}: smoke beneath the plate {dark}, beside it {bright}")
+    checks.that(dark < 20 and bright > 80, f"{what}: smoke beneath the plate {dark}, next to it {bright}")
 
 
 def check_hard(checks, view, displays):
-    """Off: the view's own pass and picture, bit for bit after it was on. On: the shadows."""
+    """Tests that the view has the same pass and the same image before and after shadows are on."""
     before = snapshot(view)
     first = drawing_pass(view)
-    checks.equal(first.GetClassName(), FIRST_PASS, "pass at first")
-    check_point(checks, view, before, BENEATH_SMOKE, WHITE, "without: beneath the smoke")
+    checks.equal(first.GetClassName(), FIRST_PASS, "default pass")
+    check_point(checks, view, before, BENEATH_SMOKE, WHITE, "scene shadows off: beneath the smoke")
     displays["slab"].SceneShadows = True
     after = snapshot(view)
     check_values(checks, view, after, "scene shadows")
     checks.equal(drawing_pass(view).GetClassName(), OWN_PASS, "pass, on")
-    check_point(checks, view, after, SMOKE, brightness(view, before, SMOKE), "smoke that no surface shadows")
+    check_point(checks, view, after, SMOKE, brightness(view, before, SMOKE), "unshadowed smoke")
     displays["slab"].SceneShadows = False
-    checks.equal(numpy.abs(snapshot(view) - before).max(), 0, "picture, off again")
-    checks.that(drawing_pass(view) is first, "the view's own pass, off again")
+    checks.equal(numpy.abs(snapshot(view) - before).max(), 0, "difference after switching off")
+    checks.that(drawing_pass(view) is first, "the view's own pass is restored")
     displays["slab"].SceneShadows = True
 
 
 def check_view(checks, view, displays, folder):
-    """Camera, size, settings of the view that make its passes anew, and a screenshot."""
+    """Tests camera, size, view settings that recreate the render passes, and screenshots."""
     view.CameraPosition = [3.0, -16.0, 8.0]
     check_values(checks, view, snapshot(view), "another camera")
     view.CameraPosition = [0.0, -16.0, 7.0]
     view.ViewSize = [420, 330]
     check_values(checks, view, snapshot(view), "another size")
-    # Ambient occlusion of ParaView 6 wants every volume shaded.
+    # Ambient occlusion of ParaView 6 requires all volumes to be shaded.
     slab = displays["slab"]
     slab.ShadowedShade, shade = 1, slab.ShadowedShade
     for name in ("UseFXAA", "UseAmbientOcclusion", "DepthPeeling", "HiddenLineRemoval"):
@@ -92,17 +93,17 @@ def selected_cells(view, source):
 def check_selection(checks, view, sources, displays):
     simple.Render(view)
     found = selected_cells(view, sources["floor"])
-    checks.that(found, "cells of the floor are selected")
+    checks.that(found, "cells of the floor can be selected")
     displays["slab"].SceneShadows = False
     simple.Render(view)
-    checks.equal(selected_cells(view, sources["floor"]), found, "cells selected with and without")
+    checks.equal(selected_cells(view, sources["floor"]), found, "selected cells with and without shadows")
     displays["slab"].SceneShadows = True
     for source in sources.values():
         simple.ClearSelection(source)
 
 
 def check_visibility(checks, view, sources, displays):
-    """The shadows go and come with the volume."""
+    """Tests that there are shadows only while the volume is visible."""
     slab = displays["slab"]
 
     def check(name, what):
@@ -110,17 +111,17 @@ def check_visibility(checks, view, sources, displays):
         checks.equal(drawing_pass(view).GetClassName(), name, what)
 
     simple.Hide(sources["slab"], view)
-    check(FIRST_PASS, "pass, the volume hidden")
-    check_point(checks, view, snapshot(view), BENEATH_PLATE, WHITE, "floor, the volume hidden")
+    check(FIRST_PASS, "pass with a hidden volume")
+    check_point(checks, view, snapshot(view), BENEATH_PLATE, WHITE, "floor with a hidden volume")
     simple.Show(sources["slab"], view)
-    check(OWN_PASS, "pass, shown again")
+    check(OWN_PASS, "pass after showing the volume")
     slab.SetRepresentationType("Outline")
-    check(FIRST_PASS, "pass, an outline")
+    check(FIRST_PASS, "pass with an outline")
     slab.SetRepresentationType("Shadowed Slices")
-    check(OWN_PASS, "pass, Shadowed Slices again")
+    check(OWN_PASS, "pass after restoring Shadowed Slices")
     slab.Shadows = False
     shot = snapshot(view)
-    check_point(checks, view, shot, BENEATH_SMOKE, WHITE, "volume without Shadows casts none")
+    check_point(checks, view, shot, BENEATH_SMOKE, WHITE, "a volume without Shadows casts no shadow")
     slab.Shadows = True
     slab.MaximumNumberOfShadows = 0
     check_point(checks, view, snapshot(view), BENEATH_PLATE, WHITE, "no light casts shadows")
@@ -128,15 +129,15 @@ def check_visibility(checks, view, sources, displays):
 
 
 def check_several(checks, view, sources):
-    """A second view has its own setting. Of two volumes that want shadows the larger values count."""
+    """Tests that a second view has its own setting, and that the larger values of two volumes are used."""
     other = dark_view()
     add_sun(other)
     displays = show_scene(sources, other)
     shot = snapshot(other)
     check_point(checks, other, shot, BENEATH_PLATE, WHITE, "another view has no shadows")
-    check_values(checks, view, snapshot(view), "first view, beside another")
+    check_values(checks, view, snapshot(view), "first view with a second view")
     displays["slab"].SceneShadows = True
-    check_values(checks, other, snapshot(other), "another view")
+    check_values(checks, other, snapshot(other), "second view")
     second = simple.Wavelet(WholeExtent=[4, 5, 4, 5, 4, 5])
     volume = show_slab(second, other)
     volume.SceneShadows = True
@@ -148,16 +149,16 @@ def check_several(checks, view, sources):
         checks.that(f" {line}\n" in text, f"two volumes: {line}")
     simple.Delete(displays["slab"])
     simple.Render(other)
-    checks.equal(drawing_pass(other).GetClassName(), OWN_PASS, "one of two volumes is left")
+    checks.equal(drawing_pass(other).GetClassName(), OWN_PASS, "pass with one remaining volume")
     simple.Delete(volume)
     simple.Render(other)
-    checks.equal(drawing_pass(other).GetClassName(), FIRST_PASS, "no volume is left")
+    checks.equal(drawing_pass(other).GetClassName(), FIRST_PASS, "pass without volumes")
     simple.Delete(other)
-    check_values(checks, view, snapshot(view), "first view, the other deleted")
+    check_values(checks, view, snapshot(view), "first view without the second view")
 
 
 def check_state(checks, displays, folder):
-    """A state keeps all of it."""
+    """Tests that a state file restores all settings."""
     slab = displays["slab"]
     slab.AreaLight = True
     values = {"SceneDepthMapResolution": 512, "SceneDepthBias": 2.0, "AreaLightShape": "Square",
@@ -181,7 +182,7 @@ def check_state(checks, displays, folder):
 
 
 def begin():
-    """The view with its light, the sources and how they are shown."""
+    """Returns the view with its light, the sources and their displays."""
     view = dark_view()
     add_sun(view)
     sources = make_sources()
@@ -196,7 +197,7 @@ def main(checks):
     check_several(checks, view, sources)
     check_state(checks, displays, sys.argv[1])
     simple.ResetSession()
-    # A selection, cleared or not, is an error in a state of ParaView 6.
+    # A selection, even a cleared one, causes an error in states of ParaView 6.
     check_selection(checks, *begin())
 
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A client and a server apart, with the plugin on both: filters give what they give in one process, and
-a view shows the same whether the server draws it or the client; volumes are always drawn by the server, as
-ParaView's own are. A server of several processes shows the same. Where one side lacks the plugin, ParaView's
-plugin manager is told which.
+"""Tests a client and a server with the plugin on both: filters must produce the same output as in one process, and
+views the same images, regardless of whether server or client renders. Volumes are always rendered by the server, as
+ParaView's own volumes are. A server with several processes must show the same. If one side does not have the
+plugin, ParaView's plugin manager must report which.
 
-Arguments: `write` and the file for what one process makes; `compare` or `ranks`, that file and the server's
-program, for `ranks` with mpiexec's words before it; or `alone`, the side that has the plugin, `client` or
-`server`, and the server's program.
+Arguments: `write` and the file for the results of one process; `compare` or `ranks`, that file and the server's
+program, preceded for `ranks` by the arguments of mpiexec; or `alone`, the side that has the plugin (`client` or
+`server`), and the server's program.
 """
 
 import sys
@@ -14,19 +14,19 @@ import sys
 import numpy
 from paraview import servermanager, simple
 
-from plugin_pictures import color_by, look_at, plain_view, share_shown, snapshot
+from plugin_images import color_by, fraction_shown, look_at, plain_view, snapshot
 from plugin_testing import Checks, interval_volume, load_plugin, open_data
 from server_testing import connect, load_plugin_on
 
-# Megabytes of geometry from which on the server draws.
-WAYS = {"server": 0.0, "client": 1e5}
-# What would make a picture depend on how long the last one took.
+# Size of the geometry, in megabytes, above which the server renders.
+RENDERERS = {"server": 0.0, "client": 1e5}
+# Properties that would make an image depend on the duration of the previous frame.
 AUTOMATIC = ("AutoAdjustSampleDistances", "IntervalAutoAdjustLevelOfDetail")
 VOLUMES = ("Interval Volume", "Shadowed Slices", "Inflow Textures")
-SMALLEST_SHARE = 0.05  # of the picture that shows something
+SMALLEST_FRACTION = 0.05  # fraction of pixels that differ from the background
 LARGEST_DIFFERENCE = 1  # in steps of 1/255
-# Largest and mean difference where four processes draw pieces: pictures rounded to 1/255 each are laid over
-# each other (3 and 0.1 were found), rays begin anew in each piece, and shadows cross by a coarser grid.
+# Largest and mean difference if four processes render pieces. Images rounded to 1/255 are composited (3 and
+# 0.1 were measured), rays restart in each piece, and shadows between pieces use a coarser grid.
 DIFFERENCE_OF_PIECES = {"intervals": (4, 0.4), "shadowed_slices": (60, 0.8), "inflow_textures": (10, 0.4),
                         "flow_volume": (2, 0.1)}
 
@@ -61,16 +61,16 @@ SCENES = (intervals, shadowed_slices, inflow_textures, flow_volume)
 
 
 def numbers(source):
-    """Points, cells and bounds of the output, as the server tells them."""
+    """Returns points, cells and bounds of the output, as reported by the server."""
     source.UpdatePipeline()
     data = source.GetDataInformation()
     return numpy.array([data.GetNumberOfPoints(), data.GetNumberOfCells(), *data.GetBounds()])
 
 
-def shots(source, representation, ways):
+def shots(source, representation, renderers):
     view = plain_view()
     view.UseFXAA = False
-    view.CompressorConfig = "vtkLZ4Compressor 0 0"  # without loss
+    view.CompressorConfig = "vtkLZ4Compressor 0 0"  # lossless
     display = simple.Show(source, view)
     display.SetRepresentationType(representation)
     if representation == "Interval Volume":
@@ -79,27 +79,27 @@ def shots(source, representation, ways):
         if name in display.ListProperties():
             setattr(display, name, False)
     look_at(view)
-    for name, threshold in ways.items():
+    for name, threshold in renderers.items():
         view.RemoteRenderThreshold = threshold
         drawn = snapshot(view)
         remote = view.GetClientSideObject().GetUseDistributedRenderingForRender()
         yield name, drawn, remote
-    simple.Delete(view)  # while its window still has a display
+    simple.Delete(view)  # before its window loses its display
 
 
 def write(path):
     load_plugin()
-    kept = {}
+    results = {}
     for scene in SCENES:
         source, representation = scene()
-        kept[f"{scene.__name__} numbers"] = numbers(source)
+        results[f"{scene.__name__} numbers"] = numbers(source)
         for _, drawn, _ in shots(source, representation, {"here": 0.0}):
-            kept[f"{scene.__name__} picture"] = drawn
-    numpy.savez(path, **kept)
+            results[f"{scene.__name__} picture"] = drawn
+    numpy.savez(path, **results)
 
 
 def compare(checks, mode, path, program):
-    """Of several processes each has its own points, so that their number is not compared."""
+    """Compares with the results of one process. The number of points differs with several processes."""
     expected = numpy.load(path)
     server = connect(*program)
     load_plugin_on(client=True, server=True)
@@ -108,32 +108,33 @@ def compare(checks, mode, path, program):
         source, representation = scene()
         found = numbers(source)
         if mode == "compare":
-            checks.that((found == expected[f"{name} numbers"]).all(), f"{name}, numbers")
+            checks.that((found == expected[f"{name} numbers"]).all(), f"{name}, points, cells and bounds")
         picture = expected[f"{name} picture"]
-        checks.that(share_shown(picture) > SMALLEST_SHARE, f"{name} shows something")
-        for way, drawn, remote in shots(source, representation, WAYS):
+        checks.that(fraction_shown(picture) > SMALLEST_FRACTION, f"{name} is visible")
+        for renderer, drawn, remote in shots(source, representation, RENDERERS):
             difference = numpy.abs(drawn - picture)
             largest, mean = difference.max(), difference.mean()
-            print(f"{name}, drawn by the {way}: difference {largest}, mean {mean:.4f}", flush=True)
+            print(f"{name}, drawn by the {renderer}: difference {largest}, mean {mean:.4f}", flush=True)
             bounds = DIFFERENCE_OF_PIECES[name] if mode == "ranks" else (LARGEST_DIFFERENCE, LARGEST_DIFFERENCE)
-            checks.that(largest <= bounds[0] and mean <= bounds[1], f"{name}, drawn by the {way}: {largest}, {mean}")
-            by_server = way == "server" or representation in VOLUMES
-            checks.equal(bool(remote), by_server, f"{name}, the {way} draws")
+            checks.that(largest <= bounds[0] and mean <= bounds[1],
+                        f"{name}, drawn by the {renderer}: {largest}, {mean}")
+            by_server = renderer == "server" or representation in VOLUMES
+            checks.equal(bool(remote), by_server, f"{name}, rendered by the server instead of the {renderer}")
     checks.that(not any("ERR|" in line for line in server.lines), f"no errors: {server.lines}")
 
 
 def check_missing(checks, side, program):
-    """ParaView knows of each side that the plugin is needed on the other too."""
+    """Tests that ParaView reports on each side if the plugin is missing on the other."""
     connect(program)
     load_plugin_on(client=side == "client", server=side == "server")
     other = "server" if side == "client" else "client"
     manager = servermanager.vtkSMProxyManager.GetProxyManager().GetPluginManager()
     session = servermanager.ActiveConnection.Session
-    checks.that(not manager.FulfillPluginRequirements(session, True), f"a {side} alone is told of")
+    checks.that(not manager.FulfillPluginRequirements(session, True), f"a plugin only on the {side} is reported")
     plugins = manager.GetLocalInformation() if side == "client" else manager.GetRemoteInformation(session)
-    said = {plugins.GetPluginName(i): plugins.GetPluginStatusMessage(i)
+    messages = {plugins.GetPluginName(i): plugins.GetPluginStatusMessage(i)
             for i in range(plugins.GetNumberOfPlugins())}
-    checks.that(f"loaded on {other}" in str(said.get("Interlume")), f"{other} is named: {said}")
+    checks.that(f"loaded on {other}" in str(messages.get("Interlume")), f"the message names the {other}: {messages}")
 
 
 def main():

@@ -1,24 +1,26 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The representation Shadowed Slices draws what the mapper draws in C++, with the view's lights and its
-own, which come and go with it.
+"""Tests that the representation Shadowed Slices reproduces images of the C++ mapper, with lights of the view and
+the representation's own light, which is on only while it is visible.
 
-Arguments: the folder for the pictures, and `whole`, or `distributed` in a run with several processes,
-where each has a piece of the image.
+Arguments: the directory for images, and `whole`, or `distributed` in a run with several processes, in which each
+has a piece of the image data.
 """
 
 import sys
 
 from paraview import servermanager, simple
 
-from plugin_pictures import Comparison, load_texture, make_view, picture_path, set_colors, set_light
+from plugin_images import Comparison, load_texture, make_view, image_path, set_colors, set_light
 from plugin_testing import extractions_path, open_data, read_extractions, run, temporal_source
 
 REPRESENTATION = "Shadowed Slices"
-# Largest and mean difference in steps of 1/255. Both round the same numbers, in other versions of VTK.
-WHOLE_BOUNDS = (2, 0.2)
-# Each process has slices of its own, which differ most where they meet the sides of the image edge on.
+# Largest and mean difference between the images of ParaView and of the VTK modules, in steps of
+# 1/255. Both show the same data, but the versions of VTK may differ.
+FULL_BOUNDS = (2, 0.2)
+# Each process has its own slices. They differ most where they intersect the sides of the image at grazing
+# angles.
 DISTRIBUTED_BOUNDS = (100, 0.4)
-DISTRIBUTED_PICTURE = "slices-plain"
+DISTRIBUTED_IMAGE = "slices-plain"
 PROPERTIES = {
     "ambient": "Ambient", "unit": "ShadowedOpacityUnitDistance", "shade": "ShadowedShade",
     "shadows": "Shadows", "number_of_shadows": "MaximumNumberOfShadows", "colored": "ColoredShadows",
@@ -62,34 +64,34 @@ def draw(picture, path):
         display.ShadowedUseCropping = True
         display.ShadowedCroppingScale = picture["crop"]
     simple.SaveScreenshot(path, view, ImageResolution=picture["size"])
-    simple.Delete(view)  # while its window still has a display
+    simple.Delete(view)  # before its window loses its display
     simple.Delete(source)
 
 
 def own_switches(view):
-    """Of the projective lights that the view has: whether they are switched on."""
+    """Returns the switch of each projective light in the view."""
     lights = view.GetClientSideObject().GetRenderer().GetLights()
     lights = [lights.GetItemAsObject(i) for i in range(lights.GetNumberOfItems())]
     return [light.GetSwitch() for light in lights if light.IsA("vtkProjectiveLight")]
 
 
 def check_light(checks, view, source, display):
-    """The own light shines with the representation, and only then."""
+    """Tests that the representation's light is on only while the representation is visible."""
     simple.Render(view)
-    checks.equal(own_switches(view), [0], "own light, off at first")
+    checks.equal(own_switches(view), [0], "own light, off by default")
     display.ProjectiveLight = True
     simple.Render(view)
     checks.equal(own_switches(view), [1], "own light, switched on")
     display.SetRepresentationType("Outline")
     simple.Render(view)
-    checks.equal(own_switches(view), [0], "own light, of a representation that is not shown")
+    checks.equal(own_switches(view), [0], "own light with an outline")
     display.SetRepresentationType(REPRESENTATION)
     simple.Hide(source, view)
     checks.equal(own_switches(view), [0], "own light, hidden")
     simple.Show(source, view)
     checks.equal(own_switches(view), [1], "own light, shown again")
     simple.Delete(display)
-    checks.equal(own_switches(view), [], "own light, of a representation that is gone")
+    checks.equal(own_switches(view), [], "own light of a deleted representation")
 
 
 def active_representation(display):
@@ -97,12 +99,13 @@ def active_representation(display):
 
 
 def shown_input(display):
-    """The image that the mapper draws."""
+    """Returns the image that the mapper renders."""
     return active_representation(display).GetActor().GetMapper().GetInputDataObject(0, 0)
 
 
 def check_inputs(checks):
-    """One image in a group is drawn; of two in one place one is, with a warning."""
+    """Tests that an image in a group is shown; of two images at the same position only one is shown, with a
+    warning."""
     wavelet = open_data("wavelet")
     view = simple.CreateView("RenderView")
     for number, warnings in ((1, 0), (2, 1)):
@@ -116,13 +119,13 @@ def check_inputs(checks):
         simple.Render(view)
         checks.equal(len(messages), warnings, f"warnings for {number} images")
         points = shown_input(display).GetNumberOfPoints()
-        checks.that(points > 0, f"something is drawn of {number} images")
+        checks.that(points > 0, f"an image is rendered for {number} images")
         simple.Hide(group, view)
     simple.Delete(view)
 
 
 def check_components(checks, view, source, display):
-    """Of an array with components the one chosen is drawn, or the magnitude."""
+    """Tests that the selected component of an array, or the magnitude, is rendered."""
     simple.ColorBy(display, ["POINTS", "Gradient"])
     display.LookupTable.VectorMode = "Magnitude"
     simple.Render(view)
@@ -139,7 +142,7 @@ def check_components(checks, view, source, display):
 
 
 def check_mapper(checks, display):
-    """What no picture shows reaches the mapper too."""
+    """Tests settings of the mapper that do not affect the images."""
     display.LightBufferSize = 777
     display.LightLookup = "Nearest"
     display.ImageSampleDistance = 3.0
@@ -150,25 +153,25 @@ def check_mapper(checks, display):
 
 def check_documentation(checks, display):
     own = servermanager.ProxyManager().GetPrototypeProxy("representations", "ShadowedSliceRepresentation")
-    checks.that(own.GetDocumentation().GetDescription().strip(), "it has a documentation")
+    checks.that(own.GetDocumentation().GetDescription().strip(), "the representation has documentation")
     for name in display.ListProperties():
         if name.startswith(OWN_PREFIXES) and name != "ShadowedInput":
             text = display.GetProperty(name).SMProperty.GetDocumentation()
-            checks.that(text and text.GetDescription().strip(), f"{name} has a documentation")
+            checks.that(text and text.GetDescription().strip(), f"{name} has documentation")
 
 
 def check_panel(checks):
-    """What the panel offers, without pictures."""
+    """Tests the panel's properties and defaults."""
     source = simple.Gradient(Input=open_data("wavelet"))
     source.UpdatePipeline()
     view = simple.CreateView("RenderView")
     display = simple.Show(source, view)
-    checks.that(REPRESENTATION in display.GetProperty("Representation").Available, "it can be chosen")
+    checks.that(REPRESENTATION in display.GetProperty("Representation").Available, "the representation is available")
     display.SetRepresentationType(REPRESENTATION)
-    checks.equal(list(display.ProjectiveLightPosition), [10.0, 10.0, 10.0], "the light is at a corner")
-    checks.equal(list(display.ProjectiveLightFocalPoint), [0.0, 0.0, 0.0], "the light shines at the centre")
-    checks.equal(display.ProjectiveLightScreenWidth, 36.0, "the light's screen is larger than the data")
-    checks.equal(display.MaximumNumberOfShadows, 1, "one light of the kit casts shadows")
+    checks.equal(list(display.ProjectiveLightPosition), [10.0, 10.0, 10.0], "default position of the light")
+    checks.equal(list(display.ProjectiveLightFocalPoint), [0.0, 0.0, 0.0], "default focal point of the light")
+    checks.equal(display.ProjectiveLightScreenWidth, 36.0, "default width of the light's screen")
+    checks.equal(display.MaximumNumberOfShadows, 1, "default number of lights with shadows")
     simple.ColorBy(display, None)
     simple.Render(view)
     check_components(checks, view, source, display)
@@ -182,15 +185,15 @@ def main(checks):
     distributed = sys.argv[2] == "distributed"
     pictures = read_extractions("shadowed_slices.json")
     if distributed:
-        pictures = [picture for picture in pictures if picture["name"] == DISTRIBUTED_PICTURE]
+        pictures = [picture for picture in pictures if picture["name"] == DISTRIBUTED_IMAGE]
     else:
         check_panel(checks)
         check_inputs(checks)
     comparison = Comparison(checks)
     for picture in pictures:
-        path = picture_path(sys.argv[1], f"TestPluginShadowedSlices-{sys.argv[2]}", picture["name"])
+        path = image_path(sys.argv[1], f"TestPluginShadowedSlices-{sys.argv[2]}", picture["name"])
         draw(picture, path)
-        comparison.compare(picture["name"], path, DISTRIBUTED_BOUNDS if distributed else WHOLE_BOUNDS)
+        comparison.compare(picture["name"], path, DISTRIBUTED_BOUNDS if distributed else FULL_BOUNDS)
 
 
 run(main)

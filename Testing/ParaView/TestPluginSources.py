@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The sources tell ParaView their time steps and give their fields at any time."""
+"""Tests that the sources report their time steps to ParaView and provide their fields at any time."""
 
 import math
 
@@ -20,7 +20,7 @@ def check_times(checks, source):
 
 
 def check_wave(checks, source):
-    """The values against the formula, between two time steps."""
+    """Tests values between two time steps against the formula."""
     source.Field = "Wave"
     source.WholeExtent = [0, 8, 0, 6, 0, 4]
     source.Bounds = [-2.0, 2.0, -1.0, 1.0, -1.0, 1.0]
@@ -36,7 +36,7 @@ def check_wave(checks, source):
 
 
 def check_motion(checks, source, array, interval):
-    """There is an interval volume at each time, not the same one."""
+    """Tests that interval volumes at two times exist and differ."""
     volumes = []
     for time in (1.0, 2.0):
         source.UpdatePipeline(time)
@@ -47,16 +47,17 @@ def check_motion(checks, source, array, interval):
         volumes.append(servermanager.Fetch(volume).GetNumberOfCells())
     name = source.SMProxy.GetXMLName()
     checks.that(min(volumes) > 1000, f"{name} has tetrahedra")
-    checks.that(volumes[0] != volumes[1], f"{name} moves")
+    checks.that(volumes[0] != volumes[1], f"{name} changes in time")
 
 
 def values_of(source, array):
-    """The values of a point array, a row a point."""
+    """Returns the values of a point array, one row per point."""
     return vtk_to_numpy(fetch(source).GetPointData().GetArray(array)).copy()
 
 
 def check_models(checks):
-    """Each model is another one, with matter and without, and colours have its density as opacity."""
+    """Tests that all models differ, have full and empty regions, and have the density as opacity of their
+    colors."""
     source = simple.ConstructiveVolumeModel(Resolution=32)
     check_documentation(checks, source)
     check_menu(checks, "sources", "ConstructiveModelSource")
@@ -67,16 +68,16 @@ def check_models(checks):
         density = values_of(source, "Density")
         checks.that(density.min() == 0.0 and 0.0 < density.max() <= 1.0, 
                     f"{model}, densities: {density.min()} to {density.max()}")
-        checks.that(not any(numpy.array_equal(density, other) for other in seen), f"{model} is new")
+        checks.that(not any(numpy.array_equal(density, other) for other in seen), f"{model} differs from other models")
         seen.append(density)
         source.OutputMode = "Color as Floats"
         colors = values_of(source, "Color")
-        checks.that(numpy.array_equal(colors[:, 3], density), f"{model}, opacity of its colours")
+        checks.that(numpy.array_equal(colors[:, 3], density), f"{model}, opacity of its colors")
     checks.equal(len(seen), 9, "number of models")
 
 
 def check_turbulence(checks):
-    """The same seed gives the same noise, another seed or sum another one, on the image asked for."""
+    """Tests that the noise depends on seed, sum and frequency, and has the requested extent."""
     source = simple.Turbulence(WholeExtent=[0, 20, 0, 16, 0, 12])
     check_documentation(checks, source)
     check_menu(checks, "sources", "TurbulenceSource")
@@ -89,7 +90,7 @@ def check_turbulence(checks):
         values.append(values_of(source, array))
         checks.that(not numpy.array_equal(values[-1], values[0]), f"{name} changes the turbulence")
         setattr(source, name, before)
-    checks.that(numpy.array_equal(values_of(source, array), values[0]), "the turbulence comes back")
+    checks.that(numpy.array_equal(values_of(source, array), values[0]), "restoring the settings restores the turbulence")
 
 
 def main(checks):

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Save Data offers slabs of interval volumes for data with time steps, and writes what the filter extracts."""
+"""Tests that Save Data offers slabs of interval volumes for data with time steps, and writes the filter's
+output."""
 
 import os
 import shutil
@@ -15,7 +16,7 @@ KIND = "Interlume Slabs of Interval Volumes"
 
 
 def kinds_for(proxy):
-    """What Save Data offers for the output of a proxy."""
+    """Returns the file types that Save Data offers for the output of a proxy."""
     factory = servermanager.vtkSMProxyManager.GetProxyManager().GetWriterFactory()
     return factory.GetSupportedFileTypes(proxy.SMProxy, 0)
 
@@ -32,13 +33,13 @@ def main(checks):
     checks.that(KIND in kinds_for(field), "Save Data offers slabs")
     spheres = simple.GroupDatasets(Input=[simple.Sphere(), simple.Sphere()])
     spheres.UpdatePipeline()
-    checks.that(KIND not in kinds_for(spheres), "Save Data offers no slabs of composite data")
+    checks.that(KIND not in kinds_for(spheres), "Save Data does not offer slabs for composite data")
 
     low, high = field.PointData.GetArray(0).GetRange()
     writer = simple.CreateWriter(os.path.join(folder, "proposed.vtm"), field)
-    checks.equal(writer.SMProxy.GetXMLName(), "TimeSlabWriter", "the writer of slabs")
+    checks.equal(writer.SMProxy.GetXMLName(), "TimeSlabWriter", "name of the writer")
     for value, expected, what in zip(writer.Intervals, (0.5 * (low + high), high), ("lower", "upper")):
-        checks.close(value, expected, 1e-12, f"{what} value proposed")
+        checks.close(value, expected, 1e-12, f"default {what} value")
 
     for name, settings in (("proposed", {}),
                            ("chosen", {"Intervals": [-0.5, 0.25, 0.25, 1.0], "TimeStepRange": [0, 1]})):
@@ -48,10 +49,10 @@ def main(checks):
         parts = list(leaves(fetch(simple.OpenDataFile(path))))
         last = min(expected.TimeStepRange[1], len(field.TimestepValues) - 1)
         checks.equal(len(parts), last, f"slabs of {name}")
-        whole = fetch(expected)
-        checks.that(whole.GetNumberOfCells() > 0, f"{name} gives tetrahedra")
-        checks.that(numpy.array_equal(all_simplices(parts), all_simplices([whole])),
-                    f"{name} has the filter's tetrahedra")
+        grid = fetch(expected)
+        checks.that(grid.GetNumberOfCells() > 0, f"{name} produces tetrahedra")
+        checks.that(numpy.array_equal(all_simplices(parts), all_simplices([grid])),
+                    f"{name} has the tetrahedra of the filter")
 
 
 run(main)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Time-varying interval volumes and their slices inside ParaView are those that the C++ classes gave,
-also of a composite dataset, whatever time ParaView shows."""
+"""Tests that time-varying interval volumes and their slices in ParaView equal the results of the C++ classes, also
+for composite datasets and regardless of the time that ParaView shows.
+"""
 
 import numpy
 from paraview import simple
@@ -30,23 +31,23 @@ def repeat(checks, name, extraction):
 
 
 def check_time(checks, extraction):
-    """The output is that of all times, made once, with no time steps of its own."""
+    """Tests that the output covers all times, is computed once, and has no time steps."""
     source = temporal_source(extraction["source"], extraction["source_properties"])
     volume = time_varying_volume(source, extraction["properties"])
-    made = set()
+    times_of_points = set()
     for time in (1.0, 0.7, 5.0):
         volume.UpdatePipeline(time)
         grid = output_in_place(volume)
         compare(checks, f"shown at {time}", grid, extraction["tetrahedra"], "SimplexClass")
-        made.add(grid.GetPoints().GetMTime())
-    checks.equal(len(made), 1, "executions for three times")
+        times_of_points.add(grid.GetPoints().GetMTime())
+    checks.equal(len(times_of_points), 1, "executions for three times")
     for proxy, steps in ((source, extraction["source_properties"]["NumberOfTimeSteps"]), (volume, 0)):
         information = proxy.GetDataInformation().DataInformation
         checks.equal(information.GetNumberOfTimeSteps(), steps, f"{proxy.SMProxy.GetXMLName()}, time steps")
 
 
 def check_composite(checks, extraction):
-    """A group gives a group of the same structure, with the simplices of each source."""
+    """Tests that a group produces a group of the same structure, with the simplices of each source."""
     properties = extraction["properties"]
     sources = []
     for shift in (0.0, 0.3):
@@ -64,12 +65,12 @@ def check_composite(checks, extraction):
         checks.equal(len(grids), len(sources), f"group, leaves of {output}")
         compare(checks, f"first of a group, {output}", grids[0], extraction[output], id_array)
     checks.equal(output_in_place(slices).GetClassName(), kind, "group, slices")
-    alone = time_varying_volume(sources[1], properties)
-    for grouped, single, port in ((volume, alone, 2), (slices, slice_at(alone, slices.Time), 0)):
+    ungrouped = time_varying_volume(sources[1], properties)
+    for grouped, single, port in ((volume, ungrouped, 2), (slices, slice_at(ungrouped, slices.Time), 0)):
         found = as_set(simplices(list(leaves(output_in_place(grouped, port)))[1]))
         expected = as_set(simplices(fetch(single, port)))
-        checks.that(len(expected) > 0, "the second of the group has simplices")
-        checks.that(numpy.array_equal(found, expected), "the second of the group is as it is alone")
+        checks.that(len(expected) > 0, "the second leaf has simplices")
+        checks.that(numpy.array_equal(found, expected), "the second leaf equals the output without a group")
 
 
 def main(checks):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""TestPluginXMLDefaults.py FOLDER: the defaults in the plugin's XML in FOLDER are those of the C++ classes, for
-every property: what its command sets is what a fresh object gets. Properties without a default start
-empty, or have a domain that takes the value from the data. What is different on purpose is listed.
+"""TestPluginXMLDefaults.py FOLDER: tests that the defaults in the plugin's XML in FOLDER equal the defaults of the
+C++ classes for every property. Properties without a default start empty or have a domain that reads the value from
+the data. Intended differences are listed here.
 """
 
 import glob
@@ -11,21 +11,21 @@ from xml.etree import ElementTree
 
 import interlume
 
-# Domains that give the value from the data.
+# Domains that read the value from the data.
 DATA_DOMAINS = {"ArrayRangeDomain", "ProposedRangeDomain", "DataTypeDomain", "ArrayListDomain", "BoundsDomain",
                 "ProxyListDomain", "InputArrayDomain", "RepresentedArrayListDomain", "DataAssemblyListDomain",
                 "DataAssemblyDomain"}
-# What stands for a class of the plugin that Python does not have.
+# Replacements for classes of the plugin that Python does not have.
 STAND_INS = {
     "vtkPVImplicitFlowField": "vtkImplicitFlowField", "vtkPVInflowMapping": "vtkInflowMapping",
     "vtkPVStreamSurfaceParameters": "vtkStreamSurfaceParameters", "vtkPVTerminationBox": "vtkTerminationBox",
     "vtkPVTerminationRectangle": "vtkTerminationPlane", "vtkPVTerminationCylinder": "vtkTerminationCylinder",
     "vtkPVTerminationTube": "vtkTerminationTube", "vtkPieceSliceMapper": "vtkShadowedSliceMapper"}
-# The widget, and what has its properties from a compared proxy.
+# The widget, and classes whose properties belong to a compared proxy.
 NOT_COMPARED = {"vtkTimeSlabWriter", "vtkAreaLightRepresentation", "vtk3DWidgetRepresentation", None}
 
 
-def middle_of_points(surface):
+def center_of_points(surface):
     return [0.5 * (a + b) for a, b in zip(surface.GetPoint1(), surface.GetPoint2())]
 
 
@@ -39,7 +39,8 @@ def box_bounds(box):
     return bounds
 
 
-# What has no getter, is of another class, or differs: the value, or a function of a fresh object.
+# Values, or functions of a new object, for properties that have no getter, belong to another
+# class, or differ from C++.
 LISTED = {
     "vtkPVImplicitFlowField": {
         "TubeRadius": lambda field: interlume.vtkTerminationTube().GetRadius(),
@@ -48,9 +49,9 @@ LISTED = {
     "vtkPVInflowMapping": {
         "Formula": lambda mapping: mapping.GetFormula(mapping.ALL), "ImageId": lambda mapping: mapping.ALL,
         "FormulasById": [], "Rings": lambda mapping: [] if mapping.GetNumberOfRings(mapping.ALL) == 0 else None},
-    # Lengths of 0 are those of the field, or 1 where there is none.
-    "vtkPVTerminationRectangle": {"Center": middle_of_points, "Normal": [0, 0, 1], "Lengths": [0, 0], "Angle": 0},
-    "vtkPVTerminationCylinder": {"Center": middle_of_points, "Axis": [0, 0, 1], "Length": 0},
+    # Lengths of 0 mean the size of the field, or 1 without a field.
+    "vtkPVTerminationRectangle": {"Center": center_of_points, "Normal": [0, 0, 1], "Lengths": [0, 0], "Angle": 0},
+    "vtkPVTerminationCylinder": {"Center": center_of_points, "Axis": [0, 0, 1], "Length": 0},
     "vtkPVTerminationBox": {
         "Position": lambda box: box_bounds(box)[0::2],
         "Lengths": lambda box: [high - low for low, high in zip(box_bounds(box)[0::2], box_bounds(box)[1::2])]},
@@ -58,7 +59,7 @@ LISTED = {
     "vtkTimeVaryingIntervalVolume": {
         "Boundaries": lambda volume: [kind for kind in range(8)
                                       if volume.GetGenerateBoundary(kind)]},
-    # DeltaT where there is one, and the layers' numbers as priorities.
+    # The proxy names the array DeltaT, and layer numbers are the default priorities.
     "vtkIntervalVolumeRepresentation": {
         "IntervalDeltaTArrayName":
             lambda _: interlume.vtkTimeWeightedTetrahedraMapper().GetDeltaTArrayName() or "DeltaT"},
@@ -66,8 +67,8 @@ LISTED = {
         "IntervalLayerPriorities": lambda mapper: [] if mapper.GetLayerPriority(3) == 3.0 else None},
     "vtkProjectiveLight": {"ProjectiveLightColor": lambda light: light.GetDiffuseColor()},
     "vtkAreaLight": {"AreaLightColor": lambda light: light.GetDiffuseColor()},
-    # A light kit has five lights: one shadow at first, and shading, without which they are too bright;
-    # scattered light is as bright as surfaces.
+    # A light kit has five lights, so one of them casts shadows and shading is on; otherwise volumes are too
+    # bright. Scattered light is as bright as surfaces.
     "vtkPieceSliceMapper": {
         "MaximumNumberOfShadows": 1, "ShadowedTwoSidedLighting": 1, "ScatteringBrightness": 0.35},
     "vtkShadowedSliceRepresentation": {
@@ -97,39 +98,40 @@ LISTED = {
 
 
 def is_same(given, value):
-    """Whether a text of the XML, or None, is a value of C++."""
+    """Returns whether a text of the XML, which may be None, equals a value of C++."""
     if value is None or isinstance(value, str):
         return given == value
     values = [*value] if isinstance(value, (list, tuple)) else [value]
     return given is not None and [*map(float, given.split())] == values or given is None and values == []
 
 
-def takes_value_from_data(element):
+def reads_value_from_data(element):
     return any(child.tag in DATA_DOMAINS for child in element) or element.get("is_internal") == "1"
 
 
-def faults_of(element, made, listed):
-    """What is wrong with a property of a class, of which `made` is a fresh object or None."""
+def errors_of(element, instance, listed):
+    """Yields errors of a property; `instance` is a new object of the class, or None."""
     name, given = element.get("name"), element.get("default_values")
     rows = element.get("set_number_command") or element.get("clean_command") or ""
-    number = getattr(made, "GetNumberOf" + rows.replace("SetNumberOf", "").replace("RemoveAll", ""), None)
+    number = getattr(instance, "GetNumberOf" + rows.replace("SetNumberOf", "").replace("RemoveAll", ""), None)
     if number and name not in listed and number() != 0:
-        yield f"{name}: a fresh object has {number()}"
-    getter = getattr(made, "Get" + element.get("command", "Set")[3:], None)
+        yield f"{name}: a new object has {number()}"
+    getter = getattr(instance, "Get" + element.get("command", "Set")[3:], None)
     if name in listed:
-        value = listed[name](made) if callable(listed[name]) else listed[name]
+        value = listed[name](instance) if callable(listed[name]) else listed[name]
     elif getter and given is not None and element.get("repeat_command") != "1":
         value = getter()
     else:
-        if not takes_value_from_data(element) and (given is not None or element.get("number_of_elements") != "0"):
-            yield f"{name}: is neither compared nor taken from the data"
+        if not reads_value_from_data(element) and (given is not None or element.get("number_of_elements") != "0"):
+            yield f"{name}: is neither compared nor read from the data"
         return
     if not is_same(given, value):
         yield f"{name}: XML {given!r}, C++ {value!r}"
 
 
 def properties_of(proxy, proxies):
-    """Its own, and those of the proxy it is based on, if that is the plugin's and not a display's."""
+    """Returns the properties of a proxy and of its base proxy, unless that is a display or not part of the
+    plugin."""
     group = proxy.get("base_proxygroup")
     base = proxies.get((group, proxy.get("base_proxyname"))) if group != "internal_representations" else None
     inherited = properties_of(base, proxies) if base is not None else []
@@ -143,24 +145,24 @@ def main():
         for group in ElementTree.parse(path).getroot().iter("ProxyGroup"):
             for proxy in group:
                 proxies[group.get("name"), proxy.get("name")] = proxy
-    faults, compared = [], 0
+    errors, compared = [], 0
     for (group, _), proxy in proxies.items():
         kind = proxy.get("class")
         if kind in NOT_COMPARED or group.startswith("internal_"):
             continue
-        made = getattr(interlume, STAND_INS.get(kind, kind), None)
+        instance = getattr(interlume, STAND_INS.get(kind, kind), None)
         listed = LISTED.get(kind, {})
         properties = properties_of(proxy, proxies)
         unknown = set(listed) - {element.get("name") for element in properties}
-        faults += [f"{kind}.{name} is listed, but is no property" for name in unknown]
-        if not made and not listed and kind != "vtkTetrahedralMesher":
-            faults.append(f"{kind} is not known")
+        errors += [f"{kind}.{name} is listed but is not a property" for name in unknown]
+        if not instance and not listed and kind != "vtkTetrahedralMesher":
+            errors.append(f"{kind} has no class in Python and no listed values")
             continue
-        for element in properties if made or listed else []:
+        for element in properties if instance or listed else []:
             compared += 1
-            faults += [f"{kind}.{fault}" for fault in faults_of(element, made() if made else None, listed)]
+            errors += [f"{kind}.{error}" for error in errors_of(element, instance() if instance else None, listed)]
     print(compared, "properties")
-    sys.exit("\n".join(faults) if faults else 0)
+    sys.exit("\n".join(errors) if errors else 0)
 
 
 main()

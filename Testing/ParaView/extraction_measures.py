@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The measures of an extraction in the build of the VTK modules, compared."""
+"""Compares an extraction with the results from the build of the VTK modules."""
 
 from vtkmodules.util.numpy_support import vtk_to_numpy
 import numpy
 
 from simplex_measures import array_ranges, integrals, simplices, sizes
 
-TOLERANCE = 1e-12  # of a sum without signs, whose order differs
+TOLERANCE = 1e-12  # relative error of a sum, which depends on its order
 
 
 def check_sum(checks, terms, expected, what):
@@ -15,7 +15,7 @@ def check_sum(checks, terms, expected, what):
 
 
 def compare(checks, name, grid, expected, id_array):
-    """Checks a grid against measures; `id_array` is the cell array that they are given by."""
+    """Compares a grid with expected measures, which are given per value of the cell array `id_array`."""
     checks.equal(grid.GetNumberOfCells(), expected["cells"], f"{name}, cells")
     checks.equal(grid.GetNumberOfPoints(), expected["points"], f"{name}, points")
     checks.equal(list(grid.GetBounds()), expected["bounds"], f"{name}, bounds")

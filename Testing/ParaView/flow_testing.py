@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Flow filters as Extractions/pipelines.py makes them, from the same descriptions."""
+"""Creates the flow filters of Extractions/pipelines.py from the same descriptions."""
 
 from paraview import servermanager, simple
 
@@ -7,7 +7,7 @@ from plugin_testing import set_properties, temporal_source
 
 
 def termination_surface(description):
-    """A proxy of the group termination_surfaces."""
+    """Returns a proxy of the group termination_surfaces."""
     group = servermanager.ProxyNamespace(
         ["termination_surfaces"], servermanager.ActiveConnection.Session)
     surface = getattr(group, description["kind"])()
@@ -16,7 +16,7 @@ def termination_surface(description):
 
 
 def surface_mesh(description):
-    """The triangles of a termination surface."""
+    """Returns a triangle mesh of a termination surface."""
     return simple.TerminationSurface(Surface=termination_surface(description))
 
 
@@ -45,7 +45,7 @@ def flow_field(flow, extraction):
 
 
 def as_text(rows):
-    """The cells of a table, row by row."""
+    """Returns the values of a table row by row, as text."""
     return [str(value) for row in rows for value in row]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The real ParaView client on a display of its own, driven by ParaView's test player."""
+"""Runs the ParaView client on a separate display, controlled by ParaView's test player."""
 
 import contextlib
 import os
@@ -16,13 +16,13 @@ SHELL = "pqClientMainWindow/pythonShellDock/pythonShell/consoleWidget"
 
 
 def python(code):
-    """The gesture of typing a line into the client's Python shell."""
+    """Returns the gesture that types a line into the client's Python shell."""
     return (SHELL, "executeCommand", code)
 
 
 @contextlib.contextmanager
 def started(command, **options):
-    """A process of one's own, ended by its id."""
+    """Starts a process and ends it by its id."""
     process = subprocess.Popen(command, **options)
     try:
         yield process
@@ -33,8 +33,8 @@ def started(command, **options):
 
 @contextlib.contextmanager
 def display(size, folder, log):
-    """An X server with a window manager that makes windows as large as the screen; gives its name
-    when it takes clients."""
+    """Starts an X server with a window manager that maximizes windows. Yields the display name as soon as it
+    accepts clients."""
     configuration = os.path.join(folder, "openbox.xml")
     with open(configuration, "w", encoding="utf-8") as file:
         file.write(MAXIMIZED)
@@ -43,8 +43,8 @@ def display(size, folder, log):
     server = ["Xvfb", "-displayfd", str(writing), "-screen", "0", size + "x24", "-noreset"]
     with started(server, pass_fds=[writing], stdout=log, stderr=log):
         os.close(writing)
-        with os.fdopen(reading) as answer:
-            name = ":" + answer.readline().strip()
+        with os.fdopen(reading) as output:
+            name = ":" + output.readline().strip()
         with started(manager, env={**os.environ, "DISPLAY": name}, stdout=log, stderr=log):
             yield name
 
@@ -59,10 +59,10 @@ def write_script(path, gestures):
 
 
 def play(gestures, folder, name, seconds, size="800x600"):
-    """Plays gestures in a client with the plugin, on a screen of a size; its exit status and the
-    lines that it printed.
+    """Plays gestures in a client with the plugin, on a screen of the given size. Returns the exit status and the
+    printed lines.
 
-    The client has a home of its own, so that no setting of an earlier run or user counts.
+    The client has its own home directory, so that it does not read settings of earlier runs or users.
     """
     script = os.path.join(folder, name + ".xml")
     write_script(script, gestures)

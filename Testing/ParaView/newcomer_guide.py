@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Makes the pictures of Documentation/guide/paraview.md: the client's window after some of the uses.
+"""Renders the images of Documentation/guide/paraview.md: the client's window after some uses.
 
-Arguments: the folder of the pictures, Documentation/pictures/guide, and names to make these only. Needs ImageMagick besides what
-TestNewcomer.py needs, and the same environment: ninja guide-pictures in the build of the plugin. The
-pictures are named after the filters, whose help pages show them.
+Arguments: the output directory, Documentation/pictures/guide, and optional names of images. Needs ImageMagick in
+addition to the requirements of TestNewcomer.py, and the same environment: run ninja guide-pictures in the build of
+the plugin. The images have the names of the filters, whose help pages show them.
 """
 
 import os
@@ -18,19 +18,19 @@ SHOT = "import -window root -resize 800x +dither -colors 64 -strip"
 
 
 def seen_from(position, up):
-    """A camera that shows depth, from a direction, over the whole."""
+    """Sets a camera that shows all data from the given direction."""
     return python(f"from paraview.simple import *; view = GetActiveView(); "
                   f"view.CameraPosition, view.CameraFocalPoint = {position}, [0, 0, 0]; "
                   f"view.CameraViewUp = {up}; ResetCamera(view); Render(view)")
 
 
 def shot(path):
-    """The whole window in a file. The test player has drawn it by then."""
+    """Saves an image of the full window, which the test player has already rendered."""
     return python(f"import os; os.system({SHOT + ' PNG8:' + path!r})")
 
 
 def pictures():
-    """For each picture what is done before it."""
+    """Returns the gestures that precede each image."""
     disk = opened("disk_out_ref.vtu")
     return {
         "IntervalVolume": disk + applied("IntervalVolume"),

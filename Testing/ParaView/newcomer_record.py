@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Runs inside the client, in its Python shell: keeps what the newcomer sees, and empties the pipeline."""
+"""Records the view in the client's Python shell, and clears the pipeline."""
 
 import contextlib
 import json
@@ -14,7 +14,7 @@ SIZE = [480, 360]
 
 @contextlib.contextmanager
 def without_annotations(view):
-    """The view without axes and legends, whose text is drawn a little differently elsewhere."""
+    """Hides axes and legends, whose text differs slightly between machines."""
     bars = [bar for bar in view.Representations if "ScalarBar" in bar.GetXMLName()]
     shown = [(bar, "Visibility", bar.Visibility) for bar in bars]
     for name in ("OrientationAxesVisibility", "CenterAxesVisibility"):
@@ -27,7 +27,7 @@ def without_annotations(view):
 
 
 def facts(view):
-    """What the active source is and how it is drawn."""
+    """Returns the type and the rendering settings of the active source."""
     source = simple.GetActiveSource()
     display = simple.GetRepresentation(source, view)
     return {
@@ -40,7 +40,7 @@ def facts(view):
 
 
 def record(folder, use):
-    """The picture of the active view and its facts, in files named after the use."""
+    """Saves the image of the active view and its settings in files named after the use."""
     try:
         view = simple.GetActiveView()
         with without_annotations(view):
@@ -48,7 +48,7 @@ def record(folder, use):
             simple.SaveScreenshot(path, view, ImageResolution=SIZE)
         with open(os.path.join(folder, use + ".json"), "w", encoding="utf-8") as file:
             json.dump(facts(view), file)
-    except Exception:  # the shell shows it in its window only
+    except Exception:  # the shell shows errors only in its window
         traceback.print_exc(file=sys.__stderr__)
 
 

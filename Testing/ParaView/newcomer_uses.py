@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a newcomer does first: files opened and filters applied with no setting changed.
+"""First steps of a new user: files and filters with default settings.
 
-A use is a name and the gestures that lead to a picture; a session is the uses that share one client,
-each from an empty pipeline. A gesture is an event of ParaView's own test player: widget, command,
-argument.
+A use has a name and the gestures that lead to an image. A session is a list of uses in one client, each starting
+with an empty pipeline. A gesture is an event of ParaView's test player: widget, command, argument.
 """
 
 import os
@@ -17,7 +16,7 @@ APPLY = ("pqClientMainWindow/propertiesDock/propertiesPanel/Accept", "activate",
 
 
 def opened(name):
-    """File, Open, the file, Apply."""
+    """Opens a file in the File menu and applies it."""
     return [
         (MENU_BAR + "/menu_File", "activate", "actionFileOpen"),
         ("pqClientMainWindow/FileOpenDialog", "filesSelected", os.path.realpath(data_path(name))),
@@ -26,13 +25,13 @@ def opened(name):
 
 
 def applied(*filters):
-    """For each filter: Filters, its entry in the alphabetical list, Apply."""
+    """Applies each filter from the alphabetical list in the Filters menu."""
     menu = MENU_BAR + "/menuFilters/Alphabetical"
     return [gesture for name in filters for gesture in ((menu, "activate", name), APPLY)]
 
 
 def drawn_as(representation):
-    """The representation chosen in the toolbar."""
+    """Selects a representation in the toolbar."""
     chooser = "pqClientMainWindow/representationToolbar/displayRepresentation/comboBox"
     return [(chooser, "activated", representation)]
 
@@ -46,7 +45,7 @@ def sliced(name):
 
 
 def sessions():
-    """Each session's uses, by name; a use is a list of gestures."""
+    """Returns the uses of each session by name; a use is a list of gestures."""
     return {
         "Open": {f"open-{stem(name)}": opened(name) for name in manifest_arrays()},
         "Scans": {f"slices-{stem(name)}": sliced(name) for name in SCANS},

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What the tests inside ParaView share: the plugin, the data, sets of simplices, checks."""
+"""Functions shared by tests inside ParaView: the plugin, data, sets of simplices, and checks."""
 
 import contextlib
 import json
@@ -14,16 +14,16 @@ from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader, vtkXMLUnstructured
 
 
 def load_plugin():
-    """Loads the plugin that the environment names into this session."""
+    """Loads the plugin given by the environment into this session."""
     simple.LoadPlugin(os.environ["INTERLUME_PLUGIN"], remote=False, ns=vars(simple))
 
 
 def can_exchange_data():
-    """Processes exchange data as XML with raw bytes, which VTK before 9.3 cannot read with an expat that
-    defers parsing (https://gitlab.kitware.com/vtk/vtk/-/issues/19258)."""
+    """Returns whether processes can exchange data as XML with raw bytes, which VTK before 9.3 cannot read
+    with an expat that defers parsing (https://gitlab.kitware.com/vtk/vtk/-/issues/19258)."""
     grid = vtkUnstructuredGrid()
     points = vtkPoints()
-    for i in range(10000):  # more than the parser takes at once
+    for i in range(10000):  # more than the parser processes at once
         points.InsertNextPoint(0.1 * i, 0.7 * i, 0.3 * i)
     grid.SetPoints(points)
     writer = vtkXMLUnstructuredGridWriter()
@@ -42,24 +42,24 @@ def can_exchange_data():
 
 
 def extractions_path(name):
-    """A file in the folder that the programs in Extractions wrote."""
-    return os.path.join(os.environ["INTERLUME_EXTRACTIONS"], name)
+    """Returns the path of a file written by the programs in Extractions."""
+    return os.path.join(os.environ["INTERLUME_EXTRACTION_DATA_DIR"], name)
 
 
 def data_path(name):
-    """A file in Data/."""
+    """Returns the path of a file in Data/."""
     return os.path.join(os.environ["INTERLUME_DATA"], name)
 
 
 def manifest_arrays():
-    """The files that the manifest of Data/ lists, each with the names of its point arrays."""
+    """Returns the point array names of each file in the manifest of Data/."""
     with open(data_path("MANIFEST.md"), encoding="utf-8") as manifest:
         rows = [line.split("|") for line in manifest if line.startswith("| `")]
     return {row[1].strip(" `"): row[5].replace("`", "").replace(",", " ").split() for row in rows}
 
 
 def open_data(name):
-    """The wavelet source, or a reader of a dataset that write_numbers.py left, with its data read.
+    """Returns the wavelet source, or an updated reader of a dataset written by write_numbers.py.
 
     The dataset is a .vtk file unless the name has an extension.
     """
@@ -72,14 +72,15 @@ def open_data(name):
 
 
 def open_file(name):
-    """A reader of a file in Data/, with its data read."""
+    """Returns an updated reader of a file in Data/."""
     source = simple.OpenDataFile(data_path(name))
     source.UpdatePipeline()
     return source
 
 
 def interval_volume(source, array, intervals, criteria=()):
-    """The filter over a point array; intervals are pairs, criteria triples of name and bounds."""
+    """Returns the filter for a point array. Intervals are pairs, and criteria are triples of name and
+    bounds."""
     volume = simple.IntervalVolume(Input=source)
     volume.Scalars = ["POINTS", array]
     volume.Intervals = [value for pair in intervals for value in pair]
@@ -88,14 +89,14 @@ def interval_volume(source, array, intervals, criteria=()):
 
 
 def time_varying_volume(source, properties):
-    """The filter over a source; properties by name."""
+    """Returns the filter with the given properties."""
     volume = simple.TimeVaryingIntervalVolume(Input=source)
     set_properties(volume, properties)
     return volume
 
 
 def temporal_source(name, properties):
-    """A source of the plugin, with its data made, whose array filters take; properties by name."""
+    """Returns an updated source of the plugin with the given properties."""
     source = getattr(simple, name)()
     set_properties(source, properties)
     source.UpdatePipeline()
@@ -108,39 +109,39 @@ def set_properties(proxy, values):
 
 
 def fetch(proxy, port=0, rank=0):
-    """The dataset that a process has as the output of a port."""
+    """Returns the dataset at an output port on a process."""
     proxy.UpdatePipeline()
     return servermanager.Fetch(proxy, rank, idx=port)
 
 
 @contextlib.contextmanager
 def warnings_of(watched, events=("WarningEvent",)):
-    """The warnings, or other messages, of a VTK object, or of the filter of a proxy, while the block
-    runs: a list of texts. They are not printed."""
+    """Yields a list of the warnings, or other messages, of a VTK object or of a proxy's filter during the
+    block. The messages are not printed."""
     if isinstance(watched, servermanager.Proxy):
         watched = watched.GetClientSideObject()
-    said = []
+    messages = []
 
     def note(_caller, _event, text):
-        said.append(text)
+        messages.append(text)
 
     note.CallDataType = "string0"
     tags = [watched.AddObserver(event, note) for event in events]
     try:
-        yield said
+        yield messages
     finally:
         for tag in tags:
             watched.RemoveObserver(tag)
 
 
 def output_in_place(proxy, port=0):
-    """The output as the filter made it: gathering it would change its structure."""
+    """Returns the output in this process without gathering, which would change its structure."""
     proxy.UpdatePipeline()
     return proxy.GetClientSideObject().GetOutputDataObject(port)
 
 
 def leaves(composite):
-    """The datasets of a composite dataset, in order."""
+    """Yields the datasets of a composite dataset in order."""
     iterator = composite.NewIterator()
     iterator.InitTraversal()
     while not iterator.IsDoneWithTraversal():
@@ -149,10 +150,10 @@ def leaves(composite):
 
 
 def as_set(cells):
-    """The simplices in an order that depends on their coordinates alone.
+    """Returns the simplices in an order that depends only on their coordinates.
 
-    A row is the corners, sorted, and the orientation: whether sorting them was an even (+1) or an
-    odd (-1) permutation, and 0 where two corners coincide.
+    A row has the sorted corners and the orientation: +1 if sorting them was an even permutation, -1 if it was odd,
+    and 0 if two corners coincide.
     """
     count, corners, axes = cells.shape
     cells = cells + 0.0  # no negative zero
@@ -169,7 +170,7 @@ def as_set(cells):
 
 
 class Checks:
-    """Counts failed checks; `finish` ends the script with status 1 if there are some."""
+    """Counts failed checks. `finish` ends the script with status 1 if there are any."""
 
     def __init__(self):
         self.failures = 0
@@ -179,8 +180,8 @@ class Checks:
             self.failures += 1
             print("failed:", what, flush=True)
 
-    def said(self, texts, part, what):
-        """One message was given, and it has a part."""
+    def one_message(self, texts, part, what):
+        """Checks that there is exactly one message, and that it contains a part."""
         self.that(len(texts) == 1 and part in texts[0], f"{what}: {texts!r}, expected one with {part!r}")
 
     def equal(self, value, expected, what):
@@ -193,12 +194,12 @@ class Checks:
 
     def finish(self):
         print("checks failed:", self.failures, flush=True)
-        if self.failures:  # else the script must end by itself, for MPI to be finalized
+        if self.failures:  # otherwise the script must end normally, so that MPI is finalized
             sys.exit(1)
 
 
 def run(test):
-    """Loads the plugin and calls the test with checks, which end the script if some fail."""
+    """Loads the plugin and runs the test with checks, which end the script on failure."""
     load_plugin()
     checks = Checks()
     test(checks)
@@ -206,25 +207,26 @@ def run(test):
 
 
 def read_extractions(name):
-    """The list of a JSON file in the folder that the programs in Extractions wrote."""
+    """Returns the list in a JSON file written by the programs in Extractions."""
     with open(extractions_path(name), encoding="utf-8") as file:
         extractions = json.load(file)
-    assert len(extractions) > 1, "there are extractions to repeat"
+    assert len(extractions) > 1, "there must be extractions to reproduce"
     return extractions
 
 
 def check_documentation(checks, proxy):
-    """A proxy and each of its properties say what they are for."""
+    """Checks that a proxy and each of its properties have documentation."""
     name = proxy.SMProxy.GetXMLName()
     documentation = proxy.SMProxy.GetDocumentation()
     checks.that(documentation.GetShortHelp() and documentation.GetLongHelp(), f"{name} has help")
     for label in proxy.ListProperties():
         text = proxy.GetProperty(label).SMProperty.GetDocumentation()
-        checks.that(text and text.GetDescription().strip(), f"{name}, {label} has a documentation")
+        checks.that(text and text.GetDescription().strip(), f"{name}, {label} has documentation")
 
 
 def check_menu(checks, group, name):
-    """A source is in the menu Interlume, a filter in one of its menus, each with an icon of its own."""
+    """Checks that a source is in the menu Interlume, or a filter in one of its submenus, with its own
+    icon."""
     hints = servermanager.ProxyManager().GetPrototypeProxy(group, name).GetHints()
     menu = hints.FindNestedElementByName("ShowInMenu")
     menus = ["Interlume"]
@@ -236,12 +238,12 @@ def check_menu(checks, group, name):
 
 
 def check_inputs(checks, name, accepted):
-    """The filter of a name takes a source as its input, or does not: pairs of both."""
+    """Checks which sources a filter accepts as input; `accepted` has pairs of source and expectation."""
     input_property = servermanager.ProxyManager().GetPrototypeProxy("filters", name).GetProperty("Input")
     for source, expected in accepted:
         source.UpdatePipeline()
         input_property.RemoveAllUncheckedProxies()
         input_property.AddUncheckedInputConnection(source.SMProxy, 0)
-        taken = bool(input_property.IsInDomains())
-        checks.equal(taken, expected, f"{name} takes {source.SMProxy.GetXMLName()}")
+        is_accepted = bool(input_property.IsInDomains())
+        checks.equal(is_accepted, expected, f"{name} accepts {source.SMProxy.GetXMLName()}")
     input_property.RemoveAllUncheckedProxies()

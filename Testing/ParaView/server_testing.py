@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A server of ParaView's in a process of its own, on this machine, and a client's connection to it."""
+"""Runs a ParaView server in a separate process on this machine, and connects a client."""
 
 import os
 import re
@@ -20,13 +20,14 @@ def free_port():
 
 
 def own_environment():
-    """Without what the client's MPI has set for itself, with which mpiexec would not start."""
+    """Returns the environment without variables set by the client's MPI, which would prevent mpiexec from
+    starting."""
     return {name: value for name, value in os.environ.items() if not OF_A_PROCESS.match(name)}
 
 
 class Server:
-    """What the process says, line by line, and whether it still runs. The program may be several words,
-    mpiexec's before its own."""
+    """A server process with its output lines. The program may consist of several arguments, beginning with
+    mpiexec."""
 
     def __init__(self, *program):
         self.port = free_port()
@@ -38,7 +39,7 @@ class Server:
         threading.Thread(target=self.listen, daemon=True).start()
         if not self.ready.wait(60):
             self.process.kill()
-            raise RuntimeError(f"no server after a minute: {self.lines}")
+            raise RuntimeError(f"The server did not start within a minute: {self.lines}")
 
     def listen(self):
         for line in self.process.stdout:
@@ -48,14 +49,14 @@ class Server:
 
 
 def connect(*program):
-    """A server that this client is connected to; it ends with the client."""
+    """Returns a new server to which this client is connected. It ends with the client."""
     server = Server(*program)
     simple.Connect("localhost", server.port)
     return server
 
 
 def load_plugin_on(client, server):
-    """Into the client, the server or both."""
+    """Loads the plugin into the client, the server or both."""
     path = os.environ["INTERLUME_PLUGIN"]
     if server:
         simple.LoadPlugin(path, remote=True, ns=vars(simple))

@@ -1,20 +1,21 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A scene of surfaces and a volume whose shadows have closed forms, for the tests of Shadowed Slices:
-homogeneous smoke that hovers above a floor, a plate above one corner of it, one light from above."""
+"""A scene of surfaces and a volume whose shadows are known in closed form, for tests of Shadowed Slices:
+homogeneous smoke above a floor, a plate above one of its corners, and a light from above.
+"""
 
 from paraview import simple
 
-from plugin_pictures import color_by, plain_view
+from plugin_images import color_by, plain_view
 
-OPACITY = 0.5  # of smoke one unit thick
+OPACITY = 0.5  # opacity of one unit of smoke
 WHITE = [1.0, 1.0, 1.0]
 SLAB_EXTENT = [-2, 2, -2, 2, 2, 4]
 SLAB_TRANSMITTANCE = (1.0 - OPACITY) ** (SLAB_EXTENT[5] - SLAB_EXTENT[4])
-# Points of the floor with nothing above, beneath the smoke alone, and beneath plate and smoke.
+# Points of the floor without an occluder, below the smoke only, and below plate and smoke.
 FLOOR = (4.0, -3.0, 0.0)
 BENEATH_SMOKE = (1.0, -1.0, 0.0)
 BENEATH_PLATE = (-2.5, -1.0, 0.0)
-# Points of the smoke's front that lie under the plate, and under nothing.
+# Points at the front of the smoke, below the plate and without an occluder.
 SMOKE_UNDER_PLATE = (-1.5, -2.0, 3.0)
 SMOKE = (1.0, -2.0, 3.0)
 
@@ -27,7 +28,7 @@ def make_slab(extent=None):
 
 
 def make_plate(corner, size, height):
-    """A square from a corner on, at a height."""
+    """Returns a horizontal square with the given corner."""
     x, y = corner
     plate = simple.Plane()
     plate.Origin = [x, y, height]
@@ -45,7 +46,7 @@ def show_surface(source, view):
 
 
 def show_slab(source, view, opacity=OPACITY):
-    """As white smoke, whatever its values are."""
+    """Shows the data as white smoke, regardless of its values."""
     display = simple.Show(source, view)
     display.SetRepresentationType("Shadowed Slices")
     simple.ColorBy(display, ["POINTS", "RTData"])
@@ -59,7 +60,7 @@ def show_slab(source, view, opacity=OPACITY):
 
 
 def dark_view():
-    """A view from the front and above, without a light."""
+    """Returns a view from the front and above, without a light."""
     view = plain_view()
     view.UseLight = False
     view.CameraPosition = [0.0, -16.0, 7.0]
@@ -89,7 +90,7 @@ def show_scene(sources, view):
 
 
 def brightness(view, shot, point):
-    """The pixel that shows a point of the world, 0 to 255."""
+    """Returns the brightness of the pixel that shows a point, from 0 to 255."""
     renderer = view.GetClientSideObject().GetRenderer()
     renderer.SetWorldPoint(*point, 1.0)
     renderer.WorldToDisplay()
@@ -98,7 +99,7 @@ def brightness(view, shot, point):
 
 
 def drawing_pass(view):
-    """What draws the props, among the passes that ParaView has made."""
+    """Returns the pass that renders the props, among the passes of ParaView."""
     render_pass = view.GetClientSideObject().GetRenderer().GetPass()
     while not render_pass.IsA("vtkCameraPass"):
         render_pass = render_pass.GetDelegatePass()

@@ -1,19 +1,19 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Simplices of a grid as numpy arrays, and the measures that two builds of a filter must agree on."""
+"""Simplices of a grid as NumPy arrays, and measures for comparing two builds of a filter."""
 
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 
 def simplices(grid, chosen=slice(None)):
-    """Corner coordinates of the cells of a grid, or of those chosen, which all have as many corners:
-    (cells, corners, 3), or for 4-simplices, with the point array Time, (cells, 5, 4)."""
+    """Returns the corner coordinates of all or the chosen cells, which must have equally many corners:
+    (cells, corners, 3), or (cells, 5, 4) for 4-simplices with the point array Time."""
     if grid.GetNumberOfCells() == 0:
         return numpy.empty((0, 4, 3), numpy.float32)
     points = vtk_to_numpy(grid.GetPoints().GetData())
     offsets = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
     corners = numpy.unique(numpy.diff(offsets)[chosen])
-    assert len(corners) == 1, "cells of one kind"
+    assert len(corners) == 1, "all cells must have the same number of corners"
     if corners == 5:
         points = numpy.column_stack([points, vtk_to_numpy(grid.GetPointData().GetArray("Time"))])
     ids = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
@@ -21,7 +21,7 @@ def simplices(grid, chosen=slice(None)):
 
 
 def sizes(cells):
-    """Areas of triangles, signed volumes of tetrahedra or hypervolumes of 4-simplices, in double
+    """Returns areas of triangles, signed volumes of tetrahedra or hypervolumes of 4-simplices in double
     precision."""
     edges = cells[:, 1:].astype(float) - cells[:, :1]
     if cells.shape[1] == 5:
@@ -33,36 +33,36 @@ def sizes(cells):
 
 
 def integrals(grid, array):
-    """Of a point array over each tetrahedron."""
+    """Returns the integral of a point array over each tetrahedron."""
     corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray()).reshape(-1, 4)
     values = vtk_to_numpy(grid.GetPointData().GetArray(array))
     return sizes(simplices(grid)) * values[corners].mean(axis=1)
 
 
 def array_ranges(attributes):
-    """The range of the first component of each array, by name."""
+    """Returns the range of the first component of each array, by name."""
     arrays = [attributes.GetArray(i) for i in range(attributes.GetNumberOfArrays())]
     return {array.GetName(): list(array.GetRange()) for array in arrays}
 
 
 def counts(array):
-    """How often each value occurs."""
+    """Returns the number of occurrences of each value."""
     values, numbers = numpy.unique(vtk_to_numpy(array), return_counts=True)
     return {str(value): int(number) for value, number in zip(values, numbers)}
 
 
 def measure(grid, id_array):
-    """The measures of an extraction, which is not empty: `points`, `cells`, `bounds`, `size` (sum of
-    the sizes of the simplices), `hypervolume` (the integral of the point array DeltaT over
-    tetrahedra, 0 without one), `ranges` (of each point and cell array, by name) and `by_id` (`id`,
-    `cells` and `size` for each value of the cell array)."""
+    """Returns the measures of an extraction, which must not be empty: `points`, `cells`, `bounds`, `size`
+    (sum over the simplices), `hypervolume` (the integral of the point array DeltaT over tetrahedra, or 0
+    without it), `ranges` (of each point and cell array, by name) and `by_id` (`id`, `cells` and `size` for
+    each value of the cell array)."""
     ids = vtk_to_numpy(grid.GetCellData().GetArray(id_array))
     by_id = []
     for value in numpy.unique(ids).tolist():
         found = sizes(simplices(grid, ids == value))
         by_id.append({"id": value, "cells": len(found), "size": found.sum()})
     if not by_id:
-        raise RuntimeError(f"no cells to measure by {id_array}")
+        raise RuntimeError(f"There are no cells to measure by {id_array}.")
     ranges = {"point": array_ranges(grid.GetPointData()), "cell": array_ranges(grid.GetCellData())}
     return {
         "points": grid.GetNumberOfPoints(), "cells": grid.GetNumberOfCells(), "bounds": list(grid.GetBounds()),

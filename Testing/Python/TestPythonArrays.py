@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""NumPy's arrays in and out of a filter: the volume of an interval of a linear field has a formula,
-the points are the array's own memory, and the report's numbers are those of the output."""
+"""Tests NumPy arrays as input and output of a filter: volumes of intervals of a linear field against a
+formula, shared memory with NumPy, and the values of the report.
+"""
 
 import numpy as np
 from interlume import report, vtkInterlumeReport, vtkIntervalVolume
@@ -33,7 +34,7 @@ volumes = np.einsum("ij,ij->i", np.cross(b - a, c - a), d - a) / 6.0
 
 
 def volume_below(height):
-    """Of the cube [0, 8]^3, where x + 2 y + 4 z <= height: by inclusion and exclusion."""
+    """Returns the volume of the part of [0, 8]^3 with x + 2 y + 4 z <= height, by inclusion and exclusion."""
     cubes = 0.0
     for corner in range(8):
         sides = [corner >> axis & 1 for axis in range(3)]
@@ -53,7 +54,7 @@ values[:] = 0.0
 scalars.Modified()
 intervals.WarnOnEmptyOutputOff()
 intervals.Update()
-assert intervals.GetOutput().GetNumberOfCells() == 0, "the filter has a copy of the array"
+assert intervals.GetOutput().GetNumberOfCells() == 0, "the filter must use the memory of the array"
 counts = report(intervals)
 assert counts["Cells"] == (size - 1) ** 3 and counts["CellsWithOutput"] == 0, counts
 
@@ -87,6 +88,6 @@ same.GetAbstractArray("Range").SetValue(1, 2.0)
 assert not same.IsEqual(values)
 try:
     report(vtkInterlumeReport())
-    raise AssertionError("no error")
+    raise AssertionError("an unconnected report raises no TypeError")
 except TypeError:
     pass

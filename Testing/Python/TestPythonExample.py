@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""An example of so many lines at most draws the bytes that C++ has drawn with this build: the gallery's scene
-of the same name, whose own test has compared it with its baseline, or the program of a page of the guide.
+"""TestPythonExample.py LINES EXAMPLE.py IMAGE.png EXPECTED.png [ARGUMENT...]
 
-TestPythonExample.py LINES EXAMPLE.py PICTURE.png EXPECTED.png [ARGUMENT of the example before its picture]
+Tests that an example of at most LINES lines reproduces the image that C++ rendered with this build: a scene of
+the gallery, which another test compares with its baseline, or a program of the guide. The arguments are passed
+to the example before the path of its image.
 """
 
 import runpy
@@ -21,13 +22,13 @@ def read_pixels(path):
     return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars()).astype(int)
 
 
-example, picture, expected = map(Path, sys.argv[2:5])
+example, image, expected = map(Path, sys.argv[2:5])
 lines = len(example.read_text(encoding="utf-8").splitlines())
-assert lines <= int(sys.argv[1]), f"{example.name} has {lines} lines"
-picture.unlink(missing_ok=True)
-sys.argv = [str(example), *sys.argv[5:], str(picture)]
+assert lines <= int(sys.argv[1]), f"{example.name} has {lines} lines, more than {sys.argv[1]}"
+image.unlink(missing_ok=True)
+sys.argv = [str(example), *sys.argv[5:], str(image)]
 sys.path.insert(0, str(example.parent))
 runpy.run_path(str(example), run_name="__main__")
-difference = np.abs(read_pixels(picture) - read_pixels(expected))
+difference = np.abs(read_pixels(image) - read_pixels(expected))
 assert not difference.any(), (
     f"{np.count_nonzero(difference.max(1))} pixels differ, by up to {difference.max()}")

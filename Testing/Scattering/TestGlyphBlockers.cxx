@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangles that glyphs stop scattered light with are where VTK draws the glyphs: against
-// vtkTransform for each way to turn them, and by scale, index, mask and transform of the actor;
-// polygons with a dent are covered once.
-#include "Casters/PropSurfaces.h"
+// The triangles of glyphs that block scattered light match the glyphs that VTK draws: compared with
+// vtkTransform for each orientation mode, and for scale, source index, mask and actor transform.
+// Concave polygons are covered exactly once.
+#include "ShadowMaps/PropSurfaces.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
@@ -31,7 +31,7 @@ using Tuple = std::vector<double>;
 
 constexpr double Size = 2.0;
 
-/// A triangle at the origin, at \a start along x.
+/// Returns a triangle whose first vertex is at x = \a start.
 vtkSmartPointer<vtkPolyData> MakeTriangle(double start)
 {
   vtkNew<vtkPoints> points;
@@ -48,16 +48,16 @@ vtkSmartPointer<vtkPolyData> MakeTriangle(double start)
   return data;
 }
 
-/// Two places of glyphs of two sources, at first each of the first one at its size.
+/// Glyphs at two points, with two sources. Initially both use the first source at its own size.
 struct Glyphs
 {
   Glyphs()
   {
-    vtkNew<vtkPoints> places;
-    places->SetDataTypeToDouble();
-    places->InsertNextPoint(0.0, 0.0, 0.0);
-    places->InsertNextPoint(1.0, 2.0, 3.0);
-    this->Points->SetPoints(places);
+    vtkNew<vtkPoints> positions;
+    positions->SetDataTypeToDouble();
+    positions->InsertNextPoint(0.0, 0.0, 0.0);
+    positions->InsertNextPoint(1.0, 2.0, 3.0);
+    this->Points->SetPoints(positions);
     this->Mapper->SetInputData(this->Points);
     this->Mapper->SetSourceData(0, MakeTriangle(0.0));
     this->Mapper->SetSourceData(1, MakeTriangle(10.0));
@@ -95,7 +95,8 @@ struct Glyphs
   vtkNew<vtkActor> Actor;
 };
 
-/// Expects the last triangle at the second place, by \a transform of the source from \a start.
+/// Expects that the last triangle is at the second point, with \a transform applied to
+/// MakeTriangle(\a start).
 void CheckLast(Check& check, const Glyphs& glyphs, std::size_t triangles, vtkTransform* transform,
   double start, const std::string& name)
 {
@@ -114,7 +115,7 @@ void CheckLast(Check& check, const Glyphs& glyphs, std::size_t triangles, vtkTra
     {
       check.Near(corners[corners.size() - 3 + static_cast<std::size_t>(i)][axis],
         expected[static_cast<std::size_t>(axis)], 1e-12,
-        name + ", corner " + std::to_string(i) + ", axis " + std::to_string(axis), 1.0);
+        name + ", vertex " + std::to_string(i) + ", axis " + std::to_string(axis), 1.0);
     }
   }
 }
@@ -126,7 +127,7 @@ vtkSmartPointer<vtkTransform> AtSecond()
   return transform;
 }
 
-void TestTurns(Check& check)
+void TestOrientations(Check& check)
 {
   Glyphs rotation;
   rotation.Orient(vtkGlyph3DMapper::ROTATION, { 20.0, 30.0, 40.0 });
@@ -137,7 +138,7 @@ void TestTurns(Check& check)
   transform->Scale(Size, Size, Size);
   CheckLast(check, rotation, 2, transform, 0.0, "rotation");
 
-  // Half a turn about the middle of x and the direction.
+  // A rotation by 180 degrees about the bisector of x and the direction.
   Glyphs direction;
   direction.Orient(vtkGlyph3DMapper::DIRECTION, { 1.0, 2.0, 2.0 });
   transform = AtSecond();
@@ -161,9 +162,9 @@ void TestTurns(Check& check)
   transform->Scale(Size, Size, Size);
   CheckLast(check, quaternion, 2, transform, 0.0, "quaternion");
 
-  Glyphs wrong;
-  wrong.Orient(vtkGlyph3DMapper::QUATERNION, { 1.0, 2.0, 3.0 });
-  check.That(wrong.GetCorners().empty(), "quaternions of three components: no glyphs");
+  Glyphs invalid;
+  invalid.Orient(vtkGlyph3DMapper::QUATERNION, { 1.0, 2.0, 3.0 });
+  check.That(invalid.GetCorners().empty(), "three-component quaternions create no glyphs");
 }
 
 void TestScales(Check& check)
@@ -213,9 +214,9 @@ void TestChoice(Check& check)
   CheckLast(check, chosen, 1, transform, 10.0, "moved actor");
 }
 
-void TestDentedPolygon(Check& check)
+void TestConcavePolygon(Check& check)
 {
-  // A fan from the first corner would reach beyond the dent, which is the second one.
+  // A fan from the first vertex would extend past the concave vertex, which is the second vertex.
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->InsertNextPoint(9.0, 9.0, 9.0);
@@ -229,26 +230,26 @@ void TestDentedPolygon(Check& check)
   vtkNew<vtkPolyData> polygon;
   polygon->SetPoints(points);
   polygon->SetPolys(cells);
-  Glyphs dented;
-  dented.Mapper->SetSourceData(0, polygon);
-  const std::vector<glm::dvec3> corners = dented.GetCorners();
-  check.Equal(static_cast<long long>(corners.size()), 12LL, "two triangles for each place");
+  Glyphs concave;
+  concave.Mapper->SetSourceData(0, polygon);
+  const std::vector<glm::dvec3> corners = concave.GetCorners();
+  check.Equal(static_cast<long long>(corners.size()), 12LL, "two triangles per point");
   double area = 0.0;
   for (std::size_t i = 2; i < corners.size(); i += 3)
   {
     area +=
       0.5 * glm::length(glm::cross(corners[i - 1] - corners[i - 2], corners[i] - corners[i - 2]));
   }
-  check.Near(area, 2.0 * 4.0 * Size * Size, 1e-12, "area of a polygon with a dent", 1.0);
+  check.Near(area, 2.0 * 4.0 * Size * Size, 1e-12, "area of a concave polygon", 1.0);
 }
 }
 
 int TestGlyphBlockers(int, char*[])
 {
   Check check;
-  TestTurns(check);
+  TestOrientations(check);
   TestScales(check);
   TestChoice(check);
-  TestDentedPolygon(check);
+  TestConcavePolygon(check);
   return check.Result();
 }

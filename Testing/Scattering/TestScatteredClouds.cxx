@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A cloud in the sun, drawn with light that is scattered once, forwards, and in full, against paths
-// of light by Monte Carlo.
+// A cloud in sunlight in all scattering modes, compared with Monte Carlo path tracing.
 #include "Support/Checks/ReferenceCheck.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Transport/CloudCase.h"
 #include "Support/Transport/SceneTransport.h"
 
@@ -21,21 +20,21 @@ using namespace reference;
 constexpr int Cells = 40;
 constexpr int Pixels = 16;
 
-RgbaPicture Draw(VolumeStage& stage, const ShadowScene& scene, int mode)
+RgbaImage Draw(VolumeStage& stage, const ShadowScene& scene, int mode)
 {
   vtkNew<vtkShadowedSliceMapper> mapper;
   mapper->SetInputData(scene.Image);
   mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetMultipleScattering(mode);
+  mapper->SetScatteringMode(mode);
   mapper->SetPhaseFunctionToHenyeyGreenstein();
   mapper->SetAnisotropy(CloudAnisotropy);
   stage.SetVolume(mapper, scene.Property);
   return stage.Capture();
 }
 
-/// The root mean square of the difference over that of the reference, less what the noise of this
-/// adds.
-double GetError(const RgbaPicture& found, const TransportPicture& expected)
+/// Returns the root mean square difference, relative to the root mean square of the reference and
+/// corrected for its noise.
+double GetError(const RgbaImage& found, const TransportImage& expected)
 {
   double difference = 0.0;
   double square = 0.0;
@@ -60,22 +59,23 @@ int TestScatteredClouds(int, char*[])
   SceneTransportSettings settings;
   settings.Phase = TransportPhase::HenyeyGreenstein(CloudAnisotropy);
   settings.PathsPerPixel = 800;
-  const TransportPicture all = TraceScene(scene, settings);
+  const TransportImage all = TraceScene(scene, settings);
   settings.MaximumScatterings = 1;
-  const TransportPicture once = TraceScene(scene, settings);
+  const TransportImage once = TraceScene(scene, settings);
 
-  const RgbaPicture single = Draw(stage, scene, vtkShadowedSliceMapper::SINGLE_SCATTERING);
+  const RgbaImage single = Draw(stage, scene, vtkShadowedSliceMapper::SINGLE_SCATTERING);
   const double first = GetError(single, once);
   const double singleError = GetError(single, all);
   const double forwardError =
     GetError(Draw(stage, scene, vtkShadowedSliceMapper::FORWARD_SCATTERING), all);
   const double fullError =
     GetError(Draw(stage, scene, vtkShadowedSliceMapper::FULL_SCATTERING), all);
-  std::cout << "single against one scattering: " << first << "; against all: single " << singleError
-            << ", forward " << forwardError << ", full " << fullError << "\n";
-  // Lines of sight along the cloud's edge see what the light's buffer leaves of its detail.
+  std::cout << "single against one scattering: " << first << "; against all orders: single "
+            << singleError << ", forward " << forwardError << ", full " << fullError << "\n";
+  // View rays along the cloud's edge are affected by the resolution of the light buffer.
   check.That(first < 0.12, "single scattering: " + std::to_string(first));
-  check.That(fullError < forwardError && forwardError < singleError, "full is the best");
+  check.That(fullError < forwardError && forwardError < singleError,
+    "full scattering has the smallest error");
   check.That(fullError < 0.12, "full scattering: " + std::to_string(fullError));
   return check.Result();
 }

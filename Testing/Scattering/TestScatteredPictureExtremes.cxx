@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extremes of MultipleScattering of vtkShadowedSliceMapper, each by its name: albedo, anisotropy,
-// depths, sizes, places of lights, values that are no numbers; and no setting gains light.
+// Extreme settings of ScatteringMode of vtkShadowedSliceMapper: albedo, anisotropy, depths, sizes,
+// light positions, non-finite values. No setting gains light.
 #include "Support/Pages/StabilityCase.h"
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
@@ -34,20 +34,20 @@ namespace
 using namespace reference;
 using Mapper = vtkShadowedSliceMapper;
 
-/// The least and the largest value of a picture's colours, and whether all are numbers.
+/// Smallest and largest color values of an image, and whether all values are finite.
 struct Range
 {
-  explicit Range(const RgbaPicture& picture)
+  explicit Range(const RgbaImage& image)
   {
-    for (int j = 0; j < picture.Height; ++j)
+    for (int j = 0; j < image.Height; ++j)
     {
-      for (int i = 0; i < picture.Width; ++i)
+      for (int i = 0; i < image.Width; ++i)
       {
         for (int k = 0; k < 4; ++k)
         {
-          const double value = picture.At(i, j)[k];
+          const double value = image.At(i, j)[k];
           this->IsFinite = this->IsFinite && std::isfinite(value);
-          this->Least = std::min(this->Least, value);
+          this->Smallest = std::min(this->Smallest, value);
           this->Largest = std::max(this->Largest, k < 3 ? value : 0.0);
           this->Sum += k < 3 ? value : 0.0;
           this->Opacity = std::max(this->Opacity, k == 3 ? value : 0.0);
@@ -56,7 +56,7 @@ struct Range
     }
   }
   bool IsFinite = true;
-  double Least = 0.0;
+  double Smallest = 0.0;
   double Largest = 0.0;
   double Sum = 0.0;
   double Opacity = 0.0;
@@ -70,7 +70,7 @@ ShadowScene MakeSmallScene(int cells = 12, double opacity = 0.5)
 
 void SetMode(vtkShadowedSliceMapper* mapper, int mode, double g)
 {
-  mapper->SetMultipleScattering(mode);
+  mapper->SetScatteringMode(mode);
   mapper->SetPhaseFunctionToHenyeyGreenstein();
   mapper->SetAnisotropy(g);
 }
@@ -91,8 +91,8 @@ public:
     this->Catalogue.SetClass("vtkShadowedSliceMapper");
   }
 
-  /// All modes draw numbers, nothing negative, no more than a bound, and something where that is
-  /// asked for.
+  /// Draws with all modes. Values must be finite and not negative, at most \a bound, and nonzero if
+  /// \a isSeen.
   void Draw(const std::string& name, const std::string& extreme, const ShadowScene& scene,
     const std::function<void(vtkShadowedSliceMapper*)>& set, double bound, bool isSeen = true)
   {
@@ -107,20 +107,20 @@ public:
       SetMode(mapper, mode, 0.0);
       set(mapper);
       const Range range(this->DrawScene(mapper, scene));
-      const bool isRight = range.IsFinite && range.Least > -1e-4 && !observer->GetError() &&
+      const bool isValid = range.IsFinite && range.Smallest > -1e-4 && !observer->GetError() &&
         (range.Largest > 0.0) == isSeen;
-      largest = isRight ? std::max(largest, range.Largest) : std::nan("");
-      if (!isRight)
+      largest = isValid ? std::max(largest, range.Largest) : std::nan("");
+      if (!isValid)
       {
         break;
       }
     }
     this->Catalogue.Measure(
-      name, extreme, "numbers, none negative, none above what can come back", largest, bound);
+      name, extreme, "finite values, none negative, largest value", largest, bound);
   }
 
-  /// The picture, of one window for all, which keeps its shaders.
-  RgbaPicture DrawScene(vtkShadowedSliceMapper* mapper, const ShadowScene& scene)
+  /// Draws in one window for all cases, so that shaders are reused.
+  RgbaImage DrawScene(vtkShadowedSliceMapper* mapper, const ShadowScene& scene)
   {
     SetScene(this->Stage, mapper, scene);
     return this->Stage.Capture();
@@ -139,18 +139,18 @@ void TestMedia(Table& table)
   {
     table.Draw(
       "albedo-" + std::to_string(static_cast<int>(albedo)),
-      albedo > 0.0 ? "matter that absorbs nothing" : "matter that scatters nothing",
+      albedo > 0.0 ? "a medium without absorption" : "a medium without scattering",
       MakeSmallScene(), [=](vtkShadowedSliceMapper* mapper) { SetAlbedo(mapper, albedo); }, 4.0,
       albedo > 0.0);
   }
   for (const double g : { -0.99, -0.5, 0.5, 0.99 })
   {
-    // The peak of single scattering is seen where light and view are in one line.
+    // The peak of single scattering is visible if light and view are collinear.
     table.Draw(
       "anisotropy" + std::to_string(g), "anisotropy " + std::to_string(g), MakeSmallScene(),
       [=](vtkShadowedSliceMapper* mapper)
       {
-        SetMode(mapper, mapper->GetMultipleScattering(), g);
+        SetMode(mapper, mapper->GetScatteringMode(), g);
         SetAlbedo(mapper, 1.0);
       },
       20.0);
@@ -158,7 +158,7 @@ void TestMedia(Table& table)
   for (const double depth : { 1e-6, 1e4 })
   {
     auto scene = MakeHomogeneousScene(12, 1.0);
-    // The opacity of a tenth of a unit cannot be told from 1 where matter is dense.
+    // In a dense medium, the opacity per tenth of a unit is indistinguishable from 1.
     scene.Property->SetScalarOpacityUnitDistance(1.0 / depth);
     table.Draw(depth < 1.0 ? "depth-1e-6" : "depth-1e+4",
       depth < 1.0 ? "an optical depth of 1e-6" : "an optical depth of 1e4", scene, none,
@@ -167,13 +167,13 @@ void TestMedia(Table& table)
   auto empty = MakeHomogeneousScene(8, 1.0);
   empty.Property->GetScalarOpacity()->RemoveAllPoints();
   empty.Property->GetScalarOpacity()->AddPoint(0.0, 0.0);
-  table.Draw("empty", "no matter at all", empty, none, 0.0, false);
+  table.Draw("empty", "no medium", empty, none, 0.0, false);
   auto one = MakeHomogeneousScene(1, 2.0);
   table.Draw("one-voxel", "a volume of one voxel", one, none, 4.0);
   auto flat = MakeScene(
     MakeImage({ { 16, 16, 1 } }, { { 0.06, 0.06, 2e-3 } }, [](const Double3&) { return 1.0; }),
     MakeSoftProperty(0.9, false));
-  table.Draw("sheet", "a sheet of a five-hundredth of its width", flat, none, 4.0);
+  table.Draw("sheet", "a sheet with a thickness of 1/500 of its width", flat, none, 4.0);
   auto values = MakeSmallScene();
   vtkDataArray* array = values.Image->GetPointData()->GetScalars();
   for (vtkIdType i = 0; i < array->GetNumberOfTuples(); i += 5)
@@ -198,7 +198,7 @@ void TestMedia(Table& table)
   sheared.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
   sheared.Matrix->SetElement(0, 1, 0.8);
   sheared.Matrix->SetElement(2, 2, -2.0);
-  table.Draw("sheared", "axes that are not perpendicular, mirrored", sheared, none, 4.0);
+  table.Draw("sheared", "skewed, mirrored axes", sheared, none, 4.0);
 }
 
 void TestLights(Table& table)
@@ -213,11 +213,11 @@ void TestLights(Table& table)
   };
   draw(
     "light-inside", "a light inside the volume", { MakePositionalLight({ { 0.1, 0.05, 0.15 } }) });
-  draw("light-in-cell-middle", "a light in the middle of a cell",
+  draw("light-in-cell-middle", "a light at the center of a cell",
     { MakePositionalLight({ { 0.5 / 12.0, 0.5 / 12.0, 0.5 / 12.0 } }) });
   draw("light-far", "a light 1e6 away", { MakePositionalLight({ { -6e5, 4.8e5, 6.4e5 } }) });
-  draw("light-against", "light straight against the view",
-    { MakeDirectionalLight({ { 0.3, 0.4, 1.0 } }) });
+  draw(
+    "light-against", "light opposite to the view", { MakeDirectionalLight({ { 0.3, 0.4, 1.0 } }) });
   draw("light-along", "light along the view", { MakeDirectionalLight({ { -0.3, -0.4, -1.0 } }) });
   auto black = MakeDirectionalLight({ { 1.0, -1.0, -1.0 } });
   black->SetDiffuseColor(0.0, 0.0, 0.0);
@@ -226,7 +226,7 @@ void TestLights(Table& table)
   auto near = MakePositionalLight({ { 0.0, 0.0, 0.2 } });
   near->SetAttenuationValues(0.0, 0.0, 1.0);
   near->SetIntensity(1e-3);
-  draw("light-falls-off", "a light inside that falls off by the square", { near });
+  draw("light-falls-off", "a light inside with quadratic fall-off", { near });
   std::vector<vtkSmartPointer<vtkLight>> many;
   for (int i = 0; i < 16; ++i)
   {
@@ -237,8 +237,8 @@ void TestLights(Table& table)
   draw("lights-16", "sixteen lights on all sides", many);
 }
 
-/// Light from all sides, of all together 1: whatever is set, no pixel is brighter than 1, and a
-/// whole picture no brighter than what it covers.
+/// Light from all sides, with total intensity 1: for random settings, no pixel is brighter than 1,
+/// and no image is brighter on average than its opacity.
 void TestRandomSettings(Table& table, int settings, bool isThin)
 {
   std::mt19937 random(3);
@@ -254,7 +254,8 @@ void TestRandomSettings(Table& table, int settings, bool isThin)
     scene.Property->SetScalarOpacityUnitDistance(
       std::pow(10.0, uniform(isThin ? -1.0 : -3.0, 2.0)));
     scene.Lights.clear();
-    // Light from all sides, of which a face of a cube takes as much as of even light, a quarter.
+    // The lights from all sides illuminate each face of a cube like uniform light, of which a
+    // quarter reaches the face.
     for (unsigned corner = 0; corner < 8; ++corner)
     {
       scene.Lights.push_back(MakeDirectionalLight(
@@ -270,44 +271,45 @@ void TestRandomSettings(Table& table, int settings, bool isThin)
     }
     scene.Camera =
       LookAt(scene.Image, { { uniform(-1.0, 1.0), uniform(-1.0, 1.0), -1.0 } }, random() % 2 == 0);
-    // Phase functions narrower than the angle between lights show each by itself.
+    // Phase functions narrower than the angle between lights would resolve single lights.
     SetMode(mapper, 1 + static_cast<int>(random() % 3), uniform(-0.3, 0.3));
     SetAlbedo(mapper, random() % 2 == 0 ? 1.0 : uniform(0.0, 1.0));
     mapper->SetForwardSpread(random() % 2 == 0 ? 0.0 : uniform(0.0, 1.0));
     mapper->SetScatteringGridSize(random() % 2 == 0 ? 0 : 4 + static_cast<int>(random() % 5));
-    const RgbaPicture picture = table.DrawScene(mapper, scene);
-    const Range range(picture);
+    const RgbaImage image = table.DrawScene(mapper, scene);
+    const Range range(image);
     double sum = 0.0;
     double opacity = 0.0;
     for (int p = 0; p < 24 * 24; ++p)
     {
-      sum += picture.At(p % 24, p / 24)[1];
-      opacity += picture.At(p % 24, p / 24)[3];
+      sum += image.At(p % 24, p / 24)[1];
+      opacity += image.At(p % 24, p / 24)[3];
     }
     if (range.Largest > 1.05)
     {
       std::cout << "setting " << i << ": " << range.Largest << ", mean " << sum / opacity
-                << ", mode " << mapper->GetMultipleScattering() << ", g " << mapper->GetAnisotropy()
+                << ", mode " << mapper->GetScatteringMode() << ", g " << mapper->GetAnisotropy()
                 << ", unit " << scene.Property->GetScalarOpacityUnitDistance() << ", spread "
                 << mapper->GetForwardSpread() << ", cells " << mapper->GetScatteringGridSize()
                 << std::endl;
     }
-    const bool isRight = range.IsFinite && range.Least > -1e-4;
-    brightest = isRight ? std::max(brightest, range.Largest) : std::nan("");
+    const bool isValid = range.IsFinite && range.Smallest > -1e-4;
+    brightest = isValid ? std::max(brightest, range.Largest) : std::nan("");
     brightestMean = std::max(brightestMean, opacity > 0.0 ? sum / opacity : 0.0);
-    if (!isRight)
+    if (!isValid)
     {
       break;
     }
   }
-  // The cells at edges of matter whose cells are thick are brighter than those of faces.
+  // Cells at the edges of a medium with optically thick cells are brighter than cells of its faces.
   const std::string name = isThin ? "random-settings" : "random-settings-thick";
   const std::string extreme = std::to_string(settings) + " random settings" +
     (isThin ? ", depths to 10" : ", depths to 1e3 in 4 to 8 cells");
-  table.Catalogue.Measure(
-    name, extreme, "no pixel brighter than the light around", brightest, isThin ? 1.05 : 1.25);
-  table.Catalogue.Measure(name + "-mean", extreme, "no picture brighter than the light around",
-    brightestMean, isThin ? 1.03 : 1.06);
+  table.Catalogue.Measure(name, extreme, "largest pixel relative to the surrounding light",
+    brightest, isThin ? 1.05 : 1.25);
+  table.Catalogue.Measure(name + "-mean", extreme,
+    "largest mean of an image relative to the surrounding light", brightestMean,
+    isThin ? 1.03 : 1.06);
 }
 
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light that volumes of a vtkShadowedScenePass scatter on and on, in the shadows of surfaces, and
-// in several volumes at once.
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+// Multiple scattering of volumes in a vtkShadowedScenePass: in shadows of surfaces, and in several
+// volumes.
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Scattering/ScatteringSolver.h"
 
@@ -38,12 +38,12 @@ namespace
 using namespace reference;
 using Mapper = vtkShadowedSliceMapper;
 
-/// A cube seen along -z, lit from above, under a sheet that the eye does not see.
+/// A cube seen along -z and lit from above, below a sheet outside the view.
 struct Stage
 {
   Stage()
     : Scene(MakeHomogeneousScene(12, 3.0))
-    , Picture(std::array<int, 2>{ { 24, 24 } })
+    , View(std::array<int, 2>{ { 24, 24 } })
   {
     this->Scene.Camera = LookAt(this->Scene.Image, { { 0.0, 0.0, -1.0 } }, true);
     this->Scene.Camera->SetParallelScale(0.5);
@@ -52,10 +52,10 @@ struct Stage
     mapper->SetInputConnection(this->Sheet->GetOutputPort());
     this->Actor->SetMapper(mapper);
     this->PlaceSheet(-2.0, 2.0);
-    this->Mapper->SetMultipleScatteringToFull();
-    SetScene(this->Picture, this->Mapper, this->Scene);
-    this->Picture.AddActor(this->Actor);
-    this->Picture.SetPass(this->Pass);
+    this->Mapper->SetScatteringModeToFull();
+    SetScene(this->View, this->Mapper, this->Scene);
+    this->View.AddActor(this->Actor);
+    this->View.SetPass(this->Pass);
   }
 
   void PlaceSheet(double left, double right)
@@ -65,23 +65,23 @@ struct Stage
     this->Sheet->SetPoint2(left, 0.8, 2.0);
   }
 
-  /// The sum of a half of the picture, or of all.
+  /// Returns the sum over a range of columns of the image.
   double Draw(int first = 0, int last = 24)
   {
-    const RgbaPicture picture = this->Picture.Capture();
+    const RgbaImage image = this->View.Capture();
     double sum = 0.0;
     for (int j = 0; j < 24; ++j)
     {
       for (int i = first; i < last; ++i)
       {
-        sum += picture.At(i, j)[1];
+        sum += image.At(i, j)[1];
       }
     }
     return sum;
   }
 
   ShadowScene Scene;
-  VolumeStage Picture;
+  VolumeStage View;
   vtkNew<vtkPlaneSource> Sheet;
   vtkNew<vtkActor> Actor;
   vtkNew<vtkShadowedSliceMapper> Mapper;
@@ -94,93 +94,95 @@ void TestShadows(Check& check, bool isSoft)
   Stage stage;
   if (isSoft)
   {
-    vtkNew<vtkAreaLight> lamp;
-    lamp->SetPosition(0.0, 3.0, 0.0);
-    lamp->SetFocalPoint(0.0, 0.0, 0.0);
-    lamp->PositionalOn();
-    lamp->SetConeAngle(180.0);
-    lamp->SetSize(0.3, 0.3);
-    stage.Picture.SetLights({ lamp.Get() });
+    vtkNew<vtkAreaLight> areaLight;
+    areaLight->SetPosition(0.0, 3.0, 0.0);
+    areaLight->SetFocalPoint(0.0, 0.0, 0.0);
+    areaLight->PositionalOn();
+    areaLight->SetConeAngle(180.0);
+    areaLight->SetSize(0.3, 0.3);
+    stage.View.SetLights({ areaLight.Get() });
   }
   const double dark = stage.Draw();
   stage.PlaceSheet(-2.0, 0.0);
   const int solves = stage.Mapper->GetReport()->GetNumber("ScatteringSolves");
   const double shadowed = stage.Draw(2, 10);
-  check.Near(stage.Mapper->GetReport()->GetNumber("ScatteringSolves"), solves + 1, 0.0,
-    name + ": sheet moved");
+  check.Equal(stage.Mapper->GetReport()->GetCount("ScatteringSolves"), solves + 1,
+    name + ": solved again after moving the sheet");
   const double lit = stage.Draw(14, 22);
   stage.Scene.Camera->Azimuth(20.0);
-  stage.Picture.Capture();
-  check.Near(stage.Mapper->GetReport()->GetNumber("ScatteringSolves"), solves + 1, 0.0,
-    name + ": view turned");
+  stage.View.Capture();
+  check.Equal(stage.Mapper->GetReport()->GetCount("ScatteringSolves"), solves + 1,
+    name + ": not solved again after rotating the view");
   stage.Scene.Camera->Azimuth(-20.0);
-  stage.Mapper->SetMultipleScatteringToSingle();
+  stage.Mapper->SetScatteringModeToSingle();
   const double once = stage.Draw(2, 10);
-  stage.Mapper->SetMultipleScatteringToFull();
+  stage.Mapper->SetScatteringModeToFull();
   stage.Actor->VisibilityOff();
-  const double whole = stage.Draw();
-  std::cout << name << ": " << dark << " under the sheet, " << whole << " without, halves "
+  const double complete = stage.Draw();
+  std::cout << name << ": " << dark << " under the sheet, " << complete << " without it, halves "
             << shadowed << " and " << lit << ", by single scattering " << once << std::endl;
-  check.That(whole > 100.0, name + ": light without the sheet");
-  check.Near(dark / whole, 0.0, 2e-3, name + ": dark under the sheet", 1.0);
+  check.That(complete > 100.0, name + ": light without the sheet");
+  check.Near(dark / complete, 0.0, 2e-3, name + ": dark below the sheet", 1.0);
   check.That(shadowed > 3.0 * once + 5.0, name + ": scattered light in the shadow");
-  check.That(shadowed < 0.5 * lit, name + ": less than beside it");
+  check.That(shadowed < 0.5 * lit, name + ": less light than next to the shadow");
 }
 
-/// A sheet that takes half of the light takes half of what is scattered.
+/// A sheet that transmits half of the light halves the scattered light.
 void TestTranslucent(Check& check)
 {
   Stage stage;
   stage.Actor->VisibilityOff();
-  const double whole = stage.Draw();
+  const double complete = stage.Draw();
   stage.Actor->VisibilityOn();
   stage.Actor->GetProperty()->SetOpacity(0.5);
   const double half = stage.Draw();
-  std::cout << "translucent sheet: " << half / whole << std::endl;
-  check.Near(half / whole, 0.5, 0.01, "half of the light through a sheet", 1.0);
+  std::cout << "translucent sheet: " << half / complete << std::endl;
+  check.Near(half / complete, 0.5, 0.01, "half of the light with a translucent sheet", 1.0);
 }
 
-/// A plate along the light stops what was scattered: the half of the cube beside it is as by
-/// itself.
+/// A plate along the light direction blocks scattered light, so that half a cube next to it is lit
+/// like a separate half cube.
 void TestBlocked(Check& check)
 {
   Stage stage;
   stage.Actor->VisibilityOff();
-  const double whole = stage.Draw(0, 11);
-  check.Near(
-    stage.Mapper->GetReport()->GetNumber("ScatteringBlockedCells"), 0, 0.0, "no plate: cells");
+  const double complete = stage.Draw(0, 11);
+  check.Equal(stage.Mapper->GetReport()->GetCount("ScatteringBlockedCells"), 0,
+    "blocked cells without a plate");
   stage.Actor->VisibilityOn();
-  // It is in the seventh of twelve layers of cells, and the eye sees its edge alone.
+  // The plate is in the seventh of twelve layers of cells. Only its edge is visible.
   stage.Sheet->SetOrigin(0.03, -2.0, -2.0);
   stage.Sheet->SetPoint1(0.03, 2.0, -2.0);
   stage.Sheet->SetPoint2(0.03, -2.0, 2.0);
-  const double beside = stage.Draw(0, 11);
-  check.Near(
-    stage.Mapper->GetReport()->GetNumber("ScatteringBlockedCells"), 144, 0.0, "plate: cells");
+  const double nearPlate = stage.Draw(0, 11);
+  check.Equal(stage.Mapper->GetReport()->GetCount("ScatteringBlockedCells"), 144,
+    "blocked cells with a plate");
   const int solves = stage.Mapper->GetReport()->GetNumber("ScatteringSolves");
   vtkShadowedScenePass::SetCastsShadows(stage.Actor, false);
-  const double kept = stage.Draw(0, 11);
-  check.Near(stage.Mapper->GetReport()->GetNumber("ScatteringBlockedCells"), 0, 0.0,
-    "plate without shadows: cells");
-  check.Near(stage.Mapper->GetReport()->GetNumber("ScatteringSolves"), solves + 1, 0.0,
-    "plate without shadows");
+  const double nonCasting = stage.Draw(0, 11);
+  check.Equal(stage.Mapper->GetReport()->GetCount("ScatteringBlockedCells"), 0,
+    "blocked cells with a plate without shadows");
+  check.Equal(stage.Mapper->GetReport()->GetCount("ScatteringSolves"), solves + 1,
+    "solved again after turning off the plate's shadows");
   stage.Actor->VisibilityOff();
   stage.Scene.CroppingFlags = VTK_CROP_SUBVOLUME;
   stage.Scene.CroppingPlanes = { { -0.5, 0.0, -0.5, 0.5, -0.5, 0.5 } };
-  SetScene(stage.Picture, stage.Mapper, stage.Scene);
+  SetScene(stage.View, stage.Mapper, stage.Scene);
   const double half = stage.Draw(0, 11);
-  std::cout << "plate in the cube: " << beside << " beside it, " << half << " in half a cube, "
-            << whole << " without" << std::endl;
-  check.That(beside < 0.97 * whole, "less light beside a plate");
-  check.Near(kept / whole, 1.0, 1e-6, "plate without shadows: light", 1.0);
-  check.Near(beside / half, 1.0, 5e-3, "beside a plate as in half a cube", 1.0);
+  std::cout << "plate in the cube: " << nearPlate << " next to it, " << half << " in half a cube, "
+            << complete << " without it" << std::endl;
+  check.That(nearPlate < 0.97 * complete, "less light next to a plate");
+  check.Near(
+    nonCasting / complete, 1.0, 1e-6, "a plate without shadows does not change the light", 1.0);
+  check.Near(nearPlate / half, 1.0, 5e-3, "next to a plate, light as in half a cube", 1.0);
 }
 
-/// The cube by the solver, and what a place below its middle receives through a horizontal plane.
-class Below
+/// The solution for the cube, and the light that a point below its center receives on a horizontal
+/// plane.
+class FloorLight
 {
 public:
-  Below(double extinction, double g)
+  FloorLight(double extinction, double g)
     : Anisotropy(g)
   {
     this->Medium.Cells = glm::ivec3(Cells);
@@ -195,7 +197,7 @@ public:
       this->Medium, { this->Light }, interlume::ScatteringMode::Full, {}, this->Field, report));
   }
 
-  /// By the formula of SceneFields.h.
+  /// Returns the received light by the formula of SceneScatteredLight.h.
   double GetFormula(double distance) const
   {
     double sum = 0.0;
@@ -203,15 +205,16 @@ public:
       { glm::ivec3(5, 0, 5), glm::ivec3(6, 0, 5), glm::ivec3(5, 0, 6), glm::ivec3(6, 0, 6) })
     {
       const std::size_t at = this->Medium.GetIndex(cell);
-      sum += 0.25 * this->Field.Fluence[at].y * (0.25 - 0.5 * this->Field.Lean[at].y);
+      sum += 0.25 * this->Field.Fluence[at].y * (0.25 - 0.5 * this->Field.NetFlux[at].y);
       sum += this->Field.Forward.empty() ? 0.0 : 0.25 * this->Field.Forward[0][at].y;
     }
-    const double disc = 1.0 / vtkMath::Pi();
-    return sum * disc / (disc + distance * distance);
+    const double disk = 1.0 / vtkMath::Pi();
+    return sum * disk / (disk + distance * distance);
   }
 
-  /// By the sources along lines to all directions of the upper half space.
-  double GetTrue(double distance) const
+  /// Returns the received light by integration along rays in all directions of the upper half
+  /// space.
+  double GetIntegral(double distance) const
   {
     constexpr int lines = 4000;
     constexpr int steps = 200;
@@ -225,15 +228,15 @@ public:
       double transmittance = 1.0;
       for (int step = 0; step < steps; ++step)
       {
-        const double way = 1.0 / steps / height;
-        const glm::dvec3 place =
-          glm::dvec3(0.5, -distance, 0.5) + (distance / height + (step + 0.5) * way) * up;
-        if (std::min(place.x, place.z) > 0.0 && std::max(place.x, place.z) < 1.0)
+        const double length = 1.0 / steps / height;
+        const glm::dvec3 position =
+          glm::dvec3(0.5, -distance, 0.5) + (distance / height + (step + 0.5) * length) * up;
+        if (std::min(position.x, position.z) > 0.0 && std::max(position.x, position.z) < 1.0)
         {
-          const std::size_t at = this->Medium.GetIndex(glm::ivec3(place * double(Cells)));
-          const double through = std::exp(-way * this->Medium.Extinction[at]);
-          sum += transmittance * (1.0 - through) * this->GetSource(at, -up) / lines;
-          transmittance *= through;
+          const std::size_t at = this->Medium.GetIndex(glm::ivec3(position * double(Cells)));
+          const double transmitted = std::exp(-length * this->Medium.Extinction[at]);
+          sum += transmittance * (1.0 - transmitted) * this->GetSource(at, -up) / lines;
+          transmittance *= transmitted;
         }
       }
     }
@@ -243,23 +246,24 @@ public:
 private:
   static constexpr int Cells = 12;
 
-  double GetSource(std::size_t at, const glm::dvec3& toEye) const
+  double GetSource(std::size_t at, const glm::dvec3& toCamera) const
   {
     const double phase =
-      4.0 * vtkMath::Pi() * this->Medium.Phase.Value(glm::dot(this->Light.Direction, toEye));
-    const double onwards = this->Field.Forward.empty() ? 0.0 : this->Field.Forward[0][at].y;
-    return (this->Light.Direct[at].y + onwards) * phase +
+      4.0 * vtkMath::Pi() * this->Medium.Phase.Value(glm::dot(this->Light.Direction, toCamera));
+    const double forward = this->Field.Forward.empty() ? 0.0 : this->Field.Forward[0][at].y;
+    return (this->Light.Direct[at].y + forward) * phase +
       this->Field.Fluence[at].y *
-      (1.0 + 3.0 * this->Anisotropy * glm::dot(glm::dvec3(this->Field.Lean[at]), toEye));
+      (1.0 + 3.0 * this->Anisotropy * glm::dot(glm::dvec3(this->Field.NetFlux[at]), toCamera));
   }
 
   double Anisotropy;
   interlume::ScatteringMedium Medium;
   interlume::ScatteringLight Light;
-  interlume::ScatteringField Field;
+  interlume::ScatteredLight Field;
 };
 
-/// A white floor under the cube receives what the formula says, and that without scattering on.
+/// A white floor below the cube receives the light of the formula, in addition to the light without
+/// multiple scattering.
 void TestReceived(Check& check)
 {
   constexpr double distance = 0.25;
@@ -267,7 +271,7 @@ void TestReceived(Check& check)
   stage.Sheet->SetOrigin(-2.0, -0.5 - distance, -2.0);
   stage.Sheet->SetPoint1(-2.0, -0.5 - distance, 2.0);
   stage.Sheet->SetPoint2(2.0, -0.5 - distance, -2.0);
-  // The middle of the picture shows the floor below the middle of the cube.
+  // The center of the image shows the floor below the center of the cube.
   stage.Scene.Camera->SetFocalPoint(0.0, -0.5 - distance, 0.0);
   stage.Scene.Camera->SetPosition(0.0, -0.5 - distance + 0.9, 3.0);
   stage.Scene.Camera->SetViewUp(0.0, 1.0, 0.0);
@@ -275,7 +279,7 @@ void TestReceived(Check& check)
   stage.Scene.Camera->SetParallelScale(0.05);
   const auto draw = [&](int mode)
   {
-    stage.Mapper->SetMultipleScattering(mode);
+    stage.Mapper->SetScatteringMode(mode);
     return stage.Draw() / (24.0 * 24.0);
   };
   for (const double g : { 0.0, 0.75 })
@@ -284,31 +288,32 @@ void TestReceived(Check& check)
     stage.Mapper->SetPhaseFunctionToHenyeyGreenstein();
     stage.Mapper->SetAnisotropy(g);
     const double once = draw(Mapper::SINGLE_SCATTERING);
-    check.Near(
-      stage.Pass->GetReport()->GetNumber("ScatteringReceivers"), 0, 0.0, name + ": none by single");
+    check.Equal(stage.Pass->GetReport()->GetCount("ScatteringReceivers"), 0,
+      name + ": no receivers with single scattering");
     const double full = draw(Mapper::FULL_SCATTERING);
-    check.Near(
-      stage.Pass->GetReport()->GetNumber("ScatteringReceivers"), 1, 0.0, name + ": receivers");
+    check.Equal(stage.Pass->GetReport()->GetCount("ScatteringReceivers"), 1,
+      name + ": receivers with full scattering");
     vtkShadowedScenePass::SetReceivesShadows(stage.Actor, false);
     const double lit = draw(Mapper::FULL_SCATTERING);
-    check.Near(
-      stage.Pass->GetReport()->GetNumber("ScatteringReceivers"), 0, 0.0, name + ": kept from it");
+    check.Equal(stage.Pass->GetReport()->GetCount("ScatteringReceivers"), 0,
+      name + ": no receivers without shadows");
     vtkShadowedScenePass::SetReceivesShadows(stage.Actor, true);
-    const Below below(3.0, g);
-    const double expected = below.GetFormula(distance);
+    const FloorLight floorLight(3.0, g);
+    const double expected = floorLight.GetFormula(distance);
     std::cout << name << ": " << full << " from " << once << ", " << lit
-              << " without shadows, scattered " << full - once << ", by the formula " << expected
-              << ", by lines " << below.GetTrue(distance) << std::endl;
-    check.Near(once, 0.8 * std::exp(-3.0), 0.01, name + ": light through the cube", 1.0);
+              << " without shadows, scattered " << full - once << ", by formula " << expected
+              << ", by integration " << floorLight.GetIntegral(distance) << std::endl;
+    check.Near(once, 0.8 * std::exp(-3.0), 0.01, name + ": light transmitted by the cube", 1.0);
     check.Near(lit, 0.8, 1e-3, name + ": all light without shadows", 1.0);
-    check.Near((full - once) / expected, 1.0, 0.05, name + ": received", 1.0);
-    // The face is brighter in its middle than at its edges.
-    check.Near(expected / below.GetTrue(distance), 1.2, 0.25, name + ": formula", 1.0);
+    check.Near((full - once) / expected, 1.0, 0.05, name + ": received light", 1.0);
+    // The center of the face is brighter than its edges.
+    check.Near(expected / floorLight.GetIntegral(distance), 1.2, 0.25, name + ": formula", 1.0);
   }
-  check.Near(stage.Pass->GetReport()->GetNumber("SeparateScatteringVolumes"), 0, 0.0, "one volume");
+  check.Equal(stage.Pass->GetReport()->GetCount("SeparateScatteringVolumes"), 0,
+    "no separate scattering volumes");
 }
 
-/// What a floor below a cube shows of light that the cube has scattered.
+/// A floor below a cube that receives scattered light of the cube.
 struct ReceivedStage : Stage
 {
   ReceivedStage()
@@ -323,17 +328,17 @@ struct ReceivedStage : Stage
     this->Scene.Camera->SetParallelScale(0.05);
   }
 
-  /// The mean of the picture's powers by \a gamma.
+  /// Returns the mean of the image values to the power \a gamma.
   double GetMean(int mode, double gamma)
   {
-    this->Mapper->SetMultipleScattering(mode);
-    const RgbaPicture picture = this->Picture.Capture();
+    this->Mapper->SetScatteringMode(mode);
+    const RgbaImage image = this->View.Capture();
     double sum = 0.0;
     for (int j = 0; j < 24; ++j)
     {
       for (int i = 0; i < 24; ++i)
       {
-        sum += std::pow(picture.At(i, j)[1], gamma) / (24.0 * 24.0);
+        sum += std::pow(image.At(i, j)[1], gamma) / (24.0 * 24.0);
       }
     }
     return sum;
@@ -346,8 +351,8 @@ struct ReceivedStage : Stage
   }
 };
 
-/// Translucent floors receive their share, physically based ones what VTK's formula of light from
-/// all around leaves of it, and floors behind a sheet of glass as much as without it.
+/// Translucent floors receive scattered light according to their opacity, physically based floors
+/// by VTK's ambient lighting formula, and floors behind a translucent sheet as without it.
 void TestKindsOfReceivers(Check& check)
 {
   ReceivedStage stage;
@@ -355,18 +360,18 @@ void TestKindsOfReceivers(Check& check)
   vtkProperty* property = stage.Actor->GetProperty();
   property->SetOpacity(0.5);
   const double translucent = stage.GetReceived();
-  check.Near(
-    stage.Pass->GetReport()->GetNumber("ScatteringReceivers"), 0, 0.0, "translucent by single");
+  check.Equal(stage.Pass->GetReport()->GetCount("ScatteringReceivers"), 0,
+    "translucent floor: no receivers with single scattering");
   stage.GetMean(Mapper::FULL_SCATTERING, 1.0);
-  check.Near(
-    stage.Pass->GetReport()->GetNumber("ScatteringReceivers"), 1, 0.0, "translucent: receivers");
+  check.Equal(
+    stage.Pass->GetReport()->GetCount("ScatteringReceivers"), 1, "translucent floor: receivers");
   property->SetOpacity(1.0);
   property->SetInterpolationToPBR();
   property->SetRoughness(1.0);
   property->SetMetallic(0.0);
   const double physical = stage.GetReceived(2.2);
-  check.Near(stage.Pass->GetReport()->GetNumber("ScatteringReceivers"), 0, 0.0,
-    "physically based by single");
+  check.Equal(stage.Pass->GetReport()->GetCount("ScatteringReceivers"), 0,
+    "physically based floor: no receivers with single scattering");
   property->SetMetallic(1.0);
   const double metal = stage.GetReceived(2.2);
   property->SetInterpolationToPhong();
@@ -377,39 +382,39 @@ void TestKindsOfReceivers(Check& check)
   glass->SetPoint2(-2.0, 2.0, 1.0);
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputConnection(glass->GetOutputPort());
-  vtkNew<vtkActor> pane;
-  pane->SetMapper(mapper);
-  pane->GetProperty()->SetOpacity(0.5);
-  pane->GetProperty()->LightingOff();
-  pane->GetProperty()->SetColor(0.0, 0.0, 0.0);
-  vtkShadowedScenePass::SetCastsShadows(pane, false);
-  stage.Picture.AddActor(pane);
+  vtkNew<vtkActor> glassActor;
+  glassActor->SetMapper(mapper);
+  glassActor->GetProperty()->SetOpacity(0.5);
+  glassActor->GetProperty()->LightingOff();
+  glassActor->GetProperty()->SetColor(0.0, 0.0, 0.0);
+  vtkShadowedScenePass::SetCastsShadows(glassActor, false);
+  stage.View.AddActor(glassActor);
   const double behind = stage.GetReceived();
 
   std::cout << "received by a floor: " << plain << ", translucent " << translucent
-            << ", physically based " << physical << ", of metal " << metal << ", behind glass "
+            << ", physically based " << physical << ", metallic " << metal << ", behind glass "
             << behind << std::endl;
   check.That(plain > 0.05, "a floor receives light");
   check.Near(translucent / plain, 0.5, 0.005, "translucent floor", 1.0);
-  // Of light at right angles the surface of a medium of index 1.5 reflects 0.04 as a mirror.
+  // At normal incidence, a surface of refractive index 1.5 reflects 4 % specularly.
   check.Near(physical / plain, 0.96 / vtkMath::Pi(), 0.003, "physically based floor", 1.0);
-  check.Near(metal, 0.0, 1e-4, "floor of metal", 1.0);
+  check.Near(metal, 0.0, 1e-4, "metallic floor", 1.0);
   check.Near(behind / plain, 0.5, 0.005, "floor behind glass", 1.0);
 }
 
-/// A plate of glyphs stops what was scattered as a plate does.
+/// A plate of glyphs blocks scattered light like a plate.
 void TestBlockingGlyphs(Check& check)
 {
   Stage stage;
   stage.Sheet->SetOrigin(0.03, -2.0, -2.0);
   stage.Sheet->SetPoint1(0.03, 2.0, -2.0);
   stage.Sheet->SetPoint2(0.03, -2.0, 2.0);
-  const double beside = stage.Draw(0, 11);
+  const double nearPlate = stage.Draw(0, 11);
   stage.Actor->VisibilityOff();
-  vtkNew<vtkPoints> places;
-  places->InsertNextPoint(0.03, 0.0, 0.0);
+  vtkNew<vtkPoints> positions;
+  positions->InsertNextPoint(0.03, 0.0, 0.0);
   vtkNew<vtkPolyData> points;
-  points->SetPoints(places);
+  points->SetPoints(positions);
   vtkNew<vtkPlaneSource> plate;
   plate->SetOrigin(0.0, -0.5, -0.5);
   plate->SetPoint1(0.0, 0.5, -0.5);
@@ -420,37 +425,37 @@ void TestBlockingGlyphs(Check& check)
   mapper->SetScaleFactor(4.0);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
-  stage.Picture.AddActor(actor);
+  stage.View.AddActor(actor);
   const double glyphs = stage.Draw(0, 11);
-  std::cout << "plate of glyphs: " << glyphs << ", plate " << beside << std::endl;
-  check.Near(stage.Mapper->GetReport()->GetNumber("ScatteringBlockedCells"), 144, 0.0,
-    "plate of glyphs: cells");
-  check.Near(glyphs / beside, 1.0, 1e-3, "plate of glyphs: light", 1.0);
+  std::cout << "plate of glyphs: " << glyphs << ", plate " << nearPlate << std::endl;
+  check.Equal(stage.Mapper->GetReport()->GetCount("ScatteringBlockedCells"), 144,
+    "blocked cells with a plate of glyphs");
+  check.Near(glyphs / nearPlate, 1.0, 1e-3, "light with a plate of glyphs", 1.0);
 }
 
-/// A stage with a second volume, and no sheet.
+/// A stage with a second volume and without a sheet.
 struct TwoVolumes : Stage
 {
   TwoVolumes()
   {
     this->Actor->VisibilityOff();
-    this->Other->SetMultipleScatteringToFull();
+    this->Other->SetScatteringModeToFull();
     this->Volume->SetMapper(this->Other);
   }
 
   void Show(const ShadowScene& first, const ShadowScene& second)
   {
-    SetScene(this->Picture, this->Mapper, first);
+    SetScene(this->View, this->Mapper, first);
     Configure(this->Other, second);
     this->Volume->SetProperty(second.Property);
-    this->Picture.GetRenderer()->AddVolume(this->Volume);
+    this->View.GetRenderer()->AddVolume(this->Volume);
   }
 
   vtkNew<vtkShadowedSliceMapper> Other;
   vtkNew<vtkVolume> Volume;
 };
 
-/// Two volumes that are far from each other are drawn in one set of slices as each by itself.
+/// Two distant volumes in shared slices are lit like single volumes.
 void TestVolumes(Check& check)
 {
   TwoVolumes stage;
@@ -458,23 +463,23 @@ void TestVolumes(Check& check)
   const double one = stage.Draw();
   stage.Show(stage.Scene, stage.Scene);
   stage.Volume->SetPosition(-1.0, 0.0, 0.0);
-  stage.Picture.GetVolume()->SetPosition(0.5, 0.0, 0.0);
+  stage.View.GetVolume()->SetPosition(0.5, 0.0, 0.0);
   const double both = stage.Draw();
   std::cout << "two volumes: " << both / one << std::endl;
-  // Twelve cells for an edge of 1, in a box of 2.5.
-  check.Near(stage.Mapper->GetReport()->GetNumber("ScatteringCells"), 30 * 12 * 12, 0.0,
-    "first volume: cells");
-  check.Near(stage.Other->GetReport()->GetNumber("ScatteringCells"), 30 * 12 * 12, 0.0,
-    "second volume: cells");
-  check.Near(
-    stage.Pass->GetReport()->GetNumber("SeparateScatteringVolumes"), 0, 0.0, "volumes apart");
-  check.Near(both / one, 2.0, 0.04, "two volumes beside each other", 1.0);
+  // Twelve cells per unit length, in a box of length 2.5.
+  check.Equal(stage.Mapper->GetReport()->GetCount("ScatteringCells"), 30 * 12 * 12,
+    "cells of the first volume");
+  check.Equal(stage.Other->GetReport()->GetCount("ScatteringCells"), 30 * 12 * 12,
+    "cells of the second volume");
+  check.Equal(stage.Pass->GetReport()->GetCount("SeparateScatteringVolumes"), 0,
+    "no separate scattering volumes");
+  check.Near(both / one, 2.0, 0.04, "two distant volumes", 1.0);
 }
 
-/// The mean difference of a picture of two volumes from one of a volume, over its mean.
-double Compare(TwoVolumes& stage, const RgbaPicture& expected)
+/// Returns the mean difference of the image from the expected image, relative to its mean.
+double Compare(TwoVolumes& stage, const RgbaImage& expected)
 {
-  const RgbaPicture found = stage.Picture.Capture();
+  const RgbaImage found = stage.View.Capture();
   double difference = 0.0;
   double sum = 0.0;
   for (int j = 0; j < 24; ++j)
@@ -488,49 +493,50 @@ double Compare(TwoVolumes& stage, const RgbaPicture& expected)
   return difference / sum;
 }
 
-/// Two halves of a cube, and two cubes of half its matter at its place, scatter light as the cube.
+/// Two halves of a cube, and two coincident cubes with half the extinction, scatter light like one
+/// cube.
 void TestVolumesTogether(Check& check)
 {
   TwoVolumes stage;
   stage.Scene.Camera->Azimuth(25.0);
   stage.Scene.Camera->Elevation(30.0);
   stage.Scene.Camera->SetParallelScale(0.8);
-  const RgbaPicture whole = stage.Picture.Capture();
+  const RgbaImage complete = stage.View.Capture();
   ShadowScene half = stage.Scene;
   half.CroppingFlags = VTK_CROP_SUBVOLUME;
   half.CroppingPlanes = { { -0.5, 0.0, -0.5, 0.5, -0.5, 0.5 } };
   ShadowScene rest = half;
   rest.CroppingPlanes = { { 0.0, 0.5, -0.5, 0.5, -0.5, 0.5 } };
   stage.Show(half, rest);
-  const double halves = Compare(stage, whole);
-  stage.Other->SetMultipleScatteringToSingle();
-  const double absorbing = Compare(stage, whole);
-  check.Near(
-    stage.Other->GetReport()->GetNumber("ScatteringCells"), 0, 0.0, "single beside full: cells");
-  stage.Other->SetMultipleScatteringToFull();
+  const double halves = Compare(stage, complete);
+  stage.Other->SetScatteringModeToSingle();
+  const double absorbing = Compare(stage, complete);
+  check.Equal(stage.Other->GetReport()->GetCount("ScatteringCells"), 0,
+    "a volume with single scattering has no cells");
+  stage.Other->SetScatteringModeToFull();
 
-  ShadowScene thin = MakeHomogeneousScene(12, 1.5);
-  thin.Camera = stage.Scene.Camera;
-  thin.Lights = stage.Scene.Lights;
-  stage.Show(thin, thin);
-  const double thinner = Compare(stage, whole);
+  ShadowScene halfDensity = MakeHomogeneousScene(12, 1.5);
+  halfDensity.Camera = stage.Scene.Camera;
+  halfDensity.Lights = stage.Scene.Lights;
+  stage.Show(halfDensity, halfDensity);
+  const double doubled = Compare(stage, complete);
   const int solves = stage.Mapper->GetReport()->GetNumber("ScatteringSolves");
   stage.Volume->SetPosition(0.1, 0.0, 0.0);
-  stage.Picture.Capture();
-  check.Near(stage.Mapper->GetReport()->GetNumber("ScatteringSolves"), solves + 1, 0.0,
-    "the other volume moved");
+  stage.View.Capture();
+  check.Equal(stage.Mapper->GetReport()->GetCount("ScatteringSolves"), solves + 1,
+    "solved again after moving the other volume");
   stage.Volume->SetPosition(0.0, 0.0, 0.0);
-  // Another phase function has light of its own.
+  // Volumes with different phase functions have separate fields of scattered light.
   stage.Other->SetPhaseFunctionToHenyeyGreenstein();
   stage.Other->SetAnisotropy(1e-3);
-  const double apart = Compare(stage, whole);
-  std::cout << "against one volume: halves " << halves << ", one of them by single " << absorbing
-            << ", half the matter twice " << thinner << ", with two phase functions " << apart
-            << std::endl;
+  const double separate = Compare(stage, complete);
+  std::cout << "compared with one volume: halves " << halves << ", one half with single scattering "
+            << absorbing << ", half the extinction twice " << doubled
+            << ", with two phase functions " << separate << std::endl;
   check.Near(halves, 0.0, 0.002, "two halves", 1.0);
-  check.That(absorbing > 0.1, "a half that does not scatter on");
-  check.Near(thinner, 0.0, 0.005, "half the matter twice", 1.0);
-  check.Near(apart, 0.0, 0.005, "half the matter twice, two phase functions", 1.0);
+  check.That(absorbing > 0.1, "a half without multiple scattering");
+  check.Near(doubled, 0.0, 0.005, "half the extinction twice", 1.0);
+  check.Near(separate, 0.0, 0.005, "half the extinction twice, two phase functions", 1.0);
 }
 
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light that vtkShadowedSliceMapper scatters on and on is found again where something has changed
-// that it depends on, and kept where the view alone has.
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+// Multiple scattering of vtkShadowedSliceMapper is solved again if an input has changed, and reused
+// if only the view has changed.
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkAreaLight.h"
@@ -32,29 +32,29 @@ namespace
 using namespace reference;
 using Mapper = vtkShadowedSliceMapper;
 
-/// A scene, a mapper and what can be changed about them.
+/// A scene, a mapper and their adjustable settings.
 struct State
 {
   State()
     : Scene(MakeScene(MakeImage(12, TwoBoxes), MakeSoftProperty(0.8, false)))
   {
     this->Scene.Size = { { 24, 24 } };
-    this->Mapper->SetMultipleScatteringToFull();
+    this->Mapper->SetScatteringModeToFull();
     this->Albedo->AddRGBPoint(0.0, 0.9, 0.8, 0.7);
     this->Table->AddPoint(-1.0, 0.2);
     this->Table->AddPoint(1.0, 1.0);
-    this->Lamp->SetPosition(0.4, 0.6, 1.1);
-    this->Lamp->SetFocalPoint(0.0, 0.0, 0.0);
-    this->Lamp->PositionalOn();
-    this->Lamp->SetConeAngle(40.0);
-    this->Lamp->SetSize(0.2, 0.2);
+    this->AreaLight->SetPosition(0.4, 0.6, 1.1);
+    this->AreaLight->SetFocalPoint(0.0, 0.0, 0.0);
+    this->AreaLight->PositionalOn();
+    this->AreaLight->SetConeAngle(40.0);
+    this->AreaLight->SetSize(0.2, 0.2);
     this->Scene.Matrix = vtkSmartPointer<vtkMatrix4x4>::New();
   }
 
-  /// All that is set, on another mapper.
+  /// Copies all settings to another mapper.
   void CopyTo(vtkShadowedSliceMapper* mapper) const
   {
-    mapper->SetMultipleScattering(this->Mapper->GetMultipleScattering());
+    mapper->SetScatteringMode(this->Mapper->GetScatteringMode());
     mapper->SetScatteringAlbedo(this->Mapper->GetScatteringAlbedo());
     mapper->SetPhaseFunction(this->Mapper->GetPhaseFunction());
     mapper->SetAnisotropy(this->Mapper->GetAnisotropy());
@@ -70,7 +70,7 @@ struct State
   vtkNew<vtkShadowedSliceMapper> Mapper;
   vtkNew<vtkColorTransferFunction> Albedo;
   vtkNew<vtkPiecewiseFunction> Table;
-  vtkNew<vtkAreaLight> Lamp;
+  vtkNew<vtkAreaLight> AreaLight;
 };
 
 struct Change
@@ -79,21 +79,21 @@ struct Change
   std::function<void(State&)> Make;
 };
 
-/// What light depends on.
+/// Returns the changes that affect scattered light.
 std::vector<Change> GetChanges()
 {
   return {
     { "light turned", [](State& s) { s.Scene.Lights.front()->SetPosition(-0.3, 0.8, 1.0); } },
-    { "light's colour", [](State& s) { s.Scene.Lights.front()->SetDiffuseColor(0.9, 0.5, 0.2); } },
+    { "light's color", [](State& s) { s.Scene.Lights.front()->SetDiffuseColor(0.9, 0.5, 0.2); } },
     { "light's intensity", [](State& s) { s.Scene.Lights.front()->SetIntensity(0.5); } },
     { "shadow attenuation", [](State& s) { s.Scene.Lights.front()->SetShadowAttenuation(0.6); } },
-    { "a second light", [](State& s) { s.Scene.Lights.push_back(s.Lamp.Get()); } },
-    { "its cone", [](State& s) { s.Lamp->SetConeAngle(20.0); } },
-    { "its size", [](State& s) { s.Lamp->SetSize(0.05, 0.3); } },
+    { "a second light", [](State& s) { s.Scene.Lights.push_back(s.AreaLight.Get()); } },
+    { "its cone", [](State& s) { s.AreaLight->SetConeAngle(20.0); } },
+    { "its size", [](State& s) { s.AreaLight->SetSize(0.05, 0.3); } },
     { "opacity", [](State& s) { s.Scene.Property->GetScalarOpacity()->AddPoint(0.5, 0.7); } },
     { "unit distance", [](State& s) { s.Scene.Property->SetScalarOpacityUnitDistance(0.3); } },
     { "albedo", [](State& s) { s.Mapper->SetScatteringAlbedo(s.Albedo); } },
-    { "albedo's points", [](State& s) { s.Albedo->AddRGBPoint(1.0, 0.3, 0.9, 1.0); } },
+    { "points of the albedo", [](State& s) { s.Albedo->AddRGBPoint(1.0, 0.3, 0.9, 1.0); } },
     { "phase", [](State& s) { s.Mapper->SetPhaseFunctionToHenyeyGreenstein(); } },
     { "anisotropy", [](State& s) { s.Mapper->SetAnisotropy(0.6); } },
     { "phase by a table",
@@ -102,9 +102,9 @@ std::vector<Change> GetChanges()
         s.Mapper->SetPhaseTable(s.Table);
         s.Mapper->SetPhaseFunctionToTable();
       } },
-    { "table's points", [](State& s) { s.Table->AddPoint(0.3, 3.0); } },
+    { "points of the phase table", [](State& s) { s.Table->AddPoint(0.3, 3.0); } },
     { "layers", [](State& s) { s.Mapper->SetBackwardLayers(2); } },
-    { "mode", [](State& s) { s.Mapper->SetMultipleScatteringToForward(); } },
+    { "mode", [](State& s) { s.Mapper->SetScatteringModeToForward(); } },
     { "spread", [](State& s) { s.Mapper->SetForwardSpread(0.2); } },
     { "cells", [](State& s) { s.Mapper->SetScatteringGridSize(8); } },
     { "clipping",
@@ -121,7 +121,7 @@ std::vector<Change> GetChanges()
         s.Scene.CroppingFlags = VTK_CROP_SUBVOLUME;
         s.Scene.CroppingPlanes = { { -0.4, 0.4, -0.5, 0.3, -0.5, 0.5 } };
       } },
-    { "cropping's cross", [](State& s) { s.Scene.CroppingFlags = VTK_CROP_CROSS; } },
+    { "cropping to a cross", [](State& s) { s.Scene.CroppingFlags = VTK_CROP_CROSS; } },
     { "voxels",
       [](State& s)
       {
@@ -133,18 +133,18 @@ std::vector<Change> GetChanges()
         values->Modified();
       } },
     { "matrix", [](State& s) { s.Scene.Matrix->SetElement(0, 0, 1.5); } },
-    { "light through matter", [](State& s) { s.Scene.TransmissionColor = s.Albedo; } },
+    { "light through medium", [](State& s) { s.Scene.TransmissionColor = s.Albedo; } },
   };
 }
 
-RgbaPicture DrawAnew(const State& state)
+RgbaImage DrawByNewMapper(const State& state)
 {
   vtkNew<Mapper> mapper;
   state.CopyTo(mapper);
   return DrawByMapper(mapper, state.Scene);
 }
 
-/// One change after the other: each is found once, and the picture is that of a new mapper.
+/// After each change, there is one solution, and the image equals that of a new mapper.
 void TestChanges(Check& check)
 {
   State state;
@@ -154,98 +154,96 @@ void TestChanges(Check& check)
     SetScene(stage, state.Mapper, state.Scene);
     return stage.Capture();
   };
-  RgbaPicture last = draw();
+  RgbaImage last = draw();
   int solves = 1;
   const auto expectSolves = [&](const std::string& name)
   {
-    check.Near(
-      state.Mapper->GetReport()->GetNumber("ScatteringSolves"), solves, 0.0, name + ": solves");
+    check.Equal(state.Mapper->GetReport()->GetCount("ScatteringSolves"), solves, name + ": solves");
   };
-  expectSolves("first picture");
-  check.That(state.Mapper->GetReport()->GetNumber("ScatteringCells") > 100, "first picture: cells");
-  check.That(
-    state.Mapper->GetReport()->GetNumber("ScatteringBytes") > 1000, "first picture: bytes");
+  expectSolves("first image");
+  check.That(state.Mapper->GetReport()->GetNumber("ScatteringCells") > 100, "first image: cells");
+  check.That(state.Mapper->GetReport()->GetNumber("ScatteringBytes") > 1000, "first image: bytes");
   draw();
-  expectSolves("the same picture");
-  check.Near(
-    state.Mapper->GetReport()->GetNumber("UploadedBytes"), 0, 0.0, "the same picture: bytes sent");
+  expectSolves("same image");
+  check.Equal(
+    state.Mapper->GetReport()->GetCount("UploadedBytes"), 0, "same image: uploaded bytes");
   std::vector<vtkSmartPointer<vtkCamera>> cameras{ state.Scene.Camera };
-  std::vector<RgbaPicture> turned;
-  for (const Double3& sight :
+  std::vector<RgbaImage> rotated;
+  for (const Double3& direction :
     { Double3{ { 1.0, 0.2, -0.3 } }, Double3{ { 0.1, 1.0, 0.4 } }, Double3{ { 0.3, 0.2, 1.0 } } })
   {
-    cameras.push_back(LookAt(state.Scene.Image, sight, sight[1] > 0.5));
+    cameras.push_back(LookAt(state.Scene.Image, direction, direction[1] > 0.5));
     state.Scene.Camera = cameras.back();
-    turned.push_back(draw());
-    expectSolves("turned");
+    rotated.push_back(draw());
+    expectSolves("rotated view");
   }
   state.Mapper->SetImageSampleDistance(2.0);
   state.Mapper->SetSliceSpacing(0.05);
   state.Mapper->SetScatteringBrightness(0.5);
   draw();
-  expectSolves("other slices, pixels and brightness");
+  expectSolves("other slice spacing, pixels and brightness");
   state.Mapper->SetScatteringBrightness(1.0);
   state.Mapper->SetImageSampleDistance(1.0);
   state.Mapper->SetSliceSpacing(0.0);
   last = draw();
-  expectSolves("the same slices again");
-  for (std::size_t i = 0; i < turned.size(); ++i)
+  expectSolves("first slice spacing again");
+  for (std::size_t i = 0; i < rotated.size(); ++i)
   {
     State again;
     again.Scene.Camera = cameras[i + 1];
-    check.Near(
-      ComparePictures(turned[i], DrawAnew(again)).Max, 0.0, 0.0, "turned: as drawn anew", 1.0);
+    check.Near(CompareImages(rotated[i], DrawByNewMapper(again)).Max, 0.0, 0.0,
+      "rotated view: same image as by a new mapper", 1.0);
   }
-  // Drawing anew by another mapper may count as a change of the data: it has a state of its own.
+  // Another mapper may mark the data as changed, so it draws a separate state.
   State other;
   for (const Change& change : GetChanges())
   {
     change.Make(state);
-    const RgbaPicture picture = draw();
+    const RgbaImage image = draw();
     ++solves;
     expectSolves(change.Name);
     change.Make(other);
     other.Scene.Camera = state.Scene.Camera;
-    const double difference = ComparePictures(picture, DrawAnew(other)).Max;
-    check.Near(difference, 0.0, 0.0, change.Name + ": as drawn anew", 1.0);
-    // Layers and phase functions of small anisotropy may change nothing that is seen.
-    const bool maySame =
+    const double difference = CompareImages(image, DrawByNewMapper(other)).Max;
+    check.Near(difference, 0.0, 0.0, change.Name + ": same image as by a new mapper", 1.0);
+    // Layers, and phase functions with low anisotropy, may not change the image visibly.
+    const bool mayBeEqual =
       change.Name == "layers" || change.Name == "anisotropy" || change.Name == "phase";
-    check.That(maySame || ComparePictures(picture, last).Max > 0.0, change.Name + ": seen");
-    last = picture;
+    check.That(
+      mayBeEqual || CompareImages(image, last).Max > 0.0, change.Name + ": visible change");
+    last = image;
   }
   state.Scene.Lights.clear();
-  const RgbaPicture dark = draw();
-  check.Near(state.Mapper->GetReport()->GetNumber("ScatteringCells"), 0, 0.0, "no light: cells");
-  check.Near(state.Mapper->GetReport()->GetNumber("ScatteringBytes"), 0, 0.0, "no light: bytes");
+  const RgbaImage dark = draw();
+  check.Equal(state.Mapper->GetReport()->GetCount("ScatteringCells"), 0, "cells without light");
+  check.Equal(state.Mapper->GetReport()->GetCount("ScatteringBytes"), 0, "bytes without light");
   double light = 0.0;
   for (int i = 0; i < 24 * 24; ++i)
   {
     light += dark.At(i % 24, i / 24)[0];
   }
-  check.Near(light, 0.0, 0.0, "no light: black", 1.0);
+  check.Near(light, 0.0, 0.0, "black without light", 1.0);
 }
 
-/// Another mapper of the same image and property, in a volume of its own, leaves the first one as
-/// it is.
+/// Another mapper of the same image and property, in another volume, does not affect the first
+/// mapper.
 void TestSecondMapper(Check& check)
 {
   const State state;
   VolumeStage stage(state.Scene.Size);
   SetScene(stage, state.Mapper, state.Scene);
-  const RgbaPicture first = stage.Capture();
+  const RgbaImage first = stage.Capture();
   const vtkMTimeType time = state.Scene.Property->GetMTime();
-  DrawAnew(state);
-  check.That(state.Scene.Property->GetMTime() > time, "second mapper: VTK counts a change");
-  const double difference = ComparePictures(stage.Capture(), first).Max;
-  check.Near(difference, 0.0, 0.0, "second mapper: picture", 1.0);
-  check.Near(
-    state.Mapper->GetReport()->GetNumber("UploadedBytes"), 0, 0.0, "second mapper: bytes sent");
-  check.Near(
-    state.Mapper->GetReport()->GetNumber("ScatteringSolves"), 1, 0.0, "second mapper: solves");
+  DrawByNewMapper(state);
+  check.That(state.Scene.Property->GetMTime() > time, "second mapper: VTK reports a change");
+  const double difference = CompareImages(stage.Capture(), first).Max;
+  check.Near(difference, 0.0, 0.0, "second mapper: same image", 1.0);
+  check.Equal(
+    state.Mapper->GetReport()->GetCount("UploadedBytes"), 0, "second mapper: uploaded bytes");
+  check.Equal(state.Mapper->GetReport()->GetCount("ScatteringSolves"), 1, "second mapper: solves");
 }
 
-/// Changes in any order, many of them at once.
+/// Random sequences of one or several changes.
 void TestRandomChanges(Check& check)
 {
   std::mt19937 random(7);
@@ -258,14 +256,15 @@ void TestRandomChanges(Check& check)
     {
       changes[random() % changes.size()].Make(state);
     }
-    state.Mapper->SetMultipleScattering(static_cast<int>(random() % 4));
+    state.Mapper->SetScatteringMode(static_cast<int>(random() % 4));
     state.Mapper->SetAnisotropy(0.1 * static_cast<double>(random() % 18) - 0.9);
     state.Scene.Lights.resize(1);
     state.Scene.Camera = LookAt(state.Scene.Image,
       { { 0.1 * static_cast<double>(random() % 10) - 0.5, 0.4, -1.0 } }, random() % 2 == 0);
     SetScene(stage, state.Mapper, state.Scene);
-    const double difference = ComparePictures(stage.Capture(), DrawAnew(state)).Max;
-    check.Near(difference, 0.0, 0.0, "random state " + std::to_string(i) + ": as drawn anew", 1.0);
+    const double difference = CompareImages(stage.Capture(), DrawByNewMapper(state)).Max;
+    check.Near(difference, 0.0, 0.0,
+      "random state " + std::to_string(i) + ": same image as by a new mapper", 1.0);
   }
 }
 

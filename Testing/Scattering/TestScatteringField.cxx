@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light that vtkShadowedSliceMapper scatters on and on: pictures against the solver's own numbers,
-// light from all sides, which a medium that absorbs nothing leaves as it is, and pictures that
-// depend neither on the distance of slices nor on the size of buffers and cells.
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
+// Multiple scattering of vtkShadowedSliceMapper: images compared with the solver, a medium without
+// absorption in light from all sides, and invariance under slice spacing, light buffer size and
+// grid size.
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Scattering/ScatteringSolver.h"
 #include "Support/Transport/SceneTransport.h"
@@ -32,21 +32,21 @@ namespace
 
 using namespace reference;
 using Mapper = vtkShadowedSliceMapper;
-using interlume::ScatteringField;
+using interlume::ScatteredLight;
 using interlume::ScatteringLight;
 using interlume::ScatteringMedium;
 
-/// The cells along the cube's edge of length 1.
+/// Number of cells along the cube's edge of length 1.
 constexpr int Cells = 16;
 
 void SetMode(vtkShadowedSliceMapper* mapper, int mode, double g)
 {
-  mapper->SetMultipleScattering(mode);
+  mapper->SetScatteringMode(mode);
   mapper->SetPhaseFunctionToHenyeyGreenstein();
   mapper->SetAnisotropy(g);
 }
 
-/// A cube of white matter, seen along -z in a parallel picture, lit by one light.
+/// Returns a cube with albedo 1, seen along -z in parallel projection and lit by one light.
 ShadowScene MakeCube(double extinction, const Double3& direction)
 {
   ShadowScene scene = MakeHomogeneousScene(Cells, extinction);
@@ -58,23 +58,23 @@ ShadowScene MakeCube(double extinction, const Double3& direction)
   return scene;
 }
 
-/// The mean over the picture but for the pixels at its edges.
-double GetMean(const RgbaPicture& picture, int border = 2)
+/// Returns the mean over the image, except its border.
+double GetMean(const RgbaImage& image, int border = 2)
 {
   double sum = 0.0;
   int count = 0;
-  for (int j = border; j < picture.Height - border; ++j)
+  for (int j = border; j < image.Height - border; ++j)
   {
-    for (int i = border; i < picture.Width - border; ++i, ++count)
+    for (int i = border; i < image.Width - border; ++i, ++count)
     {
-      sum += picture.At(i, j)[1];
+      sum += image.At(i, j)[1];
     }
   }
   return sum / count;
 }
 
-/// The same light by the solver: sources of the cells of a column, each as it is, attenuated to the
-/// eye; without what is scattered once.
+/// Returns the mean of the image, computed from the solver's field: the sources in the cells of
+/// each column, attenuated toward the camera, without single scattering.
 double GetSolved(double extinction, double g, const Double3& direction, bool isFull)
 {
   ScatteringMedium medium;
@@ -86,14 +86,14 @@ double GetSolved(double extinction, double g, const Double3& direction, bool isF
   std::vector<ScatteringLight> lights(1);
   lights[0].Direction = glm::normalize(glm::dvec3(direction[0], direction[1], direction[2]));
   lights[0].Fill(medium, glm::vec3(1.0F));
-  ScatteringField field;
+  ScatteredLight field;
   interlume::ScatteringReport report;
   static_cast<void>(interlume::ScatteringSolver::Solve(medium, lights,
     isFull ? interlume::ScatteringMode::Full : interlume::ScatteringMode::Forward, {}, field,
     report));
-  const glm::dvec3 toEye(0.0, 0.0, 1.0);
+  const glm::dvec3 toCamera(0.0, 0.0, 1.0);
   const double phase =
-    4.0 * vtkMath::Pi() * medium.Phase.Value(glm::dot(lights[0].Direction, toEye));
+    4.0 * vtkMath::Pi() * medium.Phase.Value(glm::dot(lights[0].Direction, toCamera));
   double sum = 0.0;
   int columns = 0;
   for (int j = 1; j + 1 < Cells; ++j)
@@ -105,12 +105,12 @@ double GetSolved(double extinction, double g, const Double3& direction, bool isF
       {
         const std::size_t cell = medium.GetIndex({ i, j, k });
         double source = field.Forward.empty() ? 0.0 : phase * field.Forward[0][cell].y;
-        source += field.Fluence.empty()
-          ? 0.0
-          : field.Fluence[cell].y * (1.0 + 3.0 * g * glm::dot(glm::dvec3(field.Lean[cell]), toEye));
-        const double through = std::exp(-extinction / Cells);
-        sum += transmittance * (1.0 - through) * source;
-        transmittance *= through;
+        source += field.Fluence.empty() ? 0.0
+                                        : field.Fluence[cell].y *
+            (1.0 + 3.0 * g * glm::dot(glm::dvec3(field.NetFlux[cell]), toCamera));
+        const double transmitted = std::exp(-extinction / Cells);
+        sum += transmittance * (1.0 - transmitted) * source;
+        transmittance *= transmitted;
       }
     }
   }
@@ -128,10 +128,10 @@ void TestAgainstSolver(Check& check)
       {
         constexpr double extinction = 4.0;
         const ShadowScene scene = MakeCube(extinction, direction);
-        const auto draw = [&](int asked)
+        const auto draw = [&](int drawnMode)
         {
           vtkNew<Mapper> mapper;
-          SetMode(mapper, asked, g);
+          SetMode(mapper, drawnMode, g);
           mapper->SetScatteringGridSize(Cells);
           return GetMean(DrawByMapper(mapper, scene));
         };
@@ -143,13 +143,13 @@ void TestAgainstSolver(Check& check)
           std::to_string(direction[2]);
         std::cout << name << ": " << found << " for " << expected << std::endl;
         check.Near(found, expected, 0.02 * expected + 1e-4, name, 1.0);
-        check.That(expected > 0.01, name + ": some light");
+        check.That(expected > 0.01, name + ": the light is not negligible");
       }
     }
   }
 }
 
-/// Fourteen lights whose weights are those of a rule of degree 5 on the sphere (Lebedev).
+/// Returns fourteen lights with the weights of a spherical quadrature rule of degree 5 (Lebedev).
 std::vector<vtkSmartPointer<vtkLight>> MakeFurnace()
 {
   std::vector<vtkSmartPointer<vtkLight>> lights;
@@ -172,69 +172,69 @@ std::vector<vtkSmartPointer<vtkLight>> MakeFurnace()
   return lights;
 }
 
-/// What the furnace's matter scatters and lets through of a white background, as the mean over
-/// squares of four by four pixels and over the eight ways to turn and mirror the picture, which
-/// change neither the cube nor its lights.
-class FurnacePicture
+/// Light scattered by the medium of the furnace plus a transmitted white background. Values are
+/// means over blocks of 4 x 4 pixels and over the eight symmetries of the cube and its lights.
+class FurnaceImage
 {
 public:
-  explicit FurnacePicture(const RgbaPicture& picture)
+  explicit FurnaceImage(const RgbaImage& image)
   {
     const int last = Pixels - 1;
     for (int j = 0; j < Pixels; ++j)
     {
       for (int i = 0; i < Pixels; ++i)
       {
-        const auto& pixel = picture.At(i, j);
+        const auto& pixel = image.At(i, j);
         const int u = std::min(i, last - i);
         const int v = std::min(j, last - j);
-        this->Means[GetPart(std::min(u, v), std::max(u, v))] += pixel[1] + 1.0 - pixel[3];
+        this->Means[GetBlock(std::min(u, v), std::max(u, v))] += pixel[1] + 1.0 - pixel[3];
       }
     }
     for (int v = 0; v < Pixels / 2; ++v)
     {
       for (int u = 0; u <= v; ++u)
       {
-        this->Counts[GetPart(u, v)] += u == v ? 4.0 : 8.0;
+        this->Counts[GetBlock(u, v)] += u == v ? 4.0 : 8.0;
       }
     }
-    for (auto& [part, mean] : this->Means)
+    for (auto& [block, mean] : this->Means)
     {
-      mean /= this->Counts[part];
+      mean /= this->Counts[block];
     }
   }
 
   double GetMean() const
   {
     double sum = 0.0;
-    for (const auto& [part, mean] : this->Means)
+    for (const auto& [block, mean] : this->Means)
     {
-      sum += this->Counts.at(part) * mean;
+      sum += this->Counts.at(block) * mean;
     }
     return sum / (Pixels * Pixels);
   }
-  /// Returns the largest difference of a square.
-  double GetDifference(const FurnacePicture& other) const
+  /// Returns the largest difference between corresponding blocks of two images.
+  double GetDifference(const FurnaceImage& other) const
   {
-    double most = 0.0;
-    for (const auto& [part, mean] : this->Means)
+    double largest = 0.0;
+    for (const auto& [block, mean] : this->Means)
     {
-      most = std::max(most, std::abs(mean - other.Means.at(part)));
+      largest = std::max(largest, std::abs(mean - other.Means.at(block)));
     }
-    return most;
+    return largest;
   }
 
   static constexpr int Pixels = 32;
 
 private:
-  static int GetPart(int u, int v) { return u / 4 + Pixels * (v / 4); }
+  static int GetBlock(int u, int v) { return u / 4 + Pixels * (v / 4); }
 
   std::map<int, double> Means;
   std::map<int, double> Counts;
 };
 
-/// Light from all sides on matter that absorbs nothing: what is seen of it is the background, but
-/// for what fourteen lights are less than even light, which paths of the same lights tell.
+/// A medium without absorption in light from all sides is indistinguishable from its background,
+/// except for the difference of fourteen lights from uniform light. Path tracing with the same
+/// lights yields this difference.
 void TestFurnace(Check& check)
 {
   for (const double depth : { 0.1, 1.0, 3.0, 10.0 })
@@ -245,40 +245,42 @@ void TestFurnace(Check& check)
       scene.Lights = MakeFurnace();
       vtkNew<Mapper> mapper;
       SetMode(mapper, Mapper::FULL_SCATTERING, g);
-      const RgbaPicture picture = DrawByMapper(mapper, scene);
+      const RgbaImage image = DrawByMapper(mapper, scene);
       SceneTransportSettings settings;
       settings.Phase = TransportPhase::HenyeyGreenstein(g);
       settings.PathsPerPixel = 64;
-      const TransportPicture paths = TraceScene(scene, settings);
+      const TransportImage paths = TraceScene(scene, settings);
       double noise = 0.0;
-      double most = 0.0;
-      for (int j = 0; j < FurnacePicture::Pixels; ++j)
+      double largest = 0.0;
+      for (int j = 0; j < FurnaceImage::Pixels; ++j)
       {
-        for (int i = 0; i < FurnacePicture::Pixels; ++i)
+        for (int i = 0; i < FurnaceImage::Pixels; ++i)
         {
           noise += std::pow(paths.StandardError.At(i, j)[1], 2.0);
-          most = std::max(most, picture.At(i, j)[1] + 1.0 - picture.At(i, j)[3]);
+          largest = std::max(largest, image.At(i, j)[1] + 1.0 - image.At(i, j)[3]);
         }
       }
-      noise = std::sqrt(noise) / (FurnacePicture::Pixels * FurnacePicture::Pixels);
-      const FurnacePicture found(picture);
-      const FurnacePicture expected(paths.Mean);
+      noise = std::sqrt(noise) / (FurnaceImage::Pixels * FurnaceImage::Pixels);
+      const FurnaceImage found(image);
+      const FurnaceImage expected(paths.Mean);
       const std::string name =
         "furnace, depth " + std::to_string(depth) + ", g " + std::to_string(g);
       std::cout << name << ": mean " << found.GetMean() << " for " << expected.GetMean() << " +- "
-                << noise << ", squares within " << found.GetDifference(expected) << ", brightest "
-                << most << std::endl;
-      // From 400 paths a pixel the means differ by 0.008 at most up to depth 3 and by 0.024 at 10.
-      // The smallest squares together have 64 pixels, and so four times the noise of all.
+                << noise << ", largest difference of blocks " << found.GetDifference(expected)
+                << ", brightest " << largest << std::endl;
+      // With 400 paths per pixel, the means differ by at most 0.008 up to depth 3 and by 0.024 at
+      // depth 10. The smallest blocks combine 64 pixels, so that their noise is four times the
+      // total noise.
       check.Near(found.GetMean(), expected.GetMean(), noise + (depth < 5.0 ? 0.008 : 0.025),
         name + ": mean", 1.0);
-      check.Near(found.GetDifference(expected), 0.0, 0.045 + 12.0 * noise, name + ": squares", 1.0);
-      check.That(most < 1.02, name + ": nothing brighter than the background");
+      check.Near(found.GetDifference(expected), 0.0, 0.045 + 12.0 * noise, name + ": blocks", 1.0);
+      check.That(largest < 1.02, name + ": nothing is brighter than the background");
     }
   }
 }
 
-/// A soft ball under a slanting light: neither slices nor buffers nor cells change the picture.
+/// A soft sphere in oblique light: slice spacing, light buffer size and grid size do not change the
+/// image.
 void TestInvariance(Check& check)
 {
   auto scene = MakeScene(MakeImage(64, MakeSphere(0.1, 0.45)), MakeSoftProperty(0.6, false));
@@ -295,29 +297,29 @@ void TestInvariance(Check& check)
       mapper->SetSliceSpacing(spacing);
       mapper->SetLightBufferSize(buffer);
       mapper->SetScatteringGridSize(cells);
-      const RgbaPicture picture = DrawByMapper(mapper, scene);
+      const RgbaImage image = DrawByMapper(mapper, scene);
       std::cout << mapper->GetReport()->GetNumber("ScatteringCells") << " cells in "
-                << mapper->GetReport()->GetNumber("ScatteringSeconds") << " s, picture in "
+                << mapper->GetReport()->GetNumber("ScatteringSeconds") << " s, image in "
                 << mapper->GetReport()->GetNumber("Seconds") << " s" << std::endl;
-      return picture;
+      return image;
     };
-    const auto expect = [&](const std::string& what, const std::vector<RgbaPicture>& pictures)
+    const auto expect = [&](const std::string& what, const std::vector<RgbaImage>& images)
     {
       double last = 0.02;
-      for (std::size_t i = 1; i < pictures.size(); ++i)
+      for (std::size_t i = 1; i < images.size(); ++i)
       {
-        const double change =
-          ComparePictures(pictures[i - 1], pictures[i]).Mean / GetMean(pictures[i], 0);
+        const double change = CompareImages(images[i - 1], images[i]).Mean / GetMean(images[i], 0);
         const std::string name = what + (mode == Mapper::FULL_SCATTERING ? ", full" : ", forward");
         std::cout << name << ": step " << i << " changes " << change << std::endl;
         check.Near(change, 0.0, last, name, 1.0);
         last = std::max(0.5 * change, 1e-4);
       }
     };
-    expect("spacing halved",
+    expect("slice spacing halved",
       { draw(0.04, 64, 16), draw(0.02, 64, 16), draw(0.01, 64, 16), draw(0.005, 64, 16) });
-    expect("buffer doubled", { draw(0.01, 32, 16), draw(0.01, 64, 16), draw(0.01, 128, 16) });
-    expect("cells doubled", { draw(0.01, 64, 16), draw(0.01, 64, 32), draw(0.01, 64, 64) });
+    expect(
+      "light buffer size doubled", { draw(0.01, 32, 16), draw(0.01, 64, 16), draw(0.01, 128, 16) });
+    expect("grid size doubled", { draw(0.01, 64, 16), draw(0.01, 64, 32), draw(0.01, 64, 64) });
   }
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light that vtkShadowedSliceMapper scatters once: albedo and phase function against their
-// formulas, and nothing of it where it is off.
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
+// Single scattering of vtkShadowedSliceMapper: albedo and phase function compared with their
+// formulas, and no cost if it is off.
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
@@ -24,26 +24,26 @@ namespace
 using namespace reference;
 using Mapper = vtkShadowedSliceMapper;
 
-const Double3 Sight{ { -0.3, -0.4, -1.0 } };
+const Double3 ViewDirection{ { -0.3, -0.4, -1.0 } };
 
 ShadowScene BoxesScene()
 {
   auto scene = MakeScene(MakeImage(16, TwoBoxes), MakeSoftProperty(0.7, false));
-  scene.Camera = LookAt(scene.Image, Sight, true);
+  scene.Camera = LookAt(scene.Image, ViewDirection, true);
   scene.Size = { { 32, 32 } };
   return scene;
 }
 
-/// 4 pi times Henyey and Greenstein's function for light along one direction, seen along another.
-double GetPhase(double g, const Double3& light, const Double3& sight)
+/// Returns 4 pi times the Henyey-Greenstein function for a light direction and a view direction.
+double GetPhase(double g, const Double3& light, const Double3& view)
 {
-  const double cosine = -vtkMath::Dot(light, sight) /
-    std::sqrt(vtkMath::Dot(light, light) * vtkMath::Dot(sight, sight));
+  const double cosine =
+    -vtkMath::Dot(light, view) / std::sqrt(vtkMath::Dot(light, light) * vtkMath::Dot(view, view));
   return (1.0 - g * g) / std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5);
 }
 
-/// The largest difference of a from factor times b, over the largest value.
-double GetDifference(const RgbaPicture& a, const RgbaPicture& b, double factor)
+/// Returns the largest difference of \a a from \a factor times \a b, relative to the largest value.
+double GetDifference(const RgbaImage& a, const RgbaImage& b, double factor)
 {
   double largest = 0.0;
   double difference = 0.0;
@@ -62,38 +62,42 @@ double GetDifference(const RgbaPicture& a, const RgbaPicture& b, double factor)
   return largest > 0.0 ? difference / largest : 1.0;
 }
 
-/// Isotropic, with the colours as albedo: what evenly scattered light of Diffuse 1 is.
+/// With an isotropic phase function and the colors as albedo, the result equals lighting with
+/// Diffuse 1.
 void TestIsotropic(Check& check)
 {
   auto scene = BoxesScene();
   scene.Property->SetAmbient(0.0);
   scene.Property->SetDiffuse(1.0);
   vtkNew<Mapper> off;
-  const RgbaPicture expected = DrawByMapper(off, scene);
+  const RgbaImage expected = DrawByMapper(off, scene);
   check.That(off->GetReport()->GetText("Features").find("scatter") == std::string::npos,
-    "no words where off");
-  // Material coefficients have no part.
+    "no shader code for scattering if it is off");
+  // Material coefficients have no effect.
   scene.Property->SetAmbient(0.3);
   scene.Property->SetDiffuse(0.2);
   scene.Property->SetSpecular(0.7);
   scene.Property->ShadeOn();
   vtkNew<Mapper> single;
-  single->SetMultipleScatteringToSingle();
-  const RgbaPicture found = DrawByMapper(single, scene);
-  check.Near(GetDifference(found, expected, 1.0), 0.0, 1e-6, "isotropic, as evenly scattered", 1.0);
+  single->SetScatteringModeToSingle();
+  const RgbaImage found = DrawByMapper(single, scene);
+  check.Near(GetDifference(found, expected, 1.0), 0.0, 1e-6,
+    "isotropic scattering equals diffuse lighting", 1.0);
   check.That(single->GetReport()->GetText("Features").find("scattering") != std::string::npos,
-    "words where on");
-  check.Near(single->GetReport()->GetNumber("ScatteringCells"), 0, 0.0, "single: cells");
-  check.Near(single->GetReport()->GetNumber("ScatteringSolves"), 0, 0.0, "single: solves");
-  check.Near(single->GetReport()->GetNumber("TextureBytes"),
-    off->GetReport()->GetNumber("TextureBytes"), 0.0, "single: bytes of textures");
+    "shader code for scattering if it is on");
+  check.Equal(
+    single->GetReport()->GetCount("ScatteringCells"), 0, "single scattering has no cells");
+  check.Equal(
+    single->GetReport()->GetCount("ScatteringSolves"), 0, "single scattering is not solved");
+  check.Equal(single->GetReport()->GetCount("TextureBytes"),
+    off->GetReport()->GetCount("TextureBytes"), "single scattering has no additional textures");
 
   vtkNew<vtkColorTransferFunction> albedo;
   albedo->AddRGBPoint(0.0, 0.5, 0.25, 2.0);
   vtkNew<vtkColorTransferFunction> color;
   color->AddRGBPoint(0.0, 0.5, 0.25, 1.0);
   single->SetScatteringAlbedo(albedo);
-  const RgbaPicture withAlbedo = DrawByMapper(single, scene);
+  const RgbaImage withAlbedo = DrawByMapper(single, scene);
   scene.Property->SetColor(color);
   single->SetScatteringBrightness(0.25);
   check.Near(GetDifference(DrawByMapper(single, scene), withAlbedo, 0.25), 0.0, 1e-6,
@@ -101,27 +105,28 @@ void TestIsotropic(Check& check)
   single->SetScatteringBrightness(1.0);
   single->SetScatteringAlbedo(nullptr);
   check.Near(GetDifference(withAlbedo, DrawByMapper(single, scene), 1.0), 0.0, 1e-6,
-    "an albedo in the place of colours, at most 1", 1.0);
+    "the albedo replaces the colors and is at most 1", 1.0);
 }
 
-/// A phase function multiplies the picture by one number where light and sight have one direction.
+/// If light and view directions are constant, the phase function scales the image by a constant.
 void TestPhases(Check& check)
 {
   const auto scene = BoxesScene();
   const Double3 direction{ { 1.0, -1.0, -1.0 } };
   vtkNew<Mapper> isotropic;
-  isotropic->SetMultipleScatteringToSingle();
-  const RgbaPicture even = DrawByMapper(isotropic, scene);
+  isotropic->SetScatteringModeToSingle();
+  const RgbaImage isotropicImage = DrawByMapper(isotropic, scene);
   for (const double g : { -0.99, -0.5, 0.0, 0.3, 0.85, 0.99 })
   {
-    const double factor = GetPhase(g, direction, Sight);
+    const double factor = GetPhase(g, direction, ViewDirection);
     vtkNew<Mapper> mapper;
-    mapper->SetMultipleScatteringToSingle();
+    mapper->SetScatteringModeToSingle();
     mapper->SetPhaseFunctionToHenyeyGreenstein();
     mapper->SetAnisotropy(g);
     const std::string name = "g = " + std::to_string(g);
-    const double difference = GetDifference(DrawByMapper(mapper, scene), even, factor);
-    std::cout << name << ": factor " << factor << ", off by " << difference << std::endl;
+    const double difference = GetDifference(DrawByMapper(mapper, scene), isotropicImage, factor);
+    std::cout << name << ": factor " << factor << ", largest difference " << difference
+              << std::endl;
     check.Near(difference, 0.0, 2e-5, name, 1.0);
     if (std::abs(g) > 0.9)
     {
@@ -135,26 +140,27 @@ void TestPhases(Check& check)
     }
     mapper->SetPhaseFunctionToTable();
     mapper->SetPhaseTable(table);
-    check.Near(GetDifference(DrawByMapper(mapper, scene), even, factor), 0.0, 1e-3,
-      name + " by a table", 1.0);
+    check.Near(GetDifference(DrawByMapper(mapper, scene), isotropicImage, factor), 0.0, 1e-3,
+      name + " with a table", 1.0);
   }
-  // Light straight along the view, and against it, where digits would cancel.
+  // Light exactly along the view direction and against it, where differences could cancel digits.
   for (const double sign : { -1.0, 1.0 })
   {
     auto straight = scene;
-    const Double3 along{ { sign * Sight[0], sign * Sight[1], sign * Sight[2] } };
+    const Double3 along{ { sign * ViewDirection[0], sign * ViewDirection[1],
+      sign * ViewDirection[2] } };
     straight.Lights = { MakeDirectionalLight(along) };
     vtkNew<Mapper> mapper;
-    mapper->SetMultipleScatteringToSingle();
-    const RgbaPicture evenly = DrawByMapper(mapper, straight);
+    mapper->SetScatteringModeToSingle();
+    const RgbaImage straightImage = DrawByMapper(mapper, straight);
     mapper->SetPhaseFunctionToHenyeyGreenstein();
     mapper->SetAnisotropy(-0.99 * sign);
-    check.Near(GetDifference(DrawByMapper(mapper, straight), evenly, 1.99 / (0.01 * 0.01)), 0.0,
-      3e-3, "the peak of a phase function", 1.0);
+    check.Near(GetDifference(DrawByMapper(mapper, straight), straightImage, 1.99 / (0.01 * 0.01)),
+      0.0, 3e-3, "peak of the phase function", 1.0);
   }
 }
 
-/// What is set and not asked for leaves no trace.
+/// Settings of scattering have no effect if it is off.
 void TestOff(Check& check)
 {
   for (const bool shade : { false, true })
@@ -162,7 +168,7 @@ void TestOff(Check& check)
     auto scene = BoxesScene();
     scene.Property->SetShade(shade ? 1 : 0);
     vtkNew<Mapper> plain;
-    const RgbaPicture expected = DrawByMapper(plain, scene);
+    const RgbaImage expected = DrawByMapper(plain, scene);
     vtkNew<Mapper> mapper;
     vtkNew<vtkColorTransferFunction> albedo;
     albedo->AddRGBPoint(0.0, 0.1, 0.2, 0.3);
@@ -176,30 +182,29 @@ void TestOff(Check& check)
     mapper->SetScatteringGridSize(8);
     const auto expectOff = [&](const std::string& name)
     {
-      const PictureError error = ComparePictures(DrawByMapper(mapper, scene), expected);
-      check.That(error.Max == 0.0, name + ": the same picture");
+      const ImageError error = CompareImages(DrawByMapper(mapper, scene), expected);
+      check.That(error.Max == 0.0, name + ": the same image");
       vtkInterlumeReport* found = mapper->GetReport();
       vtkInterlumeReport* report = plain->GetReport();
       check.That(found->GetText("Features") == report->GetText("Features"),
-        name + ": the same words of shaders");
-      check.Near(found->GetNumber("TextureBytes"), report->GetNumber("TextureBytes"), 0.0,
-        name + ": bytes of textures");
-      check.Near(found->GetNumber("UploadedBytes"), report->GetNumber("UploadedBytes"), 0.0,
-        name + ": bytes sent");
-      check.Near(found->GetNumber("ImagePasses") + found->GetNumber("LightPasses"),
-        report->GetNumber("ImagePasses") + report->GetNumber("LightPasses"), 0.0,
-        name + ": passes");
-      check.Near(found->GetNumber("ScatteringCells"), 0, 0.0, name + ": cells");
-      check.Near(found->GetNumber("ScatteringBytes"), 0, 0.0, name + ": bytes of scattered light");
-      check.Near(found->GetNumber("ScatteringSolves"), 0, 0.0, name + ": solves");
+        name + ": the same shader features");
+      check.Equal(found->GetCount("TextureBytes"), report->GetCount("TextureBytes"),
+        name + ": texture bytes");
+      check.Equal(found->GetCount("UploadedBytes"), report->GetCount("UploadedBytes"),
+        name + ": uploaded bytes");
+      check.Equal(found->GetCount("ImagePasses") + found->GetCount("LightPasses"),
+        report->GetCount("ImagePasses") + report->GetCount("LightPasses"), name + ": passes");
+      check.Equal(found->GetCount("ScatteringCells"), 0, name + ": cells");
+      check.Equal(found->GetCount("ScatteringBytes"), 0, name + ": bytes of scattered light");
+      check.Equal(found->GetCount("ScatteringSolves"), 0, name + ": solves");
     };
     expectOff("off");
     table->RemoveAllPoints();
     table->AddPoint(0.0, 1.0);
-    mapper->SetMultipleScatteringToFull();
+    mapper->SetScatteringModeToFull();
     DrawByMapper(mapper, scene);
     check.That(mapper->GetReport()->GetNumber("ScatteringCells") > 0, "full: cells");
-    mapper->SetMultipleScatteringToOff();
+    mapper->SetScatteringModeToOff();
     expectOff("off again");
   }
 }

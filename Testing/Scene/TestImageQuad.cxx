@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A picture of two pixels over a viewport: stretched by interpolation, a share of it, and colour
-// with transmittance.
+// Draws a two-pixel image over a viewport: interpolated, restricted to a part of the image, and as
+// color with transmittance.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCommand.h"
@@ -26,12 +26,12 @@ using namespace reference;
 
 constexpr int WIDTH = 40;
 constexpr int HEIGHT = 10;
-// The target has eight bits, and texture filters of graphics cards as many.
+// The render target has 8 bits per channel, and many graphics cards filter textures with 8 bits.
 constexpr double TOLERANCE = 2.0 / 255.0;
 constexpr std::array<double, 3> BACKGROUND{ { 0.2, 0.4, 0.6 } };
-const std::vector<float> PICTURE{ 0.1f, 0.0f, 0.3f, 0.9f, 0.5f, 0.2f, 0.0f, 0.3f };
+const std::vector<float> IMAGE{ 0.1f, 0.0f, 0.3f, 0.9f, 0.5f, 0.2f, 0.0f, 0.3f };
 
-/// Draws at the end of a renderer's turn.
+/// Draws the quad at the end of a renderer's frame.
 class QuadCommand : public vtkCommand
 {
 public:
@@ -40,30 +40,30 @@ public:
   {
     auto* window =
       vtkOpenGLRenderWindow::SafeDownCast(static_cast<vtkRenderer*>(renderer)->GetRenderWindow());
-    this->Quad.Upload(window, 2, 1, PICTURE);
-    this->Quad.Draw(window, this->Features, this->Share);
+    this->Quad.Upload(window, 2, 1, IMAGE);
+    this->Quad.Draw(window, this->Features, this->Fraction);
     this->Quad.ReleaseGraphicsResources(window);
   }
   std::string Features;
-  interlume::ImageQuad::Share Share{ { 1.0, 1.0 } };
+  interlume::ImageQuad::Fraction Fraction{ { 1.0, 1.0 } };
 
 private:
   interlume::ImageQuad Quad;
 };
 
-// The picture's channel at x of 0 to 1, between the centres of its pixels.
+// Returns an image channel at \a x in [0, 1], interpolated between the pixel centers.
 double Sample(int channel, double x)
 {
   const double weight = std::min(std::max((x - 0.25) / 0.5, 0.0), 1.0);
-  return PICTURE[channel] * (1.0 - weight) + PICTURE[channel + 4] * weight;
+  return IMAGE[channel] * (1.0 - weight) + IMAGE[channel + 4] * weight;
 }
 
-void CheckPicture(Check& check, const std::string& name, const std::string& features, double share,
+void CheckImage(Check& check, const std::string& name, const std::string& features, double fraction,
   const std::function<double(double alpha)>& transmittance)
 {
   vtkNew<QuadCommand> command;
   command->Features = features;
-  command->Share = { { share, 1.0 } };
+  command->Fraction = { { fraction, 1.0 } };
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(BACKGROUND.data());
   renderer->AddObserver(vtkCommand::EndEvent, command);
@@ -78,7 +78,7 @@ void CheckPicture(Check& check, const std::string& name, const std::string& feat
   double largest = 0.0;
   for (vtkIdType i = 0; i < pixels->GetNumberOfTuples(); ++i)
   {
-    const double x = (static_cast<double>(i % WIDTH) + 0.5) / WIDTH * share;
+    const double x = (static_cast<double>(i % WIDTH) + 0.5) / WIDTH * fraction;
     for (int channel = 0; channel < 3; ++channel)
     {
       const double expected =
@@ -97,8 +97,8 @@ int TestImageQuad(int, char*[])
   Check check;
   const auto ofOpacity = [](double alpha) { return 1.0 - alpha; };
   const auto all = [](double) { return 1.0; };
-  CheckPicture(check, "opacity", "", 1.0, ofOpacity);
-  CheckPicture(check, "share", "", 0.6, ofOpacity);
-  CheckPicture(check, "sum", "SUM", 1.0, all);
+  CheckImage(check, "opacity", "", 1.0, ofOpacity);
+  CheckImage(check, "share", "", 0.6, ofOpacity);
+  CheckImage(check, "sum", "SUM", 1.0, all);
   return check.Result();
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// UseDepthPeelingForVolumes: neither mapper can draw between two peels, so each draws the picture
-// that it draws without, and says so once.
-#include "Support/Drawing/PictureCases.h"
-#include "Support/Pictures/ShadowCases.h"
-#include "Support/Drawing/ShadowPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+// UseDepthPeelingForVolumes: the mappers cannot draw between two peels. Each mapper draws the same
+// image as without the option and warns once.
+#include "Support/Drawing/ImageCases.h"
+#include "Support/Images/ShadowCases.h"
+#include "Support/Drawing/ShadowImage.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkActor.h"
@@ -33,9 +33,9 @@ using namespace reference;
 
 constexpr std::array<int, 2> Size = { { 64, 64 } };
 
-/// Pictures without and with peeling of volumes, with and without a translucent ball in the scene.
+/// Compares images with and without volume peeling, with and without a translucent sphere.
 void TestMapper(Check& check, const std::string& name, vtkAbstractVolumeMapper* mapper,
-  vtkVolumeProperty* property, vtkCamera* camera, const Double3& middle)
+  vtkVolumeProperty* property, vtkCamera* camera, const Double3& center)
 {
   vtkNew<vtkTest::ErrorObserver> observer;
   mapper->AddObserver(vtkCommand::WarningEvent, observer);
@@ -50,45 +50,46 @@ void TestMapper(Check& check, const std::string& name, vtkAbstractVolumeMapper* 
   renderer->SetOcclusionRatio(0.0);
   stage.GetWindow()->SetAlphaBitPlanes(1);
   vtkNew<vtkSphereSource> sphere;
-  sphere->SetCenter(middle[0], middle[1], middle[2] + 0.3);
+  sphere->SetCenter(center[0], center[1], center[2] + 0.3);
   sphere->SetRadius(0.4);
   vtkNew<vtkPolyDataMapper> polygons;
   polygons->SetInputConnection(sphere->GetOutputPort());
-  vtkNew<vtkActor> ball;
-  ball->SetMapper(polygons);
-  ball->GetProperty()->SetOpacity(0.4);
-  ball->GetProperty()->SetColor(0.9, 0.3, 0.2);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(polygons);
+  actor->GetProperty()->SetOpacity(0.4);
+  actor->GetProperty()->SetColor(0.9, 0.3, 0.2);
 
-  for (const bool hasBall : { true, false })
+  for (const bool hasSphere : { true, false })
   {
-    if (hasBall)
+    if (hasSphere)
     {
-      renderer->AddActor(ball);
+      renderer->AddActor(actor);
     }
     else
     {
-      renderer->RemoveActor(ball);
+      renderer->RemoveActor(actor);
     }
     renderer->SetUseDepthPeelingForVolumes(false);
-    const RgbaPicture expected = ReadWindow(stage.GetWindow());
-    check.That(!observer->GetWarning() && !observer->GetError(), name + ": nothing to say");
+    const RgbaImage expected = ReadWindow(stage.GetWindow());
+    check.That(!observer->GetWarning() && !observer->GetError(), name + ": no warnings or errors");
     renderer->SetUseDepthPeelingForVolumes(true);
     for (int frame = 0; frame < 2; ++frame)
     {
-      const PictureError error = ComparePictures(ReadWindow(stage.GetWindow()), expected);
+      const ImageError error = CompareImages(ReadWindow(stage.GetWindow()), expected);
       const std::string context =
-        name + (hasBall ? ", with" : ", without") + " polygons, frame " + std::to_string(frame);
+        name + (hasSphere ? ", with" : ", without") + " polygons, frame " + std::to_string(frame);
       std::cout << context << ": " << error << std::endl;
-      // Bytes, which peels round differently.
+      // Peeling rounds 8-bit colors differently.
       check.Near(error.Max, 0.0, 2.5 / 255.0, context, 1.0);
-      check.That(observer->GetWarning() == (hasBall && frame == 0) && !observer->GetError(),
-        context + ": one warning");
+      check.That(observer->GetWarning() == (hasSphere && frame == 0) && !observer->GetError(),
+        context + ": one warning, in the first frame with polygons");
       observer->Clear();
     }
   }
   renderer->RemoveAllViewProps();
-  const RgbaPicture empty = ReadWindow(stage.GetWindow());
-  check.Near(empty.At(Size[0] / 2, Size[1] / 2)[0], 0.3, 0.005, name + ": nothing is left", 1.0);
+  const RgbaImage empty = ReadWindow(stage.GetWindow());
+  check.Near(empty.At(Size[0] / 2, Size[1] / 2)[0], 0.3, 0.005,
+    name + ": the window shows only the background", 1.0);
 }
 
 }

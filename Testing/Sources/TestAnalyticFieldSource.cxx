@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Each field against its formula, written again here; regions of known volume; the tetrahedra and
-// tubes that the header tells of the vortices.
+// Each field compared with an independent implementation of its formula, regions of known volume,
+// and the documented number of vortex tetrahedra and tubes.
 #include "Support/Arrays/ReferenceVector.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
@@ -37,7 +37,7 @@ double EvaluateElementary(int field, const Vector& x, double t)
       return x[2] - 0.4 * std::cos(Pi * x[0] + Pi / 4.0 * x[1] - Pi / 2.0 * t);
     case vtkAnalyticFieldSource::LINEAR:
       return -0.5 + 2.0 * x[0] - 3.0 * x[1] + 0.25 * x[2] + 1.5 * t;
-    case vtkAnalyticFieldSource::BALL:
+    case vtkAnalyticFieldSource::SPHERE_DISTANCE:
       return GetNorm(moved) - 0.7 + 0.2 * t;
     default:
       return std::sin(a[0]) * std::cos(a[1]) + std::sin(a[1]) * std::cos(a[2]) +
@@ -57,7 +57,7 @@ void CheckElementary(Check& check)
   source->SetGrowth(-0.2);
   vtkNew<vtkMinimalStandardRandomSequence> random;
   for (int field : { vtkAnalyticFieldSource::WAVE, vtkAnalyticFieldSource::LINEAR,
-         vtkAnalyticFieldSource::BALL, vtkAnalyticFieldSource::GYROID })
+         vtkAnalyticFieldSource::SPHERE_DISTANCE, vtkAnalyticFieldSource::GYROID })
   {
     source->SetField(field);
     check.SetContext(vtkAnalyticFieldSource::GetFieldName(field));
@@ -75,7 +75,7 @@ void CheckElementary(Check& check)
   }
 }
 
-// One tube, as in the table of the vortices.
+// Parameters of a vortex tube, as documented in the class.
 struct Tube
 {
   Vector Center, Velocity, Along;
@@ -100,7 +100,8 @@ struct TubeAtTime
       0.5 * c.Bend * std::cos(1.6 * angle) * this->E2;
   }
 
-  // The value at an offset from the axis' point s, across the straight line.
+  // Evaluates the tube at an \a offset from the axis point \a s, perpendicular to the straight
+  // axis.
   double Evaluate(double s, const Vector& offset) const
   {
     const Tube& c = this->Constants;
@@ -116,7 +117,7 @@ struct TubeAtTime
   Vector E0, E1, E2;
 };
 
-// Near one tube the others are nothing.
+// Close to a tube, the contributions of the other tubes are negligible.
 void CheckVortices(Check& check)
 {
   const std::array<Tube, 3> tubes = { { { { { -0.55, -0.5, 0.45 } }, { { 0.068, 0.022, -0.015 } },
@@ -165,7 +166,7 @@ void CheckVolumes(Check& check)
   source->SetOutputScalarType(VTK_DOUBLE);
 
   check.SetContext("ball");
-  source->SetFieldToBall();
+  source->SetFieldToSphereDistance();
   const double shell = 4.0 / 3.0 * Pi * (std::pow(0.55, 3) - std::pow(0.4, 3));
   std::vector<double> errors;
   for (int points : { 21, 41, 81 })
@@ -175,7 +176,7 @@ void CheckVolumes(Check& check)
   }
   check.Near(errors[2], 0.0, 1e-3, "error of the shell's volume", shell);
   check.That(errors[0] > 3.0 * errors[1] && errors[1] > 3.0 * errors[2],
-    "the error falls with the square of the spacing");
+    "the error decreases with the square of the spacing");
 
   check.SetContext("linear");
   source->SetFieldToLinear();
@@ -203,8 +204,8 @@ void CheckVolumes(Check& check)
   check.Near(GetVolume(source, 0.0, -0.15, 0.15), 2.4, 1e-3, "volume of the sheet");
 }
 
-// The extent and bounds give the points' positions.
-void CheckLattice(Check& check)
+// Extent and bounds determine the point coordinates.
+void CheckGrid(Check& check)
 {
   check.SetContext("lattice");
   vtkNew<vtkAnalyticFieldSource> source;
@@ -236,7 +237,7 @@ void CheckVortexCounts(Check& check)
   vtkNew<vtkAnalyticFieldSource> source;
   source->SetDimensions(128, 128, 128);
   const std::array<long long, 3> tetrahedra = { { 78000, 62000, 72000 } };
-  // At time 2 two of the eight tubes touch.
+  // At time 2, two of the eight tubes touch.
   const std::array<long long, 3> regions = { { 9, 7, 7 } };
   for (int t = 0; t < 3; ++t)
   {
@@ -251,6 +252,5 @@ void CheckVortexCounts(Check& check)
 
 int TestAnalyticFieldSource(int, char*[])
 {
-  return RunChecks(
-    { CheckElementary, CheckVortices, CheckVolumes, CheckLattice, CheckVortexCounts });
+  return RunChecks({ CheckElementary, CheckVortices, CheckVolumes, CheckGrid, CheckVortexCounts });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Velocities against formulas and properties written anew, the Jacobian against differences,
-// divergence, flow maps against integration, obstacles; parts, threads, progress and abort;
-// settings.
+// Velocities compared with independent formulas and known properties, the Jacobian with finite
+// differences, flow maps with integration. Also tests divergence, obstacles, pieces, threads,
+// progress, abort and settings.
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Arrays/ReferenceVector.h"
@@ -30,7 +30,7 @@ using namespace reference;
 
 constexpr double Pi = 3.14159265358979323846;
 
-// Nothing at its default, nothing along an axis.
+// Sets every parameter to a non-default value. No direction is parallel to a coordinate axis.
 void Configure(vtkAnalyticFlowSource* source)
 {
   source->SetWholeExtent(-4, 13, 0, 11, 2, 12);
@@ -79,7 +79,7 @@ FlowVector Curl(const FlowMatrix& j)
   return { { j[7] - j[5], j[2] - j[6], j[3] - j[1] } };
 }
 
-// The image has the velocities of its points, as double and as float.
+// Image values equal the velocities at the points, in double and in float.
 void CheckImages(Check& check)
 {
   vtkNew<vtkAnalyticFlowSource> source;
@@ -96,7 +96,7 @@ void CheckImages(Check& check)
       vtkDataArray* values = image->GetPointData()->GetArray("Velocity");
       if (!values)
       {
-        check.That(false, "there is an array");
+        check.That(false, "the array exists");
         return;
       }
       if (!check.That(values == image->GetPointData()->GetVectors() &&
@@ -126,7 +126,7 @@ bool IsFreeOfDivergence(int field)
     field != vtkAnalyticFlowSource::COUPLED_CHARGE;
 }
 
-// Differences of fourth order; where they go across the edge of a core they tell nothing.
+// Compares with fourth-order differences, except where they extend over the edge of a core.
 void CheckDerivatives(Check& check)
 {
   vtkNew<vtkAnalyticFlowSource> source;
@@ -164,7 +164,7 @@ void CheckDerivatives(Check& check)
         {
           const double wide = (v[3][i] - v[0][i]) / (4.0 * h);
           const double narrow = (v[2][i] - v[1][i]) / (2.0 * h);
-          // Where both agree the field is smooth.
+          // The field is smooth if both differences agree.
           if (std::abs(wide - narrow) < 3e-3 * (size + 1.0))
           {
             ++compared;
@@ -178,8 +178,8 @@ void CheckDerivatives(Check& check)
   }
 }
 
-// What vtkAnalyticFlowSource has against the derivative of a known flow map at time 0, and the map
-// against itself: going on for s and then for t is going on for s + t.
+// Compares the velocity with the time derivative of a known flow map at time 0. Also checks that
+// the map is a group: advection by s and then by t equals advection by s + t.
 void CheckFlowMaps(Check& check)
 {
   vtkNew<vtkAnalyticFlowSource> source;
@@ -221,15 +221,14 @@ void CheckFlowMaps(Check& check)
       const FlowVector before = one.second(x, -h);
       for (int i = 0; i < 3; ++i)
       {
-        check.Near(there[i], direct[i], 1e-13, "the flow's group", 30.0);
+        check.Near(there[i], direct[i], 1e-13, "the flow map is a group", 30.0);
         check.Near(v[i], (after[i] - before[i]) / (2.0 * h), 2e-5, "velocity", 1.0);
       }
     }
   }
 }
 
-// The volume that goes through a sphere in a unit of time, by Gauss' rule in z, the trapezoidal one
-// around.
+// Computes the flux through a sphere: Gauss quadrature in z, trapezoidal rule in the angle.
 double GetFlux(const vtkAnalyticFlowSource* source, const FlowVector& center, double radius)
 {
   constexpr double nodes[4] = { -0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
@@ -237,18 +236,18 @@ double GetFlux(const vtkAnalyticFlowSource* source, const FlowVector& center, do
   constexpr double weights[4] = { 0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
     0.3478548451374538 };
   constexpr int intervals = 20;
-  constexpr int turns = 80;
+  constexpr int steps = 80;
   double flux = 0.0;
   for (const auto& [k, node] : AllIndices(intervals, 4))
   {
     const double z = -1.0 + (2.0 * k + 1.0 + nodes[node]) / intervals;
     const double r = std::sqrt(1.0 - z * z);
-    for (int turn = 0; turn < turns; ++turn)
+    for (int step = 0; step < steps; ++step)
     {
-      const double angle = 2.0 * Pi * turn / turns;
+      const double angle = 2.0 * Pi * step / steps;
       const FlowVector n = { { r * std::cos(angle), r * std::sin(angle), z } };
       const FlowVector v = Evaluate(source, center + radius * n);
-      flux += weights[node] / intervals * 2.0 * Pi / turns * Dot(v, n);
+      flux += weights[node] / intervals * 2.0 * Pi / steps * Dot(v, n);
     }
   }
   return flux * radius * radius;
@@ -262,25 +261,27 @@ void CheckCharges(Check& check)
   source->SetField(vtkAnalyticFlowSource::SOURCE_SINK);
   const FlowVector from = { { 0.1 - 0.3, -0.05 - 0.15, 0.2 + 0.1 } };
   const FlowVector to = { { 0.1 + 0.3, -0.05 + 0.15, 0.2 - 0.1 } };
-  check.Near(GetFlux(source, from, 0.2), 1.3, 1e-9, "what the source gives");
-  check.Near(GetFlux(source, to, 0.2), -1.3, 1e-9, "what the sink takes");
-  check.Near(GetFlux(source, from, 0.075), 1.3 / 8.0, 1e-9, "what half the core gives");
-  check.Near(GetFlux(source, from, 3.0), 0.0, 1e-9, "what both give", 1.0);
+  check.Near(GetFlux(source, from, 0.2), 1.3, 1e-9, "flux out of the source");
+  check.Near(GetFlux(source, to, 0.2), -1.3, 1e-9, "flux into the sink");
+  check.Near(GetFlux(source, from, 0.075), 1.3 / 8.0, 1e-9, "flux out of half the core");
+  check.Near(
+    GetFlux(source, from, 3.0), 0.0, 1e-9, "flux through a sphere around both charges", 1.0);
   source->SetField(vtkAnalyticFlowSource::COUPLED_CHARGE);
-  check.Near(GetFlux(source, from, 0.2), -GetFlux(source, to, 0.2), 1e-12, "both are alike");
+  check.Near(GetFlux(source, from, 0.2), -GetFlux(source, to, 0.2), 1e-12,
+    "coupled charges have opposite flux");
   const FlowVector x = { { 0.4, 0.3, -0.6 } };
-  const FlowVector ways[2] = { x - from, x - to };
-  const double cubes[2] = { std::pow(0.0225 + std::pow(GetNorm(ways[0]), 2), 1.5),
-    std::pow(0.0225 + std::pow(GetNorm(ways[1]), 2), 1.5) };
+  const FlowVector offsets[2] = { x - from, x - to };
+  const double cubes[2] = { std::pow(0.0225 + std::pow(GetNorm(offsets[0]), 2), 1.5),
+    std::pow(0.0225 + std::pow(GetNorm(offsets[1]), 2), 1.5) };
   for (int i = 0; i < 3; ++i)
   {
-    check.Near(Evaluate(source, x)[i], 1.3 * (ways[0][i] / cubes[0] - ways[1][i] / cubes[1]), 1e-13,
-      "velocity between charges", 1.0);
+    check.Near(Evaluate(source, x)[i], 1.3 * (offsets[0][i] / cubes[0] - offsets[1][i] / cubes[1]),
+      1e-13, "velocity between charges", 1.0);
   }
-  // Far away: a dipole with the moment Strength Separation.
+  // The far field is a dipole with the moment Strength * Separation.
   const FlowVector far = Evaluate(source, { { 1000.1, -0.05, 0.2 } });
-  check.Near(far[0] * 1e9, -2.0 * 1.3 * 0.6, 1e-4, "dipole along");
-  check.Near(far[1] * 1e9, 1.3 * 0.3, 1e-4, "dipole across");
+  check.Near(far[0] * 1e9, -2.0 * 1.3 * 0.6, 1e-4, "far field parallel to the dipole");
+  check.Near(far[1] * 1e9, 1.3 * 0.3, 1e-4, "far field perpendicular to the dipole");
 }
 
 void CheckObstacles(Check& check)
@@ -321,22 +322,23 @@ void CheckObstacles(Check& check)
         check.Near(curl[i], 0.0, 1e-12, "vorticity", 1.0);
       }
       const FlowVector inside = base + random.Get(0.0, 0.3499) * normal;
-      check.That(GetNorm(Evaluate(source, inside)) == 0.0, "0 inside");
+      check.That(GetNorm(Evaluate(source, inside)) == 0.0, "velocity is 0 inside");
       if (!isSphere)
       {
         check.Near(Dot(v, axis), along + 0.2, 1e-12, "velocity along the cylinder", 1.0);
       }
       source->SetInside(vtkAnalyticFlowSource::NOT_A_NUMBER);
       check.That(std::isnan(Evaluate(source, inside)[1]) && std::isnan(Derive(source, inside)[4]),
-        "not a number inside");
-      check.That(Evaluate(source, outside) == Evaluate(source, outside), "numbers outside");
+        "velocity is NaN inside");
+      check.That(
+        Evaluate(source, outside) == Evaluate(source, outside), "velocity is a number outside");
       source->SetInside(vtkAnalyticFlowSource::ZERO);
     }
     source->SetInside(vtkAnalyticFlowSource::HIDDEN);
     source->Update();
     vtkImageData* image = source->GetOutput();
     vtkUnsignedCharArray* ghosts = image->GetPointGhostArray();
-    if (check.That(ghosts != nullptr, "there are hidden points"))
+    if (check.That(ghosts != nullptr, "the array of hidden points exists"))
     {
       vtkIdType hidden = 0;
       for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
@@ -345,9 +347,9 @@ void CheckObstacles(Check& check)
         image->GetPoint(i, x.data());
         const bool isHidden = (ghosts->GetValue(i) & vtkDataSetAttributes::HIDDENPOINT) != 0;
         hidden += isHidden ? 1 : 0;
-        check.That(isHidden == (GetNorm(Evaluate(source, x)) == 0.0), "a point inside is hidden");
+        check.That(isHidden == (GetNorm(Evaluate(source, x)) == 0.0), "points inside are hidden");
       }
-      check.That(hidden > 10, "points are hidden");
+      check.That(hidden > 10, "some points are hidden");
     }
     source->SetInside(vtkAnalyticFlowSource::ZERO);
   }
@@ -405,7 +407,7 @@ void CheckVortices(Check& check)
       {
         const double r = 0.01 * step;
         const FlowVector v = Evaluate(source, { { axis[0] + r, axis[1], axis[2] } });
-        // Less what is along the axis.
+        // Subtracts the component along the axis.
         const FlowVector across = v - v[2] * slope;
         const double swirl = isHurricane
           ? 1.4 * 2.0 * (r / 0.3) / ((1.0 + r * r / 0.09) * (1.0 + h * h))
@@ -435,13 +437,13 @@ void CheckVortices(Check& check)
       check.Near(strongest, 1.4, 1e-3, "strongest wind");
       check.Near(highest, 0.5, 1e-3, "largest rise");
       check.Near(radiusOfHighest, 0.3 * std::sqrt(4.8 / 4.2), 0.02, "radius of the eye wall");
-      check.That(lowest < -0.15, "the eye sinks");
+      check.That(lowest < -0.15, "air sinks in the eye");
     }
   }
 }
 
-// Close to the axis, where differences of the swirl cancel: with the series of phi(s) = (1 -
-// exp(-s)) / s.
+// Close to the axis, differences of the swirl cancel. The expected values use the series of phi(s)
+// = (1 - exp(-s)) / s.
 void CheckCore(Check& check)
 {
   check.SetContext("core of the tornado");
@@ -466,7 +468,7 @@ void CheckCore(Check& check)
     const FlowMatrix jacobian = Derive(source, { { 0.0, y, 0.3 } });
     const double rate = 1.0 / (2.0 * Pi * 0.01);
     check.Near(jacobian[3], rate * phi, 1e-13, "swirl");
-    check.Near(jacobian[1], -rate * (phi + 2.0 * s * slope), 1e-13, "swirl and its slope");
+    check.Near(jacobian[1], -rate * (phi + 2.0 * s * slope), 1e-13, "swirl and its derivative");
   }
 }
 
@@ -489,15 +491,16 @@ void CheckSettings(Check& check)
   source->SetUpdraft(nan);
   source->SetAxisTilt(nan, nan);
   source->SetOutputScalarType(VTK_INT);
-  check.That(source->GetMTime() == time, "NaN changes nothing");
+  check.That(source->GetMTime() == time, "NaN is ignored");
   const std::string error = ErrorsOf(source, [&]() { source->SetAxis(0.0, 0.0, 0.0); }) +
     ErrorsOf(source, [&]() { source->SetAxis(1.0, nan, 0.0); }) +
     ErrorsOf(source, [&]() { source->SetAxis(0.0, 0.0, INFINITY); });
-  check.That(error.find("Axis 0 0 0 is no direction") != std::string::npos &&
-      error.find("Axis 1 nan 0 is no direction") != std::string::npos &&
-      error.find("Axis 0 0 inf is no direction") != std::string::npos,
-    "an error for an axis that is none");
-  check.That(source->GetAxis()[2] == 1.0 && source->GetAxis()[0] == 0.0, "and the axis stays");
+  check.That(error.find("Axis 0 0 0 is zero or not finite") != std::string::npos &&
+      error.find("Axis 1 nan 0 is zero or not finite") != std::string::npos &&
+      error.find("Axis 0 0 inf is zero or not finite") != std::string::npos,
+    "a zero or non-finite axis is an error");
+  check.That(
+    source->GetAxis()[2] == 1.0 && source->GetAxis()[0] == 0.0, "an invalid axis is ignored");
   source->SetThickness(-1.0);
   source->SetStrength(1e300);
   source->SetField(100);
@@ -508,11 +511,11 @@ void CheckSettings(Check& check)
     "clamped values");
   check.That(!vtkAnalyticFlowSource::GetFieldName(12) && !vtkAnalyticFlowSource::GetFieldName(-1) &&
       !vtkAnalyticFlowSource::GetInsideName(3),
-    "names that are none");
+    "invalid indices have no name");
   source->SetAxis(1e-200, 0.0, 0.0);
   source->SetField(vtkAnalyticFlowSource::ROTATION);
   const FlowVector v = Evaluate(source, { { 0.0, 2.0, 0.0 } });
-  check.That(v == FlowVector{ { 0.0, 0.0, 2.0 } }, "the axis's length does not matter");
+  check.That(v == FlowVector{ { 0.0, 0.0, 2.0 } }, "the length of the axis has no effect");
 }
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The documented bounds of the models; volumes of those made of boxes, spheres and tori; what is
-// where, and of which colour; the source that samples them.
+// Documented bounds of the models, volumes of models composed of boxes, spheres and tori, density
+// and color at known points, and the source that samples the models.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 
@@ -23,7 +23,7 @@ using namespace reference;
 
 const double Pi = std::acos(-1.0);
 
-// As the header tells them.
+// The documented bounds.
 const double Boxes[vtkConstructiveModelSource::NUMBER_OF_MODELS][6] = { { -0.5, 0.5, -0.5, 0.5,
                                                                           -0.5, 0.5 },
   { -0.25, 0.25, -0.25, 0.25, 0.0, 1.23 }, { -0.98, 0.98, -0.98, 0.98, -0.31, 0.31 },
@@ -37,14 +37,14 @@ bool IsBoundTight(int model)
     model != vtkConstructiveModelSource::TEDDY_BEAR;
 }
 
-// All density of a sampled model is inside its box, and reaches close to each side where the box is
-// that of the model; returns the volume.
+// Checks that the density of a sampled model is confined to its documented box and extends close to
+// each side. Returns the volume.
 double CheckBox(int model, Check& check)
 {
   vtkNew<vtkConstructiveModelSource> source;
   source->SetModel(model);
   source->SetResolution(100);
-  // Noise takes its time, and no volume of it is known.
+  // Noise is slow, and the volume of the noisy sphere is unknown.
   source->SetNumberOfSubsamples(model == vtkConstructiveModelSource::HYPERTEXTURE_SPHERE ? 1 : 2);
   source->Update();
   vtkImageData* image = source->GetOutput();
@@ -67,7 +67,7 @@ double CheckBox(int model, Check& check)
     sum += density;
     for (int axis = 0; axis < 3; ++axis)
     {
-      // A cell's samples reach half a spacing farther.
+      // The samples of a cell extend by another half of the spacing.
       outside += density > 0.0 &&
         (x[axis] + 0.5 * spacing[axis] < box[2 * axis] ||
           x[axis] - 0.5 * spacing[axis] > box[2 * axis + 1]);
@@ -81,7 +81,7 @@ void CheckBoxes(Check& check)
 {
   const double lens = 0.5 * 0.5 + 0.28 * 0.28;
   const double d = std::sqrt(0.4 * 0.4 + 0.32 * 0.32 + 0.5 * 0.5);
-  // What two spheres share.
+  // Volume of the intersection of two spheres.
   const double shared = Pi * (0.78 - d) * (0.78 - d) *
     (d * d + 2.0 * d * 0.78 - 3.0 * (lens - 2.0 * 0.5 * 0.28)) / (12.0 * d);
   const double fuzzy = 4.0 * Pi *
@@ -105,20 +105,20 @@ void CheckBoxes(Check& check)
       check.Near(volume, volumes[model], 0.02, "volume");
     }
   }
-  check.Equal(names.size(), vtkConstructiveModelSource::NUMBER_OF_MODELS, "names that differ");
+  check.Equal(names.size(), vtkConstructiveModelSource::NUMBER_OF_MODELS, "the names differ");
   check.That(!vtkConstructiveModelSource::GetModelName(-1) &&
       !vtkConstructiveModelSource::MakeModel(9) && !vtkConstructiveModelSource::MakeModel(-1),
-    "numbers that are no model");
+    "invalid model indices are rejected");
 }
 
-// The models of boxes have their sides at hundredths, so that their volume is that of the cells of
-// that size whose middle is inside.
+// The sides of models of boxes lie at multiples of 0.01. Their volume is the volume of the cells of
+// that size whose center is inside.
 void CheckHundredths(Check& check)
 {
   const std::map<int, double> volumes = { { vtkConstructiveModelSource::ROBOT,
                                             std::pow(0.28, 3) + std::pow(0.5, 3) +
                                               2.0 * 0.16 * 0.2 * 0.45 },
-    // Floor, two walls less what they share, window and cross.
+    // Floor, two walls minus their intersection, window and cross.
     { vtkConstructiveModelSource::ROOM,
       2.05 * 2.05 * 0.05 + 2.05 * 0.05 * 1.5 + 2.0 * 0.05 * 1.5 - 0.05 * 0.8 * 0.7 +
         0.05 * (0.8 * 0.04 + 0.7 * 0.04 - 0.04 * 0.04) },
@@ -152,16 +152,16 @@ void CheckHundredths(Check& check)
   }
 }
 
-void CheckPlaces(Check& check)
+void CheckPositions(Check& check)
 {
-  struct Place
+  struct Position
   {
     int Model;
     double X[3];
     double Density;
   };
-  // Solid and hollow places, of which a wrong model would have some other way round.
-  const Place places[] = {
+  // Points inside and outside. Each point tests a detail of its model.
+  const Position positions[] = {
     { vtkConstructiveModelSource::ROBOT, { 0.0, 0.0, 1.1 }, 1.0 },
     { vtkConstructiveModelSource::ROBOT, { 0.2, 0.0, 1.1 }, 0.0 },
     { vtkConstructiveModelSource::ROBOT, { 0.14, 0.05, 0.2 }, 1.0 },
@@ -183,14 +183,14 @@ void CheckPlaces(Check& check)
     { vtkConstructiveModelSource::CHAIR, { 0.0, -0.15, 0.6 }, 0.0 },
     { vtkConstructiveModelSource::CHAIR, { -0.15, -0.15, 0.1 }, 1.0 },
   };
-  for (const Place& place : places)
+  for (const Position& position : positions)
   {
-    check.SetContext(vtkConstructiveModelSource::GetModelName(place.Model));
+    check.SetContext(vtkConstructiveModelSource::GetModelName(position.Model));
     vtkSpatialObject::Sample sample;
-    vtkConstructiveModelSource::MakeModel(place.Model)->Evaluate(place.X, sample);
-    check.Near(sample.Density, place.Density, 0.0,
-      "density at " + std::to_string(place.X[0]) + " " + std::to_string(place.X[1]) + " " +
-        std::to_string(place.X[2]));
+    vtkConstructiveModelSource::MakeModel(position.Model)->Evaluate(position.X, sample);
+    check.Near(sample.Density, position.Density, 0.0,
+      "density at " + std::to_string(position.X[0]) + " " + std::to_string(position.X[1]) + " " +
+        std::to_string(position.X[2]));
   }
   check.SetContext("teddy bear");
   const auto bear = vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::TEDDY_BEAR);
@@ -208,13 +208,13 @@ void CheckSource(Check& check)
   check.SetContext("source");
   vtkNew<vtkConstructiveModelSource> source;
   check.Equal(source->GetModel(), vtkConstructiveModelSource::ROBOT, "model");
-  check.Equal(source->GetWholeExtent()[5], 127, "points of the longest side, less one");
+  check.Equal(source->GetWholeExtent()[5], 127, "points along the longest side minus one");
   source->SetModel(99);
   check.Equal(source->GetModel(), vtkConstructiveModelSource::CHAIR, "clamped model");
   source->SetResolution(1000000);
   check.Equal(source->GetResolution(), 2048, "clamped resolution");
   source->SetResolution(40);
-  check.Equal(source->GetWholeExtent()[5], 39, "points of the longest side, less one");
+  check.Equal(source->GetWholeExtent()[5], 39, "points along the longest side minus one");
   CheckPrinted(Print(source), { "Model: chair", "Resolution: 40" }, check);
 }
 
@@ -222,5 +222,5 @@ void CheckSource(Check& check)
 
 int TestConstructiveModels(int, char*[])
 {
-  return RunChecks({ CheckBoxes, CheckHundredths, CheckPlaces, CheckSource });
+  return RunChecks({ CheckBoxes, CheckHundredths, CheckPositions, CheckSource });
 }

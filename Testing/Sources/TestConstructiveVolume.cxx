@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The arrays of every mode against the root's samples; equation 2.7; subsamples; colours beside an
-// object; parts, threads, progress, abort; the box of a root; what is refused.
+// Arrays of every output mode compared with samples of the root, equation 2.7 of the dissertation,
+// subsamples, and colors next to objects. Also tests pieces, threads, progress, abort, the bounds
+// of a root, and errors.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -43,7 +44,7 @@ vtkSmartPointer<vtkSpatialOperation> MakeRoot()
   return root;
 }
 
-// The mean colour of the neighbours with density, of a point without.
+// A point without density has the mean color of its neighbors with density.
 void CheckDilation(vtkImageData* image, const int ijk[3], double tolerance, Check& check)
 {
   const int* extent = image->GetExtent();
@@ -69,7 +70,7 @@ void CheckDilation(vtkImageData* image, const int ijk[3], double tolerance, Chec
   {
     const double expected = number > 0 ? sums[c] / number : 0.0;
     const double found = image->GetScalarComponentAsDouble(ijk[0], ijk[1], ijk[2], c);
-    check.That(std::fabs(found - expected) <= tolerance, "colour of a point without density");
+    check.That(std::fabs(found - expected) <= tolerance, "color of a point without density");
   }
 }
 
@@ -109,7 +110,7 @@ void CheckValues(Check& check)
       {
         ++dense;
         check.That(std::fabs(values->GetComponent(i, c) - scale * color[c]) <= tolerance,
-          "colour " + std::to_string(c));
+          "color " + std::to_string(c));
       }
     }
     check.That(!isColored || dense > 1000, "there is density");
@@ -125,7 +126,7 @@ void CheckValues(Check& check)
   }
 }
 
-// The profile of the source's fuzzy sphere at the points of an image.
+// Image values equal the profile of the source's fuzzy sphere.
 void CheckFuzzySphere(Check& check)
 {
   check.SetContext("equation 2.7");
@@ -152,13 +153,14 @@ void CheckFuzzySphere(Check& check)
   }
 }
 
-// A box whose sides cut cells at known shares, as means over subsamples, and its one colour.
+// A box that covers known fractions of its boundary cells: densities are means over subsamples, and
+// the color is constant.
 void CheckSubsamples(Check& check)
 {
   check.SetContext("subsamples");
   vtkNew<vtkSpatialPrimitive> box;
   box->SetShapeToBox();
-  // In cells of 1 around whole numbers: three quarters of the cells at -2 and 2 along x.
+  // The box covers three quarters of the unit cells centered at -2 and 2 along x.
   box->SetLengths(4.5, 3.0, 4.0);
   box->SetColor(0.25, 0.5, 0.75);
   vtkNew<vtkConstructiveVolume> source;
@@ -169,7 +171,7 @@ void CheckSubsamples(Check& check)
   source->SetNumberOfSubsamples(4);
   source->Update();
   vtkDataArray* values = source->GetOutput()->GetPointData()->GetScalars();
-  const double shares[3][5] = { { 1.0, 1.0, 0.75, 0.0, 0.0 }, { 1.0, 1.0, 0.0, 0.0, 0.0 },
+  const double fractions[3][5] = { { 1.0, 1.0, 0.75, 0.0, 0.0 }, { 1.0, 1.0, 0.0, 0.0, 0.0 },
     { 1.0, 1.0, 0.5, 0.0, 0.0 } };
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
@@ -178,7 +180,7 @@ void CheckSubsamples(Check& check)
     double expected = 1.0;
     for (int axis = 0; axis < 3; ++axis)
     {
-      expected *= shares[axis][static_cast<int>(std::lround(std::fabs(x[axis])))];
+      expected *= fractions[axis][static_cast<int>(std::lround(std::fabs(x[axis])))];
     }
     check.Near(values->GetComponent(i, 3), expected, 1e-6, "density", 1.0);
     if (expected > 0.0)
@@ -188,10 +190,11 @@ void CheckSubsamples(Check& check)
   }
 }
 
-// Beside an object its own colour, farther off none; and the same at the sides of the image.
+// Points next to an object have the object's color, points farther away have no color. The same
+// holds at the sides of the image.
 void CheckNeighbors(Check& check)
 {
-  check.SetContext("neighbours");
+  check.SetContext("neighbors");
   vtkNew<vtkSpatialPrimitive> left;
   vtkNew<vtkSpatialPrimitive> right;
   left->SetShapeToBox();
@@ -211,7 +214,7 @@ void CheckNeighbors(Check& check)
   source->Update();
   const auto compare = [&](int x, int y, double red, double blue, double density)
   {
-    check.SetContext("neighbours of " + std::to_string(x) + " " + std::to_string(y));
+    check.SetContext("neighbors of " + std::to_string(x) + " " + std::to_string(y));
     vtkImageData* image = source->GetOutput();
     const double expected[4] = { red, 0.0, blue, density };
     for (int c = 0; c < 4; ++c)
@@ -250,7 +253,8 @@ void CheckFit(Check& check)
   box->SetShapeToBox();
   box->SetLengths(2.0, 1.0, 0.5);
   box->SetCenter(1.0, 0.0, 0.0);
-  check.That(!ErrorsOf(source, [&] { source->FitRoot(20); }).empty(), "no root is an error");
+  check.That(
+    !ErrorsOf(source, [&] { source->FitRoot(20); }).empty(), "an error reports the missing root");
   for (double scale : { 1e-6, 1.0, 1e6 })
   {
     vtkNew<vtkTransform> transform;
@@ -264,7 +268,7 @@ void CheckFit(Check& check)
       check.Near(source->GetBounds()[side], scale * expected[side], 1e-9, "a bound", scale);
     }
     const int* extent = source->GetWholeExtent();
-    check.That(extent[1] == 22 && extent[3] == 12 && extent[5] == 7, "points of equal spacing");
+    check.That(extent[1] == 22 && extent[3] == 12 && extent[5] == 7, "points are equally spaced");
     source->Update();
     double sum = 0.0;
     vtkDataArray* values = source->GetOutput()->GetPointData()->GetScalars();
@@ -272,20 +276,21 @@ void CheckFit(Check& check)
     {
       sum += values->GetTuple1(i);
     }
-    // Points on the sides may be in or out by rounding.
-    check.That(sum >= 19 * 9 * 6 && sum <= 21 * 11 * 6, "points inside");
+    // Rounding decides whether points on the sides are inside.
+    check.That(sum >= 19 * 9 * 6 && sum <= 21 * 11 * 6, "points inside the box");
   }
   box->SetShapeToHalfSpace();
-  check.That(!ErrorsOf(source, [&] { source->FitRoot(20); }).empty(), "no end is an error");
+  check.That(
+    !ErrorsOf(source, [&] { source->FitRoot(20); }).empty(), "infinite bounds are an error");
   check.That(!ErrorsOf(source, [&] { source->FitRoot(20, std::nan("")); }).empty(), "a margin");
 }
 
-void CheckRefusals(Check& check)
+void CheckRejections(Check& check)
 {
   check.SetContext("refusals");
   vtkNew<vtkConstructiveVolume> source;
   check.Contains(MessagesOf(source), "no root");
-  check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "points without a root");
+  check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "no points without a root");
   double color[3] = { 1.0, 1.0, 1.0 };
   const double x[3] = { 0.0, 0.0, 0.0 };
   check.That(!ErrorsOf(source, [&] { source->Evaluate(x, color); }).empty() && color[0] == 0.0,
@@ -293,15 +298,15 @@ void CheckRefusals(Check& check)
   vtkNew<vtkSpatialOperation> root;
   source->SetRoot(root);
   check.Contains(MessagesOf(source), "no operand");
-  check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "points when a part is wrong");
+  check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "no points if an operand has an error");
   vtkNew<vtkSpatialPrimitive> sphere;
   root->AddOperand(sphere);
-  check.That(MessagesOf(source).empty(), "a part that is right again");
+  check.That(MessagesOf(source).empty(), "no error once the operand is valid again");
   check.Equal(source->GetOutput()->GetNumberOfPoints(), 64 * 64 * 64, "points");
   const std::string before = GetBytes(source->GetOutput());
   sphere->SetRadius(0.7);
   source->Update();
-  check.That(GetBytes(source->GetOutput()) != before, "a changed part changes the output");
+  check.That(GetBytes(source->GetOutput()) != before, "a modified operand changes the output");
   source->SetOutputMode(99);
   source->SetNumberOfSubsamples(99);
   CheckPrinted(Print(source),
@@ -315,5 +320,5 @@ void CheckRefusals(Check& check)
 int TestConstructiveVolume(int, char*[])
 {
   return RunChecks({ CheckValues, CheckFuzzySphere, CheckSubsamples, CheckNeighbors, CheckExecution,
-    CheckFit, CheckRefusals });
+    CheckFit, CheckRejections });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The vortices and the grid against their formulas, written again here; the orientation of the
-// cells, the tetrahedra that the header tells.
+// Vortices and grid compared with independent implementations of their formulas, the orientation of
+// the cells, and the documented number of tetrahedra.
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
@@ -140,7 +140,7 @@ int TestDeltaWingSource(int, char*[])
   const Wing defaults = { 65.0, 0.55, 0.06, 0.2, 0.15 };
   CheckLoss(source, defaults, check);
   CheckGrid(source, defaults, check);
-  check.SetContext("other values");
+  check.SetContext("other settings yield other values");
   const Wing other = { 55.0, 0.4, 0.1, 0.35, 0.25 };
   source->SetSweepAngle(other.Sweep);
   source->SetBreakdownPosition(other.Position);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of the published implementation; zeros, period, mean, bound and smoothness of the noise;
-// sums of octaves against their formula; seeds.
+// Values of the published implementation, zeros, period, mean, bound and smoothness of the noise,
+// sums of octaves compared with their formula, and seeds.
 #include "Analytic/GradientNoise.h"
 #include "Support/Checks/ReferenceCheck.h"
 
@@ -29,7 +29,8 @@ Vector GetRandomPoint(vtkMinimalStandardRandomSequence* random, double size)
   return x;
 }
 
-// From a program of its own, a direct translation of the published one into exact fractions.
+// The expected values come from a separate program: a direct translation of the published code to
+// exact fractions.
 void CheckPublished(Check& check)
 {
   check.SetContext("published");
@@ -45,7 +46,7 @@ void CheckPublished(Check& check)
     "value", 1.0);
 }
 
-void CheckLattice(Check& check)
+void CheckGridPoints(Check& check)
 {
   check.SetContext("lattice");
   vtkNew<vtkMinimalStandardRandomSequence> random;
@@ -57,11 +58,11 @@ void CheckLattice(Check& check)
       const Vector x = GetRandomPoint(random, 600.0);
       const Vector corner{ { std::round(x[0]), std::round(x[1]), std::round(x[2]) } };
       check.Near(noise.Evaluate(corner.data()), 0.0, 0.0, "noise at a lattice point");
-      // Exact, as eighths are.
+      // Multiples of 1/8 are exact in floating point.
       const Vector y{ { std::round(8.0 * x[0]) / 8.0, std::round(8.0 * x[1]) / 8.0,
         std::round(8.0 * x[2]) / 8.0 } };
       const Vector next{ { y[0] + 256.0, y[1] - 512.0, y[2] + 256.0 * 8388608.0 } };
-      check.Near(noise.Evaluate(next.data()), noise.Evaluate(y.data()), 0.0, "noise a period on");
+      check.Near(noise.Evaluate(next.data()), noise.Evaluate(y.data()), 0.0, "noise is periodic");
     }
   }
   const double infinity = std::numeric_limits<double>::infinity();
@@ -69,16 +70,16 @@ void CheckLattice(Check& check)
   {
     const Vector x{ { 0.5, bad, 0.5 } };
     check.Near(
-      interlume::GradientNoise().Evaluate(x.data()), 0.0, 0.0, "noise at a place not finite");
+      interlume::GradientNoise().Evaluate(x.data()), 0.0, 0.0, "noise at a non-finite point");
     check.Near(interlume::GradientNoise().Sum(x.data(), vtkTurbulenceSource::TURBULENCE, 16), 0.0,
-      0.0, "sum at a place not finite");
+      0.0, "sum at a non-finite point");
   }
   check.That(
     std::isfinite(interlume::GradientNoise().Evaluate(Vector{ { 1e300, -1e300, 0.5 } }.data())),
-    "noise far out is finite");
+    "noise far from the origin is finite");
 }
 
-// The derivatives on both sides of a cell's face are the same, and the mean over a period is 0.
+// Derivatives are continuous across cell faces, and the mean over a period is 0.
 void CheckSmoothness(Check& check)
 {
   check.SetContext("smoothness");
@@ -94,12 +95,12 @@ void CheckSmoothness(Check& check)
     Vector after = x;
     before[i % 3] -= h;
     after[i % 3] += h;
-    const double middle = noise.Evaluate(x.data());
-    const double left = (middle - noise.Evaluate(before.data())) / h;
-    const double right = (noise.Evaluate(after.data()) - middle) / h;
+    const double midpoint = noise.Evaluate(x.data());
+    const double left = (midpoint - noise.Evaluate(before.data())) / h;
+    const double right = (noise.Evaluate(after.data()) - midpoint) / h;
     largest = std::max(largest, std::fabs(right - left));
   }
-  // The second derivative is below some tens.
+  // The second derivative is below 100.
   check.Near(largest, 0.0, 100.0 * h, "jump of the derivative", 1.0);
   double sum = 0.0;
   double bound = 0.0;
@@ -132,7 +133,7 @@ void CheckSums(Check& check)
       turbulence += std::fabs(noise.Evaluate(y.data())) / scale;
     }
     check.Near(noise.Sum(x.data(), vtkTurbulenceSource::NOISE, 6), noise.Evaluate(x.data()), 0.0,
-      "noise alone");
+      "noise of one octave");
     check.Near(
       noise.Sum(x.data(), vtkTurbulenceSource::FRACTAL_SUM, 6), fractal, 1e-14, "fractal sum", 1.0);
     check.Near(noise.Sum(x.data(), vtkTurbulenceSource::TURBULENCE, 6), turbulence, 1e-14,
@@ -152,14 +153,14 @@ void CheckSeeds(Check& check)
   {
     const Vector x = GetRandomPoint(random, 50.0);
     check.Near(interlume::GradientNoise(11).Evaluate(x.data()),
-      interlume::GradientNoise(11).Evaluate(x.data()), 0.0, "the same seed");
+      interlume::GradientNoise(11).Evaluate(x.data()), 0.0, "the same seed yields the same noise");
     equal += interlume::GradientNoise(11).Evaluate(x.data()) ==
       interlume::GradientNoise(12).Evaluate(x.data());
     equal += interlume::GradientNoise(0).Evaluate(x.data()) ==
       interlume::GradientNoise(1).Evaluate(x.data());
   }
-  check.That(equal < 100, "other seeds, other values");
-  // The same with every library.
+  check.That(equal < 100, "other seeds yield other noise");
+  // The value does not depend on the standard library.
   check.Near(interlume::GradientNoise(1).Evaluate(Vector{ { 0.25, 3.5, -7.625 } }.data()),
     -0.18859511613845825, 1e-13, "value", 1.0);
   check.Near(interlume::GradientNoise(-20).Evaluate(Vector{ { 100.5, 31.25, 8.75 } }.data()),
@@ -170,5 +171,5 @@ void CheckSeeds(Check& check)
 
 int TestGradientNoise(int, char*[])
 {
-  return RunChecks({ CheckPublished, CheckLattice, CheckSmoothness, CheckSums, CheckSeeds });
+  return RunChecks({ CheckPublished, CheckGridPoints, CheckSmoothness, CheckSums, CheckSeeds });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What sources report: points, evaluations and bytes against what settings and types say, for the
-// whole and for parts, for any number of threads, and nothing after an error.
+// Reports of sources: the number of points, evaluations and bytes follow from settings and types,
+// for the full extent and for pieces, with any number of threads. Reports are empty after an error.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -46,7 +46,7 @@ void CheckImages(Check& check)
   const int part[6] = { 1, 3, 0, 1, 2, 4 };
   turbulence->Modified();
   turbulence->UpdateExtent(part);
-  CheckReport(turbulence->GetReport(), { 18, 18, 72, 0.0 }, "a part of turbulence", check);
+  CheckReport(turbulence->GetReport(), { 18, 18, 72, 0.0 }, "a piece of turbulence", check);
 
   vtkNew<vtkAnalyticFlowSource> flow;
   flow->SetDimensions(7, 6, 5);
@@ -76,13 +76,13 @@ void CheckVolumes(Check& check)
   model->Update();
   CheckReport(model->GetReport(), { Points, 27 * Points, 4 * Points, 0.0 }, "subsamples", check);
   model->SetOutputModeToColorBytes();
-  // The part has a layer of points around it, but none beyond the whole.
+  // The piece is extended by one layer of points, but not outside the whole extent.
   const int part[6] = { 2, 3, 0, 1, 4, 4 };
   model->UpdateExtent(part);
-  CheckReport(
-    model->GetReport(), { 4, 27 * 4 * 3 * 2, 16, 0.0 }, "colours need the points around", check);
+  CheckReport(model->GetReport(), { 4, 27 * 4 * 3 * 2, 16, 0.0 },
+    "colors require the surrounding points", check);
   model->SetRoot(nullptr);
-  check.That(!MessagesOf(model).empty(), "a root is missing");
+  check.That(!MessagesOf(model).empty(), "missing root");
   CheckReport(model->GetReport(), {}, "after an error", check);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Implicit functions: the inside, the edge's width in units of length, limits. Images: trilinear
-// values of a linear field in any direction and extent, the range, NaN, colours. What is refused.
+// Implicit functions: their inside, edge width in units of length, and limits. Images: trilinear
+// interpolation of a linear field for any direction and extent, scalar range, NaN, and colors.
+// Errors of both.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -30,7 +31,7 @@ using Sample = vtkSpatialObject::Sample;
 void CheckImplicit(Check& check)
 {
   check.SetContext("implicit");
-  // x^2 + y^2 + z^2 - 1, whose values are not distances.
+  // The sphere x^2 + y^2 + z^2 - 1. Its values are not distances.
   vtkNew<vtkQuadric> sphere;
   sphere->SetCoefficients(1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0);
   vtkNew<vtkSpatialPrimitive> object;
@@ -53,14 +54,14 @@ void CheckImplicit(Check& check)
       }
       const double r = std::sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2]);
       object->Evaluate(x, sample);
-      // f / |grad f|
+      // Distance estimate f / |grad f|.
       const double distance = (r * r - 1.0) / (2.0 * r);
       const double t = width > 0.0 ? std::max(-1.0, std::min(2.0 * distance / width, 1.0)) : 0.0;
       const double soft = 0.5 - 0.75 * t + 0.25 * t * t * t;
       check.Near(sample.Density, width > 0.0 ? soft : double(r <= 1.0), 1e-12, "density", 1.0);
     }
     object->Evaluate(origin, sample);
-    check.Near(sample.Density, 1.0, 0.0, "density where there is no gradient");
+    check.Near(sample.Density, 1.0, 0.0, "density where the gradient is zero");
   }
   const double limits[6] = { -0.5, 0.5, -2.0, 2.0, 0.0, 3.0 };
   object->SetLimits(limits);
@@ -74,9 +75,9 @@ void CheckImplicit(Check& check)
   check.That(!ErrorsOf(object, [&] { object->SetLimits(bad); }).empty(), "limits out of order");
   const vtkMTimeType before = object->GetMTime();
   sphere->SetCoefficients(1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0);
-  check.That(object->GetMTime() > before, "a changed function is a change");
+  check.That(object->GetMTime() > before, "modifying the function modifies the object");
   object->Evaluate(origin, sample);
-  check.Near(sample.Density, 0.0, 0.0, "density with the changed function");
+  check.Near(sample.Density, 0.0, 0.0, "density with the modified function");
   CheckPrinted(
     Print(object), { "Limits: -0.5 0.5 -2 2 0 3", "Function:", "Color: 0.5 0.25" }, check);
 }
@@ -147,7 +148,7 @@ void CheckImage(Check& check)
     }
   }
   check.That(inside > 500, "points inside");
-  // On the corner itself there is a value, though it is at the end of all rows.
+  // The last point is at the end of its rows, where interpolation has no next point.
   image->GetPoint(image->GetNumberOfPoints() - 1, x);
   vtkDataArray* values = image->GetPointData()->GetScalars();
   const double last = values->GetTuple1(image->GetNumberOfPoints() - 1);
@@ -160,8 +161,8 @@ void CheckImage(Check& check)
   object->SetColorArrayName(nullptr);
   object->Evaluate(x, sample);
   check.Near(sample.Color[0], 1.0, 0.0, "red without an array");
-  // Between the last two points of a row; the one before has 100 as well, so that half of it is
-  // left.
+  // Between the last two points of a row. The second last value is 100 too, therefore half of it
+  // contributes.
   values->SetComponent(image->GetNumberOfPoints() - 2, 0, 100.0);
   values->SetComponent(image->GetNumberOfPoints() - 1, 0, std::nan(""));
   values->Modified();
@@ -172,11 +173,11 @@ void CheckImage(Check& check)
   image->GetPoint(image->GetNumberOfPoints() - 2, before);
   const double between[3] = { 0.5 * (x[0] + before[0]), 0.5 * (x[1] + before[1]), x[2] };
   object->Evaluate(between, sample);
-  check.Near(sample.Density, 0.25, 1e-6, "density beside NaN");
+  check.Near(sample.Density, 0.25, 1e-6, "density next to NaN");
   CheckPrinted(Print(object), { "ScalarRange: 0 100", "ColorArrayName: ", "Image:" }, check);
 }
 
-void CheckRefusals(Check& check)
+void CheckRejections(Check& check)
 {
   check.SetContext("refusals");
   vtkNew<vtkSpatialImage> object;
@@ -186,7 +187,7 @@ void CheckRefusals(Check& check)
   {
     check.That(!ErrorsOf(object, [&] { object->SetScalarRange(0.0, bad); }).empty(), "a range");
   }
-  check.Near(object->GetScalarRange()[1], 1.0, 0.0, "a refused range changes nothing");
+  check.Near(object->GetScalarRange()[1], 1.0, 0.0, "an invalid range is ignored");
   const auto image = MakeImage();
   object->SetImage(image);
   object->SetColorArrayName("nothing");
@@ -197,7 +198,7 @@ void CheckRefusals(Check& check)
   check.Contains(ErrorsOf(object, [&] { object->Evaluate(x, sample); }), "point scalars");
 }
 
-// One point thick in a direction.
+// An image with one layer of points.
 void CheckFlat(Check& check)
 {
   check.SetContext("flat");
@@ -217,12 +218,12 @@ void CheckFlat(Check& check)
   check.Near(sample.Density, 0.5, 1e-7, "density in the plane");
   const double y[3] = { 0.5, 0.1, 0.5 };
   object->Evaluate(y, sample);
-  check.Near(sample.Density, 0.0, 0.0, "density beside the plane");
+  check.Near(sample.Density, 0.0, 0.0, "density next to the plane");
 }
 
 }
 
 int TestSpatialLeaves(int, char*[])
 {
-  return RunChecks({ CheckImplicit, CheckImage, CheckRefusals, CheckFlat });
+  return RunChecks({ CheckImplicit, CheckImage, CheckRejections, CheckFlat });
 }

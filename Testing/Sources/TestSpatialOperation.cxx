@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every operation against its definition at random points, for soft and hard operands, from left to
-// right, with and without operands that are far away; bounds; operands that are refused.
+// Every operation compared with its definition at random points: soft and hard operands, evaluation
+// order, remote operands, bounds, and rejected operands.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -45,7 +45,7 @@ vtkSmartPointer<vtkSpatialPrimitive> MakeOperand(int i)
   return primitive;
 }
 
-// The definitions, of Chen and Tucker's scalar functions.
+// The definitions of Chen and Tucker's scalar functions.
 Sample Combine(int operation, const Sample& a, const Sample& b)
 {
   Sample c = a;
@@ -81,7 +81,7 @@ void Compare(const Sample& found, const Sample& expected, Check& check)
   for (int i = 0; i < 3; ++i)
   {
     check.Near(
-      found.Color[i], expected.Density > 0.0 ? expected.Color[i] : 0.0, 1e-15, "colour", 1.0);
+      found.Color[i], expected.Density > 0.0 ? expected.Color[i] : 0.0, 1e-15, "color", 1.0);
   }
 }
 
@@ -130,7 +130,8 @@ void CheckDefinitions(Check& check)
   }
 }
 
-// What takes more away than there is leaves no density that another operation could miss.
+// Density remains nonnegative if a difference removes more than there is, so that an enclosing
+// operation is not affected.
 void CheckNestedDifference(Check& check)
 {
   check.SetContext("difference within a blend");
@@ -155,7 +156,7 @@ void CheckNestedDifference(Check& check)
   check.Near(found.Density, 0.6, 1e-15, "density", 1.0);
 }
 
-// Two solids, where both are and where each is alone.
+// Two solids: the values in the intersection and in each solid.
 void CheckSolids(Check& check)
 {
   const double expected[vtkSpatialOperation::NUMBER_OF_OPERATIONS][3] = { { 1.0, 1.0, 1.0 },
@@ -175,22 +176,22 @@ void CheckSolids(Check& check)
       box->SetColor(side < 0.0 ? 1.0 : 0.0, 0.0, 0.0);
       object->AddOperand(box);
     }
-    for (int place = 0; place < 3; ++place)
+    for (int position = 0; position < 3; ++position)
     {
-      const double x[3] = { place - 1.0, 0.1, 0.2 };
+      const double x[3] = { position - 1.0, 0.1, 0.2 };
       Sample sample;
       object->Evaluate(x, sample);
-      check.Near(sample.Density, expected[operation][place], 0.0,
-        "density at place " + std::to_string(place));
-      if (place == 1)
+      check.Near(sample.Density, expected[operation][position], 0.0,
+        "density at position " + std::to_string(position));
+      if (position == 1)
       {
-        check.Near(sample.Color[0], reds[operation], 0.0, "red of both");
+        check.Near(sample.Color[0], reds[operation], 0.0, "red in the intersection");
       }
     }
   }
 }
 
-// Many points at once, of which an operand has none, some or all: the same as one by one.
+// EvaluateSpan matches Evaluate for points of which an operand covers none, some or all.
 void CheckSpans(Check& check)
 {
   for (int operation = 0; operation < vtkSpatialOperation::NUMBER_OF_OPERATIONS; ++operation)
@@ -202,7 +203,7 @@ void CheckSpans(Check& check)
     {
       object->AddOperand(MakeOperand(i));
     }
-    check.That(object->Update().empty(), "it is ready");
+    check.That(object->Update().empty(), "the operation is valid");
     vtkNew<vtkMinimalStandardRandomSequence> random;
     for (int row = 0; row < 300; ++row)
     {
@@ -252,7 +253,7 @@ void CheckBounds(Check& check)
   }
   object->SetOperationToUnion();
   object->GetBounds(bounds);
-  check.That(bounds[0] == vtkMath::NegInf(), "a union with a half-space has no end");
+  check.That(bounds[0] == vtkMath::NegInf(), "a union with a half-space is unbounded");
   vtkNew<vtkSpatialOperation> nothing;
   nothing->SetOperationToIntersection();
   for (double x : { 0.0, 10.0 })
@@ -263,27 +264,27 @@ void CheckBounds(Check& check)
   }
   nothing->SetTransform(turn);
   nothing->GetBounds(bounds);
-  check.That(bounds[0] > bounds[1], "the bounds of nothing");
+  check.That(bounds[0] > bounds[1], "bounds without operands");
 }
 
-void CheckRefusals(Check& check)
+void CheckRejections(Check& check)
 {
   check.SetContext("refusals");
   vtkNew<vtkSpatialOperation> outer;
   vtkNew<vtkSpatialOperation> inner;
-  vtkNew<vtkSpatialTurbulence> middle;
+  vtkNew<vtkSpatialTurbulence> center;
   Sample sample;
   const double x[3] = { 0.0, 0.0, 0.0 };
   check.Contains(ErrorsOf(outer, [&] { outer->Evaluate(x, sample); }), "no operand");
-  middle->SetOperand(inner);
-  outer->AddOperand(middle);
-  check.Contains(ErrorsOf(inner, [&] { inner->AddOperand(outer); }), "among its own parts");
-  check.Contains(ErrorsOf(inner, [&] { inner->AddOperand(inner); }), "among its own parts");
-  check.Contains(ErrorsOf(middle, [&] { middle->SetOperand(outer); }), "among its own parts");
+  center->SetOperand(inner);
+  outer->AddOperand(center);
+  check.Contains(ErrorsOf(inner, [&] { inner->AddOperand(outer); }), "contains this");
+  check.Contains(ErrorsOf(inner, [&] { inner->AddOperand(inner); }), "contains this");
+  check.Contains(ErrorsOf(center, [&] { center->SetOperand(outer); }), "contains this");
   check.Contains(ErrorsOf(outer, [&] { outer->AddOperand(nullptr); }), "null");
-  check.Equal(inner->GetNumberOfOperands(), 0, "operands after refusals");
+  check.Equal(inner->GetNumberOfOperands(), 0, "number of operands after rejections");
   check.Contains(ErrorsOf(outer, [&] { outer->Evaluate(x, sample); }), "no operand");
-  // An object may be a part more than once.
+  // An object may be used in several operations.
   vtkNew<vtkSpatialPrimitive> shared;
   inner->AddOperand(shared);
   inner->AddOperand(shared);
@@ -291,14 +292,14 @@ void CheckRefusals(Check& check)
   outer->Evaluate(x, sample);
   check.Near(sample.Density, 1.0, 0.0, "an operand twice");
   shared->SetDensity(0.25);
-  middle->SetAmplitude(0.0);
+  center->SetAmplitude(0.0);
   outer->Evaluate(x, sample);
-  check.Near(sample.Density, 0.5, 0.0, "a changed operand");
-  check.That(outer->GetOperand(0) == middle && outer->GetOperand(1) == nullptr &&
+  check.Near(sample.Density, 0.5, 0.0, "modifying an operand modifies the operation");
+  check.That(outer->GetOperand(0) == center && outer->GetOperand(1) == nullptr &&
       outer->GetOperand(-1) == nullptr,
     "operands by index");
   outer->RemoveAllOperands();
-  check.Equal(outer->GetNumberOfOperands(), 0, "operands after they are removed");
+  check.Equal(outer->GetNumberOfOperands(), 0, "number of operands after removal");
   outer->AddOperand(inner);
   outer->SetOperation(99);
   CheckPrinted(Print(outer), { "Operation: trim", "Operation: blend", "Shape: sphere" }, check);
@@ -309,5 +310,5 @@ void CheckRefusals(Check& check)
 int TestSpatialOperation(int, char*[])
 {
   return RunChecks({ CheckDefinitions, CheckSolids, CheckNestedDifference, CheckSpans, CheckBounds,
-    CheckRefusals });
+    CheckRejections });
 }

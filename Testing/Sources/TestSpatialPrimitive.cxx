@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every shape against its definition, soft and hard, moved and turned; equation 2.7; volumes whose
-// error halves with the spacing; tiny and huge sizes; sizes that are refused.
+// Every shape compared with its definition, soft and hard, translated and rotated. Also tests
+// equation 2.7 of the dissertation, volumes whose error is proportional to the spacing, tiny and
+// huge sizes, and rejected sizes.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -42,7 +43,7 @@ vtkSmartPointer<vtkSpatialPrimitive> MakePrimitive(int shape, double scale)
   return primitive;
 }
 
-// The distance from the nearest point of the surface, negative inside, by the nearest point.
+// Returns the signed distance to the surface, negative inside, computed from the closest point.
 double GetDistance(int shape, const Vector& p)
 {
   const double rho = std::hypot(p[0], p[1]);
@@ -93,7 +94,7 @@ double GetDensity(int shape, const Vector& p, double width)
     return distance <= 0.0 ? 1.0 : 0.0;
   }
   const double t = 2.0 * distance / width;
-  // The smooth step about its middle.
+  // The smooth step, centered at the surface.
   return 0.5 - 0.75 * t + 0.25 * t * t * t;
 }
 
@@ -161,13 +162,14 @@ double GetVolume(vtkConstructiveVolume* source)
   return sum * spacing[0] * spacing[1] * spacing[2];
 }
 
-// Sampled on an image, sharp, the sum of densities is the volume to first order, and with the
-// profile of an edge as well.
+// The sum of sampled densities converges to the volume with first order, for hard edges and for
+// soft edges.
 void CheckVolumes(Check& check)
 {
   const double r0 = 0.6;
   const double r1 = 0.35;
-  // 4 pi times the integral of r^2 (r0^2 - r^2) / (r0^2 - r1^2) from r1 to r0, and the core.
+  // 4 pi times the integral of r^2 (r0^2 - r^2) / (r0^2 - r1^2) from r1 to r0, plus the volume of
+  // the core.
   const double fuzzy = 4.0 * Pi *
     (std::pow(r1, 3) / 3.0 +
       (r0 * r0 * (std::pow(r0, 3) - std::pow(r1, 3)) / 3.0 -
@@ -185,7 +187,7 @@ void CheckVolumes(Check& check)
       source->SetRoot(MakePrimitive(shape, scale));
       for (int points : { 40, 80, 160 })
       {
-        // So that every point is the middle of a cell of the region.
+        // Every point is the center of a cell of the region.
         const double half = scale * (1.0 - 1.0 / points);
         source->SetBounds(-half, half, -half, half, -half, half);
         source->SetDimensions(points, points, points);
@@ -196,7 +198,7 @@ void CheckVolumes(Check& check)
   }
 }
 
-void CheckRefusals(Check& check)
+void CheckRejections(Check& check)
 {
   check.SetContext("refusals");
   vtkNew<vtkSpatialPrimitive> primitive;
@@ -214,23 +216,23 @@ void CheckRefusals(Check& check)
     check.Equal(
       !ErrorsOf(primitive, [&] { primitive->SetEdgeWidth(bad); }).empty(), bad != 0.0, "an edge");
     check.Equal(!ErrorsOf(primitive, [&] { primitive->SetCenter(0.0, 0.0, bad); }).empty(),
-      !std::isfinite(bad), "a centre");
+      !std::isfinite(bad), "a center");
   }
   check.That(primitive->GetRadius() == 0.5 && primitive->GetTubeRadius() == 0.1 &&
       primitive->GetHeight() == 1.0 && primitive->GetLengths()[1] == 1.0 &&
       primitive->GetInnerRadius() == 0.0 && primitive->GetCenter()[2] == -1.0,
-    "refused sizes change nothing");
+    "invalid sizes are ignored");
   primitive->SetDensity(nan);
   primitive->SetColor(2.0, -1.0, nan);
   check.That(primitive->GetDensity() == 1.0 && primitive->GetColor()[0] == 1.0 &&
       primitive->GetColor()[1] == 0.0 && primitive->GetColor()[2] == 1.0,
-    "density and colour are clamped");
+    "density and color are clamped");
   primitive->SetShapeToFuzzySphere();
   primitive->SetInnerRadius(0.5);
   vtkSpatialObject::Sample sample;
   const double x[3] = { 0.0, 0.0, 0.0 };
   check.Contains(ErrorsOf(primitive, [&] { primitive->Evaluate(x, sample); }), "inner radius");
-  check.Near(sample.Density, 0.0, 0.0, "density of what is wrong");
+  check.Near(sample.Density, 0.0, 0.0, "density of an invalid primitive is 0");
   primitive->SetShapeToBox();
   vtkNew<vtkTransform> flat;
   flat->Scale(1.0, 0.0, 1.0);
@@ -250,12 +252,12 @@ void CheckRefusals(Check& check)
     { "Shape: box", "Radius: 0.5", "InnerRadius: 0.5", "Height: 1", "TubeRadius: 0.1",
       "Lengths: 1 1 1", "EdgeWidth: 0", "Center: 0", "Density: 1", "Color: 1 0 1", "Transform:" },
     check);
-  check.That(vtkSpatialPrimitive::GetShapeName(-1) == nullptr, "a name that is none");
+  check.That(vtkSpatialPrimitive::GetShapeName(-1) == nullptr, "an invalid index has no name");
 }
 
 }
 
 int TestSpatialPrimitive(int, char*[])
 {
-  return RunChecks({ CheckShapes, CheckVolumes, CheckRefusals });
+  return RunChecks({ CheckShapes, CheckVolumes, CheckRejections });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every mode against its definition with the operand and the noise themselves; bounds; seeds;
-// frequencies of zero; what is refused.
+// Every mode compared with its definition in terms of the operand and the noise. Also tests bounds,
+// seeds, zero frequencies and errors.
 #include "Analytic/GradientNoise.h"
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -103,7 +103,7 @@ void CheckModes(Check& check)
         sphere->Evaluate(x, plain);
         changed += plain.Density != sample.Density;
       }
-      check.That(changed > 100, "densities are changed");
+      check.That(changed > 100, "densities are modified");
     }
   }
 }
@@ -124,8 +124,8 @@ void CheckSettings(Check& check)
     object->Evaluate(x, sample);
     densities[seed] = sample.Density;
   }
-  check.That(densities[0] != densities[1], "another seed, another density");
-  // No lattice cell at all is the lattice point at the origin, where the noise is nothing.
+  check.That(densities[0] != densities[1], "another seed yields another density");
+  // With frequency 0, all points are mapped to the origin, where the noise is 0.
   object->SetFrequency(-3.0);
   object->Evaluate(x, sample);
   Sample plain;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The wake and the grid against their formulas, written again here; the seam, the orientation of
-// the cells, the tetrahedra that the header tells.
+// Wake and grid compared with independent implementations of their formulas, the seam, the
+// orientation of the cells, and the documented number of tetrahedra.
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
@@ -31,7 +31,7 @@ struct Wake
     return 2.0 * (this->Bottom + (this->Top - this->Bottom) * z / this->Height);
   }
 
-  // Every vortex of a wide range, left out by its age.
+  // Sums over many vortices, and skips vortices that do not exist yet or have decayed.
   double DeficitOfCell(int cell, const double x[3], double t) const
   {
     const double f =
@@ -115,7 +115,7 @@ void CheckGrid(vtkTaperedCylinderSource* source, const Wake& wake, Check& check)
     double last[3];
     grid->GetPoint(n[0] * n[1] * k + j % n[0], first);
     grid->GetPoint(n[0] * (n[1] * (k + 1) - 1) + j % n[0], last);
-    check.That(std::equal(first, first + 3, last), "the seam is closed to the bit");
+    check.That(std::equal(first, first + 3, last), "the points at the seam are bit-identical");
   }
   check.Equal(CountLeftHandedCells(grid), 0, "cells that are not right-handed");
 }
@@ -143,7 +143,7 @@ int TestTaperedCylinderSource(int, char*[])
   const Wake defaults = { 0.5, 0.3, 12.0, 9.0, 1.0, 0.2 };
   CheckWake(source, defaults, check);
   CheckGrid(source, defaults, check);
-  check.SetContext("other values");
+  check.SetContext("other settings yield other values");
   const Wake other = { 0.2, 0.4, 5.0, 6.0, 2.5, 0.15 };
   source->SetRadii(other.Bottom, other.Top);
   source->SetHeight(other.Height);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pieces and parts of the extent have the values and points of the whole, float is double rounded,
-// and the bytes are the same for any number of threads.
+// Pieces and subextents have the same values and points as the full output. Values in float are the
+// rounded values in double, and the output is bit-identical for any number of threads.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceThreads.h"
 #include "Support/TimeVarying/ReferenceTemporalSource.h"
@@ -45,7 +45,8 @@ vtkSmartPointer<vtkDataSet> Copy(vtkDataSet* data)
   return copy;
 }
 
-// Every point of the part is that of the whole. Returns the number of points.
+// Checks that every point of the subextent equals the point of the full output. Returns the number
+// of points.
 vtkIdType ComparePart(vtkDataSet* part, vtkDataSet* whole, Check& check)
 {
   Extent extent = GetExtent(part);
@@ -71,20 +72,20 @@ vtkIdType ComparePart(vtkDataSet* part, vtkDataSet* whole, Check& check)
       }
     }
   }
-  check.Equal(point, part->GetNumberOfPoints(), "points of the part");
-  check.Equal(differing, 0, "points that differ from the whole's");
+  check.Equal(point, part->GetNumberOfPoints(), "points of the subextent");
+  check.Equal(differing, 0, "points that differ from the full output");
   return point;
 }
 
-// Without a change the pipeline would keep the whole, which has every part.
+// Modified() is necessary: otherwise the pipeline reuses the full output for every subextent.
 void CheckParts(const TemporalSource& source, vtkDataSet* whole, Check& check)
 {
   const Extent all = GetExtent(whole);
   const Extent part = { { all[0] + 2, all[1] - 3, all[2] + 1, all[2] + 1, all[4], all[5] - 1 } };
-  check.SetContext(source.Name + ", a part");
+  check.SetContext(source.Name + ", a subextent");
   source.Algorithm->Modified();
   source.Algorithm->UpdateExtent(part.data());
-  check.That(GetExtent(source.GetOutput()) == part, "the part is that which was asked for");
+  check.That(GetExtent(source.GetOutput()) == part, "the output has the requested subextent");
   ComparePart(source.GetOutput(), whole, check);
   for (int ghosts : { 0, 1 })
   {
@@ -103,7 +104,7 @@ void CheckParts(const TemporalSource& source, vtkDataSet* whole, Check& check)
       }
     }
     check.SetContext(source.Name);
-    check.Equal(cells, whole->GetNumberOfCells(), "cells of all pieces that are no ghosts");
+    check.Equal(cells, whole->GetNumberOfCells(), "cells of all pieces that are not ghosts");
     check.That(points > whole->GetNumberOfPoints(), "pieces share points");
   }
 }
@@ -118,16 +119,17 @@ void CheckTypes(const TemporalSource& source, Check& check)
   vtkDataArray* values = single->GetPointData()->GetScalars();
   vtkDataArray* exact = source.GetValues();
   check.Equal(values->GetDataType(), VTK_FLOAT, "type");
-  check.Equal(exact->GetDataType(), VTK_DOUBLE, "type in double");
+  check.Equal(exact->GetDataType(), VTK_DOUBLE, "type with double precision");
   vtkIdType differing = 0;
   for (vtkIdType i = 0; i < exact->GetNumberOfTuples(); ++i)
   {
     differing += values->GetTuple1(i) != static_cast<float>(exact->GetTuple1(i));
   }
-  check.Equal(differing, 0, "values in float that are not those in double, rounded");
+  check.Equal(differing, 0, "float values that differ from the rounded double values");
   if (auto* grid = vtkStructuredGrid::SafeDownCast(source.GetOutput()))
   {
-    check.Equal(grid->GetPoints()->GetDataType(), VTK_DOUBLE, "type of the points in double");
+    check.Equal(
+      grid->GetPoints()->GetDataType(), VTK_DOUBLE, "type of the points with double precision");
   }
 }
 
@@ -158,7 +160,7 @@ void CheckThreads(Check& check)
       {
         expected.push_back(GetBytes(source));
       }
-      check.That(GetBytes(source) == expected[i++], "the same bytes");
+      check.That(GetBytes(source) == expected[i++], "the output is bit-identical");
     }
   }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Setters clamp or refuse what is not valid and mark only real changes, progress is told and an
-// abort leaves an empty output.
+// Setters clamp or reject invalid values and call Modified() only for real changes. Progress is
+// reported, and an abort leaves an empty output.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -23,8 +23,8 @@ using namespace reference;
 
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr int Most = std::numeric_limits<int>::max();
-constexpr int Least = std::numeric_limits<int>::min();
+constexpr int Maximum = std::numeric_limits<int>::max();
+constexpr int Minimum = std::numeric_limits<int>::min();
 
 template <std::size_t Size, typename Value>
 void CheckValues(const Value* found, const std::array<Value, Size>& expected,
@@ -36,17 +36,17 @@ void CheckValues(const Value* found, const std::array<Value, Size>& expected,
 void CheckCommon(const TemporalSource& source, Check& check)
 {
   check.SetContext(source.Name);
-  check.Equal(source.GetNumberOfTimeSteps(), 3, "time steps by default");
-  CheckValues<2>(source.GetTimeRange(), { { 0.0, 2.0 } }, "time range by default", check);
-  check.Equal(source.GetOutputScalarType(), VTK_FLOAT, "type by default");
-  check.That(source.GetArrayName() == source.DefaultArrayName, "array name by default");
+  check.Equal(source.GetNumberOfTimeSteps(), 3, "default time steps");
+  CheckValues<2>(source.GetTimeRange(), { { 0.0, 2.0 } }, "default time range", check);
+  check.Equal(source.GetOutputScalarType(), VTK_FLOAT, "default type");
+  check.That(source.GetArrayName() == source.DefaultArrayName, "default array name");
 
   source.SetNumberOfTimeSteps(0);
   check.Equal(source.GetNumberOfTimeSteps(), 1, "no time steps");
-  source.SetNumberOfTimeSteps(Most);
+  source.SetNumberOfTimeSteps(Maximum);
   check.Equal(source.GetNumberOfTimeSteps(), 100000, "too many time steps");
   source.SetTimeRange(3.0, -1.0);
-  CheckValues<2>(source.GetTimeRange(), { { -1.0, 3.0 } }, "times in order", check);
+  CheckValues<2>(source.GetTimeRange(), { { -1.0, 3.0 } }, "times that are not ascending", check);
   for (double bad : { NaN, Infinity })
   {
     check.Contains(
@@ -54,11 +54,12 @@ void CheckCommon(const TemporalSource& source, Check& check)
   }
   CheckValues<2>(source.GetTimeRange(), { { -1.0, 3.0 } }, "times after errors", check);
   source.SetOutputScalarType(VTK_INT);
-  check.Equal(source.GetOutputScalarType(), VTK_FLOAT, "a type that is none");
+  check.Equal(source.GetOutputScalarType(), VTK_FLOAT, "an invalid type is rejected");
   source.SetArrayName("pressure");
   check.That(source.GetArrayName() == "pressure", "array name");
   source.Algorithm->Update();
-  check.That(source.GetOutput()->GetPointData()->HasArray("pressure"), "the array has the name");
+  check.That(
+    source.GetOutput()->GetPointData()->HasArray("pressure"), "the array has the given name");
   for (const char* none : { "", static_cast<const char*>(nullptr) })
   {
     source.SetArrayName(none);
@@ -69,16 +70,17 @@ void CheckCommon(const TemporalSource& source, Check& check)
   source.SetTimeRange(-1.0, 3.0);
   source.SetNumberOfTimeSteps(100000);
   source.SetOutputScalarType(VTK_FLOAT);
-  check.That(source.Algorithm->GetMTime() == before, "the same values are no change");
+  check.That(
+    source.Algorithm->GetMTime() == before, "setting the same values does not modify the source");
 }
 
-void CheckLattice(Check& check)
+void CheckGrid(Check& check)
 {
   check.SetContext("lattice");
   vtkNew<vtkAnalyticFieldSource> source;
-  source->SetDimensions(0, Least, Most);
+  source->SetDimensions(0, Minimum, Maximum);
   CheckValues<6>(source->GetWholeExtent(), { { 0, 0, 0, 0, 0, 32767 } }, "dimensions", check);
-  source->SetWholeExtent(5, 3, Least, Most, 1, 2);
+  source->SetWholeExtent(5, 3, Minimum, Maximum, 1, 2);
   CheckValues<6>(
     source->GetWholeExtent(), { { 5, 5, -32768, 32767, 1, 2 } }, "whole extent", check);
   for (double bad : { NaN, Infinity, 0.0, -1.0 })
@@ -93,16 +95,16 @@ void CheckAnalytic(Check& check)
 {
   check.SetContext("analytic");
   vtkNew<vtkAnalyticFieldSource> source;
-  check.Equal(source->GetField(), vtkAnalyticFieldSource::VORTEX, "field by default");
+  check.Equal(source->GetField(), vtkAnalyticFieldSource::VORTEX, "default field");
   source->SetField(-1);
-  check.Equal(source->GetField(), 0, "a field below");
+  check.Equal(source->GetField(), 0, "a field index below the range");
   source->SetField(99);
-  check.Equal(source->GetField(), vtkAnalyticFieldSource::GYROID, "a field above");
-  check.That(vtkAnalyticFieldSource::GetFieldName(5) == nullptr, "no field has no name");
+  check.Equal(source->GetField(), vtkAnalyticFieldSource::GYROID, "a field index above the range");
+  check.That(vtkAnalyticFieldSource::GetFieldName(5) == nullptr, "an invalid field has no name");
   source->SetGradient(NaN, Infinity, -1e9);
   CheckValues<3>(source->GetGradient(), { { 1.0, 1e6, -1e6 } }, "gradient", check);
   source->SetCenter(1.0, NaN, 2.0);
-  CheckValues<3>(source->GetCenter(), { { 1.0, 0.0, 2.0 } }, "centre", check);
+  CheckValues<3>(source->GetCenter(), { { 1.0, 0.0, 2.0 } }, "center", check);
   source->SetVelocity(-Infinity, 0.0, 0.0);
   CheckValues<3>(source->GetVelocity(), { { -1e6, 0.0, 0.0 } }, "velocity", check);
   source->SetConstant(1e7);
@@ -118,8 +120,8 @@ void CheckGrids(Check& check)
 {
   check.SetContext("cylinder");
   vtkNew<vtkTaperedCylinderSource> cylinder;
-  CheckValues<3>(cylinder->GetDimensions(), { { 64, 64, 32 } }, "dimensions by default", check);
-  cylinder->SetDimensions(1, Least, Most);
+  CheckValues<3>(cylinder->GetDimensions(), { { 64, 64, 32 } }, "default dimensions", check);
+  cylinder->SetDimensions(1, Minimum, Maximum);
   CheckValues<3>(cylinder->GetDimensions(), { { 2, 2, 32768 } }, "dimensions", check);
   cylinder->SetRadii(0.0, Infinity);
   CheckValues<2>(cylinder->GetRadii(), { { 0.05, 50.0 } }, "radii", check);
@@ -134,11 +136,11 @@ void CheckGrids(Check& check)
   const int outer[3] = { 1, 0, 0 };
   double x[3];
   cylinder->GetPosition(outer, x);
-  check.Near(x[0], -100.0, 1e-12, "radius of a grid that would not hold the cylinder");
+  check.Near(x[0], -100.0, 1e-12, "a cylinder radius too large for the grid is corrected");
 
   check.SetContext("wing");
   vtkNew<vtkDeltaWingSource> wing;
-  CheckValues<3>(wing->GetDimensions(), { { 111, 126, 51 } }, "dimensions by default", check);
+  CheckValues<3>(wing->GetDimensions(), { { 111, 126, 51 } }, "default dimensions", check);
   wing->SetSweepAngle(90.0);
   wing->SetBreakdownPosition(3.0);
   wing->SetBreakdownAmplitude(-1.0);
@@ -157,7 +159,7 @@ void CheckProgress(const TemporalSource& source, Check& check)
   Observe(source.Algorithm, watch);
   source.Algorithm->Update();
   CheckGrowth(watch, 10, check);
-  check.That(watch.Progress.back() == 1.0, "progress grows to 1");
+  check.That(watch.Progress.back() == 1.0, "progress increases to 1");
   for (double at : { 0.0, 0.6 })
   {
     watch = ProgressWatch();
@@ -166,18 +168,18 @@ void CheckProgress(const TemporalSource& source, Check& check)
     source.Algorithm->Modified();
     source.Algorithm->Update();
     check.Equal(source.GetOutput()->GetNumberOfPoints(), 0, "points after an abort");
-    // Newer executives tell of the end of an aborted execution too.
+    // Newer executives report progress 1 for an aborted execution too.
     if (watch.Progress.back() == 1.0)
     {
       watch.Progress.pop_back();
     }
-    check.That(watch.Progress.back() < at + 0.1, "an abort ends the work");
+    check.That(watch.Progress.back() < at + 0.1, "an abort stops the execution");
   }
   source.Algorithm->RemoveAllObservers();
   source.Algorithm->SetAbortExecute(0);
   source.Algorithm->Modified();
   source.Algorithm->Update();
-  check.That(source.GetOutput()->GetNumberOfPoints() > 0, "the next execution is whole");
+  check.That(source.GetOutput()->GetNumberOfPoints() > 0, "the next execution is complete");
 }
 
 }
@@ -190,7 +192,7 @@ int TestTemporalSourceSettings(int, char*[])
     CheckProgress(source, check);
     CheckCommon(source, check);
   }
-  CheckLattice(check);
+  CheckGrid(check);
   CheckAnalytic(check);
   CheckGrids(check);
   return check.Result();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Time steps are told to the pipeline, any time is answered with the field at that time, and what
-// cannot be answered is an error with an empty output.
+// Time steps are reported to the pipeline, and any requested time yields the field at that time. An
+// invalid time is an error with an empty output.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/TimeVarying/ReferenceTemporalSource.h"
@@ -34,7 +34,7 @@ void CheckSteps(const TemporalSource& source, const std::vector<double>& expecte
   }
   check.That(info->Get(Pipeline::TIME_RANGE(), 0) == expected.front() &&
       info->Get(Pipeline::TIME_RANGE(), 1) == expected.back(),
-    "the time range is that of the steps");
+    "the time range covers the time steps");
 }
 
 void CheckTime(const TemporalSource& source, double time, Check& check)
@@ -50,7 +50,7 @@ void CheckTime(const TemporalSource& source, double time, Check& check)
     source.GetOutput()->GetPoint(point, x);
     worst = std::max(worst, std::fabs(values->GetTuple1(point) - source.Evaluate(x, time)));
   }
-  check.Near(worst, 0.0, 1e-12, "distance from the field at the time", 1.0);
+  check.Near(worst, 0.0, 1e-12, "difference from the field at the time", 1.0);
 }
 
 void CheckBadTime(const TemporalSource& source, Check& check)
@@ -60,9 +60,9 @@ void CheckBadTime(const TemporalSource& source, Check& check)
   {
     check.Contains(
       ErrorsOf(source.Algorithm, [&]() { source.Algorithm->UpdateTimeStep(time); }), "not finite");
-    check.Equal(source.GetOutput()->GetNumberOfPoints(), 0, "points for a time that is no number");
+    check.Equal(source.GetOutput()->GetNumberOfPoints(), 0, "points for a non-finite time");
     source.Algorithm->UpdateTimeStep(0.0);
-    check.That(source.GetOutput()->GetNumberOfPoints() > 0, "points for a time that is one");
+    check.That(source.GetOutput()->GetNumberOfPoints() > 0, "points for a finite time");
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values against the formula, with every sum, falloff and envelope; seeds; parts, threads, progress
-// and abort; settings.
+// Values compared with the formula for every sum, falloff and envelope. Also tests seeds, pieces,
+// threads, progress, abort and settings.
 #include "Analytic/GradientNoise.h"
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -100,10 +100,10 @@ void CheckSettings(Check& check)
   const std::string bytes = GetBytes(source->GetOutput());
   source->SetSeed(1);
   source->Update();
-  check.That(GetBytes(source->GetOutput()) != bytes, "another seed, other values");
+  check.That(GetBytes(source->GetOutput()) != bytes, "another seed yields other values");
   source->SetSeed(0);
   source->Update();
-  check.That(GetBytes(source->GetOutput()) == bytes, "the same seed, the same values");
+  check.That(GetBytes(source->GetOutput()) == bytes, "the same seed yields the same values");
   const double nan = std::nan("");
   source->SetFrequency(nan);
   source->SetAmplitude(nan);
@@ -124,9 +124,10 @@ void CheckSettings(Check& check)
   source->Update();
   double range[2];
   source->GetOutput()->GetPointData()->GetScalars()->GetRange(range);
-  check.That(std::isfinite(range[0]) && std::isfinite(range[1]), "values at extremes are finite");
+  check.That(
+    std::isfinite(range[0]) && std::isfinite(range[1]), "values at extreme settings are finite");
   check.That(!vtkTurbulenceSource::GetFalloffName(3) && !vtkTurbulenceSource::GetEnvelopeName(-1),
-    "names that are none");
+    "invalid indices have no name");
 }
 
 }

@@ -73,8 +73,8 @@ void ReportRefused(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const st
   }
   mend();
   const bool isMended = UpdateFilter(filter).Errors.empty() && !IsEmpty(filter);
-  catalogue.Check(name, extreme, expected + "; mended, it works",
-    (errors.empty() ? "no error" : errors) + (isMended ? "" : "; mended, it does not work"),
+  catalogue.Check(name, extreme, expected + "; corrected, it works",
+    (errors.empty() ? "no error" : errors) + (isMended ? "" : "; corrected, it does not work"),
     isRefused && isMended);
 }
 

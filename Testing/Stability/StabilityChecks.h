@@ -2,7 +2,7 @@
 #ifndef StabilityChecks_h
 #define StabilityChecks_h
 
-#include "Support/Pages/StabilityCase.h" // for the catalogue
+#include "Support/Pages/StabilityCase.h" // for the catalog
 
 #include <functional>
 #include <initializer_list>
@@ -14,7 +14,7 @@ class vtkAlgorithm;
 class vtkDataArray;
 
 /**
- * What most cases of extreme input of a filter ask of it.
+ * Helpers that run a filter with extreme input and report the result to the stability catalog.
  */
 namespace stability
 {
@@ -22,12 +22,12 @@ namespace stability
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Runs \a tests with the catalogue of a test and returns its exit code. Cases are of a class until
-/// a test names another.
+/// Runs \a tests with the catalog of a test and returns the exit code. Cases belong to
+/// \a className unless a test sets another class.
 int RunCases(const std::string& test, const std::string& className, int argc, char* argv[],
   std::initializer_list<void (*)(StabilityCatalogue&)> tests);
 
-/// What a filter and its executive said.
+/// Error and warning messages of a filter and its executive.
 struct Messages
 {
   std::string Errors;
@@ -38,8 +38,8 @@ Messages UpdateFilter(vtkAlgorithm* filter);
 /// Returns whether no output has points.
 bool IsEmpty(vtkAlgorithm* filter);
 
-/// Reports that a filter says all of \a words in an error, has empty outputs, and works once
-/// \a mend is called.
+/// Reports whether a filter has empty outputs and an error with all of \a words, and works after \a
+/// mend is called.
 void ReportRefused(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std::string& name,
   const std::string& extreme, const std::vector<std::string>& words,
   const std::function<void()>& mend);
@@ -50,15 +50,15 @@ inline void ReportRefused(StabilityCatalogue& catalogue, vtkAlgorithm* filter,
   ReportRefused(catalogue, filter, name, extreme, std::vector<std::string>{ words }, mend);
 }
 
-/// Reports that a filter gives no error, empty outputs, and a warning with \a words.
+/// Reports whether a filter has no error, empty outputs, and a warning with \a words.
 void ReportEmpty(StabilityCatalogue& catalogue, vtkAlgorithm* filter, const std::string& name,
   const std::string& extreme, const std::string& words);
 
-/// Returns the number of values of an array that are not from lower to upper, NaN among them; NaN
-/// without an array or values.
+/// Returns the number of array values, including NaN, outside the range from lower to upper.
+/// Returns NaN if the array is null or empty.
 double CountOutside(vtkDataArray* array, double lower, double upper);
 
-/// A number in few letters.
+/// Returns a number as short text.
 std::string Short(double value);
 
 }

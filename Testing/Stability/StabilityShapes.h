@@ -13,18 +13,18 @@ class vtkTerminationSurface;
 namespace stability
 {
 
-/// A surface of size 1 times \a size, moved to \a middle along x, its area at size 1, and what is
-/// known of its distance: a place at size 1 and the distance there.
+/// A surface scaled by \a size and moved to \a midpoint along x. At size 1 it has the given area,
+/// and the point Position has the given distance from the surface.
 struct Shape
 {
-  std::function<vtkSmartPointer<vtkTerminationSurface>(double size, double middle)> Make;
+  std::function<vtkSmartPointer<vtkTerminationSurface>(double size, double midpoint)> Make;
   double Area;
   double AreaBound;
-  std::array<double, 3> Place;
+  std::array<double, 3> Position;
   double Distance;
 };
 
-/// One of each kind that is placed by numbers: plane, sphere, box, cylinder, tube, mesh.
+/// Returns a plane, sphere, box, cylinder, tube and mesh.
 std::vector<Shape> MakeShapes();
 
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The stability helper itself: what is reported is what is gathered, and what is wrong fails.
+// Tests the stability catalog: gathered cases equal the reported ones, and errors are detected.
 #include "Support/Pages/StabilityCase.h"
 
 #include <chrono>
@@ -15,14 +15,14 @@
 
 namespace
 {
-bool Right = true;
+bool Success = true;
 
 void Expect(bool condition, const char* what)
 {
   if (!condition)
   {
     std::cerr << "ERROR: " << what << std::endl;
-    Right = false;
+    Success = false;
   }
 }
 
@@ -30,20 +30,20 @@ void TestExitCodes()
 {
   char program[] = "test";
   char* arguments[] = { program };
-  StabilityCatalogue none("None", 1, arguments);
-  Expect(none.GetExitCode() == EXIT_FAILURE, "a test without a case must fail");
+  StabilityCatalogue empty("None", 1, arguments);
+  Expect(empty.GetExitCode() == EXIT_FAILURE, "a test without a case must fail");
 
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  StabilityCatalogue wrong("Wrong", 1, arguments);
-  wrong.SetClass("vtkThing");
-  Expect(wrong.Measure("inside", "", "", -1.0, 1.0), "a number at its bound passes");
-  Expect(wrong.GetExitCode() == EXIT_SUCCESS, "a test whose cases pass succeeds");
-  Expect(!wrong.Measure("outside", "", "", -1.5, 1.0), "a number beyond its bound fails");
-  Expect(!wrong.Measure("nan", "", "", nan, 1.0), "NaN fails");
-  Expect(wrong.GetExitCode() == EXIT_FAILURE, "one failed case fails the test");
+  StabilityCatalogue thing("Wrong", 1, arguments);
+  thing.SetClass("vtkThing");
+  Expect(thing.Measure("inside", "", "", -1.0, 1.0), "a number at its bound passes");
+  Expect(thing.GetExitCode() == EXIT_SUCCESS, "a test whose cases pass succeeds");
+  Expect(!thing.Measure("outside", "", "", -1.5, 1.0), "a number outside its bound fails");
+  Expect(!thing.Measure("nan", "", "", nan, 1.0), "NaN fails");
+  Expect(thing.GetExitCode() == EXIT_FAILURE, "one failed case fails the test");
 }
 
-/// Makes a program and the list of tests, all older than what a test reports from now on.
+/// Creates a program and the list of tests, both older than any later report of a test.
 void ListTests(const std::string& folder, const std::vector<std::string>& tests)
 {
   std::filesystem::create_directories(folder);
@@ -87,9 +87,9 @@ void TestGathered(const std::string& folder)
         cases[0].Extreme == "tiny" && cases[0].Expected == "small error" &&
         cases[0].Measured == "0.25" && cases[0].Bound == 0.5 && cases[0].Passed &&
         cases[0].Method == "explicit: 7",
-      "a measured case comes back as it was");
+      "a measured case is read unchanged");
     Expect(cases[1].Measured == "crash" && std::isnan(cases[1].Bound) && !cases[1].Passed,
-      "a checked case comes back as it was");
+      "a checked case is read unchanged");
     Expect(cases[2].Test == "B" && cases[2].Class == "vtkOther", "cases are ordered by test");
   }
   const std::vector<StabilityCount> counts = CountByClass(cases);
@@ -99,7 +99,7 @@ void TestGathered(const std::string& folder)
     "cases are counted by class");
 }
 
-/// Whether a folder is refused, with these words.
+/// Returns whether Gather rejects a directory with a message that contains \a words.
 bool IsRefused(const std::string& folder, const std::string& words)
 {
   try
@@ -115,9 +115,9 @@ bool IsRefused(const std::string& folder, const std::string& words)
 
 void TestRefused(const std::string& folder)
 {
-  Expect(IsRefused(folder, "tests.txt is missing"), "a missing folder is an error");
+  Expect(IsRefused(folder, "tests.txt is missing"), "a missing directory is an error");
   ListTests(folder, {});
-  Expect(IsRefused(folder, "names no test"), "a list of no test is an error");
+  Expect(IsRefused(folder, "lists no test"), "an empty list of tests is an error");
   ListTests(folder, { "Test" });
   Expect(IsRefused(folder, "Test: has not run"), "missing cases are an error");
 
@@ -126,17 +126,17 @@ void TestRefused(const std::string& folder)
   Expect(IsRefused(folder, "Test: has no case"), "no cases are an error");
   StabilityCatalogue crashed = MakeCatalogue("Test", folder);
   crashed.Check("before", "", "", "", true);
-  Expect(IsRefused(folder, "Test: did not come to its end"), "a crash is an error");
+  Expect(IsRefused(folder, "Test: did not run to its end"), "a crash is an error");
   crashed.GetExitCode();
-  Expect(StabilityCatalogue::Gather(folder).size() == 1, "a run that ended is gathered");
+  Expect(StabilityCatalogue::Gather(folder).size() == 1, "a complete run is gathered");
 
-  const auto made = std::filesystem::last_write_time(folder + "/program");
-  std::filesystem::last_write_time(folder + "/program", made + std::chrono::hours(1));
+  const auto modified = std::filesystem::last_write_time(folder + "/program");
+  std::filesystem::last_write_time(folder + "/program", modified + std::chrono::hours(1));
   Expect(
     IsRefused(folder, "Test: ran before its program"), "cases older than a program are an error");
-  std::filesystem::last_write_time(folder + "/program", made);
+  std::filesystem::last_write_time(folder + "/program", modified);
   MakeCatalogue("Gone", folder).GetExitCode();
-  Expect(IsRefused(folder, "Gone: is no test"), "cases of a test that is gone are an error");
+  Expect(IsRefused(folder, "Gone: is not a test"), "cases of an unknown test are an error");
   std::filesystem::remove(folder + "/Gone.stability.json");
   std::ofstream(folder + "/Test.stability.json") << "{";
   Expect(IsRefused(folder, "Test: [json"), "a broken file is an error");
@@ -152,7 +152,7 @@ void TestRefused(const std::string& folder)
   {
     isThrown = true;
   }
-  Expect(isThrown, "a case of no class is an error");
+  Expect(isThrown, "a case without a class is an error");
 }
 }
 
@@ -167,5 +167,5 @@ int main(int argc, char* argv[])
   TestExitCodes();
   TestGathered(argv[1]);
   TestRefused(std::string(argv[1]) + "/refused");
-  return Right ? EXIT_SUCCESS : EXIT_FAILURE;
+  return Success ? EXIT_SUCCESS : EXIT_FAILURE;
 }

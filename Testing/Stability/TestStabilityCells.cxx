@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extreme geometry and topology: cells without volume, inverted, with repeated points, alone, far
-// away, tiny, or with coordinates that are no numbers.
+// Tests extreme geometry and topology: degenerate, inverted and single cells, repeated points, and
+// huge, tiny or NaN coordinates.
 #include "StabilityChecks.h"
 
 #include "Support/Checks/ReferenceMessages.h"
@@ -39,7 +39,7 @@ TetrahedraVolume Measured(vtkDataSet* data, const std::vector<Interval>& interva
   return MeasureTetrahedra(ExtractIntervals(data, intervals).Volume);
 }
 
-/// The mesh with every point moved.
+/// Moves all points of the mesh and returns it.
 vtkSmartPointer<vtkUnstructuredGrid> Moved(
   vtkUnstructuredGrid* mesh, const std::function<void(double*)>& move)
 {
@@ -60,7 +60,7 @@ void TestFlatCells(StabilityCatalogue& catalogue)
     auto flat = Moved(MakeMesh(kind, { 2, 2, 2 }), [](double* x) { x[2] = 0.5; });
     AddRandomField(flat, 1);
     const TetrahedraVolume volume = Measured(flat, Halves);
-    catalogue.Measure("flat-" + GetName(kind), "cells pressed flat", "volume",
+    catalogue.Measure("flat-" + GetName(kind), "cells flattened to a plane", "volume",
       static_cast<double>(volume.SumOfAbsolute), VolumeBound);
     auto point = Moved(MakeMesh(kind, { 2, 2, 2 }), [](double* x) { x[0] = x[1] = x[2] = 0.5; });
     AddRandomField(point, 1);
@@ -77,13 +77,13 @@ void TestInvertedCells(StabilityCatalogue& catalogue)
     auto mesh = InvertCells(MakeMesh(kind, { 3, 2, 2 }));
     AddRandomField(mesh, 2);
     const TetrahedraVolume volume = Measured(mesh, Halves);
-    catalogue.Measure("inverted-" + GetName(kind), "every cell mirrored in its point order",
+    catalogue.Measure("inverted-" + GetName(kind), "cells with reversed point order",
       "error of the magnitude of the domain's volume",
       std::abs(static_cast<double>(volume.Sum)) / 12 - 1, VolumeBound);
   }
 }
 
-/// A mesh whose cells share no points, though the coordinates coincide.
+/// Returns a mesh whose cells share no point ids, although the coordinates coincide.
 vtkSmartPointer<vtkUnstructuredGrid> Separated(vtkUnstructuredGrid* mesh)
 {
   MeshBuilder builder;
@@ -111,11 +111,11 @@ void TestRepeatedPoints(StabilityCatalogue& catalogue)
     AddLinearField(mesh, Function);
     const Range range = { "f", 0.5, 1.5 };
     catalogue.Measure("duplicate-points-" + GetName(kind),
-      "every cell has its own points at the same places", "error of the volume",
+      "coincident points that cells do not share", "error of the volume",
       static_cast<double>(Measured(mesh, { { 0.5, 1.5 } }).Sum - ClippedVolume(mesh, { range })),
       VolumeBound);
   }
-  // A hexahedron with an edge, a face or all of it in one point.
+  // Hexahedra with edges, a face, or all points collapsed to one point.
   struct
   {
     const char* Name;
@@ -138,7 +138,7 @@ void TestRepeatedPoints(StabilityCatalogue& catalogue)
     auto collapsed = builder.GetMesh();
     AddLinearField(collapsed, Function);
     catalogue.Measure(std::string("repeated-ids-") + one.Name,
-      "a hexahedron that names points several times", "error of its volume",
+      "a hexahedron with repeated point ids", "error of its volume",
       static_cast<double>(Measured(collapsed, Halves).Sum) - one.Volume, VolumeBound);
   }
 }
@@ -170,7 +170,7 @@ void TestSingleCells(StabilityCatalogue& catalogue)
   AddLinearField(image, Function);
   for (const LatticeForm& form : FormsOf(image))
   {
-    catalogue.Measure("one-cell-lattice-" + form.Name, "a lattice of one cell",
+    catalogue.Measure("one-cell-lattice-" + form.Name, "a regular grid of one cell",
       "relative error of its volume",
       static_cast<double>(Measured(form.Data, { { -9, 9 } }).Sum) / (0.1 * 0.3 * 0.7) - 1,
       VolumeBound);
@@ -191,12 +191,11 @@ void TestFlatLattices(StabilityCatalogue& catalogue)
     auto image = MakeImage(one.Cells);
     AddLinearField(image, Function);
     const Extraction extraction = ExtractIntervals(image, Halves);
-    const auto counted =
-      static_cast<vtkIdType>(extraction.Report->GetNumber("LowerDimensionalCells"));
-    catalogue.Check(std::string("lattice-") + one.Name, "an image of fewer than three dimensions",
-      "an empty output, " + std::to_string(one.Count) + " cells counted",
+    const auto counted = extraction.Report->GetCount("LowerDimensionalCells");
+    catalogue.Check(std::string("lattice-") + one.Name, "a lower-dimensional image",
+      "an empty output, " + std::to_string(one.Count) + " cells reported",
       std::to_string(extraction.Volume->GetNumberOfCells()) + " tetrahedra, " +
-        std::to_string(counted) + " cells counted",
+        std::to_string(counted) + " cells reported",
       extraction.Volume->GetNumberOfCells() == 0 && counted == one.Count);
   }
 }
@@ -233,10 +232,10 @@ void TestCoordinates(StabilityCatalogue& catalogue)
   auto mesh = MakeMesh(MeshKind::Hexahedra, { 4, 4, 4 });
   AddRandomField(mesh, 5);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  vtkNew<vtkUnstructuredGrid> withoutValue;
-  withoutValue->DeepCopy(mesh);
-  withoutValue->GetPointData()->GetScalars()->SetComponent(62, 0, nan);
-  const vtkIdType expected = ExtractIntervals(withoutValue, Halves).Volume->GetNumberOfCells();
+  vtkNew<vtkUnstructuredGrid> withNaNValue;
+  withNaNValue->DeepCopy(mesh);
+  withNaNValue->GetPointData()->GetScalars()->SetComponent(62, 0, nan);
+  const vtkIdType expected = ExtractIntervals(withNaNValue, Halves).Volume->GetNumberOfCells();
   mesh->GetPoints()->SetPoint(62, nan, nan, nan);
   mesh->GetPoints()->Modified();
   vtkNew<vtkIntervalVolume> filter;
@@ -246,7 +245,7 @@ void TestCoordinates(StabilityCatalogue& catalogue)
   const std::string warning = WarningsOf(filter);
   const vtkIdType found = filter->GetOutput()->GetNumberOfCells();
   catalogue.Check("coordinates-nan", "the coordinates of one point are NaN",
-    "a warning, and the tetrahedra of the other cells",
+    "a warning, and the tetrahedra of all other cells",
     std::to_string(found) + " of " + std::to_string(expected) + " tetrahedra: " + warning,
     found > 0 && found == expected && warning.find("point 62") != std::string::npos);
 }

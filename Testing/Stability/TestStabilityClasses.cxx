@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every public class has cases in the catalogue of stability, which is that of this build; prints
-// how many. Arguments: the folder of the catalogue, and the classes.
+// Tests that every public class has cases in the stability catalog of this build, and prints
+// their number. Arguments: the directory of the catalog and the classes.
 #include "Support/Pages/StabilityCase.h"
 
 #include <cstdlib>
@@ -16,24 +16,25 @@ bool HaveCases(const std::vector<StabilityCount>& counts, std::set<std::string> 
 {
   std::cout << std::left << std::setw(34) << "class"
             << "cases  bounds  passed\n";
-  bool isRight = true;
+  bool isValid = true;
   for (const StabilityCount& count : counts)
   {
     std::cout << std::left << std::setw(34) << count.Class << std::right << std::setw(5)
               << count.Cases << std::setw(8) << count.Measured << std::setw(8) << count.Passed
               << "\n";
-    isRight = isRight && count.Passed == count.Cases;
+    isValid = isValid && count.Passed == count.Cases;
     if (classes.erase(count.Class) == 0)
     {
-      std::cerr << "ERROR: cases are of " << count.Class << ", which is none of the classes\n";
-      isRight = false;
+      std::cerr << "ERROR: the catalog has cases of " << count.Class
+                << ", which is not a public class\n";
+      isValid = false;
     }
   }
   for (const std::string& name : classes)
   {
-    std::cerr << "ERROR: " << name << " has no case\n";
+    std::cerr << "ERROR: " << name << " has no case in the catalog\n";
   }
-  return isRight && classes.empty();
+  return isValid && classes.empty();
 }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Line integral convolution at extreme scales and speeds, of streamlines of a million steps, where
-// nothing moves or is finite, and outside of the field.
+// Tests line integral convolution at extreme scales and speeds, with a million steps per
+// streamline, with zero or non-finite vectors, and outside the field.
 #include "StabilityChecks.h"
 
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -25,12 +25,12 @@ namespace
 using namespace reference;
 using namespace stability;
 
-Vector Turn(const Vector& x)
+Vector Rotate(const Vector& x)
 {
   return { { -x[1], x[0], 0.25 } };
 }
 
-/// An image over -2 ... 2 times the size, of the field's vectors at places over the size.
+/// Returns an image of [-2, 2]^3 times the size, with the field's vectors at the scaled points.
 vtkSmartPointer<vtkImageData> MakeImage(
   const VectorField& field, double size = 1.0, double speed = 1.0, int points = 17)
 {
@@ -48,22 +48,22 @@ vtkSmartPointer<vtkImageData> MakeImage(
   return image;
 }
 
-/// The same box, as a rectilinear grid, of any size.
+/// Returns the box of MakeImage() as a rectilinear grid.
 vtkSmartPointer<vtkRectilinearGrid> MakeGrid(double size)
 {
   auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
-  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkDoubleArray> coordinates;
   for (int i = -8; i <= 8; ++i)
   {
-    places->InsertNextValue(0.25 * i * size);
+    coordinates->InsertNextValue(0.25 * i * size);
   }
   grid->SetDimensions(17, 17, 17);
-  grid->SetXCoordinates(places);
-  grid->SetYCoordinates(places);
-  grid->SetZCoordinates(places);
+  grid->SetXCoordinates(coordinates);
+  grid->SetYCoordinates(coordinates);
+  grid->SetZCoordinates(coordinates);
   AddVectors(grid,
     [&](const Vector& x) {
-      return Turn({ { x[0] / size, x[1] / size, x[2] / size } });
+      return Rotate({ { x[0] / size, x[1] / size, x[2] / size } });
     });
   return grid;
 }
@@ -79,21 +79,21 @@ double CompareValues(vtkFlowLIC* found, vtkFlowLIC* expected)
   {
     return NaN;
   }
-  double most = 0.0;
+  double largest = 0.0;
   for (vtkIdType i = 0; i < GetValues(expected)->GetNumberOfTuples(); ++i)
   {
     const double difference =
       std::abs(GetValues(found)->GetComponent(i, 0) - GetValues(expected)->GetComponent(i, 0));
-    most = difference <= most ? most : difference;
+    largest = difference <= largest ? largest : difference;
   }
-  return most;
+  return largest;
 }
 
 void TestScales(StabilityCatalogue& catalogue)
 {
-  // Powers of two, by which the noise's lattice is exactly the same.
+  // Scaling by powers of two does not change the noise.
   vtkNew<vtkFlowLIC> plain;
-  plain->SetInputData(MakeImage(&Turn));
+  plain->SetInputData(MakeImage(&Rotate));
   plain->SetNoiseScale(0.25);
   plain->Update();
   for (const double size :
@@ -106,18 +106,18 @@ void TestScales(StabilityCatalogue& catalogue)
         continue;
       }
       vtkNew<vtkFlowLIC> scaled;
-      scaled->SetInputData(MakeImage(&Turn, size, speed));
+      scaled->SetInputData(MakeImage(&Rotate, size, speed));
       scaled->SetNoiseScale(0.25 * size);
       const double difference = CompareValues(scaled, plain);
       catalogue.Measure("size-" + Short(size) + "-speed-" + Short(speed),
         "a box of " + Short(size) + " with speeds of " + Short(speed),
-        "largest difference from the same at size 1", difference, 1e-5,
-        "Runge-Kutta 4: " + Short(scaled->GetReport()->GetNumber("Steps")) + " each way");
+        "largest difference from the result at size 1", difference, 1e-5,
+        "Runge-Kutta 4: " + Short(scaled->GetReport()->GetNumber("Steps")) + " per direction");
     }
   }
 }
 
-/// Noise as fine as by default is 1/128 of the box's diagonal.
+/// The default noise scale is 1/128 of the diagonal of the bounding box.
 void TestAutomaticNoise(StabilityCatalogue& catalogue)
 {
   vtkNew<vtkFlowLIC> plain;
@@ -128,17 +128,17 @@ void TestAutomaticNoise(StabilityCatalogue& catalogue)
     vtkNew<vtkFlowLIC> automatic;
     automatic->SetInputData(MakeGrid(size));
     const double difference = CompareValues(automatic, plain);
-    catalogue.Measure("noise-" + Short(size), "a box of " + Short(size) + ", noise by default",
-      "relative error of the noise's scale",
+    catalogue.Measure("noise-" + Short(size), "a box of " + Short(size) + ", default noise scale",
+      "relative error of the noise scale",
       automatic->GetReport()->GetNumber("NoiseScale") / (std::sqrt(3.0) / 32.0 * size) - 1.0,
       1e-14);
     catalogue.Measure("noise-" + Short(size) + "-value",
-      "a box of " + Short(size) + ", noise by default",
-      "largest difference from the same at size 1", difference, 1e-5);
+      "a box of " + Short(size) + ", default noise scale",
+      "largest difference from the result at size 1", difference, 1e-5);
   }
 }
 
-/// One point of a circle.
+/// Returns a point on the x-axis.
 vtkSmartPointer<vtkPolyData> MakePoint(double x)
 {
   vtkNew<vtkPoints> points;
@@ -159,22 +159,21 @@ void TestLongLines(StabilityCatalogue& catalogue)
   filter->SetLength(7812.5);
   const Messages messages = UpdateFilter(filter);
   vtkInterlumeReport* report = filter->GetReport();
-  catalogue.Measure("steps-1000000", "a circle that is followed for a million steps each way",
-    "lines that end before, and steps too few",
+  catalogue.Measure("steps-1000000", "a circle traced for a million steps per direction",
+    "short streamlines, and missing steps",
     messages.Errors.empty()
       ? report->GetNumber("PointsWithShortLines") + 1e6 - report->GetNumber("Steps")
       : NaN,
-    0.0,
-    "Runge-Kutta 4: " + std::to_string(static_cast<int>(report->GetNumber("Steps"))) + " each way");
-  catalogue.Measure("steps-1000000-value", "a circle that is followed for a million steps each way",
-    "values not from 0 to 1", CountOutside(GetValues(filter), 0.0, 1.0), 0.0);
+    0.0, "Runge-Kutta 4: " + std::to_string(report->GetCount("Steps")) + " per direction");
+  catalogue.Measure("steps-1000000-value", "a circle traced for a million steps per direction",
+    "values outside [0, 1]", CountOutside(GetValues(filter), 0.0, 1.0), 0.0);
   filter->SetLength(7813.0);
   ReportRefused(catalogue, filter, "steps-more", "more than a million steps", "steps",
     [&]() { filter->SetLength(1.0); });
   filter->SetLength(1e-300);
   filter->SetStepLength(0.0);
   const std::string errors = UpdateFilter(filter).Errors;
-  catalogue.Measure("length-1e-300", "streamlines of length 1e-300", "values not from 0 to 1",
+  catalogue.Measure("length-1e-300", "streamlines of length 1e-300", "values outside [0, 1]",
     errors.empty() ? CountOutside(GetValues(filter), 0.0, 1.0) : NaN, 0.0);
   filter->SetLength(0.0);
   filter->SetContrast(0.0);
@@ -191,7 +190,7 @@ void TestStill(StabilityCatalogue& catalogue)
   const std::string errors = UpdateFilter(noise).Errors;
   const auto number = static_cast<double>(noise->GetOutput()->GetNumberOfPoints());
   catalogue.Measure("zero-field", "vectors 0 everywhere",
-    "points not at rest, and values not from 0 to 1",
+    "points not at rest, and values outside [0, 1]",
     errors.empty() ? number - noise->GetReport()->GetNumber("PointsAtRest") +
         CountOutside(GetValues(noise), 0.0, 1.0)
                    : NaN,
@@ -201,7 +200,7 @@ void TestStill(StabilityCatalogue& catalogue)
   broken->SetNoiseScale(0.25);
   catalogue.Measure("nan-field", "vectors NaN everywhere", "largest difference from vectors of 0",
     CompareValues(broken, noise), 0.0);
-  auto image = MakeImage(&Turn);
+  auto image = MakeImage(&Rotate);
   for (const vtkIdType point : { 0, 2456, 4912 })
   {
     image->GetPointData()->GetVectors()->SetComponent(
@@ -211,25 +210,25 @@ void TestStill(StabilityCatalogue& catalogue)
   some->SetInputData(image);
   some->SetNoiseScale(0.25);
   const std::string words = UpdateFilter(some).Errors;
-  catalogue.Measure("infinite-points", "three vectors that are infinite", "values not from 0 to 1",
+  catalogue.Measure("infinite-points", "three infinite vectors", "values outside [0, 1]",
     words.empty() ? CountOutside(GetValues(some), 0.0, 1.0) : NaN, 0.0);
-  // Those of the ten cells that have such a corner.
-  catalogue.Measure("infinite-points-rest", "three vectors that are infinite",
-    "points at rest but for the three, in 26 + 7 + 7 around them",
+  // Points in the ten cells that use an infinite vector are at rest as well.
+  catalogue.Measure("infinite-points-rest", "three infinite vectors",
+    "points at rest except the three, among their 26 + 7 + 7 neighbors",
     some->GetReport()->GetNumber("PointsAtRest") - 3.0, 40.0);
 }
 
-void TestPlaces(StabilityCatalogue& catalogue)
+void TestPositions(StabilityCatalogue& catalogue)
 {
   vtkNew<vtkFlowLIC> filter;
-  filter->SetFieldData(MakeImage(&Turn));
+  filter->SetFieldData(MakeImage(&Rotate));
   filter->SetNoiseScale(0.25);
-  for (const double place : { 2.1, 1e300, NaN })
+  for (const double position : { 2.1, 1e300, NaN })
   {
-    filter->SetInputData(MakePoint(place));
+    filter->SetInputData(MakePoint(position));
     const Messages messages = UpdateFilter(filter);
-    catalogue.Measure("outside-" + Short(place), "a point outside of the field, at " + Short(place),
-      "values other than 0, with a warning",
+    catalogue.Measure("outside-" + Short(position),
+      "a point outside the field, at " + Short(position), "values other than 0, with a warning",
       messages.Errors.empty() && messages.Warnings.find("outside of the field") != std::string::npos
         ? CountOutside(GetValues(filter), 0.0, 0.0)
         : NaN,
@@ -239,13 +238,13 @@ void TestPlaces(StabilityCatalogue& catalogue)
   vtkNew<vtkImageData> bare;
   bare->SetDimensions(3, 3, 3);
   filter->SetFieldData(bare);
-  const auto mend = [&]() { filter->SetFieldData(MakeImage(&Turn)); };
+  const auto mend = [&]() { filter->SetFieldData(MakeImage(&Rotate)); };
   ReportRefused(catalogue, filter, "no-vectors", "a field without vectors", "vectors", mend);
   auto flat = vtkSmartPointer<vtkImageData>::New();
   flat->SetDimensions(5, 5, 1);
-  AddVectors(flat, &Turn);
+  AddVectors(flat, &Rotate);
   filter->SetFieldData(flat);
-  ReportRefused(catalogue, filter, "two-dimensions", "a field of two dimensions", "three", mend);
+  ReportRefused(catalogue, filter, "two-dimensions", "a two-dimensional field", "three", mend);
 }
 
 }
@@ -253,5 +252,5 @@ void TestPlaces(StabilityCatalogue& catalogue)
 int TestStabilityConvolution(int argc, char* argv[])
 {
   return RunCases(__func__, "vtkFlowLIC", argc, argv,
-    { TestScales, TestAutomaticNoise, TestLongLines, TestStill, TestPlaces });
+    { TestScales, TestAutomaticNoise, TestLongLines, TestStill, TestPositions });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Streamlines of extreme fields: each ends with a status, in steps that are bounded.
+// Tests streamlines of extreme fields: each must end with a status after a bounded number of steps.
 #include "StabilityChecks.h"
 
 #include "Support/Flow/ReferenceAdvection.h"
@@ -17,9 +17,9 @@ namespace
 using namespace reference;
 using namespace stability;
 
-Lattice Cubes(const Place& spacing, int number)
+BoxGrid MakeBoxGrid(const Position& spacing, int number)
 {
-  Lattice lattice;
+  BoxGrid lattice;
   lattice.Spacing = spacing;
   lattice.Cells = { number, number, number };
   for (std::size_t i = 0; i < 3; ++i)
@@ -29,8 +29,8 @@ Lattice Cubes(const Place& spacing, int number)
   return lattice;
 }
 
-/// Attracted to the curve y = sin(x), z = 0 at \a rate, along which it goes at speed 1 in x.
-Flow ToCurve(double rate)
+/// Returns a flow with speed 1 in x that is attracted to the curve y = sin(x), z = 0 at \a rate.
+Flow AttractToCurve(double rate)
 {
   Flow flow;
   flow.Velocity = [rate](const double* x, double* v)
@@ -48,7 +48,8 @@ Flow ToCurve(double rate)
   return flow;
 }
 
-/// The methods that were chosen, with their steps, rejected ones too.
+/// Returns the integration methods that were used, with their numbers of steps including rejected
+/// ones.
 std::string DescribeMethod(const interlume::AdvectionResult& result)
 {
   const int stiff = result.StiffSteps + result.RejectedStiffSteps;
@@ -56,10 +57,11 @@ std::string DescribeMethod(const interlume::AdvectionResult& result)
   return stiff == 0 ? others : "Rosenbrock: " + std::to_string(stiff) + ", " + others;
 }
 
-/// Eigenvalue ratios: steps and errors of the methods, in space and across cells.
+/// Reports steps and errors of all methods for several eigenvalue ratios, in space and across
+/// cells.
 void TestStiff(StabilityCatalogue& catalogue)
 {
-  const Lattice lattice = Cubes({ 0.3, 0.3, 0.3 }, 61);
+  const BoxGrid lattice = MakeBoxGrid({ 0.3, 0.3, 0.3 }, 61);
   constexpr double time = 5.0;
   const struct
   {
@@ -70,10 +72,10 @@ void TestStiff(StabilityCatalogue& catalogue)
     { "explicit", vtkImplicitFlowField::DORMAND_PRINCE } };
   for (double rate : { 1e2, 1e3, 1e4, 1e5, 1e6 })
   {
-    const Flow flow = ToCurve(rate);
-    const Place start = { -2.0, std::sin(-2.0) + 0.01, 0.01 };
+    const Flow flow = AttractToCurve(rate);
+    const Position start = { -2.0, std::sin(-2.0) + 0.01, 0.01 };
     const double decay = 0.01 * std::exp(-rate * time);
-    const Place end = { 3.0, std::sin(3.0) + decay, decay };
+    const Position end = { 3.0, std::sin(3.0) + decay, decay };
     for (const auto& method : methods)
     {
       interlume::AdvectionOptions options = ForwardOptions();
@@ -82,7 +84,7 @@ void TestStiff(StabilityCatalogue& catalogue)
       options.MaximumNumberOfSteps = 100000;
       for (bool isLattice : { false, true })
       {
-        const auto result = isLattice ? Advect(LatticeWalker(flow, lattice), options, start)
+        const auto result = isLattice ? Advect(BoxWalker(flow, lattice), options, start)
                                       : Advect(SpaceWalker(flow), options, start);
         const std::string name =
           std::string("stiff-") + Short(rate) + "-" + method.Name + (isLattice ? "-cells" : "");
@@ -92,40 +94,40 @@ void TestStiff(StabilityCatalogue& catalogue)
         const std::string chosen = DescribeMethod(result);
         if (method.Integrator == vtkImplicitFlowField::DORMAND_PRINCE)
         {
-          // Stability asks for rate * time / 3.3 steps.
+          // Stability requires rate * time / 3.3 steps.
           const bool isOut = result.Status == vtkFlowStatus::OUT_OF_STEPS;
-          catalogue.Check(name, extreme, "a status: out of time, or out of steps above 100000",
-            Describe(result),
+          catalogue.Check(name, extreme,
+            "status out of time, or out of steps if more than 100000 are needed", Describe(result),
             isOut ? rate > 1e4 && steps == options.MaximumNumberOfSteps
                   : result.Status == vtkFlowStatus::OUT_OF_TIME && steps < rate * time + 500.0,
             chosen);
           continue;
         }
         catalogue.Measure(name + "-error", extreme,
-          "distance from the exact end, out of time; " + Describe(result),
+          "distance from the exact end, status out of time; " + Describe(result),
           result.Status == vtkFlowStatus::OUT_OF_TIME ? Distance(result.Position, end)
                                                       : std::nan(""),
           10.0 * options.MaximumError * time, chosen);
-        // Faces of cells are kinks, behind which the step control starts anew: at 1e6 rounding in
-        // it changes the number of steps by a twentieth.
+        // The field has kinks at cell faces, and the step control restarts behind them. At rate 1e6
+        // rounding errors in the step control change the number of steps by 5 %.
         catalogue.Measure(name + "-steps", extreme,
-          "number of steps, some of Rosenbrock's above 100",
+          "number of steps, with Rosenbrock steps for rates above 100",
           rate > 100.0 && result.StiffSteps == 0 ? std::nan("") : steps,
           isLattice ? 2200.0 : 2000.0, chosen);
       }
     }
   }
-  // A field that is not stiff is left to the explicit method.
+  // A nonstiff field must use the explicit method only.
   interlume::AdvectionOptions options = ForwardOptions();
   options.MaximumTime = 50.0;
   options.MaximumError = 1e-2;
   const Flow flow = Flow::Beltrami(1.0, 0.7, 0.43);
   const auto result = Advect(SpaceWalker(flow), options, { 0.5, 0.6, 0.7 });
-  catalogue.Measure("not-stiff", "a chaotic field that is not stiff", "steps of Rosenbrock's",
+  catalogue.Measure("not-stiff", "a nonstiff chaotic field", "number of Rosenbrock steps",
     result.StiffSteps, 0.0, DescribeMethod(result));
   options.MaximumError = 1e-6;
-  // Stiff for a while: back to the explicit method behind it.
-  Flow passing = ToCurve(1.0);
+  // A field with a stiff half: the method must switch back to the explicit one behind it.
+  Flow passing = AttractToCurve(1.0);
   const auto rate = [](double x) { return x < 0.0 ? 1e4 : 0.1; };
   passing.Velocity = [rate](const double* x, double* v)
   {
@@ -139,15 +141,15 @@ void TestStiff(StabilityCatalogue& catalogue)
     gradient[3] = -std::sin(x[0]) + rate(x[0]) * std::cos(x[0]);
     gradient[4] = -rate(x[0]);
   };
-  Lattice half = Cubes({ 0.25, 0.25, 0.25 }, 80);
+  BoxGrid half = MakeBoxGrid({ 0.25, 0.25, 0.25 }, 80);
   half.Origin = { -10, -10, -10 };
-  const Place before = { -3.0, std::sin(-3.0) + 0.01, 0.1 };
+  const Position stiffStart = { -3.0, std::sin(-3.0) + 0.01, 0.1 };
   options.MaximumTime = 3.0;
-  const auto stiff = Advect(LatticeWalker(passing, half), options, before);
+  const auto stiff = Advect(BoxWalker(passing, half), options, stiffStart);
   options.MaximumTime = 10.0;
-  const auto passed = Advect(LatticeWalker(passing, half), options, before);
+  const auto passed = Advect(BoxWalker(passing, half), options, stiffStart);
   catalogue.Check("stiff-for-a-while", "eigenvalues 1e4 in half of the cells, then 0.1",
-    "Rosenbrock's steps there, few behind",
+    "Rosenbrock steps in the stiff half, few after it",
     std::to_string(stiff.StiffSteps) + " and " +
       std::to_string(passed.StiffSteps - stiff.StiffSteps),
     stiff.StiffSteps > 5 && stiff.StiffSteps < 400 && passed.StiffSteps - stiff.StiffSteps <= 10 &&
@@ -158,23 +160,22 @@ void TestStiff(StabilityCatalogue& catalogue)
 
 void TestNodes(StabilityCatalogue& catalogue)
 {
-  const Lattice lattice = Cubes({ 0.2, 0.2, 0.2 }, 30);
-  for (double turn : { 0.0, 1.0, 100.0, 1e4 })
+  const BoxGrid lattice = MakeBoxGrid({ 0.2, 0.2, 0.2 }, 30);
+  for (double spin : { 0.0, 1.0, 100.0, 1e4 })
   {
-    const Flow flow = Flow::Linear({ -1, -turn, 0, turn, -1, 0, 0, 0, -1 }, { 0.1, 0.07, 0.05 });
+    const Flow flow = Flow::Linear({ -1, -spin, 0, spin, -1, 0, 0, 0, -1 }, { 0.1, 0.07, 0.05 });
     interlume::AdvectionOptions options = ForwardOptions();
     options.MinimumSpeed = 1e-4;
-    options.MaximumError = 1e-6 * std::max(1.0, turn);
+    options.MaximumError = 1e-6 * std::max(1.0, spin);
     for (bool isLattice : { false, true })
     {
-      const auto result = isLattice ? Advect(LatticeWalker(flow, lattice), options, { 1, 1, 1 })
+      const auto result = isLattice ? Advect(BoxWalker(flow, lattice), options, { 1, 1, 1 })
                                     : Advect(SpaceWalker(flow), options, { 1, 1, 1 });
-      catalogue.Check(std::string("spiral-") + Short(turn) + (isLattice ? "-cells" : ""),
-        "a node that streamlines come to in " + Short(turn / (2.0 * vtkMath::Pi())) +
-          " turns per unit of time",
-        "stagnated, or out of steps or on a closed orbit until then", Describe(result),
+      catalogue.Check(std::string("spiral-") + Short(spin) + (isLattice ? "-cells" : ""),
+        "a spiral sink with " + Short(spin / (2.0 * vtkMath::Pi())) + " rotations per unit of time",
+        "status stagnated; at 1e4 also out of steps or closed orbit", Describe(result),
         (result.Status == vtkFlowStatus::STAGNATED ||
-          (turn >= 1e4 &&
+          (spin >= 1e4 &&
             (result.Status == vtkFlowStatus::OUT_OF_STEPS ||
               result.Status == vtkFlowStatus::CLOSED_ORBIT))) &&
           NumberOfSteps(result) <= options.MaximumNumberOfSteps,
@@ -186,14 +187,14 @@ void TestNodes(StabilityCatalogue& catalogue)
 void TestScales(StabilityCatalogue& catalogue)
 {
   const auto surface = FormulaSurface::Plane({ 1, 0, 0 }, 1.0, 1, 2);
-  const Lattice lattice = Cubes({ 0.3, 0.3, 0.3 }, 31);
+  const BoxGrid lattice = MakeBoxGrid({ 0.3, 0.3, 0.3 }, 31);
   for (double speed : { 1e-12, 1e-6, 1e6, 1e12 })
   {
     const Flow flow = Flow::Rotation(1.0).Times(speed);
     interlume::AdvectionOptions options = ForwardOptions();
     options.Surfaces.push_back({ surface, 3 });
     options.MaximumError = 1e-9 * speed;
-    const auto result = Advect(LatticeWalker(flow, lattice), options, { 0, -2, 0.5 });
+    const auto result = Advect(BoxWalker(flow, lattice), options, { 0, -2, 0.5 });
     catalogue.Measure("speed-" + Short(speed), "speeds of " + Short(speed),
       "relative error of the time to a plane; " + Describe(result),
       result.Id == 3 ? result.Time * speed / (vtkMath::Pi() / 6.0) - 1.0 : std::nan(""), 1e-7);
@@ -202,48 +203,48 @@ void TestScales(StabilityCatalogue& catalogue)
   interlume::AdvectionOptions options = ForwardOptions();
   options.Surfaces.push_back({ surface, 3 });
   options.MaximumError = 1e-296;
-  const auto late = Advect(LatticeWalker(slow, lattice), options, { 0, 0, 0 });
+  const auto late = Advect(BoxWalker(slow, lattice), options, { 0, 0, 0 });
   catalogue.Measure("time-1e290", "speeds of 1e-290",
     "relative error of the time to a plane; " + Describe(late),
     late.Id == 3 ? late.Time / 1e290 - 1.0 : std::nan(""), 1e-12);
   const Flow zero = Flow::Uniform({ 0, 0, 0 });
-  const auto still = Advect(LatticeWalker(zero, lattice), options, { 0, 0, 0 });
-  catalogue.Check("zero-field", "vectors 0 everywhere", "stagnated, no step", Describe(still),
-    still.Status == vtkFlowStatus::STAGNATED && NumberOfSteps(still) == 0);
-  // In all of space, to no surface, with no limit of time.
+  const auto still = Advect(BoxWalker(zero, lattice), options, { 0, 0, 0 });
+  catalogue.Check("zero-field", "vectors 0 everywhere", "status stagnated after 0 steps",
+    Describe(still), still.Status == vtkFlowStatus::STAGNATED && NumberOfSteps(still) == 0);
+  // A field without bounds, surfaces or a time limit.
   const Flow uniform = Flow::Uniform({ 1, 2, 3 });
   const auto endless = Advect(SpaceWalker(uniform), ForwardOptions(), { 0, 0, 0 });
-  catalogue.Check("endless", "a uniform field without an end", "a status within 10000 steps",
+  catalogue.Check("endless", "an unbounded uniform field", "a status within 10000 steps",
     Describe(endless), NumberOfSteps(endless) <= 10000);
 }
 
 void TestFields(StabilityCatalogue& catalogue)
 {
-  Lattice lattice = Cubes({ 0.25, 0.25, 0.25 }, 32);
+  BoxGrid lattice = MakeBoxGrid({ 0.25, 0.25, 0.25 }, 32);
   interlume::AdvectionOptions options = ForwardOptions();
   options.MaximumTime = 30.0;
-  // NaN in a block of cells in the midst.
+  // A block of NaN cells at the center.
   lattice.IsFinite = [](const auto& cell)
   { return std::any_of(cell.begin(), cell.end(), [](int i) { return i < 14 || i > 17; }); };
   const auto blocked =
-    Advect(LatticeWalker(Flow::Uniform({ 1, 0, 0 }), lattice), options, { -3, 0.1, 0.1 });
+    Advect(BoxWalker(Flow::Uniform({ 1, 0, 0 }), lattice), options, { -3, 0.1, 0.1 });
   catalogue.Measure("nan-block", "NaN in 4^3 cells",
-    "distance between the end and the block, not finite",
+    "distance from the end to the block, status not finite",
     blocked.Status == vtkFlowStatus::NOT_FINITE
       ? blocked.Position[0] - (lattice.Origin[0] + 14 * 0.25)
       : std::nan(""),
     1e-14);
-  const auto beside = Advect(LatticeWalker(Flow::Rotation(1.0), lattice), options, { 2, 0.0, 0.1 });
-  catalogue.Check("nan-beside", "NaN in 4^3 cells, streamlines around them", "out of time",
-    Describe(beside), beside.Status == vtkFlowStatus::OUT_OF_TIME);
+  const auto around = Advect(BoxWalker(Flow::Rotation(1.0), lattice), options, { 2, 0.0, 0.1 });
+  catalogue.Check("nan-beside", "streamlines around 4^3 cells with NaN", "status out of time",
+    Describe(around), around.Status == vtkFlowStatus::OUT_OF_TIME);
   lattice.IsFinite = nullptr;
 
-  // A shear layer of 1e-4, crossed at an angle: x by the integral of tanh.
+  // An oblique streamline through a shear layer of 1e-4: x is the integral of tanh.
   const Flow shear = Flow::ShearLayer(1e-4, { 0, 0.25, 0 });
   options.MaximumTime = 3.2;
   for (bool isLattice : { false, true })
   {
-    const auto result = isLattice ? Advect(LatticeWalker(shear, lattice), options, { 0, -0.5, 0 })
+    const auto result = isLattice ? Advect(BoxWalker(shear, lattice), options, { 0, -0.5, 0 })
                                   : Advect(SpaceWalker(shear), options, { 0, -0.5, 0 });
     catalogue.Measure(isLattice ? "shear-layer-cells" : "shear-layer", "a shear layer of 1e-4",
       "distance from the exact end; " + Describe(result),
@@ -254,62 +255,63 @@ void TestFields(StabilityCatalogue& catalogue)
       "a shear layer of 1e-4", "number of steps", NumberOfSteps(result), 2000.0);
   }
 
-  // Cells of 1 : 1e4.
-  const Lattice thin = Cubes({ 1.0, 1e-4, 1.0 }, 101);
+  // Cells with an aspect ratio of 1e4.
+  const BoxGrid thin = MakeBoxGrid({ 1.0, 1e-4, 1.0 }, 101);
   const Flow spin = Flow::Linear({ 0, -1e4, 0, 1e-4, 0, 0, 0, 0, 0 });
   options.MaximumTime = 2.0 * vtkMath::Pi();
-  const auto turned = Advect(LatticeWalker(spin, thin), options, { 30, 0, 0.2 });
+  const auto turned = Advect(BoxWalker(spin, thin), options, { 30, 0, 0.2 });
   catalogue.Measure("cells-1e4", "cells of 1 : 1e-4 : 1",
-    "distance after one turn; " + Describe(turned),
+    "distance from the start after one revolution; " + Describe(turned),
     turned.Status == vtkFlowStatus::OUT_OF_TIME ? Distance(turned.Position, { 30, 0, 0.2 })
                                                 : std::nan(""),
     1e-4);
 
-  // A closed orbit ends by coming back.
+  // A closed orbit is detected when the streamline returns to its start.
   options = ForwardOptions();
   options.MaximumNumberOfSteps = 20000;
-  const auto orbit = Advect(LatticeWalker(Flow::Rotation(1.0), lattice), options, { 2, 0, 0 });
-  catalogue.Check("closed-orbit", "a circle, no limit of time", "closed orbit, on the circle",
-    Describe(orbit),
+  const auto orbit = Advect(BoxWalker(Flow::Rotation(1.0), lattice), options, { 2, 0, 0 });
+  catalogue.Check("closed-orbit", "a circle, no limit of time",
+    "status closed orbit, on the circle", Describe(orbit),
     orbit.Status == vtkFlowStatus::CLOSED_ORBIT &&
       std::abs(std::hypot(orbit.Position[0], orbit.Position[1]) - 2.0) < 1e-6 * orbit.Time);
 }
 
 void TestSurfaces(StabilityCatalogue& catalogue)
 {
-  const Lattice lattice = Cubes({ 0.25, 0.25, 0.25 }, 32);
+  const BoxGrid lattice = MakeBoxGrid({ 0.25, 0.25, 0.25 }, 32);
   const Flow rotation = Flow::Rotation(1.0);
-  const auto advect = [&](const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces, Place start)
+  const auto advect =
+    [&](const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces, Position start)
   {
     KeepingOptions options = ForwardOptions(surfaces);
     options.MaximumTime = 7.0;
     options.MaximumError = 1e-10;
-    return Advect(LatticeWalker(rotation, lattice), options, start);
+    return Advect(BoxWalker(rotation, lattice), options, start);
   };
   const auto plane = [](double offset) { return FormulaSurface::Plane({ 1, 0, 0 }, offset, 1, 2); };
   const auto on = advect({ plane(2.0) }, { 2, 0.1, 0 });
-  catalogue.Check("sample-on-surface", "a sample on a plane", "reached at time 0", Describe(on),
-    on.Status == vtkFlowStatus::REACHED_SURFACE && on.Time == 0.0);
+  catalogue.Check("sample-on-surface", "a sample on a plane", "the surface is reached at time 0",
+    Describe(on), on.Status == vtkFlowStatus::REACHED_SURFACE && on.Time == 0.0);
   const double angle = std::acos(1.0 - 0.5e-7);
   const auto grazed = advect({ plane(2.0 - 1e-7) }, { 0, -2, 0 });
-  catalogue.Measure("tangent", "a circle that is 1e-7 beyond a plane",
+  catalogue.Measure("tangent", "a circle that extends 1e-7 past a plane",
     "error of the time; " + Describe(grazed),
     grazed.Id == 10 ? grazed.Time - (0.5 * vtkMath::Pi() - angle) : std::nan(""), 1e-5);
   const auto touched = advect({ plane(2.0) }, { 0, -2, 0 });
-  catalogue.Check("tangent-exact", "a circle that touches a plane", "reached or out of time",
+  catalogue.Check("tangent-exact", "a circle that touches a plane", "status reached or out of time",
     Describe(touched),
     touched.Status == vtkFlowStatus::REACHED_SURFACE ||
       touched.Status == vtkFlowStatus::OUT_OF_TIME);
   const auto outside = advect({ plane(100.0) }, { 0, -2, 0 });
-  catalogue.Check("surface-outside", "a surface outside of the domain", "out of time",
+  catalogue.Check("surface-outside", "a surface outside the domain", "out of time",
     Describe(outside), outside.Status == vtkFlowStatus::OUT_OF_TIME);
   const auto first =
     advect({ plane(1.0), FormulaSurface::Sphere({ 1, -2, 0 }, 0.5) }, { 0, -2, 0 });
-  catalogue.Check("overlapping", "a plane within a sphere", "the sphere is met first",
+  catalogue.Check("overlapping", "a plane within a sphere", "the sphere is reached first",
     Describe(first), first.Id == 20);
   const auto same = advect({ plane(1.0), plane(1.0) }, { 0, -2, 0 });
-  catalogue.Check(
-    "same-twice", "the same plane twice", "the first one", Describe(same), same.Id == 10);
+  catalogue.Check("same-twice", "the same plane twice", "the first plane is reached",
+    Describe(same), same.Id == 10);
 }
 
 }

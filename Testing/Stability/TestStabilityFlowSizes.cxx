@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Implicit flow fields of every kind of field and of surface, at sizes whose squares or cubes are
-// no numbers: the answers are those at size 1.
+// Tests implicit flow fields of all types of grids and surfaces at sizes whose squares or cubes
+// overflow or underflow. The results must equal the results at size 1.
 #include "StabilityChecks.h"
 #include "StabilityShapes.h"
 
@@ -37,12 +37,12 @@ using namespace stability;
 constexpr double Lower = -2.1;
 constexpr double Width = 4.4;
 constexpr int Cells = 6;
-/// Powers of 2 nearest to 1e-160, 1e-100, 1e-12, ...: all numbers are those at size 1 but for their
-/// exponents, so that no other rounding decides on which side of a surface a sample is.
+/// Powers of 2 close to 1e-160, 1e-100, 1e-12 and so on. They only change exponents. Therefore
+/// rounding cannot put a sample on the other side of a surface.
 const double Sizes[] = { std::ldexp(1.0, -532), std::ldexp(1.0, -332), std::ldexp(1.0, -40),
   std::ldexp(1.0, 40), std::ldexp(1.0, 332), std::ldexp(1.0, 532) };
 
-double PlaceOf(double i, int cells = Cells)
+double GridCoordinate(double i, int cells = Cells)
 {
   return Lower + Width * i / cells;
 }
@@ -59,16 +59,16 @@ vtkSmartPointer<vtkDataSet> MakeImage(double size)
 
 vtkSmartPointer<vtkDataSet> MakeRectilinear(double size)
 {
-  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkDoubleArray> coordinates;
   for (int i = 0; i <= Cells; ++i)
   {
-    places->InsertNextValue((PlaceOf(i) + (i == 2 ? 0.1 : 0.0)) * size);
+    coordinates->InsertNextValue((GridCoordinate(i) + (i == 2 ? 0.1 : 0.0)) * size);
   }
   auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
   grid->SetDimensions(Cells + 1, Cells + 1, Cells + 1);
-  grid->SetXCoordinates(places);
-  grid->SetYCoordinates(places);
-  grid->SetZCoordinates(places);
+  grid->SetXCoordinates(coordinates);
+  grid->SetYCoordinates(coordinates);
+  grid->SetZCoordinates(coordinates);
   return grid;
 }
 
@@ -82,7 +82,7 @@ vtkSmartPointer<vtkDataSet> MakeCurvilinear(double size)
     {
       for (int i = 0; i <= Cells; ++i)
       {
-        const double x[3] = { PlaceOf(i), PlaceOf(j), PlaceOf(k) };
+        const double x[3] = { GridCoordinate(i), GridCoordinate(j), GridCoordinate(k) };
         points->InsertNextPoint((x[0] + 0.1 * std::sin(x[1])) * size,
           (x[1] + 0.1 * std::sin(x[2])) * size, (x[2] + 0.1 * std::sin(x[0])) * size);
       }
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkDataSet> MakeCurvilinear(double size)
   return grid;
 }
 
-/// Around the z-axis, the last angle not quite the first.
+/// Returns a grid around the z-axis whose last angle almost coincides with the first.
 vtkSmartPointer<vtkDataSet> MakeClosed(double size)
 {
   constexpr int angles = 12;
@@ -108,8 +108,8 @@ vtkSmartPointer<vtkDataSet> MakeClosed(double size)
       {
         const double angle = 2.0 * vtkMath::Pi() * i / angles * (1.0 - 1e-7);
         const double radius = 0.2 + 0.35 * j;
-        points->InsertNextPoint(
-          radius * std::cos(angle) * size, radius * std::sin(angle) * size, PlaceOf(k) * size);
+        points->InsertNextPoint(radius * std::cos(angle) * size, radius * std::sin(angle) * size,
+          GridCoordinate(k) * size);
       }
     }
   }
@@ -130,7 +130,7 @@ vtkSmartPointer<vtkDataSet> MakeUnstructured(MeshKind kind, double size, int cel
     mesh->GetPoint(i, x);
     for (double& component : x)
     {
-      component = PlaceOf(component, cells) * size;
+      component = GridCoordinate(component, cells) * size;
     }
     points->InsertNextPoint(x);
   }
@@ -162,7 +162,7 @@ std::vector<Kind> MakeKinds()
   return kinds;
 }
 
-/// Upward, and turning about the z-axis.
+/// Sets upward flow that rotates about the z-axis.
 void SetFlow(vtkDataSet* field, double size, double speed)
 {
   SetVelocity(field,
@@ -173,10 +173,10 @@ void SetFlow(vtkDataSet* field, double size, double speed)
     });
 }
 
-/// The largest difference of numbers that are multiplied by \a scale; NaN where there are not as
-/// many, or one is not finite. Parameters are compared as angles.
+/// Returns the largest difference after division by \a scale, or NaN if sizes differ or a value is
+/// not finite. Surface parameters are compared as angles.
 double Compare(vtkFieldData* data, vtkFieldData* expected, const std::string& name, double scale,
-  bool isTurn = false)
+  bool isPeriodic = false)
 {
   vtkDataArray* array = data->GetArray(name.c_str());
   vtkDataArray* other = expected->GetArray(name.c_str());
@@ -190,22 +190,22 @@ double Compare(vtkFieldData* data, vtkFieldData* expected, const std::string& na
     for (int c = 0; c < array->GetNumberOfComponents(); ++c)
     {
       double error = array->GetComponent(i, c) / scale - other->GetComponent(i, c);
-      error = isTurn ? error - std::round(error) : error;
-      // Written so that NaN stays.
+      error = isPeriodic ? error - std::round(error) : error;
+      // The condition keeps NaN.
       largest = std::abs(error) <= largest ? largest : std::abs(error);
     }
   }
   return largest;
 }
 
-/// How far the answers are from those at size 1, in parameters, times and lengths.
-double CompareAnswers(vtkDataSet* output, vtkDataSet* expected, double size, double time)
+/// Returns the difference from the results at size 1 in parameters, times and lengths.
+double CompareResults(vtkDataSet* output, vtkDataSet* expected, double size, double time)
 {
-  const auto compare = [&](const std::string& name, double scale, bool isTurn = false)
+  const auto compare = [&](const std::string& name, double scale, bool isPeriodic = false)
   {
-    const std::string beyond = vtkFlowStatus::BeyondPrefix() + name;
-    return Compare(output->GetPointData(), expected->GetPointData(), name, scale, isTurn) +
-      Compare(output->GetFieldData(), expected->GetFieldData(), beyond, scale, isTurn);
+    const std::string farSide = vtkFlowStatus::FarSidePrefix() + name;
+    return Compare(output->GetPointData(), expected->GetPointData(), name, scale, isPeriodic) +
+      Compare(output->GetFieldData(), expected->GetFieldData(), farSide, scale, isPeriodic);
   };
   return compare(vtkFlowStatus::StatusArray(), 1.0) + compare(vtkFlowStatus::IdArray(), 1.0) +
     compare(vtkFlowStatus::SideArray(), 1.0) +
@@ -228,9 +228,9 @@ int CountReached(vtkDataSet* output)
 
 using Setting = std::function<void(vtkImplicitFlowField*, double size, double speed)>;
 
-/// Reports how far the answers at each size are from those at size 1, which have to be there.
+/// Reports the difference from the results at size 1, some of which must be on surfaces.
 void ReportSizes(StabilityCatalogue& catalogue, const std::string& name, const Kind& kind,
-  const std::string& what, double speed, const Setting& set)
+  const std::string& condition, double speed, const Setting& set)
 {
   const auto execute = [&](vtkImplicitFlowField* filter, double size, double scaled)
   {
@@ -248,10 +248,10 @@ void ReportSizes(StabilityCatalogue& catalogue, const std::string& name, const K
     vtkNew<vtkImplicitFlowField> filter;
     const std::string errors = execute(filter, size, speed);
     catalogue.Measure(name + "-" + Short(size),
-      std::string(kind.Name) + " of size " + Short(size) + ", " + what,
-      "largest difference from the answers at size 1, of which " + std::to_string(reached) +
+      std::string(kind.Name) + " of size " + Short(size) + ", " + condition,
+      "largest difference from the results at size 1, of which " + std::to_string(reached) +
         " are on surfaces" + errors,
-      reached > 10 ? CompareAnswers(filter->GetOutput(), expected->GetOutput(), size, size / speed)
+      reached > 10 ? CompareResults(filter->GetOutput(), expected->GetOutput(), size, size / speed)
                    : NaN,
       1e-12);
   }
@@ -291,7 +291,7 @@ void TestSettings(StabilityCatalogue& catalogue)
       ReportSizes(catalogue, name + "-speed-" + Short(speed), kind,
         "six surfaces, speeds of " + Short(speed), speed, addSurfaces);
     }
-    ReportSizes(catalogue, name + "-faces", kind, "outer faces, with lengths and vorticities", 1.0,
+    ReportSizes(catalogue, name + "-faces", kind, "domain faces, with lengths and vorticities", 1.0,
       [](vtkImplicitFlowField* filter, double, double)
       {
         filter->DomainFacesOn();
@@ -299,9 +299,9 @@ void TestSettings(StabilityCatalogue& catalogue)
         filter->ComputeMaximumSpeedOn();
         filter->ComputeMeanVorticityOn();
       });
-    ReportSizes(catalogue, name + "-faces-alone", kind, "outer faces", 1.0,
+    ReportSizes(catalogue, name + "-faces-alone", kind, "domain faces", 1.0,
       [](vtkImplicitFlowField* filter, double, double) { filter->DomainFacesOn(); });
-    ReportSizes(catalogue, name + "-refined", kind, "six surfaces, cells refined", 1.0,
+    ReportSizes(catalogue, name + "-refined", kind, "six surfaces, refined cells", 1.0,
       [&](vtkImplicitFlowField* filter, double size, double)
       {
         addSurfaces(filter, size, 1.0);
@@ -318,27 +318,27 @@ void TestSettings(StabilityCatalogue& catalogue)
           filter->SetIntegrator(integrator);
         });
     }
-    // At the larger error most samples share, at the smaller one none does.
+    // Most samples are interpolated with the larger error bound, none with the smaller.
     for (const double error : { 1e-6, 1e-8 })
     {
       ReportSizes(catalogue, name + "-shared-" + Short(error), kind,
-        "an image of samples that may share streamlines, of errors up to " + Short(error), 1.0,
+        "image samples that may interpolate streamlines, with errors up to " + Short(error), 1.0,
         [&](vtkImplicitFlowField* filter, double size, double speed)
         {
           filter->AddTerminationSurface(shapes[0].Make(size, 0.013 * size));
           filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
           filter->SetSampleDimensions(17, 17, 17);
-          // Above the plane, so that samples around each other reach it.
+          // The samples are above the plane, so that closed groups of samples reach it.
           filter->SetSampleBounds(
             0.6 * size, 1.2 * size, 0.6 * size, 1.2 * size, 0.2 * size, 0.8 * size);
           filter->SetMaximumError(error * speed);
-          filter->ShareStreamlinesOn();
+          filter->InterpolateStreamlinesOn();
         });
     }
   }
 }
 
-/// The voxels that stand for the points of an unstructured grid of more than 32768.
+/// Checks the samples that represent an unstructured grid with more than 32768 points.
 void TestVoxels(StabilityCatalogue& catalogue)
 {
   const auto count = [](double size)
@@ -357,8 +357,7 @@ void TestVoxels(StabilityCatalogue& catalogue)
   for (const double size : Sizes)
   {
     catalogue.Measure("voxels-" + Short(size), "33³ points of hexahedra of size " + Short(size),
-      "samples more or less than " + Short(expected) + ", those at size 1", count(size) - expected,
-      0.0);
+      "difference from the " + Short(expected) + " samples at size 1", count(size) - expected, 0.0);
   }
 }
 

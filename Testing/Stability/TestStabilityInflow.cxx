@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Inflow mappings, flow volumes and parameters of stream surfaces with extreme settings, at extreme
-// scales, and where there is nothing to extract.
+// Tests inflow mappings, flow volumes and parameters of stream surfaces with extreme settings and
+// scales, and with empty results.
 #include "StabilityChecks.h"
 
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceContourSurfaces.h"
 
@@ -29,15 +29,15 @@ namespace
 using namespace reference;
 using namespace stability;
 
-/// Uniform flow from the plane x = 0, with (y,z) as parameters, in a cube of that size; samples
-/// that do not reach it have no answer.
+/// Returns samples of uniform flow from the plane x = 0 in a cube, with (y,z) as parameters. If \a
+/// isReached is false, no sample reaches the plane.
 vtkSmartPointer<vtkImageData> MakeSamples(
   int points, double size = 1.0, double speed = 0.5, bool isReached = true)
 {
   auto image =
     MakeFlowImage({ { points, points, points } }, { { 0.0, size, 0.0, size, 0.0, size } });
   AddFlow(image,
-    [=](const double* x) -> FlowAnswer
+    [=](const double* x) -> FlowResult
     {
       return { isReached ? vtkFlowStatus::REACHED_SURFACE : vtkFlowStatus::OUT_OF_TIME, 0,
         x[1] / size, x[2] / size, x[0] / size / speed };
@@ -51,7 +51,7 @@ vtkDataArray* GetInflow(vtkInflowMapping* mapping)
   return mapping->GetOutput()->GetPointData()->GetArray("Inflow");
 }
 
-/// Values of Inflow that are not NaN.
+/// Returns the number of values of Inflow that are not NaN.
 double CountValues(vtkInflowMapping* mapping)
 {
   vtkDataArray* inflow = GetInflow(mapping);
@@ -70,7 +70,7 @@ void TestFormulas(StabilityCatalogue& catalogue, vtkInflowMapping* mapping)
     mapping->SetFormula(vtkInflowMapping::ALL, formula);
     const Messages messages = UpdateFilter(mapping);
     catalogue.Measure(std::string("formula-") + formula, "a formula without a finite value",
-      "values that are not NaN, with a warning",
+      "values other than NaN, with a warning",
       messages.Errors.empty() && messages.Warnings.find("no finite value") != std::string::npos
         ? CountValues(mapping)
         : NaN,
@@ -88,7 +88,7 @@ void TestRings(StabilityCatalogue& catalogue, vtkInflowMapping* mapping)
 {
   mapping->RemoveAllMappings();
   mapping->AddRing(vtkInflowMapping::ALL, 0.5, 0.5, 0.0, 1e-300, 3.0);
-  catalogue.Measure("ring-narrow", "a ring of width 1e-300", "error in its middle and beside it",
+  catalogue.Measure("ring-narrow", "a ring of width 1e-300", "error at its center and outside",
     std::abs(mapping->Evaluate(0, 0.5, 0.5) - 3.0) + std::abs(mapping->Evaluate(0, 0.6, 0.5)), 0.0);
   mapping->RemoveAllMappings();
   mapping->AddRing(vtkInflowMapping::ALL, 0.5, 0.5, 0.0, 1e300, -1e300);
@@ -97,7 +97,7 @@ void TestRings(StabilityCatalogue& catalogue, vtkInflowMapping* mapping)
   mapping->RemoveAllMappings();
 }
 
-vtkSmartPointer<vtkImageData> MakePicture(int x, int y, int z, double value)
+vtkSmartPointer<vtkImageData> MakeConstantImage(int x, int y, int z, double value)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(x, y, z);
@@ -110,17 +110,17 @@ void TestImages(StabilityCatalogue& catalogue, vtkInflowMapping* mapping)
 {
   for (const double value : { 1e-300, 1e300 })
   {
-    mapping->SetImage(vtkInflowMapping::ALL, MakePicture(1, 1, 1, value));
+    mapping->SetImage(vtkInflowMapping::ALL, MakeConstantImage(1, 1, 1, value));
     catalogue.Measure("image-1x1-" + Short(value), "an image of one point of " + Short(value),
       "relative error", mapping->Evaluate(0, 0.3, 0.9) / value - 1.0, 0.0);
-    mapping->SetImage(vtkInflowMapping::ALL, MakePicture(3, 4, 1, value));
-    catalogue.Measure("image-beyond-" + Short(value), "parameters of 1e300 beside an image",
-      "relative error of the image's edge", mapping->Evaluate(0, 1e300, -1e300) / value - 1.0,
-      1e-15);
+    mapping->SetImage(vtkInflowMapping::ALL, MakeConstantImage(3, 4, 1, value));
+    catalogue.Measure("image-beyond-" + Short(value), "parameters of 1e300 outside an image",
+      "relative error of the value at the image's edge",
+      mapping->Evaluate(0, 1e300, -1e300) / value - 1.0, 1e-15);
   }
-  mapping->SetImage(vtkInflowMapping::ALL, MakePicture(3, 4, 1, NaN));
+  mapping->SetImage(vtkInflowMapping::ALL, MakeConstantImage(3, 4, 1, NaN));
   const Messages messages = UpdateFilter(mapping);
-  catalogue.Measure("image-nan", "an image of NaN", "values that are not NaN, with a warning",
+  catalogue.Measure("image-nan", "an image of NaN", "values other than NaN, with a warning",
     messages.Warnings.find("no finite value") != std::string::npos ? CountValues(mapping) : NaN,
     0.0);
   mapping->SetImage(vtkInflowMapping::ALL, nullptr);
@@ -137,12 +137,12 @@ void TestMapping(StabilityCatalogue& catalogue)
   TestImages(catalogue, mapping);
   mapping->SetInputData(MakeSamples(5, 1.0, 0.5, false));
   const Messages messages = UpdateFilter(mapping);
-  catalogue.Measure("none-reached", "no sample that reached a surface",
-    "values that are not NaN, with a warning",
+  catalogue.Measure("none-reached", "no sample reaches a surface",
+    "values other than NaN, with a warning",
     messages.Warnings.find("0 reached") != std::string::npos ? CountValues(mapping) : NaN, 0.0);
 }
 
-/// The cylinder of a circle of inflow.
+/// A pipeline whose flow volume is a cylinder with a circular inflow region.
 struct Pipeline
 {
   vtkNew<vtkInflowMapping> Mapping;
@@ -166,7 +166,7 @@ void TestVolumeScales(StabilityCatalogue& catalogue)
   plain.Volume->SetTimeRange(0.4, 1.5);
   const bool isPlain = UpdateFilter(plain.Volume).Errors.empty();
   const double expected = isPlain ? MeasureVolume(plain.Volume->GetOutput()) : NaN;
-  catalogue.Measure("cylinder", "nothing, for comparison",
+  catalogue.Measure("cylinder", "size 1, for comparison",
     "relative error of the volume of a cylinder", expected / (0.55 * 0.09 * vtkMath::Pi()) - 1.0,
     0.03);
   for (const double size : { 1e-90, 1e-6, 1e6, 1e90 })
@@ -199,17 +199,17 @@ void TestVolumeSettings(StabilityCatalogue& catalogue)
   };
   pipeline.Volume->SetInterval(0, 0.05, 0.05);
   const Messages thin = UpdateFilter(pipeline.Volume);
-  catalogue.Measure("interval-flat", "an interval from 0.05 to 0.05", "the volume",
+  catalogue.Measure("interval-flat", "an interval from 0.05 to 0.05", "volume",
     thin.Errors.empty() ? MeasureVolume(pipeline.Volume->GetOutput()) : NaN, 1e-15);
   mend();
   pipeline.Volume->SetTimeRange(0.7, 0.7 + 1e-15);
   const Messages moment = UpdateFilter(pipeline.Volume);
-  catalogue.Measure("times-flat", "times 1e-15 long", "the volume",
+  catalogue.Measure("times-flat", "times 1e-15 long", "volume",
     moment.Errors.empty() ? MeasureVolume(pipeline.Volume->GetOutput()) : NaN, 1e-14);
   mend();
   pipeline.Volume->SetInterval(0, 5.0, 6.0);
-  ReportEmpty(catalogue, pipeline.Volume, "interval-outside", "an interval above all of Inflow",
-    "outside of the range of Inflow");
+  ReportEmpty(catalogue, pipeline.Volume, "interval-outside",
+    "an interval above all values of Inflow", "outside of the range of Inflow");
   mend();
   pipeline.Volume->SetTimeRange(1e300, 2e300);
   ReportEmpty(catalogue, pipeline.Volume, "times-late", "times from 1e300", "time range");
@@ -217,29 +217,29 @@ void TestVolumeSettings(StabilityCatalogue& catalogue)
   pipeline.Volume->SetTimeRange(-tiny, 1e308);
   pipeline.Volume->SetInterval(0, -1e308, 1e308);
   const Messages all = UpdateFilter(pipeline.Volume);
-  catalogue.Measure("bounds-1e308", "an interval and times to 1e308",
-    "relative error of the volume of all",
+  catalogue.Measure("bounds-1e308", "interval and times up to 1e308",
+    "relative error of the volume of the domain",
     all.Errors.empty() ? MeasureVolume(pipeline.Volume->GetOutput()) - 1.0 : NaN, 1e-13);
-  // Many intervals side by side are the same region, each rounded for itself.
+  // Adjacent intervals fill the same region, but each one has its own rounding errors.
   for (int i = 0; i < 1000; ++i)
   {
     pipeline.Volume->SetInterval(i, -0.1 + 0.0007 * i, -0.1 + 0.0007 * (i + 1));
   }
   const Messages many = UpdateFilter(pipeline.Volume);
-  catalogue.Measure("intervals-1000", "1,000 intervals side by side",
-    "relative error of the volume of all",
+  catalogue.Measure("intervals-1000", "1,000 adjacent intervals",
+    "relative error of the volume of the domain",
     many.Errors.empty() ? MeasureVolume(pipeline.Volume->GetOutput()) - 1.0 : NaN, 1e-11);
 
-  Pipeline none(MakeSamples(5, 1.0, 0.5, false));
+  Pipeline unreached(MakeSamples(5, 1.0, 0.5, false));
   ReportEmpty(
-    catalogue, none.Volume, "none-reached", "no sample that reached a surface", "None of");
-  Pipeline wrong(MakeSamples(5), "ln(-1-u)");
-  ReportEmpty(catalogue, wrong.Volume, "inflow-nan", "Inflow that is NaN", "None of");
+    catalogue, unreached.Volume, "none-reached", "no sample reaches a surface", "None of");
+  Pipeline invalid(MakeSamples(5), "ln(-1-u)");
+  ReportEmpty(catalogue, invalid.Volume, "inflow-nan", "Inflow that is NaN", "None of");
 }
 
-/// The length of the contour with that value; NaN where there is not one.
+/// Returns the length of the contour of a value, or NaN if there is not exactly one contour.
 double MeasureContour(double size, double value, int resolution, const char* formula,
-  std::string& words, double* mostAlong = nullptr, double scale = 1.0)
+  std::string& words, double* largestS = nullptr, double scale = 1.0)
 {
   vtkNew<Plane> plane;
   plane->SetId(0);
@@ -261,9 +261,9 @@ double MeasureContour(double size, double value, int resolution, const char* for
   {
     double range[2];
     texture->GetRange(range, 0);
-    if (mostAlong)
+    if (largestS)
     {
-      *mostAlong = range[1];
+      *largestS = range[1];
     }
   }
   return words.empty() && lengths && lengths->GetNumberOfTuples() == 1 ? lengths->GetComponent(0, 0)
@@ -286,23 +286,22 @@ void TestParameters(StabilityCatalogue& catalogue)
     const double squares = std::max(4, resolution);
     const double length = MeasureContour(1.0, 0.09, resolution, circle, words);
     catalogue.Measure("resolution-" + std::to_string(resolution),
-      "contours followed on " + Short(squares) + " squares each way",
+      "contours on a grid of " + Short(squares) + " squares per axis",
       "relative error of a circle's length" + words, length / (0.6 * vtkMath::Pi()) - 1.0,
       4.0 / squares / squares);
   }
-  // Between the nodes of the squares, so that no contour is found.
+  // The contour lies between the nodes of the squares, so it is not found.
   double along = NaN;
   MeasureContour(1.0, 0.0036, 4, "(u-0.62)^2+(v-0.62)^2", words, &along);
-  catalogue.Measure(
-    "contour-small", "a contour smaller than a square", "the largest s", along, 0.0);
+  catalogue.Measure("contour-small", "a contour smaller than a square", "largest s", along, 0.0);
   for (const double scale : { 0.0, 1e-300, 1e300 })
   {
     const double length = MeasureContour(1.0, 0.09, 64, circle, words, &along, scale);
     catalogue.Measure("scale-" + Short(scale), "LengthScale " + Short(scale),
-      "the largest s, over the length and the scale, beyond 1.2",
+      "largest s, relative to length and scale, minus 1.2",
       scale == 0.0 ? along : std::max(0.0, along / length / scale - 1.2), 0.0);
   }
-  // A thousand values at once.
+  // A thousand contours in one update.
   Pipeline pipeline(MakeSamples(9), "u");
   vtkNew<Plane> plane;
   plane->SetId(0);
@@ -319,7 +318,7 @@ void TestParameters(StabilityCatalogue& catalogue)
   parameters->Update();
   vtkDataArray* lengths = parameters->GetOutput()->GetFieldData()->GetArray("ContourLength");
   catalogue.Measure("contours-1000", "1,000 straight contours of length 1",
-    "lengths not within 1e-12 of 1, and contours too few",
+    "lengths not within 1e-12 of 1, and missing contours",
     CountOutside(lengths, 1.0 - 1e-12, 1.0 + 1e-12) + 1000.0 -
       static_cast<double>(lengths->GetNumberOfTuples()),
     0.0);

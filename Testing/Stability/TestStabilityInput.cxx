@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wrong input and wrong settings: an error that names the array and the value, an empty output, no
-// crash, and the filter works again once they are right.
+// Tests invalid input and settings. The filter must report an error that names the array and the
+// value, have an empty output, and work again after correction.
 #include "StabilityChecks.h"
 
 #include "Support/Meshes/ReferenceField.h"
@@ -25,7 +25,8 @@ namespace
 using namespace reference;
 using namespace stability;
 
-/// Random scalars f and pressure, a vector array, a string array, and a cell array.
+/// Returns a mesh with random scalars f and pressure, a vector array, a string array and a cell
+/// array.
 vtkSmartPointer<vtkUnstructuredGrid> MakeInput()
 {
   auto mesh = MakeMesh(MeshKind::Mixed, { 2, 2, 2 });
@@ -54,7 +55,7 @@ struct ErrorCase
 {
   const char* Name;
   const char* Extreme;
-  std::vector<std::string> Named; ///< what the message has to hold
+  std::vector<std::string> Words; ///< texts that the message must contain
   std::function<void(Filter*)> Break;
   std::function<void(Filter*)> Mend;
 };
@@ -70,7 +71,7 @@ void TestErrors(StabilityCatalogue& catalogue, const std::vector<ErrorCase<Filte
     one.Break(filter);
     catalogue.SetClass(filter->GetClassName());
     ReportRefused(catalogue, filter, std::string(filter->GetClassName()) + "-" + one.Name,
-      one.Extreme, one.Named, [&]() { one.Mend(filter); });
+      one.Extreme, one.Words, [&]() { one.Mend(filter); });
   }
 }
 
@@ -80,7 +81,7 @@ void SetArray(Filter* filter, const char* name)
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
 }
 
-/// The errors of the scalar, the same for both filters.
+/// Returns cases with invalid scalar arrays, for either filter.
 template <typename Filter>
 std::vector<ErrorCase<Filter>> ArrayCases(const std::function<void(Filter*)>& set)
 {
@@ -89,7 +90,7 @@ std::vector<ErrorCase<Filter>> ArrayCases(const std::function<void(Filter*)>& se
     SetArray(filter, "f");
     set(filter);
   };
-  return { { "missing-array", "an array that is not there", { "nosuch" },
+  return { { "missing-array", "an array that does not exist", { "nosuch" },
              [](Filter* filter) { SetArray(filter, "nosuch"); }, mend },
     { "components", "a scalar with three components", { "velocity", "3" },
       [](Filter* filter) { SetArray(filter, "velocity"); }, mend },
@@ -126,8 +127,8 @@ void TestIntervalErrors(StabilityCatalogue& catalogue)
     cases.push_back({ name, extreme, named,
       [=](vtkIntervalVolume* filter) { filter->AddCriterion(array, lower, upper); }, set });
   };
-  addCriterion(
-    "criterion-missing", "a criterion on an array that is not there", "nosuch", 0, 1, { "nosuch" });
+  addCriterion("criterion-missing", "a criterion on an array that does not exist", "nosuch", 0, 1,
+    { "nosuch" });
   addCriterion(
     "criterion-components", "a criterion on a vector array", "velocity", 0, 1, { "velocity", "3" });
   addCriterion("criterion-string", "a criterion on a string array", "label", 0, 1, { "label" });
@@ -149,14 +150,14 @@ void TestContourErrors(StabilityCatalogue& catalogue)
 }
 
 template <typename Filter>
-void TestNothing(StabilityCatalogue& catalogue, const char* name, const char* extreme,
-  vtkDataObject* input, const std::string& said, const std::function<void(Filter*)>& set)
+void TestEmpty(StabilityCatalogue& catalogue, const char* name, const char* extreme,
+  vtkDataObject* input, const std::string& words, const std::function<void(Filter*)>& set)
 {
   vtkNew<Filter> filter;
   filter->SetInputDataObject(input);
   set(filter);
   catalogue.SetClass(filter->GetClassName());
-  ReportEmpty(catalogue, filter, std::string(filter->GetClassName()) + "-" + name, extreme, said);
+  ReportEmpty(catalogue, filter, std::string(filter->GetClassName()) + "-" + name, extreme, words);
 }
 
 void TestEmptyInputs(StabilityCatalogue& catalogue)
@@ -171,21 +172,20 @@ void TestEmptyInputs(StabilityCatalogue& catalogue)
     const char* Name;
     const char* Extreme;
     vtkDataObject* Input;
-    const char* Said;
-  } const inputs[] = { { "empty-grid", "an unstructured grid with nothing in it", grid,
-                         "no points" },
-    { "empty-image", "an image with nothing in it", image, "no points" },
+    const char* Words;
+  } const inputs[] = { { "empty-grid", "an empty unstructured grid", grid, "no points" },
+    { "empty-image", "an empty image", image, "no points" },
     { "no-cells", "points and values, but no cells", points, "no cells" } };
   for (const auto& one : inputs)
   {
-    TestNothing<vtkIntervalVolume>(catalogue, one.Name, one.Extreme, one.Input, one.Said,
+    TestEmpty<vtkIntervalVolume>(catalogue, one.Name, one.Extreme, one.Input, one.Words,
       [](vtkIntervalVolume* filter) { filter->SetInterval(0, 0, 1); });
-    TestNothing<vtkIsotableContour>(catalogue, one.Name, one.Extreme, one.Input, one.Said,
+    TestEmpty<vtkIsotableContour>(catalogue, one.Name, one.Extreme, one.Input, one.Words,
       [](vtkIsotableContour* filter) { filter->SetValue(0, 0.5); });
   }
-  TestNothing<vtkIntervalVolume>(catalogue, "no-intervals", "no interval is set", MakeInput(),
+  TestEmpty<vtkIntervalVolume>(catalogue, "no-intervals", "no interval is set", MakeInput(),
     "no interval is set", [](vtkIntervalVolume*) {});
-  TestNothing<vtkIsotableContour>(catalogue, "no-values", "no value is set", MakeInput(),
+  TestEmpty<vtkIsotableContour>(catalogue, "no-values", "no value is set", MakeInput(),
     "no value is set", [](vtkIsotableContour*) {});
 }
 
@@ -204,7 +204,7 @@ void TestSettings(StabilityCatalogue& catalogue)
   catalogue.SetClass(filter->GetClassName());
   const bool passed = afterIndices == 0 && afterNegative == 0 && afterMany <= 10000;
   catalogue.Check("interval-indices", "indices and numbers of intervals out of range",
-    "refused: 0 to 10000 intervals",
+    "rejected: 0 to 10000 intervals",
     std::to_string(afterIndices) + ", " + std::to_string(afterNegative) + ", " +
       std::to_string(afterMany) + " intervals",
     passed);
@@ -219,12 +219,12 @@ void TestSettings(StabilityCatalogue& catalogue)
   vtkNew<vtkIsotableContour> contour;
   contour->AddObserver(vtkCommand::ErrorEvent, observer);
   const double value = contour->GetValue(4);
-  catalogue.Check("getter-indices", "an interval and a criterion that are not there",
-    "bounds as they were, no name",
+  catalogue.Check("getter-indices", "an interval and a criterion that do not exist",
+    "unchanged bounds, no name",
     "lower " + std::to_string(lower) + (noName ? ", no name" : ", a name"),
     noName && lower == 7.0 && upper == 7.0);
   catalogue.SetClass(contour->GetClassName());
-  catalogue.Measure("getter-index", "a value that is not there", "0", value, 0.0);
+  catalogue.Measure("getter-index", "a value that does not exist", "0", value, 0.0);
 }
 
 }

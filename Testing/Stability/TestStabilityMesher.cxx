@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bad and extreme input of the mesher. Where there is no mesh: an error that names what is wrong,
-// an empty output, and the process lives on, though TetGen throws, crashes or never ends. Where
-// there is one: positive tetrahedra that fill the volume.
+// Tests invalid and extreme input of the mesher. Invalid input must give an error and an empty
+// output without ending the process, even if TetGen throws, crashes or does not return. Valid input
+// must give positive tetrahedra that fill the volume.
 #include "StabilityChecks.h"
 
 #include "Support/Arrays/ReferenceIndices.h"
@@ -31,7 +31,8 @@ vtkSmartPointer<vtkPolyData> MakeCube()
   return box;
 }
 
-/// The mesher refuses \a input with an error that holds \a named, and meshes a cube after that.
+/// Reports whether the mesher rejects \a input with an error that contains \a named, and then
+/// meshes a cube.
 void Refuse(StabilityCatalogue& catalogue, const std::string& name, const std::string& extreme,
   const std::string& named, vtkDataSet* input)
 {
@@ -41,7 +42,7 @@ void Refuse(StabilityCatalogue& catalogue, const std::string& name, const std::s
     [&]() { mesher->SetInputDataObject(MakeCube()); });
 }
 
-/// The mesher takes \a input, and its positive tetrahedra fill \a volume.
+/// Reports whether the mesher meshes \a input with positive tetrahedra that fill \a volume.
 void Accept(StabilityCatalogue& catalogue, const std::string& name, const std::string& extreme,
   double volume, double bound, vtkDataSet* input, double quality = 0.0)
 {
@@ -64,8 +65,8 @@ void TestSurfaces(StabilityCatalogue& catalogue)
     double x[3] = { 1, 1, 0 };
     x[axis] = axis == 1 ? Infinity : NaN;
     cube->GetPoints()->SetPoint(3, x);
-    Refuse(catalogue, "surface-not-finite-" + std::to_string(axis), "a coordinate of a surface",
-      "Point 3", cube);
+    Refuse(catalogue, "surface-not-finite-" + std::to_string(axis),
+      "a surface with a non-finite coordinate", "Point 3", cube);
   }
   auto open = MakeBoxes();
   open->SetPoints(MakeCube()->GetPoints());
@@ -80,11 +81,11 @@ void TestSurfaces(StabilityCatalogue& catalogue)
 
   auto bow = MakeCube();
   bow->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
-  Refuse(catalogue, "surface-bow", "a polygon that crosses itself", "cell 6", bow);
+  Refuse(catalogue, "surface-bow", "a self-intersecting polygon", "cell 6", bow);
 
   auto crossing = MakeCube();
   AppendBox(crossing, { 0.37, 0.41, 0.43 }, { 1.37, 1.41, 1.43 });
-  Refuse(catalogue, "surface-crossing", "two cubes that cross", "intersects itself", crossing);
+  Refuse(catalogue, "surface-crossing", "two intersecting cubes", "intersects itself", crossing);
 
   std::mt19937 random(11);
   auto soup = MakeBoxes();
@@ -100,19 +101,18 @@ void TestSurfaces(StabilityCatalogue& catalogue)
     soup->GetPolys()->InsertNextCell({ p + 1, p + 3, p + 2 });
     soup->GetPolys()->InsertNextCell({ p + 2, p + 3, p });
   }
-  Refuse(
-    catalogue, "surface-soup", "forty tetrahedra at random through each other", "intersects", soup);
+  Refuse(catalogue, "surface-soup", "forty random intersecting tetrahedra", "intersects", soup);
 
   auto missing = MakeCube();
   missing->GetPolys()->InsertNextCell({ 0, 1, 99 });
-  Refuse(catalogue, "surface-missing-point", "a triangle with a point that is not there",
+  Refuse(catalogue, "surface-missing-point", "a triangle with an invalid point id",
     "Cell 6 has point 99", missing);
 
   auto sheet = MakeBoxes();
   sheet->SetPoints(MakeCube()->GetPoints());
   sheet->GetPolys()->InsertNextCell({ 0, 2, 3, 1 });
   sheet->GetPolys()->InsertNextCell({ 0, 1, 3, 2 });
-  Refuse(catalogue, "surface-sheet", "one square from both sides", "open", sheet);
+  Refuse(catalogue, "surface-sheet", "a square with both orientations", "open", sheet);
 }
 
 void TestScales(StabilityCatalogue& catalogue)
@@ -123,7 +123,7 @@ void TestScales(StabilityCatalogue& catalogue)
     AppendBox(box, { 0, 0, 0 }, { scale, 2 * scale, 3 * scale });
     std::ostringstream name;
     name << "scale-" << scale;
-    Accept(catalogue, name.str(), "a box of this size", 6 * std::pow(scale, 3), 1e-12, box);
+    Accept(catalogue, name.str(), "a tiny or huge box", 6 * std::pow(scale, 3), 1e-12, box);
   }
   for (double thin : { 1e-3, 1e-6, 1e-9 })
   {
@@ -131,7 +131,7 @@ void TestScales(StabilityCatalogue& catalogue)
     AppendBox(box, { 0, 0, 0 }, { 1, 1, thin });
     std::ostringstream name;
     name << "thin-" << thin;
-    Accept(catalogue, name.str(), "a plate of this thickness", thin, 1e-12, box);
+    Accept(catalogue, name.str(), "a thin plate", thin, 1e-12, box);
   }
   auto far = MakeBoxes();
   AppendBox(far, { 1e8, 1e8, 1e8 }, { 1e8 + 1, 1e8 + 1, 1e8 + 1 });
@@ -158,9 +158,9 @@ void TestPoints(StabilityCatalogue& catalogue)
   {
     points->InsertNextPoint(1 + i, 2 + j, 3);
   }
-  Refuse(catalogue, "points-plane", "points of a plane", "plane", data);
+  Refuse(catalogue, "points-plane", "coplanar points", "plane", data);
   points->InsertNextPoint(1, NaN, 1);
-  Refuse(catalogue, "points-nan", "a NaN among points", "Point 21", data);
+  Refuse(catalogue, "points-nan", "a point with a NaN coordinate", "Point 21", data);
   points->SetPoint(21, 1, 2, 4);
   Accept(catalogue, "points-one-above", "one point above a plane", 12.0 / 3, 1e-12, data);
   vtkNew<vtkPolyData> same;
@@ -170,7 +170,7 @@ void TestPoints(StabilityCatalogue& catalogue)
   {
     samePoints->InsertNextPoint(1, 2, 3);
   }
-  Refuse(catalogue, "points-same", "a hundred points in one place", "plane", same);
+  Refuse(catalogue, "points-same", "a hundred coincident points", "plane", same);
 }
 
 void TestCells(StabilityCatalogue& catalogue)
@@ -188,22 +188,22 @@ void TestCells(StabilityCatalogue& catalogue)
     return builder.GetMesh();
   };
   Accept(catalogue, "cell-cube", "a cube as a polyhedron", 1.0, 1e-12, make(cube, 1));
-  auto turned = cube;
-  for (std::size_t f = 0; f < turned.size(); f += 2)
+  auto reversed = cube;
+  for (std::size_t f = 0; f < reversed.size(); f += 2)
   {
-    std::reverse(turned[f].begin(), turned[f].end());
+    std::reverse(reversed[f].begin(), reversed[f].end());
   }
-  Accept(catalogue, "cell-turned", "half of the faces turned inside", 1.0, 1e-12, make(turned, 1));
+  Accept(catalogue, "cell-turned", "half of the faces reversed", 1.0, 1e-12, make(reversed, 1));
   auto open = cube;
   open.pop_back();
-  Refuse(catalogue, "cell-open", "a polyhedron without a face", "Cell 0", make(open, 1));
+  Refuse(catalogue, "cell-open", "a polyhedron with a missing face", "Cell 0", make(open, 1));
   Refuse(catalogue, "cell-flat", "a polyhedron without volume", "no area", make(cube, 0));
   auto nan = make(cube, 1);
   nan->GetPoints()->SetPoint(5, 0, NaN, 0);
-  Refuse(catalogue, "cell-nan", "a NaN in a cell", "point 5", nan);
+  Refuse(catalogue, "cell-nan", "a cell with a NaN coordinate", "point 5", nan);
   auto crossing = make(cube, 1);
   crossing->GetPoints()->SetPoint(7, -2, -2, -3);
-  Refuse(catalogue, "cell-crossing", "a polyhedron that meets itself", "Cell 0", crossing);
+  Refuse(catalogue, "cell-crossing", "a self-intersecting polyhedron", "Cell 0", crossing);
 
   MeshBuilder inverted;
   for (int i = 0; i < 8; ++i)
@@ -211,37 +211,38 @@ void TestCells(StabilityCatalogue& catalogue)
     inverted.AddPoint(i & 1, i >> 1 & 1, -(i >> 2 & 1));
   }
   inverted.AddCell(VTK_HEXAHEDRON, { 0, 1, 3, 2, 4, 5, 7, 6 });
-  Accept(catalogue, "cell-inverted", "a hexahedron inside out", 1.0, 1e-12, inverted.GetMesh());
+  Accept(catalogue, "cell-inverted", "an inverted hexahedron", 1.0, 1e-12, inverted.GetMesh());
   MeshBuilder collapsed;
   for (int i = 0; i < 8; ++i)
   {
     collapsed.AddPoint(i & 1, i >> 1 & 1, i >> 2 & 1);
   }
   collapsed.AddCell(VTK_HEXAHEDRON, { 0, 1, 3, 2, 4, 5, 5, 4 });
-  Accept(catalogue, "cell-collapsed", "a hexahedron with an edge for a face", 0.5, 1e-12,
+  Accept(catalogue, "cell-collapsed", "a hexahedron with a face collapsed to an edge", 0.5, 1e-12,
     collapsed.GetMesh());
-  MeshBuilder nothing;
-  nothing.AddPoint(0, 0, 0);
-  nothing.AddCell(VTK_TETRA, { 0, 0, 0, 0 });
+  MeshBuilder degenerate;
+  degenerate.AddPoint(0, 0, 0);
+  degenerate.AddCell(VTK_TETRA, { 0, 0, 0, 0 });
   vtkNew<vtkTetrahedralMesher> mesher;
-  mesher->SetInputDataObject(nothing.GetMesh());
+  mesher->SetInputDataObject(degenerate.GetMesh());
   const std::string errors = UpdateFilter(mesher).Errors;
-  catalogue.Check("mesher-cell-point", "a tetrahedron of one point", "an empty output",
+  catalogue.Check("mesher-cell-point", "a tetrahedron collapsed to a point", "an empty output",
     errors.empty() ? "no error" : errors,
     errors.empty() && mesher->GetOutput()->GetNumberOfCells() == 0);
 }
 
-/// Programs in the place of the worker: none, one that ends, one that never answers.
+/// Tests invalid worker programs: a missing one, one that exits at once, and one that never
+/// responds.
 void TestWorkers(StabilityCatalogue& catalogue)
 {
   struct Worker
   {
     const char *Name, *Extreme, *Program, *Named;
   };
-  const Worker workers[] = { { "worker-missing", "no program of that name", "/nowhere/tetgen",
+  const Worker workers[] = { { "worker-missing", "a program that does not exist", "/nowhere/tetgen",
                                "cannot start" },
-    { "worker-ends", "a program that ends at once", "/bin/false", "exit code 1" },
-    { "worker-silent", "a program that never answers", "/bin/cat", "not done after 0.5 s" } };
+    { "worker-ends", "a program that exits at once", "/bin/false", "exit code 1" },
+    { "worker-silent", "a program that never responds", "/bin/cat", "not done after 0.5 s" } };
   for (const Worker& worker : workers)
   {
     vtkNew<vtkTetrahedralMesher> mesher;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Slices of 4-simplices, and interval volumes that are written slab by slab: extreme times, times
-// that are not finite, degenerate 4-simplices, and where nothing can be cut or written.
+// Tests slices of 4-simplices, and interval volumes that are written slab by slab, with extreme or
+// non-finite times, degenerate 4-simplices, and empty or failing output.
 #include "StabilityChecks.h"
 
 #include "Support/Checks/ReferenceMessages.h"
@@ -30,7 +30,7 @@ using namespace reference;
 using namespace stability;
 namespace files = std::filesystem;
 
-/// [0,1]^3 x [0,3] with times times \a step, from \a offset on.
+/// Returns [0,1]^3 x [0,3], with times multiplied by \a step and shifted by \a offset.
 vtkSmartPointer<vtkUnstructuredGrid> MakeSimplices(
   double step = 1.0, double offset = 0.0, double size = 1.0)
 {
@@ -62,14 +62,14 @@ void TestScales(StabilityCatalogue& catalogue)
 {
   for (const double step : { 1e-200, 1e-9, 1.0, 1e9, 1e200 })
   {
-    for (const double place : { 0.0, 1.0, 1.37, 3.0 })
+    for (const double position : { 0.0, 1.0, 1.37, 3.0 })
     {
       vtkNew<vtkSimplexTimeSlice> slice;
       slice->SetInputData(MakeSimplices(step));
-      slice->SetTime(place * step);
-      catalogue.Measure("steps-" + Short(step) + "-time-" + Short(place),
-        "steps " + Short(step) + " apart, at " + Short(place) + " of them",
-        "error of the volume, 1", GetVolume(slice) - 1.0, 1e-12);
+      slice->SetTime(position * step);
+      catalogue.Measure("steps-" + Short(step) + "-time-" + Short(position),
+        "steps " + Short(step) + " apart, slice at step " + Short(position),
+        "error of the unit volume", GetVolume(slice) - 1.0, 1e-12);
     }
   }
   for (const double offset : { 0x1p40, -0x1p40 })
@@ -77,8 +77,8 @@ void TestScales(StabilityCatalogue& catalogue)
     vtkNew<vtkSimplexTimeSlice> slice;
     slice->SetInputData(MakeSimplices(1.0, offset));
     slice->SetTime(offset + 1.375);
-    catalogue.Measure("from-" + Short(offset), "times from " + Short(offset) + " on",
-      "error of the volume, 1", GetVolume(slice) - 1.0, 1e-12);
+    catalogue.Measure("from-" + Short(offset), "times starting at " + Short(offset),
+      "error of the unit volume", GetVolume(slice) - 1.0, 1e-12);
   }
   for (const double size : { 1e-90, 1e-9, 1e9, 1e90 })
   {
@@ -104,9 +104,9 @@ void TestSimplices(StabilityCatalogue& catalogue)
   for (const double t : { -1e-9, 3.0 + 1e-9, 1e300 })
   {
     slice->SetTime(t);
-    ReportEmpty(catalogue, slice, "outside-" + Short(t), "a slice outside of all times", "time");
+    ReportEmpty(catalogue, slice, "outside-" + Short(t), "a slice outside the time range", "time");
   }
-  // Each inner point has 4-simplices all around; without it there is a hole.
+  // Removing an interior point leaves a hole, because 4-simplices surround it.
   auto broken = MakeSimplices();
   auto* times = broken->GetPointData()->GetArray("Time");
   for (vtkIdType i = 0; i < times->GetNumberOfTuples(); i += 40)
@@ -117,22 +117,22 @@ void TestSimplices(StabilityCatalogue& catalogue)
   mend();
   const double volume = GetVolume(slice);
   catalogue.Check("times-not-finite", "every fortieth time NaN or infinite",
-    "what is left of the volume, finite", Short(volume), volume > 0.3 && volume < 1.0);
+    "a finite part of the volume", Short(volume), volume > 0.3 && volume < 1.0);
   times->Fill(NaN);
   times->Modified();
   broken->Modified();
-  ReportEmpty(catalogue, slice, "times-nan", "times that are all NaN", "");
-  // All at one time: they lie in the slice as a whole.
+  ReportEmpty(catalogue, slice, "times-nan", "only NaN times", "");
+  // All 4-simplices have the same time and lie in the slice.
   auto flat = MakeSimplices(0.0, 1.37);
   slice->SetInputData(flat);
-  ReportEmpty(catalogue, slice, "times-equal", "4-simplices at one time, that of the slice", "");
-  // Five points of which two are one.
+  ReportEmpty(catalogue, slice, "times-equal", "4-simplices whose only time is the slice's", "");
+  // Two of the five points coincide.
   auto point = MakeSimplexGrid({ { { 0, 0, 0, 0 } }, { { 1, 0, 0, 1 } }, { { 0, 1, 0, 2 } },
                                  { { 0, 0, 1, 3 } }, { { 0, 0, 0, 0 } } },
     { { { 0, 1, 2, 3, 4 } } });
   slice->SetInputData(point);
-  catalogue.Measure("two-points-one", "a 4-simplex of which two points are one", "the volume",
-    GetVolume(slice), 1e-15);
+  catalogue.Measure(
+    "two-points-one", "a 4-simplex with two coincident points", "volume", GetVolume(slice), 1e-15);
 }
 
 void SetInput(vtkTimeSlabWriter* writer, double first, double last, int steps)
@@ -147,8 +147,8 @@ void SetInput(vtkTimeSlabWriter* writer, double first, double last, int steps)
   writer->SetInterval(0, -0.5, 0.25);
 }
 
-/// The volume that all slabs' tetrahedra have, each corner by its extent in time; NaN where a file
-/// is missing.
+/// Returns the hypervolume of the tetrahedra of all slabs, weighted by the extent in time. Returns
+/// NaN if a file is missing.
 double MeasureSlabs(const files::path& folder, int slabs)
 {
   double sum = 0.0;
@@ -199,7 +199,7 @@ void TestWriter(StabilityCatalogue& catalogue)
     bool isWritten = false;
     const std::string errors = ErrorsOf(writer, [&]() { isWritten = writer->Write(); });
     catalogue.Measure("steps-" + Short(step), "four time steps, " + Short(step) + " apart",
-      "relative error of the volume in space and time of all slabs" + errors,
+      "relative error of the hypervolume of all slabs" + errors,
       isWritten ? MeasureSlabs(folder, 3) / (0.75 * 4.0 * 3.0 * step) - 1.0 : NaN, 1e-6);
   }
   files::remove_all(folder);
@@ -208,8 +208,8 @@ void TestWriter(StabilityCatalogue& catalogue)
   writer->SetFileName("/dev/null/slabs.vtm");
   bool isWritten = true;
   const std::string errors = ErrorsOf(writer, [&]() { isWritten = writer->Write(); });
-  catalogue.Check("no-folder", "a folder that cannot be there",
-    "Write returns false, with an error that names it", errors,
+  catalogue.Check("no-folder", "a directory that cannot exist",
+    "Write returns false, and the error names the directory", errors,
     !isWritten && errors.find("/dev/null") != std::string::npos);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Sources with the largest and smallest settings, far from the origin, and far in time: values
-// against formulas in long double, and what has to hold anywhere.
+// Tests sources with extreme settings, positions and times. Values are compared with formulas in
+// long double or checked for general properties.
 #include "StabilityChecks.h"
 
 #include "Sources/Analytic/GradientNoise.h"
@@ -34,7 +34,8 @@ using Number = long double;
 
 const Number Pi = std::acos(Number(-1));
 
-/// The largest difference of a field from a formula at time t, over the largest value.
+/// Returns the largest difference between a field and a formula at time t, relative to the largest
+/// value.
 double ErrorOfField(
   vtkAnalyticFieldSource* source, double t, const std::function<Number(const double* x)>& formula)
 {
@@ -93,13 +94,13 @@ void TestFields(StabilityCatalogue& catalogue)
         { return x[2] - Number(0.4) * std::cos(Pi * (x[0] + Number(x[1]) / 4 - Number(t) / 2)); }),
       4e-16 * t);
   }
-  source->SetFieldToBall();
+  source->SetFieldToSphereDistance();
   source->SetCenter(1e6, -1e6, 1e6);
   source->SetVelocity(0.0, 0.0, 0.0);
   source->SetRadius(1e-6);
   source->SetGrowth(0.0);
   source->SetBounds(1e6 - 1.0, 1e6 + 1.0, -1e6 - 1.0, -1e6 + 1.0, 1e6 - 1.0, 1e6 + 1.0);
-  catalogue.Measure("ball-far", "a ball of radius 1e-6 at a distance of 1.7e6",
+  catalogue.Measure("ball-far", "a sphere of radius 1e-6 at a distance of 1.7e6",
     "relative error against long double",
     ErrorOfField(source, 0.0,
       [](const double* x)
@@ -111,15 +112,17 @@ void TestFields(StabilityCatalogue& catalogue)
   source->SetFieldToVortex();
   source->SetBounds(-1.0, 1.0, -1.0, 1.0, -1.0, 1.0);
   source->UpdateTimeStep(1e9);
-  catalogue.Measure("vortex-late", "vortices at time 1e9, which have left", "values not 0 to 11",
+  catalogue.Measure("vortex-late", "vortices at time 1e9, after they have left the box",
+    "values outside [0, 11]",
     CountOutside(source->GetOutput()->GetPointData()->GetScalars(), 0.0, 11.0), 0.0);
   source->SetDimensions(1, 1, 1);
   source->UpdateTimeStep(0.0);
-  catalogue.Measure("one-point", "an image of one point", "points more or less than one",
+  catalogue.Measure("one-point", "an image of one point",
+    "difference of the number of points from 1",
     static_cast<double>(source->GetOutput()->GetNumberOfPoints() - 1), 0.0);
 }
 
-/// The relative error of one component of the velocity at a place.
+/// Returns the relative error of one velocity component at a point.
 double ErrorOfFlow(
   vtkAnalyticFlowSource* source, const std::array<double, 3>& x, int component, double expected)
 {
@@ -147,31 +150,32 @@ void TestFlows(StabilityCatalogue& catalogue)
       "relative error of the largest swirl", ErrorOfFlow(source, { size, 0.0, -1.0 }, 1, 1.0),
       1e-14);
     source->SetField(vtkAnalyticFlowSource::TORNADO);
-    catalogue.Measure("tornado" + at, "a core with " + extreme, "relative error of the swirl there",
+    catalogue.Measure("tornado" + at, "a core with " + extreme,
+      "relative error of the swirl at the core radius",
       ErrorOfFlow(source, { size, 0.0, 0.0 }, 1,
         static_cast<double>((1 - std::exp(Number(-1))) / (2 * Pi * size))),
       1e-14);
     source->SetField(vtkAnalyticFlowSource::SPHERE);
     catalogue.Measure("sphere" + at, "a sphere with " + extreme,
-      "relative error of the speed beside it", ErrorOfFlow(source, { 0.0, size, 0.0 }, 0, 1.5),
+      "relative error of the speed at its side", ErrorOfFlow(source, { 0.0, size, 0.0 }, 0, 1.5),
       1e-14);
     source->SetField(vtkAnalyticFlowSource::CYLINDER);
     catalogue.Measure("cylinder" + at, "a cylinder with " + extreme,
-      "relative error of the speed beside it", ErrorOfFlow(source, { 0.0, size, 0.0 }, 0, 2.0),
+      "relative error of the speed at its side", ErrorOfFlow(source, { 0.0, size, 0.0 }, 0, 2.0),
       1e-14);
     source->SetField(vtkAnalyticFlowSource::SHEAR);
     catalogue.Measure("shear" + at, "a layer with " + extreme, "relative error of the speed in it",
       ErrorOfFlow(source, { 0.0, 0.0, size }, 0, static_cast<double>(std::tanh(Number(1)))), 1e-14);
     source->SetField(vtkAnalyticFlowSource::SOURCE_SINK);
-    // Settings go to 1e12.
+    // Settings are clamped to 1e12.
     const double core = size > 1.0 ? 1e-3 * size : size;
     source->SetCoreRadius(core);
     source->SetSeparation(1e3 * core, 0.0, 0.0);
     double divergence[9];
-    const double place[3] = { -500.0 * core, 0.25 * core, 0.0 };
-    source->EvaluateJacobian(place, divergence);
+    const double position[3] = { -500.0 * core, 0.25 * core, 0.0 };
+    source->EvaluateJacobian(position, divergence);
     catalogue.Measure("source" + at, "a source with a core of " + Short(core),
-      "relative error of the divergence in it",
+      "relative error of the divergence in the core",
       static_cast<double>(
         (Number(divergence[0]) + divergence[4] + divergence[8]) * 4 * Pi * core * core * core / 3 -
         1),
@@ -193,8 +197,8 @@ void TestFlows(StabilityCatalogue& catalogue)
   source->SetField(vtkAnalyticFlowSource::ROTATION);
   source->SetAngularVelocity(1e300);
   catalogue.Measure("rotation-clamped", "an angular velocity of 1e300",
-    "relative error of 1e12 times the distance", ErrorOfFlow(source, { 1e-3, 0.0, 0.0 }, 1, 1e9),
-    1e-15);
+    "relative error of the speed for the maximum angular velocity, 1e12",
+    ErrorOfFlow(source, { 1e-3, 0.0, 0.0 }, 1, 1e9), 1e-15);
 }
 
 void TestNoise(StabilityCatalogue& catalogue)
@@ -209,7 +213,7 @@ void TestNoise(StabilityCatalogue& catalogue)
   {
     const double far[3] = { near[0] + 256.0 * periods, near[1], near[2] - 256.0 * periods };
     catalogue.Measure("far-" + Short(periods), Short(periods) + " periods away",
-      "the difference from the noise near the origin", noise->Evaluate(far) - noise->Evaluate(near),
+      "difference from the noise near the origin", noise->Evaluate(far) - noise->Evaluate(near),
       0.0);
   }
 
@@ -228,17 +232,17 @@ void TestNoise(StabilityCatalogue& catalogue)
   source->SetOffset(0.0);
   source->SetFrequency(1e300);
   source->SetNumberOfOctaves(16);
-  catalogue.Measure("frequency-1e12", "16 octaves from a frequency of 1e12, the most",
-    "values beyond twice the largest noise", outside(2.0 * interlume::GradientNoise::LargestNoise),
+  catalogue.Measure("frequency-1e12", "16 octaves from a frequency of 1e12, the maximum",
+    "values above twice the largest noise", outside(2.0 * interlume::GradientNoise::LargestNoise),
     0.0);
   source->SetFrequency(2.0);
-  const double place[3] = { 0.1, 0.2, 0.3 };
-  const double plain = source->Evaluate(place);
+  const double position[3] = { 0.1, 0.2, 0.3 };
+  const double plain = source->Evaluate(position);
   source->SetAmplitude(1e300);
-  catalogue.Measure("amplitude-1e12", "an amplitude of 1e12, the most", "relative error of a value",
-    source->Evaluate(place) / (1e12 * plain) - 1.0, 1e-15);
-  catalogue.Measure("amplitude-1e12-values", "an amplitude of 1e12, the most",
-    "values beyond twice the largest noise", outside(2e12 * interlume::GradientNoise::LargestNoise),
+  catalogue.Measure("amplitude-1e12", "an amplitude of 1e12, the maximum",
+    "relative error of a value", source->Evaluate(position) / (1e12 * plain) - 1.0, 1e-15);
+  catalogue.Measure("amplitude-1e12-values", "an amplitude of 1e12, the maximum",
+    "values above twice the largest noise", outside(2e12 * interlume::GradientNoise::LargestNoise),
     0.0);
   source->SetAmplitude(NaN);
   source->SetTopFraction(0.0);
@@ -248,13 +252,13 @@ void TestNoise(StabilityCatalogue& catalogue)
     outside(VTK_FLOAT_MAX), 0.0);
 }
 
-/// The share of a ball's volume that the samples have too much.
-double ErrorOfBall(double size, int subsamples)
+/// Returns the relative error of a sampled sphere's volume.
+double ErrorOfSphere(double size, int subsamples)
 {
-  vtkNew<vtkSpatialPrimitive> ball;
-  ball->SetRadius(size);
+  vtkNew<vtkSpatialPrimitive> sphere;
+  sphere->SetRadius(size);
   vtkNew<vtkConstructiveVolume> source;
-  source->SetRoot(ball);
+  source->SetRoot(sphere);
   source->SetDimensions(25, 25, 25);
   source->SetBounds(-1.2 * size, 1.2 * size, -1.2 * size, 1.2 * size, -1.2 * size, 1.2 * size);
   source->SetNumberOfSubsamples(subsamples);
@@ -273,24 +277,24 @@ void TestSolids(StabilityCatalogue& catalogue)
   catalogue.SetClass("vtkConstructiveVolume");
   for (const double size : { 1e-100, 1e-6, 1e6, 1e100 })
   {
-    catalogue.Measure("ball-" + Short(size), "a ball of radius " + Short(size),
-      "relative error of its volume, 4^3 samples a point", ErrorOfBall(size, 4), 5e-3);
+    catalogue.Measure("ball-" + Short(size), "a sphere of radius " + Short(size),
+      "relative error of its volume, 4^3 samples per point", ErrorOfSphere(size, 4), 5e-3);
   }
-  vtkNew<vtkSpatialPrimitive> ball;
+  vtkNew<vtkSpatialPrimitive> sphere;
   vtkNew<vtkConstructiveVolume> source;
   source->SetDimensions(8, 8, 8);
-  source->SetRoot(ball);
-  ball->SetCenter(0.013, 0.017, 0.011);
-  ball->SetRadius(1e-6);
+  source->SetRoot(sphere);
+  sphere->SetCenter(0.013, 0.017, 0.011);
+  sphere->SetRadius(1e-6);
   source->Update();
-  catalogue.Measure("ball-between", "a ball between samples", "samples with density",
+  catalogue.Measure("ball-between", "a sphere between samples", "samples with nonzero density",
     CountOutside(source->GetOutput()->GetPointData()->GetScalars(), 0.0, 0.0), 0.0);
-  ball->SetRadius(1e100);
+  sphere->SetRadius(1e100);
   source->Update();
-  catalogue.Measure("ball-around", "a ball around all of the image", "samples without density 1",
+  catalogue.Measure("ball-around", "a sphere around the image", "samples with density other than 1",
     CountOutside(source->GetOutput()->GetPointData()->GetScalars(), 1.0, 1.0), 0.0);
-  // Operations within operations.
-  vtkSmartPointer<vtkSpatialObject> chain = ball.Get();
+  // A chain of nested operations.
+  vtkSmartPointer<vtkSpatialObject> chain = sphere.Get();
   for (int i = 0; i < 500; ++i)
   {
     vtkNew<vtkSpatialOperation> operation;
@@ -301,7 +305,7 @@ void TestSolids(StabilityCatalogue& catalogue)
   }
   source->SetRoot(chain);
   source->Update();
-  catalogue.Measure("chain-500", "500 operations within each other", "samples without density 1",
+  catalogue.Measure("chain-500", "500 nested operations", "samples with density other than 1",
     CountOutside(source->GetOutput()->GetPointData()->GetScalars(), 1.0, 1.0), 0.0);
 
   catalogue.SetClass("vtkConstructiveModelSource");
@@ -317,11 +321,11 @@ void TestSolids(StabilityCatalogue& catalogue)
       outside += CountOutside(model->GetOutput()->GetPointData()->GetScalars(), 0.0, 1.0);
     }
     catalogue.Measure("resolution-" + std::to_string(resolution),
-      "models with a resolution of " + std::to_string(resolution), "densities not from 0 to 1",
+      "models with a resolution of " + std::to_string(resolution), "densities outside [0, 1]",
       outside, 0.0);
   }
   model->SetResolution(1 << 30);
-  catalogue.Measure("resolution-most", "a resolution of 2^30", "more than 2048",
+  catalogue.Measure("resolution-most", "a resolution of 2^30", "difference from the maximum 2048",
     model->GetResolution() - 2048.0, 0.0);
 }
 
@@ -330,7 +334,8 @@ void TestGrids(StabilityCatalogue& catalogue)
   catalogue.SetClass("vtkDeltaWingSource");
   vtkNew<vtkDeltaWingSource> wing;
   wing->SetDimensions(0, -1, 1 << 30);
-  catalogue.Measure("dimensions", "0, -1 and 2^30 points", "beyond 2, 2 and 32768",
+  catalogue.Measure("dimensions", "0, -1 and 2^30 points",
+    "difference from the limits 2, 2 and 32768",
     std::abs(wing->GetDimensions()[0] - 2.0) + std::abs(wing->GetDimensions()[1] - 2.0) +
       std::abs(wing->GetDimensions()[2] - 32768.0),
     0.0);
@@ -341,17 +346,17 @@ void TestGrids(StabilityCatalogue& catalogue)
     wing->SetSweepAngle(angle);
     for (const double t : { -1e6, 1e6 })
     {
-      double most = 0.0;
+      double largest = 0.0;
       for (int i = 0; i < 200; ++i)
       {
         const double x[3] = { 0.01 * i, 0.002 * i, 0.001 * i };
         const double other[3] = { x[0], -x[1], x[2] };
         const double difference = std::abs(wing->Evaluate(x, t) - wing->Evaluate(other, t));
-        most = difference <= most ? most : difference;
+        largest = difference <= largest ? largest : difference;
       }
       catalogue.Measure("sides-" + Short(angle) + "-time-" + Short(t),
-        "the largest and the smallest sweep, at time " + Short(t),
-        "the largest difference between both sides", most, 1e-15);
+        "the smallest or largest sweep angle, at time " + Short(t),
+        "largest difference between both sides", largest, 1e-15);
     }
   }
 
@@ -368,13 +373,13 @@ void TestGrids(StabilityCatalogue& catalogue)
     cylinder->SetOutputScalarType(VTK_DOUBLE);
     cylinder->UpdateTimeStep(1e6);
     const std::string name = factor > 0.0 ? "largest" : "smallest";
-    catalogue.Measure(name, "the " + name + " of every setting, at time 1e6",
-      "densities not from 0 to 1",
+    catalogue.Measure(name, "the " + name + " values of all settings, at time 1e6",
+      "densities outside [0, 1]",
       CountOutside(cylinder->GetOutput()->GetPointData()->GetScalars(), 0.0, 1.0), 0.0);
     double x[3];
     const int first[3] = { 0, 3, 0 };
     cylinder->GetPosition(first, x);
-    catalogue.Measure(name + "-wall", "the " + name + " of every setting",
+    catalogue.Measure(name + "-wall", "the " + name + " values of all settings",
       "relative error of the wall's radius", std::hypot(x[0], x[1]) / cylinder->GetRadii()[0] - 1.0,
       1e-14);
   }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Termination surfaces of any size, far away and seen from far away, as distances and as they are
-// drawn, and settings that no surface has.
+// Tests distances and meshes of termination surfaces of any size, close to the origin and far away,
+// and settings that are out of range.
 #include "StabilityChecks.h"
 #include "StabilityShapes.h"
 
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 
 #include "vtkCellArray.h"
@@ -30,7 +30,7 @@ namespace
 using namespace reference;
 using namespace stability;
 
-/// The area, in squares of \a size.
+/// Returns the area in units of \a size squared.
 double MeasureTriangles(vtkPolyData* data, double size)
 {
   double sum = data->GetNumberOfPolys() > 0 ? 0.0 : NaN;
@@ -66,27 +66,27 @@ void TestShapes(StabilityCatalogue& catalogue)
         catalogue.SetClass(surface->GetClassName());
         const std::string name = "size-" + Short(size) + (offset > 0.0 ? "-far" : "");
         const std::string extreme = "a surface of size " + Short(size) +
-          (offset > 0.0 ? ", a million times as far away" : "");
-        const std::string wrong = surface->Update();
+          (offset > 0.0 ? ", a million times its size from the origin" : "");
+        const std::string error = surface->Update();
         vtkNew<vtkTerminationSurfaceSource> source;
         source->SetSurface(surface);
         source->SetResolutionU(48);
         source->SetResolutionV(48);
         source->Update();
         const double rounding = offset > 0.0 ? 1e-9 : 1e-12;
-        catalogue.Measure(name + "-area", extreme, "relative error of the area as drawn" + wrong,
-          wrong.empty() ? MeasureTriangles(source->GetOutput(), size) / shape.Area - 1.0 : NaN,
+        catalogue.Measure(name + "-area", extreme, "relative error of the mesh area" + error,
+          error.empty() ? MeasureTriangles(source->GetOutput(), size) / shape.Area - 1.0 : NaN,
           std::max(shape.AreaBound, rounding));
-        const double x[3] = { (shape.Place[0] + offset) * size, shape.Place[1] * size,
-          shape.Place[2] * size };
-        catalogue.Measure(name + "-distance", extreme, "relative error of the distance of a place",
+        const double x[3] = { (shape.Position[0] + offset) * size, shape.Position[1] * size,
+          shape.Position[2] * size };
+        catalogue.Measure(name + "-distance", extreme, "relative error of the distance of a point",
           std::abs(surface->EvaluateDistance(x)) / size / shape.Distance - 1.0, rounding);
       }
     }
   }
 }
 
-/// A mesh of one polygon, which VTK cuts into triangles.
+/// Tests a mesh of one polygon, which VTK triangulates.
 void TestPolygons(StabilityCatalogue& catalogue)
 {
   for (const double size : { 1e-160, 1e-100, 1e-30, 1e30, 1e100, 1e160 })
@@ -110,10 +110,10 @@ void TestPolygons(StabilityCatalogue& catalogue)
     vtkNew<vtkTerminationMesh> mesh;
     mesh->SetMesh(data);
     catalogue.SetClass(mesh->GetClassName());
-    const std::string wrong = mesh->Update();
+    const std::string error = mesh->Update();
     const double x[3] = { 0.7 * size, 0.2 * size, 2.0 * size };
     catalogue.Measure("polygon-" + Short(size), "a concave polygon of size " + Short(size),
-      "relative error of the distance of a place" + wrong,
+      "relative error of the distance of a point" + error,
       std::abs(mesh->EvaluateDistance(x)) / size / 2.0 - 1.0, 1e-12);
   }
 }
@@ -131,21 +131,21 @@ void TestResolutions(StabilityCatalogue& catalogue)
     source->Update();
     const double n = std::max(1, resolution);
     catalogue.Measure("resolution-" + std::to_string(resolution),
-      "a sphere on a grid of " + Short(n) + " squares each way",
-      "triangles more or less than those that have an area",
+      "a sphere on a grid of " + Short(n) + " squares per axis",
+      "difference from the number of nondegenerate triangles",
       static_cast<double>(source->GetOutput()->GetNumberOfCells()) - 2.0 * n * (n - 1.0), 0.0);
   }
 }
 
-/// The place along x of the rectangle that is placed in uniform flow of that size and speed.
+/// Tests the position along x of the rectangle in uniform flow of several sizes and speeds.
 void TestInflow(StabilityCatalogue& catalogue)
 {
   catalogue.SetClass("vtkTerminationInflow");
-  const auto place = [](double size, double speed, vtkTerminationInflow* surface)
+  const auto initialize = [](double size, double speed, vtkTerminationInflow* surface)
   {
     auto image = MakeFlowImage({ { 9, 9, 9 } }, { { 0.0, size, 0.0, size, 0.0, size } });
     SetVelocity(image, [speed](const FlowVector&) { return FlowVector{ { speed, 0.0, 0.0 } }; });
-    return surface->PlaceIn(image, image->GetPointData()->GetVectors(), true);
+    return surface->InitializeFromField(image, image->GetPointData()->GetVectors(), true);
   };
   for (const double size :
     { 1e-300, 1e-200, 1e-150, 1e-100, 1e-60, 1e-6, 1e6, 1e60, 1e100, 1e150, 1e200, 1e300 })
@@ -153,16 +153,17 @@ void TestInflow(StabilityCatalogue& catalogue)
     for (const double speed : { 1e-300, 1e-200, 1e-150, 1e-100, 1e-6, 1e6, 1e100, 1e150, 1e200 })
     {
       vtkNew<vtkTerminationInflow> surface;
-      const std::string wrong = place(size, speed, surface);
+      const std::string error = initialize(size, speed, surface);
       double bounds[6] = { NaN, NaN, NaN, NaN, NaN, NaN };
-      if (wrong.empty())
+      if (error.empty())
       {
         surface->GetBounds(bounds);
       }
-      // Half of one of 32 slabs inside, and over all of the field across.
+      // The rectangle is at the center of the first of 32 slabs and covers the cross section of the
+      // field.
       catalogue.Measure("size-" + Short(size) + "-speed-" + Short(speed),
         "a box of " + Short(size) + " with a speed of " + Short(speed),
-        "error of the rectangle's bounds, in sizes" + wrong,
+        "error of the rectangle's bounds, relative to the size" + error,
         std::abs(bounds[0] / size - 1.0 / 64.0) + std::abs(bounds[1] / size - 1.0 / 64.0) +
           std::abs(bounds[2] / size) + std::abs(bounds[3] / size - 1.0),
         1e-9);
@@ -171,9 +172,9 @@ void TestInflow(StabilityCatalogue& catalogue)
   for (const double speed : { 0.0, NaN, Infinity })
   {
     vtkNew<vtkTerminationInflow> surface;
-    const std::string wrong = place(1.0, speed, surface);
+    const std::string error = initialize(1.0, speed, surface);
     catalogue.Check("speed-" + Short(speed), "a speed of " + Short(speed),
-      "it reports that there is no flow", wrong, wrong.find("flow") != std::string::npos);
+      "an error that reports no flow", error, error.find("flow") != std::string::npos);
   }
 }
 

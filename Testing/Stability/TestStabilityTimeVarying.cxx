@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extreme times, values that change by much from step to step, and grids that move too far.
+// Tests extreme times, large changes of values between steps, and grids that collapse or are far
+// away.
 #include "StabilityChecks.h"
 
 #include "Support/Checks/ReferenceReport.h"
@@ -28,7 +29,7 @@ using namespace stability;
 constexpr std::array<int, 3> Cells = { 3, 2, 2 };
 constexpr double DomainVolume = 3 * 2 * 2;
 constexpr double Bound = 1e-12;
-const std::vector<Interval> AllOfIt = { { 0, 0.3 }, { 0.3, 0.7 }, { 0.7, 1 } };
+const std::vector<Interval> FullRange = { { 0, 0.3 }, { 0.3, 0.7 }, { 0.7, 1 } };
 
 TimeSteps MakeSteps(const std::vector<double>& times, MeshKind kind = MeshKind::Mixed)
 {
@@ -37,7 +38,7 @@ TimeSteps MakeSteps(const std::vector<double>& times, MeshKind kind = MeshKind::
   return steps;
 }
 
-/// What one run gave and said.
+/// Outputs and messages of one run.
 struct Outcome
 {
   TimeVaryingExtraction Found;
@@ -66,7 +67,7 @@ Outcome Run(const TimeSteps& steps, const std::vector<Interval>& intervals)
     messages.Warnings };
 }
 
-/// The larger error of the hypervolumes of 4-simplices and tetrahedra; NaN where an error was told.
+/// Returns the larger hypervolume error of 4-simplices and tetrahedra, or NaN on an error message.
 double ErrorOf(const Outcome& outcome, double expected)
 {
   if (!outcome.Errors.empty() || !(expected > 0))
@@ -81,7 +82,7 @@ double ErrorOf(const Outcome& outcome, double expected)
 
 double DomainError(const TimeSteps& steps)
 {
-  return ErrorOf(Run(steps, AllOfIt), static_cast<double>(DomainHypervolume(steps)));
+  return ErrorOf(Run(steps, FullRange), static_cast<double>(DomainHypervolume(steps)));
 }
 
 void TestTimes(StabilityCatalogue& catalogue)
@@ -94,8 +95,8 @@ void TestTimes(StabilityCatalogue& catalogue)
   };
   catalogue.Measure("equal-times-volume", "times 0, 1, 1, 3",
     "relative error of the domain's hypervolume",
-    ErrorOf(Run(MakeSteps({ 0, 1, 1, 3 }), AllOfIt), 3 * DomainVolume), Bound);
-  const Outcome all = Run(MakeSteps({ 1, 1 }), AllOfIt);
+    ErrorOf(Run(MakeSteps({ 0, 1, 1, 3 }), FullRange), 3 * DomainVolume), Bound);
+  const Outcome all = Run(MakeSteps({ 1, 1 }), FullRange);
   catalogue.Check("all-times-equal", "times 1, 1", "a warning or an error and empty outputs",
     all.IsEmpty() ? "empty outputs" : "output",
     all.IsEmpty() && !(all.Warnings + all.Errors).empty());
@@ -110,13 +111,13 @@ void TestTimes(StabilityCatalogue& catalogue)
     catalogue.Measure(one.Name, one.Extreme, "relative error of the domain's hypervolume",
       DomainError(MakeSteps(one.Times)), Bound);
   }
-  // Every 4-simplex of a long slab is that of a short one, stretched.
+  // The 4-simplices of a long slab are stretched 4-simplices of a short one.
   const Outcome shorter = Run(MakeSteps({ 0, 1 }), { { 0.3, 0.7 } });
   for (double scale : { std::ldexp(1, -30), std::ldexp(1, 30) })
   {
     const Outcome scaled = Run(MakeSteps({ 0, scale }), { { 0.3, 0.7 } });
     catalogue.Measure(scale < 1 ? "same-cells-short" : "same-cells-long",
-      "steps 2^-30 or 2^30 apart", "tetrahedra more or less than for steps 1 apart",
+      "steps 2^-30 or 2^30 apart", "difference from the number of tetrahedra for steps 1 apart",
       static_cast<double>(
         scaled.Found.Tetrahedra->GetNumberOfCells() - shorter.Found.Tetrahedra->GetNumberOfCells()),
       0);
@@ -128,14 +129,14 @@ void TestValues(StabilityCatalogue& catalogue)
   {
     const TimeSteps steps = MakeSteps({ 0, 1, 2 }, MeshKind::Hexahedra);
     vtkDataArray* values = GetDataSet(steps[1])->GetPointData()->GetScalars();
-    // The point (1,1,1) of 4 x 3 x 3: eight cells use it, in both slabs.
+    // The point (1,1,1) of 4 x 3 x 3 points is used by eight cells in each of the two slabs.
     values->SetComponent(1 + 4 * (1 + 3 * 1), 0, std::nan(""));
-    const Outcome outcome = Run(steps, AllOfIt);
+    const Outcome outcome = Run(steps, FullRange);
     catalogue.Measure("nan-value", "NaN at one point at the middle step",
       "relative error of the hypervolume of the cells without it",
       ErrorOf(outcome, 2 * (DomainVolume - 8)), Bound);
     catalogue.Check("nan-value-count", "NaN at one point at the middle step",
-      "8 cells left out of two slabs each",
+      "8 cells skipped in each of two slabs",
       Short(outcome.Found.Report->GetNumber("NonFiniteCells")) + " cells",
       outcome.Found.Report->GetNumber("NonFiniteCells") == 16);
   }
@@ -143,8 +144,8 @@ void TestValues(StabilityCatalogue& catalogue)
     const TimeSteps steps = MakeSteps({ 0, 1, 2 });
     GetDataSet(steps[1])->GetPointData()->GetScalars()->Fill(std::nan(""));
     catalogue.Check("nan-step", "a step of NaN only", "empty outputs and no error",
-      Run(steps, AllOfIt).IsEmpty() ? "empty outputs" : "output",
-      Run(steps, AllOfIt).IsEmpty() && Run(steps, AllOfIt).Errors.empty());
+      Run(steps, FullRange).IsEmpty() ? "empty outputs" : "output",
+      Run(steps, FullRange).IsEmpty() && Run(steps, FullRange).Errors.empty());
   }
   const TimeSteps constant = MakeSteps({ 0, 1, 2 });
   AddSpaceTimeField(constant, [](const std::array<double, 3>&, double, vtkIdType) { return 3.0; });
@@ -172,7 +173,7 @@ void TestValues(StabilityCatalogue& catalogue)
       });
     const std::vector<Interval> parts = { { -1, 0.15 }, { 0.15, jump / 3 }, { jump / 3, jump } };
     const std::string name = jump < 1e100 ? "jump-1e+30" : "jump-1e+300";
-    catalogue.Measure(name, "values jump by that much to the middle step",
+    catalogue.Measure(name, "values jump to 1e30 or 1e300 at the middle step",
       "relative error of the domain's hypervolume", ErrorOf(Run(steps, parts), 2 * DomainVolume),
       Bound);
   }
@@ -200,7 +201,7 @@ void TestGrids(StabilityCatalogue& catalogue)
     { x[0] = x[0] > 2 ? 2 + (x[0] - 2) * (1 - 0.5 * time) : x[0]; },
     Bound);
   measure(
-    "collapse-to-point", "all points are in one place at the last step",
+    "collapse-to-point", "all points coincide at the last step",
     [](std::array<double, 3>& x, double time)
     {
       for (double& coordinate : x)
@@ -209,7 +210,7 @@ void TestGrids(StabilityCatalogue& catalogue)
       }
     },
     Bound);
-  // A coordinate of 2^30 has 22 bits below 1, and the hypervolume is of size 24.
+  // A coordinate of 2^30 has 22 bits after the binary point, and the hypervolume is 24.
   measure(
     "far-away", "coordinates 2^30 from the origin",
     [](std::array<double, 3>& x, double)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Critical points and the axes of vortices: lengths and speeds of any size, Jacobians that are
-// nearly singular, cells that are zero or not finite, and fields without any.
+// Tests critical points and vortex axes: extreme lengths and speeds, nearly singular Jacobians,
+// zero or non-finite cells, and fields without critical points or axes.
 #include "StabilityChecks.h"
 
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
@@ -27,16 +27,16 @@ namespace
 using namespace reference;
 using namespace stability;
 
-vtkSmartPointer<vtkImageData> MakeCube(int cells, double size = 1.0, double middle = 0.0)
+vtkSmartPointer<vtkImageData> MakeCube(int cells, double size = 1.0, double midpoint = 0.0)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(cells + 1, cells + 1, cells + 1);
-  image->SetOrigin(middle - size, middle - size, middle - size);
+  image->SetOrigin(midpoint - size, midpoint - size, midpoint - size);
   image->SetSpacing(2.0 * size / cells, 2.0 * size / cells, 2.0 * size / cells);
   return image;
 }
 
-/// A point without a cell.
+/// Returns a point without a cell.
 vtkSmartPointer<vtkUnstructuredGrid> MakeBarePoint()
 {
   vtkNew<vtkPoints> points;
@@ -47,7 +47,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeBarePoint()
   return grid;
 }
 
-/// How far the one critical point is from where it should be; NaN where there is not one.
+/// Returns the distance between the critical point and its exact position, or NaN if there is not
+/// exactly one.
 double ErrorOfPoint(vtkDataSet* data, const FlowMatrix& matrix, const FlowVector& center)
 {
   SetVelocity(data, LinearField(matrix, center));
@@ -73,37 +74,39 @@ void TestPointScales(StabilityCatalogue& catalogue)
       const FlowVector center = { { 0.13 * length, -0.37 * length, 0.71 * length } };
       catalogue.Measure("length-" + Short(length) + "-speed-" + Short(speed),
         "a box of " + Short(length) + " with speeds of " + Short(speed),
-        "distance of the one critical point from the exact one, in lengths",
+        "distance of the critical point from the exact one, relative to the length",
         ErrorOfPoint(MakeCube(4, length), matrix, center) / length, 1e-11);
     }
   }
   const FlowVector far = { { 1e6 + 0.13, 1e6 - 0.37, 1e6 + 0.71 } };
   catalogue.Measure("far-1e+6", "a box of size 1 at a distance of 1.7e6",
-    "distance of the one critical point from the exact one",
+    "distance of the critical point from the exact one",
     ErrorOfPoint(MakeCube(4, 1.0, 1e6), GenericMatrix, far), 1e-8);
-  for (const double least : { 1e-6, 1e-8, 1e-10 })
+  for (const double perturbation : { 1e-6, 1e-8, 1e-10 })
   {
     FlowMatrix flat = GenericMatrix;
     for (int j = 0; j < 3; ++j)
     {
-      flat[6 + j] = flat[j] - 2.0 * flat[3 + j] + least * flat[6 + j];
+      flat[6 + j] = flat[j] - 2.0 * flat[3 + j] + perturbation * flat[6 + j];
     }
-    double most = 0.0;
+    double largest = 0.0;
     for (const MeshKind kind : ZeroMeshKinds)
     {
-      for (const FlowVector& place : ZeroPlaces)
+      for (const FlowVector& position : ZeroPositions)
       {
-        const double error = ErrorOfPoint(MakeMesh(kind, { 3, 4, 2 }), flat, place);
-        most = error <= most ? most : error;
+        const double error = ErrorOfPoint(MakeMesh(kind, { 3, 4, 2 }), flat, position);
+        largest = error <= largest ? largest : error;
       }
     }
-    catalogue.Measure("singular-" + Short(least),
-      "a Jacobian that is singular but for " + Short(least) + ", 14 places in 7 kinds of cells",
-      "largest distance of the one critical point from the exact one", most, 1e-14 / least);
+    catalogue.Measure("singular-" + Short(perturbation),
+      "a singular Jacobian perturbed by " + Short(perturbation) +
+        ", 14 positions in 7 kinds of cells",
+      "largest distance of the critical point from the exact one", largest, 1e-14 / perturbation);
   }
 }
 
-/// The critical point in a box of 4 x 4 x 4 cells with sides of any length, each for itself.
+/// Tests the critical point in a box of 4 x 4 x 4 cells with several side lengths and aspect
+/// ratios.
 void TestCellLengths(StabilityCatalogue& catalogue)
 {
   for (const double length : { 1e-250, 1e-200, 1e-100, 1e-12, 1.0, 1e12, 1e100, 1e200, 1e250 })
@@ -125,13 +128,14 @@ void TestCellLengths(StabilityCatalogue& catalogue)
       const std::string extreme =
         "cells of " + Short(length) + ", " + Short(thin) + " times as thick as wide";
       const bool isOne = result.GetNumber() == 1;
-      catalogue.Measure(name, extreme, "distance of the one critical point from it, in sides",
+      catalogue.Measure(name, extreme,
+        "distance of the critical point from the exact one, relative to the sides",
         isOne
           ? std::hypot(result.GetPosition(0)[0] / size[0] - 0.13,
               result.GetPosition(0)[1] / size[1] + 0.37, result.GetPosition(0)[2] / size[2] - 0.71)
           : NaN,
         1e-11);
-      // The cube root of the volume, which is no number itself.
+      // The cube root of the volume, which itself may overflow or underflow.
       catalogue.Measure(name + "-length", extreme, "relative error of the cell's length",
         isOne ? result.GetArray("CellLength")->GetTuple1(0) / (0.5 * length * std::cbrt(thin)) - 1.0
               : NaN,
@@ -147,31 +151,31 @@ void TestPointCells(StabilityCatalogue& catalogue)
   SetVelocity(still, [](const FlowVector&) { return FlowVector{ { 0.0, 0.0, 0.0 } }; });
   filter->SetInputData(still);
   ReportEmpty(catalogue, filter, "zero-field", "vectors 0 everywhere", "64 are 0 throughout");
-  auto turning = MakeCube(4);
-  SetVelocity(turning, [](const FlowVector& x) { return FlowVector{ { -x[1], x[0], 0.0 } }; });
-  filter->SetInputData(turning);
-  ReportEmpty(catalogue, filter, "line-of-zeros", "a rotation, 0 along its axis",
+  auto rotating = MakeCube(4);
+  SetVelocity(rotating, [](const FlowVector& x) { return FlowVector{ { -x[1], x[0], 0.0 } }; });
+  filter->SetInputData(rotating);
+  ReportEmpty(catalogue, filter, "line-of-zeros", "a rotation, which is 0 along its axis",
     "lines or surfaces of zeros");
   auto broken = MakeCube(4);
   SetVelocity(broken, [](const FlowVector&) { return FlowVector{ { NaN, NaN, NaN } }; });
   filter->SetInputData(broken);
   ReportEmpty(catalogue, filter, "nan-field", "vectors NaN everywhere", "64 are not finite");
-  // One corner of eight cells.
+  // A point of eight cells is NaN.
   auto corner = MakeCube(4);
   SetVelocity(corner, LinearField(GenericMatrix, { { 0.6, 0.6, 0.6 } }));
   corner->GetPointData()->GetVectors()->SetComponent(31, 1, NaN);
-  const CriticalPoints beside(corner);
-  catalogue.Measure("nan-corner", "NaN at one point of eight cells beside the critical point",
-    "critical points more or less than one, and cells not counted",
-    std::abs(beside.GetNumber() - 1.0) +
-      std::abs(beside.Filter->GetReport()->GetNumber("NonFiniteCells") - 8.0),
+  const CriticalPoints result(corner);
+  catalogue.Measure("nan-corner", "NaN at a point of eight cells next to the critical point",
+    "errors of the numbers of critical points and of non-finite cells",
+    std::abs(result.GetNumber() - 1.0) +
+      std::abs(result.Filter->GetReport()->GetNumber("NonFiniteCells") - 8.0),
     0.0);
   filter->SetInputData(MakeBarePoint());
   ReportRefused(catalogue, filter, "no-cells", "a point without cells", "no cells",
     [&]() { filter->SetInputData(corner); });
 }
 
-/// A vortex about x = y = 0.3 that turns at the speed.
+/// Returns a vortex about x = 0.31, y = 0.17 times the size, which rotates at the given speed.
 FlowFunction MakeVortex(double size, double speed)
 {
   return [=](const FlowVector& x)
@@ -181,37 +185,38 @@ FlowFunction MakeVortex(double size, double speed)
   };
 }
 
-/// The farthest place from the axis, in sizes; NaN where there are not as many.
-double ErrorOfAxis(vtkVortexAxis* filter, double size, vtkIdType places)
+/// Returns the largest distance from the axis relative to the size, or NaN if the number of points
+/// differs.
+double ErrorOfAxis(vtkVortexAxis* filter, double size, vtkIdType points)
 {
   const Messages messages = UpdateFilter(filter);
   vtkPolyData* output = filter->GetOutput();
-  double most = output->GetNumberOfPoints() == places && messages.Errors.empty() ? 0.0 : NaN;
+  double largest = output->GetNumberOfPoints() == points && messages.Errors.empty() ? 0.0 : NaN;
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
     double x[3];
     output->GetPoint(i, x);
     const double distance = std::hypot(x[0] / size - 0.31, x[1] / size - 0.17);
-    most = distance <= most ? most : distance;
+    largest = distance <= largest ? largest : distance;
   }
-  return most;
+  return largest;
 }
 
-/// Planes are the layers of a grid along the axis, however near each other.
+/// Tests that the planes are the grid layers along the axis, even if they are very close.
 void TestLayers(StabilityCatalogue& catalogue)
 {
   for (const double size : { 1e-250, 1e-200, 1e-100, 1.0, 1e100, 1e200, 1e250 })
   {
     const std::array<double, 6> layers = { { 0.0, 1e-9, 1e-6, 1e-3, 0.5, 1.0 } };
     vtkNew<vtkDoubleArray> across;
-    for (const double place : { -1.0, 0.0, 1.0 })
+    for (const double position : { -1.0, 0.0, 1.0 })
     {
-      across->InsertNextValue(size * place);
+      across->InsertNextValue(size * position);
     }
     vtkNew<vtkDoubleArray> along;
-    for (const double place : layers)
+    for (const double position : layers)
     {
-      along->InsertNextValue(size * place);
+      along->InsertNextValue(size * position);
     }
     auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
     grid->SetDimensions(3, 3, static_cast<int>(layers.size()));
@@ -222,16 +227,16 @@ void TestLayers(StabilityCatalogue& catalogue)
     vtkNew<vtkVortexAxis> filter;
     filter->SetInputData(grid);
     const double error = ErrorOfAxis(filter, size, static_cast<vtkIdType>(layers.size()));
-    double most = error;
+    double largest = error;
     for (std::size_t i = 0; std::isfinite(error) && i < layers.size(); ++i)
     {
-      const double place = filter->GetOutput()->GetPoint(static_cast<vtkIdType>(i))[2] / size;
-      // Of the layer's own distance from the first, which is as small as 1e-9.
-      most = std::max(most, std::abs(place - layers[i]) / std::max(layers[i], 1e-9));
+      const double position = filter->GetOutput()->GetPoint(static_cast<vtkIdType>(i))[2] / size;
+      // Relative to the layer's distance from the first layer, which is as small as 1e-9.
+      largest = std::max(largest, std::abs(position - layers[i]) / std::max(layers[i], 1e-9));
     }
     catalogue.Measure("layers-" + Short(size),
       "layers from 1e-9 to 0.5 apart in a grid of " + Short(size),
-      "farthest of 6 places from the axis, and from its layer", most, 1e-6);
+      "largest distance of 6 points from the axis and from their layers", largest, 1e-6);
   }
 }
 
@@ -253,8 +258,8 @@ void TestAxes(StabilityCatalogue& catalogue)
       filter->SetInputData(image);
       const std::string name = "length-" + Short(size) + "-speed-" + Short(speed);
       const std::string extreme = "a box of " + Short(size) + " with speeds of " + Short(speed);
-      catalogue.Measure(
-        name, extreme, "farthest of 7 places from the axis", ErrorOfAxis(filter, size, 7), 1e-12);
+      catalogue.Measure(name, extreme, "largest distance of 7 points from the axis",
+        ErrorOfAxis(filter, size, 7), 1e-12);
       vtkDataArray* swirl = filter->GetOutput()->GetPointData()->GetArray("SwirlStrength");
       catalogue.Measure(name + "-swirl", extreme, "relative error of the swirl",
         swirl && swirl->GetNumberOfTuples() > 0 ? swirl->GetComponent(0, 0) / (speed / size) - 1.0
@@ -268,23 +273,23 @@ void TestAxes(StabilityCatalogue& catalogue)
   filter->SetInputData(image);
   filter->SetNumberOfPlanes(100000);
   catalogue.Measure("planes-100000", "100,000 planes through eight cells",
-    "farthest of 100,000 places from the axis", ErrorOfAxis(filter, 1.0, 100000), 1e-12);
+    "largest distance of 100,000 points from the axis", ErrorOfAxis(filter, 1.0, 100000), 1e-12);
   filter->SetNumberOfPlanes(0);
   filter->SetAxis(0.0, 0.0, -1e-300);
-  catalogue.Measure("axis-1e-300", "an axis of length 1e-300", "farthest of 3 places from the axis",
-    ErrorOfAxis(filter, 1.0, 3), 1e-12);
+  catalogue.Measure("axis-1e-300", "an axis of length 1e-300",
+    "largest distance of 3 points from the axis", ErrorOfAxis(filter, 1.0, 3), 1e-12);
   filter->SetAxis(0.0, 0.0, 1.0);
   filter->SetInputData(MakeBarePoint());
   ReportRefused(catalogue, filter, "no-cells", "a point without cells", "no cells",
     [&]() { filter->SetInputData(image); });
   filter->SetFrameVelocity(1e300, 0.0, 0.0);
-  ReportEmpty(catalogue, filter, "frame-1e300", "a frame that moves at 1e300", "0 places");
+  ReportEmpty(catalogue, filter, "frame-1e300", "a frame that moves at 1e300", "0 points");
   filter->SetFrameVelocity(0.0, 0.0, 0.0);
   filter->SetMinimumSwirlStrength(1e300);
-  ReportEmpty(catalogue, filter, "swirl-1e300", "a least swirl of 1e300", "places");
+  ReportEmpty(catalogue, filter, "swirl-1e300", "a minimum swirl strength of 1e300", "3 points");
   filter->SetMinimumSwirlStrength(0.0);
   SetVelocity(image, [](const FlowVector& x) { return FlowVector{ { x[0], x[1], 1.0 } }; });
-  ReportEmpty(catalogue, filter, "no-vortex", "a field that does not turn", "places");
+  ReportEmpty(catalogue, filter, "no-vortex", "a field without rotation", "3 points");
 }
 
 }

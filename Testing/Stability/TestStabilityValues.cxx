@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extreme values of the scalar and the bounds.
+// Tests extreme values of the scalar and the bounds.
 #include "StabilityChecks.h"
 
 #include "Support/Intervals/ReferenceExtraction.h"
@@ -33,7 +33,7 @@ constexpr double VolumeBound = 1e-12;
 
 using Value = std::function<double(vtkIdType)>;
 
-/// Random even integers in [0, 2000): odd bounds are equal to none.
+/// Returns random even integers in [0, 2000). No value equals an odd bound.
 double EvenInteger(vtkIdType point)
 {
   std::mt19937 random(static_cast<unsigned int>(point) * 7919u + 1u);
@@ -60,13 +60,13 @@ double VolumeOf(vtkDataSet* mesh, const std::vector<Interval>& intervals)
   return static_cast<double>(MeasureTetrahedra(ExtractIntervals(mesh, intervals).Volume).Sum);
 }
 
-/// NaN, which fails, where there is nothing to compare.
+/// Returns NaN, which fails the case, if there is nothing to compare.
 double RelativeError(double found, double expected)
 {
   return expected > 0 ? std::abs(found - expected) / DomainVolume : std::nan("");
 }
 
-/// How many simplices differ from those of the same values and bounds unscaled.
+/// Returns the number of simplices that differ between scaled and unscaled values and bounds.
 template <typename Array>
 double DifferentSimplices(double scale, double shift = 0)
 {
@@ -85,21 +85,22 @@ double DifferentSimplices(double scale, double shift = 0)
 
 void TestRanges(StabilityCatalogue& catalogue)
 {
-  const auto measure = [&catalogue](const char* name, const char* what, double different)
+  const auto measure = [&catalogue](const char* name, const char* extreme, double different)
   {
     catalogue.Measure(
-      name, what, "number of tetrahedra that differ from those at scale 1", different, 0);
+      name, extreme, "number of tetrahedra that differ from the result at scale 1", different, 0);
   };
   measure("range-1e-30", "values within 2^-100 of each other",
     DifferentSimplices<vtkDoubleArray>(std::ldexp(1, -111)));
-  measure("range-1e+30", "values to 2^100", DifferentSimplices<vtkDoubleArray>(std::ldexp(1, 89)));
+  measure(
+    "range-1e+30", "values up to 2^100", DifferentSimplices<vtkDoubleArray>(std::ldexp(1, 89)));
   measure("range-1e-30-float", "float values within 2^-100",
     DifferentSimplices<vtkFloatArray>(std::ldexp(1, -111)));
-  measure("range-1e+30-float", "float values to 2^100",
+  measure("range-1e+30-float", "float values up to 2^100",
     DifferentSimplices<vtkFloatArray>(std::ldexp(1, 89)));
-  measure("subnormal-float", "float values that are multiples of 2^-149",
+  measure("subnormal-float", "float values in multiples of 2^-149",
     DifferentSimplices<vtkFloatArray>(std::ldexp(1, -149)));
-  measure("subnormal-double", "double values that are multiples of 2^-1074",
+  measure("subnormal-double", "double values in multiples of 2^-1074",
     DifferentSimplices<vtkDoubleArray>(std::ldexp(1, -1074)));
   for (double scale : { 1e-30, 1e+30, 1e-300, 1e+300 })
   {
@@ -112,7 +113,7 @@ void TestRanges(StabilityCatalogue& catalogue)
         static_cast<double>(ClippedVolume(mesh, { range }))),
       VolumeBound);
   }
-  // The difference of two values is beyond the largest double.
+  // The difference of two values exceeds the largest double.
   constexpr double largest = std::numeric_limits<double>::max();
   auto mesh = MakeInput<vtkDoubleArray>(
     [](vtkIdType i) { return (EvenInteger(i) / 1000 - 1) * largest; }, MeshKind::Tetrahedra5);
@@ -122,23 +123,23 @@ void TestRanges(StabilityCatalogue& catalogue)
     RelativeError(VolumeOf(mesh, { { range.Lower, range.Upper } }),
       static_cast<double>(ClippedVolume(mesh, { range }))),
     VolumeBound);
-  catalogue.Measure("offset", "values from 1e9, apart by 1e-4: seven digits are left",
-    "number of tetrahedra that differ from those without offset, weights exact",
+  catalogue.Measure("offset", "values from 1e9 in steps of 1e-4",
+    "number of tetrahedra that differ from the result without offset",
     DifferentSimplices<vtkDoubleArray>(std::ldexp(1, -13), std::ldexp(1, 30)), 0);
 }
 
 void TestEqualBounds(StabilityCatalogue& catalogue)
 {
   auto random = MakeInput<vtkDoubleArray>(EvenInteger);
-  const Extraction none = ExtractIntervals(random, { { 501, 501 } });
+  const Extraction empty = ExtractIntervals(random, { { 501, 501 } });
   catalogue.Measure("equal-bounds", "lower = upper, equal to no value", "number of tetrahedra",
-    static_cast<double>(none.Volume->GetNumberOfCells()), 0);
+    static_cast<double>(empty.Volume->GetNumberOfCells()), 0);
 
   auto mesh = MakeMesh(MeshKind::Tetrahedra5, Cells);
   AddIntegerField(mesh, 2, 3);
   const Range flat = { "f", 1, 1 };
   const double expected = static_cast<double>(ClippedVolume(mesh, { flat }));
-  catalogue.Measure("equal-bounds-flat", "lower = upper, and whole cells have that value",
+  catalogue.Measure("equal-bounds-flat", "lower = upper = all values of some cells",
     "relative error of the volume of those cells",
     RelativeError(VolumeOf(mesh, { { 1, 1 } }), expected), VolumeBound);
 }
@@ -150,7 +151,7 @@ void TestConstant(StabilityCatalogue& catalogue)
   {
     const char* Name;
     std::vector<Interval> Intervals;
-    int Holder; ///< which of the intervals holds the domain
+    int Holder; ///< index of the interval that contains the domain
   } const cases[] = { { "all-equal-lower", { { 3, 4 } }, 0 },
     { "all-equal-upper", { { 2, 3 } }, 0 }, { "all-equal-both", { { 3, 3 } }, 0 },
     { "all-equal-shared", { { 2, 3 }, { 3, 4 } }, 1 }, { "all-inside", { { 2, 4 } }, 0 } };
@@ -162,7 +163,7 @@ void TestConstant(StabilityCatalogue& catalogue)
       RelativeError(volume, DomainVolume), VolumeBound);
     const TetrahedraVolume all = MeasureTetrahedra(extraction.Volume);
     catalogue.Measure(std::string(one.Name) + "-once", "every value is 3",
-      "volume outside of the one interval that holds it",
+      "relative error of the volume in all intervals",
       RelativeError(static_cast<double>(all.SumOfAbsolute), DomainVolume), VolumeBound);
   }
   catalogue.Measure("all-outside", "every value is 3, interval [4, 5]", "number of tetrahedra",
@@ -186,7 +187,7 @@ void TestUnsignedChar(StabilityCatalogue& catalogue)
     const Range range = { "f", interval[0], interval[1] };
     catalogue.Measure(
       "unsigned-char-" + std::to_string(interval[0]) + "-" + std::to_string(interval[1]),
-      "unsigned char values to 255", "relative error of the volume",
+      "unsigned char values up to 255", "relative error of the volume",
       RelativeError(
         VolumeOf(mesh, { interval }), static_cast<double>(ClippedVolume(mesh, { range }))),
       VolumeBound);
@@ -195,27 +196,28 @@ void TestUnsignedChar(StabilityCatalogue& catalogue)
 
 void TestSixtyFourBits(StabilityCatalogue& catalogue)
 {
-  // A double has 53 bits: at 2^62 it tells multiples of 1024 apart.
+  // A double has 53 bits: at 2^62 it distinguishes multiples of 1024.
   const double shift = std::ldexp(1, 62);
   catalogue.Measure("int64-exact", "int64 values 2^62 + multiples of 1024",
-    "number of tetrahedra that differ from those without 2^62",
+    "number of tetrahedra that differ from the result without 2^62",
     DifferentSimplices<vtkTypeInt64Array>(1024, shift), 0);
 
   auto fine = MakeInput<vtkTypeInt64Array>([](vtkIdType i)
     { return (vtkTypeInt64(1) << 62) + static_cast<vtkTypeInt64>(EvenInteger(i)) / 8; });
   catalogue.Measure("int64-beyond-double",
-    "int64 values 2^62 + 0 to 249, which a double does not tell apart",
-    "relative error of the domain's volume, by two adjacent intervals",
+    "int64 values 2^62 + 0 to 249, which a double cannot distinguish",
+    "relative error of the domain's volume in two adjacent intervals",
     RelativeError(VolumeOf(fine, { { 0, shift }, { shift, 2 * shift } }), DomainVolume),
     VolumeBound);
 
-  // Beyond 2^53 the double after a whole number is not the next whole number.
+  // Above 2^53 the next double after an integer is not the next integer.
   const auto base = vtkTypeInt64(1) << 60;
   auto few = MakeInput<vtkTypeInt64Array>([base](vtkIdType i)
     { return base + 1024 * (static_cast<vtkTypeInt64>(EvenInteger(i)) / 2 % 3); });
   const double lowest = std::ldexp(1, 60);
-  catalogue.Measure("int64-tied", "int64 values 2^60 + 0, 1024, 2048, the bounds equal to the ends",
-    "relative error of the domain's volume, by one interval",
+  catalogue.Measure("int64-tied",
+    "int64 values 2^60 + 0, 1024, 2048, with bounds equal to the extremes",
+    "relative error of the domain's volume in one interval",
     RelativeError(VolumeOf(few, { { lowest, lowest + 2048 } }), DomainVolume), VolumeBound);
 
   auto ends = [](vtkIdType i) { return static_cast<int>(EvenInteger(i)) % 4 == 0; };
@@ -227,7 +229,7 @@ void TestSixtyFourBits(StabilityCatalogue& catalogue)
     },
     MeshKind::Tetrahedra5);
   const Range range = { "f", -shift, shift / 2 };
-  catalogue.Measure("int64-ends", "the smallest and the largest int64 side by side",
+  catalogue.Measure("int64-ends", "the smallest and the largest int64 in one cell",
     "relative error of the volume",
     RelativeError(VolumeOf(extreme, { { range.Lower, range.Upper } }),
       static_cast<double>(ClippedVolume(extreme, { range }))),
@@ -237,7 +239,7 @@ void TestSixtyFourBits(StabilityCatalogue& catalogue)
     { return ends(i) ? 0 : std::numeric_limits<vtkTypeUInt64>::max(); },
     MeshKind::Tetrahedra5);
   const Range unsignedRange = { "f", shift, 3 * shift };
-  catalogue.Measure("uint64-ends", "0 and the largest uint64 side by side",
+  catalogue.Measure("uint64-ends", "0 and the largest uint64 in one cell",
     "relative error of the volume",
     RelativeError(VolumeOf(largest, { { unsignedRange.Lower, unsignedRange.Upper } }),
       static_cast<double>(ClippedVolume(largest, { unsignedRange }))),
@@ -261,7 +263,7 @@ void TestNotFinite(StabilityCatalogue& catalogue)
   }
   const Extraction extraction = ExtractIntervals(mesh, { { -1, 3000 } });
   catalogue.Measure("not-finite-cells", "every 23rd value is NaN or infinite",
-    "cells left out too many or too few",
+    "difference from the number of cells with such values",
     extraction.Report->GetNumber("NonFiniteCells") - static_cast<double>(expected), 0);
   catalogue.Measure("not-finite-volume", "every 23rd value is NaN or infinite",
     "relative error of the volume of the other cells",
@@ -271,9 +273,9 @@ void TestNotFinite(StabilityCatalogue& catalogue)
 
   auto all = MakeInput<vtkDoubleArray>([&](vtkIdType) { return nan; }, MeshKind::Hexahedra);
   const Extraction empty = ExtractIntervals(all, { { 0, 1 } });
-  catalogue.Check("all-nan", "every value is NaN", "an empty output, every cell counted",
+  catalogue.Check("all-nan", "every value is NaN", "an empty output, every cell reported",
     std::to_string(empty.Volume->GetNumberOfCells()) + " tetrahedra, " +
-      stability::Short(empty.Report->GetNumber("NonFiniteCells")) + " cells counted",
+      stability::Short(empty.Report->GetNumber("NonFiniteCells")) + " cells reported",
     empty.Volume->GetNumberOfCells() == 0 &&
       empty.Report->GetNumber("NonFiniteCells") == all->GetNumberOfCells());
 
@@ -285,8 +287,9 @@ void TestNotFinite(StabilityCatalogue& catalogue)
   bad->FillValue(nan);
   other->GetPointData()->AddArray(bad);
   const bool same = GeometricSet(ExtractIntervals(other, { { 501, 1203 } }).Volume) == before;
-  catalogue.Check("nan-elsewhere", "NaN in an array that is carried only", "the same tetrahedra",
-    same ? "the same" : "others", same && !before.empty());
+  catalogue.Check("nan-elsewhere", "NaN in an array that is only interpolated",
+    "the same tetrahedra", same ? "the same tetrahedra" : "other tetrahedra",
+    same && !before.empty());
 }
 
 }

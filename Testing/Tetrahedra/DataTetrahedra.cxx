@@ -3,7 +3,7 @@
 
 #include "Support/Inputs/DataFiles.h"
 #include "Support/Inputs/ExodusTimeSource.h"
-#include "Support/Pictures/PictureSettings.h"
+#include "Support/Images/CameraSettings.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -50,7 +50,7 @@ std::string DataTetrahedra::GetName() const
   return name.str();
 }
 
-PictureCase DataTetrahedra::Make(const std::array<int, 2>& size) const
+ImageCase DataTetrahedra::Make(const std::array<int, 2>& size) const
 {
   const vtkSmartPointer<vtkDataSet> data = Read(this->File);
   vtkDataArray* array = data->GetPointData()->GetArray(this->Array.c_str());
@@ -58,7 +58,7 @@ PictureCase DataTetrahedra::Make(const std::array<int, 2>& size) const
   {
     throw std::runtime_error(this->File + " has no point array " + this->Array);
   }
-  PictureCase what;
+  ImageCase what;
   double range[2] = { this->Lower, this->Upper };
   if (this->Lower < this->Upper)
   {

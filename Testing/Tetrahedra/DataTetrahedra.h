@@ -2,7 +2,7 @@
 #ifndef DataTetrahedra_h
 #define DataTetrahedra_h
 
-#include "Tetrahedra/MapperPicture.h" // for what is drawn
+#include "Tetrahedra/MapperImage.h" // for the case
 
 #include <array>  // for sizes
 #include <string> // for names
@@ -11,7 +11,8 @@ namespace reference
 {
 
 /**
- * A file of Data/ and a point array of it, whole where lower >= upper and else from lower to upper.
+ * A file of Data/ with a point array. If Lower < Upper, the tetrahedra are the interval volume
+ * from Lower to Upper, otherwise the full grid.
  */
 struct DataTetrahedra
 {
@@ -22,11 +23,11 @@ struct DataTetrahedra
 
   std::string GetName() const;
   /**
-   * Its tetrahedra, coloured as a newcomer sees them: cool to warm over the values drawn, opacity
-   * from 0 to 1 in a fifteenth of their size. No camera.
-   * @throw std::runtime_error for a file that can't be read or has no such array.
+   * Returns the tetrahedra with colors from cool to warm over the range of values, and opacity from
+   * 0 to 1 with a unit distance of a fifteenth of the size. The camera is not set.
+   * @throw std::runtime_error if the file cannot be read or has no such array.
    */
-  PictureCase Make(const std::array<int, 2>& size) const;
+  ImageCase Make(const std::array<int, 2>& size) const;
 };
 
 }

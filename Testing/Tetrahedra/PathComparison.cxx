@@ -2,8 +2,8 @@
 #include "Tetrahedra/PathComparison.h"
 
 #include "Support/Arrays/ReferenceIndices.h"
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/ReferenceRay.h"
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/ReferenceRay.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
@@ -26,16 +26,17 @@ namespace
 {
 
 using Mapper = vtkTimeWeightedTetrahedraMapper;
-using Place = std::array<double, 2>;
+using Position = std::array<double, 2>;
 
 constexpr double SoftwareBound = 1e-3;
 constexpr double PathBound = 2.0 / 255.0;
-/// In pixels. Corners are rounded to 1/256, and thin silhouettes are drawn wider by this.
+/// Distance in pixels within which silhouettes may differ. OpenGL rounds corners to 1/256 pixel and
+/// widens thin silhouettes by up to this distance.
 constexpr double SilhouetteWidth = 1.0 / 64.0;
-/// The lattice of the reference: an odd number, so that it meets every phase of a regular mesh.
+/// The reference computes every seventh pixel. An odd stride samples every phase of a regular mesh.
 constexpr int Stride = 7;
 
-/// The largest difference of a channel of two pixels; infinite where one is no number.
+/// Returns the largest channel difference of two pixels, or infinity if it is not finite.
 double GetDistance(const double* a, const double* b)
 {
   double largest = 0.0;
@@ -48,33 +49,33 @@ double GetDistance(const double* a, const double* b)
   return largest;
 }
 
-double Cross(const Place& a, const Place& b, const Place& p)
+double Cross(const Position& a, const Position& b, const Position& p)
 {
   return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
 }
 
-double GetDistance(const Place& a, const Place& b, const Place& p)
+double GetDistance(const Position& a, const Position& b, const Position& p)
 {
   const double edge[2] = { b[0] - a[0], b[1] - a[1] };
   const double square = edge[0] * edge[0] + edge[1] * edge[1];
   const double along = edge[0] * (p[0] - a[0]) + edge[1] * (p[1] - a[1]);
-  const double share = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
-  return std::hypot(p[0] - a[0] - share * edge[0], p[1] - a[1] - share * edge[1]);
+  const double fraction = square > 0.0 ? std::clamp(along / square, 0.0, 1.0) : 0.0;
+  return std::hypot(p[0] - a[0] - fraction * edge[0], p[1] - a[1] - fraction * edge[1]);
 }
 
-/// Where the tetrahedra of a grid are in a picture.
+/// Silhouettes of the tetrahedra of a grid in an image.
 class Silhouettes
 {
 public:
-  explicit Silhouettes(const PictureCase& what)
+  explicit Silhouettes(const ImageCase& what)
   {
     const PixelRays rays(what.Camera, what.Settings.Size);
-    std::vector<Place> points;
+    std::vector<Position> points;
     for (vtkIdType id = 0; id < what.Grid->GetNumberOfPoints(); ++id)
     {
       const double* x = what.Grid->GetPoint(id);
-      const auto place = rays.Project({ x[0], x[1], x[2] });
-      points.push_back(place ? *place : Place{ { -1e9, -1e9 } });
+      const auto position = rays.Project({ x[0], x[1], x[2] });
+      points.push_back(position ? *position : Position{ { -1e9, -1e9 } });
     }
     vtkNew<vtkIdList> ids;
     for (vtkIdType cell = 0; cell < what.Grid->GetNumberOfCells(); ++cell)
@@ -85,27 +86,28 @@ public:
     }
   }
 
-  /// The distance of a pixel's centre from the nearest edge of a silhouette.
+  /// Returns the distance between a pixel's center and the closest edge of a silhouette.
   double GetDistance(int i, int j) const
   {
-    const Place pixel = { { i + 0.5, j + 0.5 } };
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::array<Place, 4>& corners : this->Corners)
+    const Position pixel = { { i + 0.5, j + 0.5 } };
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const std::array<Position, 4>& corners : this->Corners)
     {
       for (int a = 0; a < 4; ++a)
       {
         for (int b = 0; b < a; ++b)
         {
-          least = std::min(least, GetDistance(corners, a, b, pixel));
+          smallest = std::min(smallest, GetDistance(corners, a, b, pixel));
         }
       }
     }
-    return least;
+    return smallest;
   }
 
 private:
-  /// From the edge between corners a and b; infinite where it is within the silhouette.
-  static double GetDistance(const std::array<Place, 4>& corners, int a, int b, const Place& pixel)
+  /// Returns the distance to the edge between corners a and b, or infinity if it is interior.
+  static double GetDistance(
+    const std::array<Position, 4>& corners, int a, int b, const Position& pixel)
   {
     const double distance = reference::GetDistance(corners[a], corners[b], pixel);
     if (distance > SilhouetteWidth)
@@ -121,7 +123,7 @@ private:
         sides[side++] = Cross(corners[a], corners[b], corners[k]);
       }
     }
-    // Seen edge-on a face's sides are rounding.
+    // If a face is seen edge-on, the signs of its sides are rounding errors.
     const double size = std::hypot(corners[b][0] - corners[a][0], corners[b][1] - corners[a][1]);
     const double rounding = SilhouetteWidth * size;
     const bool isWithin = std::abs(sides[0]) > rounding && std::abs(sides[1]) > rounding &&
@@ -129,10 +131,10 @@ private:
     return isWithin ? std::numeric_limits<double>::infinity() : distance;
   }
 
-  std::vector<std::array<Place, 4>> Corners;
+  std::vector<std::array<Position, 4>> Corners;
 };
 
-std::string GetPlace(int i, int j)
+std::string FormatPixel(int i, int j)
 {
   return " at " + std::to_string(i) + "," + std::to_string(j);
 }
@@ -140,64 +142,64 @@ std::string GetPlace(int i, int j)
 }
 
 void ComparePaths(
-  const PictureCase& what, const std::string& name, Check& check, double shareOfSilhouettePixels)
+  const ImageCase& what, const std::string& name, Check& check, double silhouetteFraction)
 {
-  const RgbaPicture software = DrawByPath(Mapper::SOFTWARE_PATH, what);
-  const RgbaPicture openGL = DrawByPath(Mapper::OPENGL_PATH, what);
+  const RgbaImage software = DrawByPath(Mapper::SOFTWARE_PATH, what);
+  const RgbaImage openGL = DrawByPath(Mapper::OPENGL_PATH, what);
   const int width = what.Settings.Size[0];
   const int height = what.Settings.Size[1];
-  PictureCase wanted = what;
-  std::vector<std::array<int, 2>> apart;
+  ImageCase sampled = what;
+  std::vector<std::array<int, 2>> different;
   for (const auto& [j, i] : AllIndices(height, width))
   {
     const double distance = GetDistance(software.At(i, j), openGL.At(i, j));
-    wanted.Settings.Wanted.push_back(
+    sampled.Settings.Wanted.push_back(
       distance > SoftwareBound || (i % Stride == 0 && j % Stride == 0));
     if (distance > PathBound)
     {
-      apart.push_back({ { i, j } });
+      different.push_back({ { i, j } });
     }
   }
-  check.That(LargestAlpha(openGL) > 0.1, name + ": something is seen");
+  check.That(LargestAlpha(openGL) > 0.1, name + ": the volume is visible");
 
-  const RgbaPicture expected = DrawByReference(wanted);
+  const RgbaImage expected = DrawByReference(sampled);
   double error = 0.0;
-  std::string place;
+  std::string position;
   for (const auto& [j, i] : AllIndices(height, width))
   {
-    const double distance = wanted.Settings.Wanted[static_cast<std::size_t>(j) * width + i]
+    const double distance = sampled.Settings.Wanted[static_cast<std::size_t>(j) * width + i]
       ? GetDistance(software.At(i, j), expected.At(i, j))
       : 0.0;
     if (distance > error)
     {
       error = distance;
-      place = GetPlace(i, j);
+      position = FormatPixel(i, j);
     }
   }
-  check.Near(error, 0.0, SoftwareBound, name + ": software path" + place, 1.0);
+  check.Near(error, 0.0, SoftwareBound, name + ": software path" + position, 1.0);
 
-  if (!apart.empty())
+  if (!different.empty())
   {
     const Silhouettes shapes(what);
-    // More are wrong anyway.
-    const std::size_t most = std::min<std::size_t>(apart.size(), 200);
-    for (std::size_t p = 0; p < most; ++p)
+    // The number of different pixels fails the test below anyway.
+    const std::size_t count = std::min<std::size_t>(different.size(), 200);
+    for (std::size_t p = 0; p < count; ++p)
     {
-      const double distance = shapes.GetDistance(apart[p][0], apart[p][1]);
+      const double distance = shapes.GetDistance(different[p][0], different[p][1]);
       check.That(distance <= SilhouetteWidth,
-        name + ": paths differ" + GetPlace(apart[p][0], apart[p][1]) + ", " +
-          std::to_string(distance) + " pixels from a silhouette");
+        name + ": paths differ" + FormatPixel(different[p][0], different[p][1]) + ", " +
+          std::to_string(distance) + " pixels from a silhouette edge");
     }
   }
   const double all = static_cast<double>(width) * height;
-  check.That(static_cast<double>(apart.size()) <= std::max(16.0, shareOfSilhouettePixels * all),
-    name + ": paths differ in " + std::to_string(apart.size()) + " pixels");
-  std::cout << name << ": software " << error << place << ", paths differ in " << apart.size()
-            << " silhouette pixels\n";
+  check.That(static_cast<double>(different.size()) <= std::max(16.0, silhouetteFraction * all),
+    name + ": paths differ in " + std::to_string(different.size()) + " pixels");
+  std::cout << name << ": software " << error << position << ", paths differ in "
+            << different.size() << " silhouette pixels\n";
 }
 
 void ComparePathsAlongAxes(
-  PictureCase what, const std::string& name, Check& check, double shareOfSilhouettePixels)
+  ImageCase what, const std::string& name, Check& check, double silhouetteFraction)
 {
   for (bool parallel : { false, true })
   {
@@ -211,7 +213,7 @@ void ComparePathsAlongAxes(
         ComparePaths(what,
           name + (parallel ? ", parallel, along " : ", perspective, along ") +
             (sign > 0.0 ? "+" : "-") + "xyz"[axis],
-          check, shareOfSilhouettePixels);
+          check, silhouetteFraction);
       }
     }
   }

@@ -2,7 +2,7 @@
 #ifndef PathComparison_h
 #define PathComparison_h
 
-#include "Tetrahedra/MapperPicture.h" // for what is drawn
+#include "Tetrahedra/MapperImage.h" // for the case
 
 #include <string> // for names
 
@@ -14,22 +14,21 @@ class Check;
 /**
  * Compares both render paths with each other and with the reference.
  *
- * Every pixel of the software path's picture is compared with the OpenGL path's. The reference
- * draws a lattice of pixels, and besides every pixel in which the two are more than a thousandth
- * apart, so that no pixel of the software path is off unless OpenGL is off alike.
+ * All pixels of the two paths are compared. The reference computes a regular subset of pixels, and
+ * every pixel in which the paths differ by more than 1e-3. Therefore an undetected error would
+ * have to occur in both paths.
  *
- * Expected are an error of the software path of 1e-3 at most, and paths that differ by 2/255 at
- * most but for silhouette pixels: OpenGL rounds corners to 1/256 of a pixel, so that a pixel whose
- * center is as near to the edge of a tetrahedron's silhouette can be on its other side. They are
- * at most a share of all.
+ * The error of the software path must be at most 1e-3. The paths may differ by more than 2/255
+ * only in silhouette pixels: OpenGL rounds corners to 1/256 pixel, so a silhouette edge may lie on
+ * the other side of a pixel's center. The fraction of these pixels is limited.
  */
-void ComparePaths(const PictureCase& what, const std::string& name, Check& check,
-  double shareOfSilhouettePixels = 5e-4);
+void ComparePaths(
+  const ImageCase& what, const std::string& name, Check& check, double silhouetteFraction = 5e-4);
 
-/// Compares those along both directions of each axis, in parallel and in perspective. The camera of
-/// \a what is set.
+/// Compares the paths in both directions of each axis, in parallel and perspective projection. The
+/// camera of \a what is replaced.
 void ComparePathsAlongAxes(
-  PictureCase what, const std::string& name, Check& check, double shareOfSilhouettePixels = 5e-4);
+  ImageCase what, const std::string& name, Check& check, double silhouetteFraction = 5e-4);
 
 }
 

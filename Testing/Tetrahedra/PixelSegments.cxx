@@ -29,15 +29,15 @@ Point3 Difference(const Point3& a, const Point3& b)
 
 double PixelSegment::GetLength() const
 {
-  const Point3 way = Difference(this->Far, this->Near);
-  return this->IsEmpty() ? 0.0 : (this->To - this->From) * vtkMath::Norm(way.data());
+  const Point3 direction = Difference(this->Far, this->Near);
+  return this->IsEmpty() ? 0.0 : (this->To - this->From) * vtkMath::Norm(direction.data());
 }
 
 Point3 PixelSegment::At(double fraction) const
 {
-  const Point3 way = Difference(this->Far, this->Near);
-  return { { this->Near[0] + fraction * way[0], this->Near[1] + fraction * way[1],
-    this->Near[2] + fraction * way[2] } };
+  const Point3 direction = Difference(this->Far, this->Near);
+  return { { this->Near[0] + fraction * direction[0], this->Near[1] + fraction * direction[1],
+    this->Near[2] + fraction * direction[2] } };
 }
 
 void PixelSegment::Clip(const Point3& normal, const Point3& origin)
@@ -57,16 +57,16 @@ void PixelSegment::Clip(const Point3& normal, const Point3& origin)
 
 void PixelSegment::ClipToBox(const std::array<double, 6>& box, vtkVolume* volume)
 {
-  vtkNew<vtkMatrix4x4> place;
-  volume->GetMatrix(place);
+  vtkNew<vtkMatrix4x4> matrix;
+  volume->GetMatrix(matrix);
   vtkNew<vtkMatrix4x4> inverse;
-  vtkMatrix4x4::Invert(place, inverse);
+  vtkMatrix4x4::Invert(matrix, inverse);
   for (const auto& [axis, side] : AllIndices(3, 2))
   {
     double corner[4] = { box[0], box[2], box[4], 1.0 };
     corner[axis] = box[2 * axis + side];
-    place->MultiplyPoint(corner, corner);
-    // The gradient of the volume's coordinate.
+    matrix->MultiplyPoint(corner, corner);
+    // The gradient of the coordinate in the volume's coordinate system.
     Point3 normal;
     for (int k = 0; k < 3; ++k)
     {
@@ -125,16 +125,17 @@ int CheckSelection(Check& check, vtkRenderer* renderer, vtkVolume* volume, vtkDa
       const vtkHardwareSelector::PixelInformation seen = selector->GetPixelInformation(pixel);
       if (segment.GetLength() < 1e-4)
       {
-        check.That(segment.GetLength() > 0.0 || !seen.Valid, "selection: where nothing is");
+        check.That(
+          segment.GetLength() > 0.0 || !seen.Valid, "selection: no cell outside the volume");
         continue;
       }
-      check.That(seen.Valid, "selection: where the volume is");
+      check.That(seen.Valid, "selection: a cell inside the volume");
       if (!seen.Valid)
       {
         continue;
       }
       ++found;
-      // Just behind the entry, in the volume's coordinates.
+      // A point just behind the entry, in coordinates of the volume.
       const Point3 entry =
         segment.At(segment.GetFrom() + 1e-6 * (segment.GetTo() - segment.GetFrom()));
       double point[4] = { entry[0], entry[1], entry[2], 1.0 };
@@ -146,7 +147,7 @@ int CheckSelection(Check& check, vtkRenderer* renderer, vtkVolume* volume, vtkDa
       double weights[4];
       grid->GetCell(seen.AttributeID)
         ->EvaluatePosition(point, closest, subId, parametric, distance, weights);
-      check.That(distance < 1e-8, "selection: the first cell");
+      check.That(distance < 1e-8, "selection: the cell is the first on the ray");
     }
   }
   return found;

@@ -2,7 +2,7 @@
 #ifndef PixelSegments_h
 #define PixelSegments_h
 
-#include "Support/Pictures/PictureSettings.h" // for points
+#include "Support/Images/CameraSettings.h" // for points
 
 #include "vtkNew.h"
 
@@ -20,8 +20,8 @@ namespace reference
 class Check;
 
 /**
- * The part of a pixel's view ray between two fractions of the way from the near to the far plane,
- * in the world.
+ * A segment of a pixel's view ray in world coordinates, given by two fractions of the distance from
+ * the near to the far plane.
  */
 class PixelSegment
 {
@@ -40,9 +40,9 @@ public:
   double GetTo() const { return this->To; }
   Point3 At(double fraction) const;
 
-  /// Cuts off the side of a plane that its normal does not point to.
+  /// Removes the half space that the plane's normal points away from.
   void Clip(const Point3& normal, const Point3& origin);
-  /// Keeps the part within a box of a volume's coordinates.
+  /// Clips to a box in coordinates of the volume.
   void ClipToBox(const std::array<double, 6>& box, vtkVolume* volume);
 
 private:
@@ -54,18 +54,18 @@ private:
 
 /**
  * @class   PixelSegments
- * @brief   view rays by the inverse of the camera's matrix from world to clip coordinates
+ * @brief   computes view rays with the inverse of the camera's world-to-clip matrix
  *
- * The inverse of the matrix that VTK's own mappers project with serves every kind of camera:
- * stereo, sheared, off-axis, and with the camera's user transforms.
+ * VTK's own mappers use this matrix, so it covers every kind of camera: stereo, sheared, off-axis,
+ * and with user transforms.
  */
 class PixelSegments
 {
 public:
-  /// The camera is read as it is after a frame, with the eye and the stereo flag of that.
+  /// Reads the camera after a frame, with the eye and stereo flag of that frame.
   explicit PixelSegments(vtkRenderer* renderer);
 
-  /// Returns the segment of a pixel that is counted from the renderer's lower left corner.
+  /// Returns the segment of a pixel, relative to the renderer's lower left corner.
   PixelSegment Get(int i, int j) const;
 
 private:
@@ -76,9 +76,9 @@ private:
 };
 
 /**
- * Checks that a selector finds at every third pixel a cell of the volume's grid that the pixel's
- * segment enters first, and none where \a cut leaves nothing of the segment. Returns the number of
- * pixels with cells. The renderer has drawn the volume.
+ * Checks hardware selection at every third pixel: the selected cell must be the first that the
+ * pixel's segment enters, and there must be no cell if \a cut makes the segment empty. Returns the
+ * number of pixels with cells. The volume must have been rendered.
  */
 int CheckSelection(Check& check, vtkRenderer* renderer, vtkVolume* volume, vtkDataSet* grid,
   const std::function<void(PixelSegment&)>& cut);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The order of boxes that planes part, along lines of sight that are cut with all of them; and
-// which boxes planes do not part.
+// Tests the order of boxes that planes can separate against view rays clipped to every box, and
+// detects boxes that planes cannot separate.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "Pieces/PieceOrder.h"
@@ -23,17 +23,18 @@ using Vector = std::array<double, 3>;
 
 constexpr Box NOTHING{ { 1.0, -1.0, 1.0, -1.0, 1.0, -1.0 } };
 
-/// Cuts a box again and again at random places, so that planes part the parts.
-std::vector<Box> CutBox(const Box& whole, int number, std::mt19937& random)
+/// Cuts a box repeatedly at random positions, so that planes separate the parts.
+std::vector<Box> CutBox(const Box& full, int number, std::mt19937& random)
 {
-  std::vector<Box> boxes{ whole };
-  std::uniform_real_distribution<double> share(0.2, 0.8);
+  std::vector<Box> boxes{ full };
+  std::uniform_real_distribution<double> fraction(0.2, 0.8);
   while (static_cast<int>(boxes.size()) < number)
   {
     const std::size_t which = random() % boxes.size();
     const std::size_t axis = random() % 3;
     Box upper = boxes[which];
-    const double plane = upper[2 * axis] + share(random) * (upper[2 * axis + 1] - upper[2 * axis]);
+    const double plane =
+      upper[2 * axis] + fraction(random) * (upper[2 * axis + 1] - upper[2 * axis]);
     boxes[which][2 * axis + 1] = plane;
     upper[2 * axis] = plane;
     boxes.push_back(upper);
@@ -42,7 +43,7 @@ std::vector<Box> CutBox(const Box& whole, int number, std::mt19937& random)
   return boxes;
 }
 
-/// Returns the part of a ray in a box; the second is not above the first where it misses.
+/// Returns the parameter range of a ray inside a box. The range is empty if the ray misses the box.
 std::array<double, 2> Cut(const Box& box, const Vector& from, const Vector& along)
 {
   std::array<double, 2> part{ { 0.0, std::numeric_limits<double>::max() } };
@@ -55,11 +56,11 @@ std::array<double, 2> Cut(const Box& box, const Vector& from, const Vector& alon
   return part;
 }
 
-/// Counts pairs of boxes on rays, of which the later in the order is before the other.
-int CountWrong(const std::vector<Box>& boxes, const std::vector<int>& order, const Vector& from,
+/// Counts pairs of boxes on rays whose order is wrong.
+int CountErrors(const std::vector<Box>& boxes, const std::vector<int>& order, const Vector& from,
   const Vector& along, int& pairs)
 {
-  int wrong = 0;
+  int errors = 0;
   double reached = -std::numeric_limits<double>::max();
   for (const int box : order)
   {
@@ -68,11 +69,11 @@ int CountWrong(const std::vector<Box>& boxes, const std::vector<int>& order, con
     if (isFull && part[1] - part[0] > 1e-9)
     {
       pairs += reached > 0.0 ? 1 : 0;
-      wrong += part[0] < reached - 1e-9 ? 1 : 0;
+      errors += part[0] < reached - 1e-9 ? 1 : 0;
       reached = std::max(reached, part[1]);
     }
   }
-  return wrong;
+  return errors;
 }
 
 Vector RandomVector(std::mt19937& random, double size)
@@ -83,13 +84,13 @@ Vector RandomVector(std::mt19937& random, double size)
 
 void CheckViews(Check& check, std::mt19937& random)
 {
-  const Box whole{ { -1.0, 1.0, -0.5, 2.0, -1.5, 0.5 } };
+  const Box full{ { -1.0, 1.0, -0.5, 2.0, -1.5, 0.5 } };
   int pairs = 0;
   for (int round = 0; round < 200; ++round)
   {
     const int number = 1 + static_cast<int>(random() % 24);
-    std::vector<Box> boxes = CutBox(whole, number, random);
-    // Pieces do not always fill their parts, and some processes have none.
+    std::vector<Box> boxes = CutBox(full, number, random);
+    // Pieces do not always fill their regions, and some processes are empty.
     for (Box& box : boxes)
     {
       box[0] += random() % 2 ? 0.1 * (box[1] - box[0]) : 0.0;
@@ -97,23 +98,23 @@ void CheckViews(Check& check, std::mt19937& random)
     }
     const PieceOrder parts(boxes);
     check.SetContext("round " + std::to_string(round));
-    check.That(parts.IsPossible(), "planes part what they cut");
+    check.That(parts.IsPossible(), "planes separate the boxes that they cut");
     for (int view = 0; view < 20; ++view)
     {
-      // Eyes inside the boxes, too.
+      // The camera may be inside the boxes.
       const Vector eye = RandomVector(random, 3.0);
       const bool isParallel = view % 2 == 1;
       const std::array<double, 4> from{ { eye[0], eye[1], eye[2], isParallel ? 0.0 : 1.0 } };
       const std::vector<int> order = parts.Compute(from);
       std::vector<int> sorted = order;
       std::sort(sorted.begin(), sorted.end());
-      bool isWhole = sorted.size() == boxes.size();
-      for (std::size_t i = 0; isWhole && i < sorted.size(); ++i)
+      bool isComplete = sorted.size() == boxes.size();
+      for (std::size_t i = 0; isComplete && i < sorted.size(); ++i)
       {
-        isWhole = sorted[i] == static_cast<int>(i);
+        isComplete = sorted[i] == static_cast<int>(i);
       }
-      check.That(isWhole, "each process once");
-      int wrong = 0;
+      check.That(isComplete, "each process occurs once");
+      int errors = 0;
       for (int ray = 0; ray < 50; ++ray)
       {
         const Vector target = RandomVector(random, 1.5);
@@ -125,56 +126,59 @@ void CheckViews(Check& check, std::mt19937& random)
           start = { { target[0] - 10.0 * along[0], target[1] - 10.0 * along[1],
             target[2] - 10.0 * along[2] } };
         }
-        wrong += CountWrong(boxes, order, start, along, pairs);
+        errors += CountErrors(boxes, order, start, along, pairs);
       }
-      check.Equal(wrong, 0, "boxes in the wrong order");
+      check.Equal(errors, 0, "boxes in the wrong order");
     }
   }
   check.SetContext("");
   check.That(pairs > 100000, "rays pass through several boxes");
 }
 
-void CheckAlignedEyes(Check& check)
+void CheckAlignedCameras(Check& check)
 {
   const PieceOrder halves(
     { { { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } }, { { 1.0, 2.0, 0.0, 1.0, 0.0, 1.0 } } });
   const auto first = [&](double x, double w) { return halves.Compute({ { x, 0.5, 0.5, w } })[0]; };
-  check.Equal(first(-3.0, 1.0), 0, "from below");
-  check.Equal(first(0.99, 1.0), 0, "from within the lower one");
-  check.Equal(first(1.01, 1.0), 1, "from within the upper one");
-  check.Equal(first(5.0, 1.0), 1, "from above");
-  check.Equal(first(-1.0, 0.0), 0, "along the axis");
-  check.Equal(first(1.0, 0.0), 1, "against the axis");
+  check.Equal(first(-3.0, 1.0), 0, "view from below");
+  check.Equal(first(0.99, 1.0), 0, "camera inside the lower box");
+  check.Equal(first(1.01, 1.0), 1, "camera inside the upper box");
+  check.Equal(first(5.0, 1.0), 1, "view from above");
+  check.Equal(first(-1.0, 0.0), 0, "parallel view along the axis");
+  check.Equal(first(1.0, 0.0), 1, "parallel view against the axis");
 }
 
-void CheckWhatCannotBeParted(Check& check)
+void CheckInseparableBoxes(Check& check)
 {
-  // Three bars, each before the next and the last before the first.
+  // Bars that occlude each other cyclically.
   const std::vector<Box> wheel{ { { 0.0, 3.0, 0.0, 1.0, 0.0, 1.0 } },
     { { 2.0, 3.0, 1.0, 3.0, 0.0, 3.0 } }, { { 0.0, 1.0, 0.5, 3.0, 1.0, 2.0 } },
     { { 0.5, 2.5, 0.0, 1.5, 2.0, 3.5 } } };
   check.That(
     !PieceOrder({ { { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } }, { { 0.9, 2.0, 0.5, 1.5, 0.5, 1.5 } } })
        .IsPossible(),
-    "boxes that overlap");
+    "overlapping boxes cannot be ordered");
   const std::vector<Box> ring{ { { 0.0, 2.0, 0.0, 1.0, 0.0, 1.0 } },
     { { 2.0, 3.0, 0.0, 2.0, 0.0, 1.0 } }, { { 1.0, 3.0, 2.0, 3.0, 0.0, 1.0 } },
     { { 0.0, 1.0, 1.0, 3.0, 0.0, 1.0 } } };
-  check.That(!PieceOrder(ring).IsPossible(), "four boxes around a fifth that is not there");
-  check.That(PieceOrder({ ring[0], ring[1], ring[2] }).IsPossible(), "three of them");
-  check.That(!PieceOrder(wheel).IsPossible(), "bars across each other");
+  check.That(!PieceOrder(ring).IsPossible(), "four boxes around a hole cannot be ordered");
+  check.That(
+    PieceOrder({ ring[0], ring[1], ring[2] }).IsPossible(), "three of the boxes can be ordered");
+  check.That(!PieceOrder(wheel).IsPossible(), "cyclic bars cannot be ordered");
   check.That(PieceOrder({}).IsPossible() && PieceOrder({}).Compute({}).empty(), "no process");
-  check.That(PieceOrder({ NOTHING, NOTHING }).IsPossible(), "nothing anywhere");
-  // What is cut in single precision does not fit to the last bit.
+  check.That(PieceOrder({ NOTHING, NOTHING }).IsPossible(), "only empty processes");
+  // Boxes that were computed in single precision overlap slightly.
   const double third = static_cast<double>(1.0f / 3.0f);
   const std::vector<Box> touching{ { { 0.0, third + 1e-8, 0.0, 1.0, 0.0, 1.0 } },
     { { third - 1e-8, 1.0, 0.0, 1.0, 0.0, 1.0 } } };
-  check.That(PieceOrder(touching).IsPossible(), "boxes that overlap by rounding");
+  check.That(PieceOrder(touching).IsPossible(), "rounding overlaps are tolerated");
   const std::vector<Box> flat{ { { 0.0, 1.0, 0.0, 1.0, 0.0, 0.0 } },
     { { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } } };
-  check.Equal(PieceOrder(flat).Compute({ { 0.5, 0.5, 5.0, 1.0 } })[0], 1, "a flat box behind");
-  check.Equal(PieceOrder(flat).Compute({ { 0.5, 0.5, -5.0, 1.0 } })[0], 0, "a flat box before");
-  check.That(PieceOrder({ flat[0], flat[0] }).IsPossible(), "two flat boxes in one place");
+  check.Equal(
+    PieceOrder(flat).Compute({ { 0.5, 0.5, 5.0, 1.0 } })[0], 1, "flat box behind the other");
+  check.Equal(
+    PieceOrder(flat).Compute({ { 0.5, 0.5, -5.0, 1.0 } })[0], 0, "flat box in front of the other");
+  check.That(PieceOrder({ flat[0], flat[0] }).IsPossible(), "two identical flat boxes");
 }
 
 }
@@ -184,7 +188,7 @@ int TestPieceOrder(int, char*[])
   Check check;
   std::mt19937 random(7);
   CheckViews(check, random);
-  CheckAlignedEyes(check);
-  CheckWhatCannotBeParted(check);
+  CheckAlignedCameras(check);
+  CheckInseparableBoxes(check);
   return check.Result();
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The nodes for two, three and n steps, what is refused, and the colours in a picture.
+// Tests the nodes for two, three and n steps, errors, and the colors in an image.
 #include "Support/Pages/StabilityCase.h"
-#include "Support/Drawing/PictureCases.h"
+#include "Support/Drawing/ImageCases.h"
 #include "Support/Checks/ReferenceCheck.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/MapperImage.h"
 
 #include "vtkCamera.h"
 #include "vtkCommand.h"
@@ -33,7 +33,7 @@ using Node = std::array<double, 4>;
 void ExpectNodes(
   Check& check, vtkTemporalColorTransferFunction* function, const std::vector<Node>& expected)
 {
-  check.Equal(function->GetSize(), static_cast<int>(expected.size()), "nodes");
+  check.Equal(function->GetSize(), static_cast<int>(expected.size()), "number of nodes");
   for (int i = 0; i < std::min(function->GetSize(), static_cast<int>(expected.size())); ++i)
   {
     double node[6];
@@ -44,7 +44,7 @@ void ExpectNodes(
         "value " + std::to_string(k) + " of node " + std::to_string(i) + " is " +
           std::to_string(expected[i][k]) + ", not " + std::to_string(node[k]));
     }
-    check.That(node[4] == 0.5 && node[5] == 0.0, "a straight line after a node");
+    check.That(node[4] == 0.5 && node[5] == 0.0, "linear interpolation after the node");
   }
 }
 
@@ -55,7 +55,7 @@ void TestNodes(Check& check)
   function->SetTimes(3.0, 7.0);
   ExpectNodes(check, function,
     { { { 3.0, 0.0, 1.0, 0.0 } }, { { 5.0, 1.0, 1.0, 0.0 } }, { { 7.0, 1.0, 0.0, 0.0 } } });
-  check.Equal(function->GetColorSpace(), VTK_CTF_RGB, "colour space");
+  check.Equal(function->GetColorSpace(), VTK_CTF_RGB, "color space");
 
   check.SetContext("three steps");
   const std::array<double, 3> three = { { -2.0, 0.0, 8.0 } };
@@ -64,11 +64,11 @@ void TestNodes(Check& check)
     { { { -2.0, 0.0, 0.0, 1.0 } }, { { -1.0, 0.0, 1.0, 1.0 } }, { { 0.0, 0.0, 1.0, 0.0 } },
       { { 4.0, 1.0, 1.0, 0.0 } }, { { 8.0, 1.0, 0.0, 0.0 } } });
 
-  // u is 0, 1/3, 2/3, 1 at the steps: 1/4 is three quarters through the first slab.
+  // u is 0, 1/3, 2/3, 1 at the steps. u = 1/4 is three quarters into the first interval.
   check.SetContext("four steps");
   const std::array<double, 4> four = { { 0.0, 4.0, 6.0, 14.0 } };
   function->SetTimes(4, four.data());
-  const double part = 4.0 / 3.0; // in quarters of u, at step 1
+  const double part = 4.0 / 3.0; // in units of 1/4 of u, at step 1
   ExpectNodes(check, function,
     { { { 0.0, 0.0, 0.0, 1.0 } }, { { 3.0, 0.0, 1.0, 1.0 } }, { { 4.0, 0.0, 1.0, 2.0 - part } },
       { { 5.0, 0.0, 1.0, 0.0 } }, { { 6.0, 2.0 * part - 2.0, 1.0, 0.0 } },
@@ -82,7 +82,7 @@ void TestNodes(Check& check)
       { { 11.0, 1.0, 1.0, 0.0 } }, { { 100.0, 1.0, 0.0, 0.0 } } });
 }
 
-/// Wherever the steps are, colour is the map of three steps at u.
+/// Checks that the color is the map of three steps at u, for any times.
 void TestManySteps(Check& check)
 {
   check.SetContext("many steps");
@@ -98,10 +98,10 @@ void TestManySteps(Check& check)
     for (int sample = 0; sample <= 100 * (n - 1); ++sample)
     {
       const int step = std::min(sample / 100, n - 2);
-      const double share = sample / 100.0 - step;
-      const double u = (step + share) / (n - 1);
+      const double fraction = sample / 100.0 - step;
+      const double u = (step + fraction) / (n - 1);
       double rgb[3];
-      function->GetColor(times[step] + share * (times[step + 1] - times[step]), rgb);
+      function->GetColor(times[step] + fraction * (times[step + 1] - times[step]), rgb);
       const double red = u < 0.5 ? 0.0 : (u > 0.75 ? 1.0 : 4.0 * u - 2.0);
       const double blue = u > 0.5 ? 0.0 : (u < 0.25 ? 1.0 : 2.0 - 4.0 * u);
       const double green = u < 0.25 ? 4.0 * u : (u > 0.75 ? 4.0 - 4.0 * u : 1.0);
@@ -112,7 +112,7 @@ void TestManySteps(Check& check)
   }
 }
 
-/// Steps as far apart as numbers are: the colours three eighths through.
+/// Tests extremely short and long steps.
 void TestScales(StabilityCatalogue& catalogue)
 {
   for (const double step : { 1e-300, 1e-12, 1e12, 1e307 })
@@ -125,7 +125,7 @@ void TestScales(StabilityCatalogue& catalogue)
     std::ostringstream text;
     text << step;
     catalogue.Measure("steps-" + text.str(), "steps " + text.str() + " apart",
-      "error of the colour three quarters through",
+      "error of the color at time 6 of 8",
       std::abs(rgb[0] - 1.0) + std::abs(rgb[1] - 0.5) + std::abs(rgb[2]), 1e-12);
   }
 }
@@ -136,7 +136,7 @@ void TestErrors(StabilityCatalogue& catalogue)
   function->SetTimes(0.0, 2.0);
   vtkNew<vtkTest::ErrorObserver> observer;
   function->AddObserver(vtkCommand::ErrorEvent, observer);
-  const auto refuse =
+  const auto expectError =
     [&](const std::string& name, int number, const double* times, const std::string& reason)
   {
     observer->Clear();
@@ -144,7 +144,7 @@ void TestErrors(StabilityCatalogue& catalogue)
     function->SetTimes(number, times);
     const std::string message = observer->GetErrorMessage();
     catalogue.Check("times-" + name, "times " + name,
-      "an error with \"" + reason + "\", and the nodes of before", message,
+      "an error with \"" + reason + "\", and unchanged nodes", message,
       message.find(reason) != std::string::npos && function->GetMTime() == before &&
         function->GetSize() == 3);
   };
@@ -159,21 +159,20 @@ void TestErrors(StabilityCatalogue& catalogue)
     { "nan", { 1.0, nan }, "not finite" },
     { "minus-infinity", { -infinity, 0.0, 1.0 }, "not finite" },
     { "infinity", { 0.0, 1.0, infinity }, "not finite" },
-    { "equal", { 1.0, 1.0 }, "do not increase" },
-    { "falling", { 0.0, 2.0, 1.0 }, "do not increase" },
-    { "equal-within", { 0.0, 1.0, 2.0, 2.0, 3.0 }, "do not increase" },
-    { "neighbours", { 1.0, std::nextafter(1.0, 2.0) }, "do not increase" } };
+    { "equal", { 1.0, 1.0 }, "is not greater" }, { "falling", { 0.0, 2.0, 1.0 }, "is not greater" },
+    { "equal-within", { 0.0, 1.0, 2.0, 2.0, 3.0 }, "is not greater" },
+    { "neighbors", { 1.0, std::nextafter(1.0, 2.0) }, "is not greater" } };
   for (const auto& one : cases)
   {
-    refuse(one.Name, static_cast<int>(one.Times.size()), one.Times.data(), one.Reason);
+    expectError(one.Name, static_cast<int>(one.Times.size()), one.Times.data(), one.Reason);
   }
-  refuse("null", 2, nullptr, "");
+  expectError("null", 2, nullptr, "");
   catalogue.Check("times-null-error", "times null", "an error", observer->GetErrorMessage(),
     observer->GetError());
 }
 
-/// Time is constant along each line of sight, so that a pixel has the colour of its time.
-void TestPicture(Check& check)
+/// Tests that a pixel has the color of its time, which is constant along each view ray.
+void TestVolumeImage(Check& check)
 {
   const double extinction = 1.5;
   const std::array<double, 3> times = { { 2.0, 2.5, 4.0 } };
@@ -181,7 +180,7 @@ void TestPicture(Check& check)
   function->SetTimes(3, times.data());
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(times[0], extinction);
-  PictureCase what;
+  ImageCase what;
   what.Grid = MakeCube(5);
   AddLinear(what.Grid, "Time", times[0], { { times[2] - times[0], 0.0, 0.0 } });
   what.Property = MakeProperty({});
@@ -194,21 +193,22 @@ void TestPicture(Check& check)
   for (const int path : AllRenderPaths())
   {
     check.SetContext(GetPathName(path));
-    const RgbaPicture picture = DrawByPath(path, what);
-    for (int i = 0; i < picture.Width; ++i)
+    const RgbaImage image = DrawByPath(path, what);
+    for (int i = 0; i < image.Width; ++i)
     {
-      const Ray ray = rays.Get(i, picture.Height / 2);
+      const Ray ray = rays.Get(i, image.Height / 2);
       const auto x = static_cast<double>(ray.Origin[0]);
       if (x < 0.0 || x > 1.0)
       {
         continue;
       }
-      const double* pixel = picture.At(i, picture.Height / 2);
+      const double* pixel = image.At(i, image.Height / 2);
       double rgb[3];
       function->GetColor(times[0] + x * (times[2] - times[0]), rgb);
       for (int k = 0; k < 3; ++k)
       {
-        check.Near(pixel[k], -std::expm1(-extinction) * rgb[k], 1e-4, "colour of the time", 1.0);
+        check.Near(
+          pixel[k], -std::expm1(-extinction) * rgb[k], 1e-4, "color at the pixel's time", 1.0);
       }
     }
   }
@@ -221,7 +221,7 @@ int TestTemporalColorTransferFunction(int argc, char* argv[])
   Check check;
   TestNodes(check);
   TestManySteps(check);
-  TestPicture(check);
+  TestVolumeImage(check);
   StabilityCatalogue catalogue("TestTemporalColorTransferFunction", argc, argv);
   catalogue.SetClass("vtkTemporalColorTransferFunction");
   TestScales(catalogue);

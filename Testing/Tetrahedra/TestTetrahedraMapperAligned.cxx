@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Real tetrahedra seen along the axes, where faces are seen edge-on and points coincide: no pixel
-// of either render path is off. TestTetrahedraMapperAlignedData does so with every file.
+// Tests both render paths on data seen along the axes, where faces are edge-on and projected points
+// coincide. TestTetrahedraMapperAlignedData uses every file.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/DataTetrahedra.h"
 #include "Tetrahedra/PathComparison.h"

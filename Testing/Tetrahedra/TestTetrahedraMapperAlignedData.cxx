@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every file of Data/ seen along the axes: the grids whole, all as interval volumes.
+// Tests every file of Data/ seen along the axes, as full grids and interval volumes.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/DataTetrahedra.h"
 #include "Tetrahedra/PathComparison.h"
@@ -29,7 +29,7 @@ int TestTetrahedraMapperAlignedData(int, char*[])
   };
   for (const DataTetrahedra& data : cases)
   {
-    // A plane of voxels that is seen edge-on can lie on the centers of a column of pixels.
+    // A plane of voxels seen edge-on can pass through the centers of a column of pixels.
     ComparePathsAlongAxes(data.Make({ { 120, 120 } }), data.GetName(), check, 3e-3);
   }
   return check.Result();

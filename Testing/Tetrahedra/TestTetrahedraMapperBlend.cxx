@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every blend mode, kind of array and clip of both render paths against the reference.
+// Tests every blend mode, kind of array and clipping of both render paths against the reference.
 #include "Support/Arrays/ReferenceIndices.h"
-#include "Support/Drawing/PictureCases.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Drawing/ImageCases.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/MapperImage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -36,37 +36,36 @@ constexpr Point3 Red = { { 1.0, 0.1, 0.0 } };
 constexpr Point3 Green = { { 0.2, 1.0, 0.1 } };
 constexpr Point3 Blue = { { 0.1, 0.3, 1.0 } };
 
-PictureCase MakeCase(bool parallel)
+ImageCase MakeCase(bool parallel)
 {
   return reference::MakeCase(
     MakeCube(4), MakeRamp(0.1, 1.0, 0.25), Slanted, parallel, { { 80, 64 } });
 }
 
-/// Compares both render paths with the reference.
-/// \a openGLBound: where a silhouette is dense, a pixel that OpenGL misses by 1/256 of its width
-/// shows.
+/// Compares both render paths with the reference. \a openGLBound may be larger for dense volumes,
+/// in which missing pixels at silhouettes are visible.
 void Expect(
-  Check& check, const PictureCase& what, const std::string& name, double openGLBound = Bound)
+  Check& check, const ImageCase& what, const std::string& name, double openGLBound = Bound)
 {
-  const RgbaPicture expected = DrawByReference(what);
-  check.That(LargestAlpha(expected) > 0.2, name + ": something is seen");
+  const RgbaImage expected = DrawByReference(what);
+  check.That(LargestAlpha(expected) > 0.2, name + ": the volume is visible");
   for (int path : AllRenderPaths())
   {
-    const PictureError error = ComparePictures(DrawByPath(path, what), expected);
-    const std::string whole = name +
+    const ImageError error = CompareImages(DrawByPath(path, what), expected);
+    const std::string fullName = name +
       (what.Camera->GetParallelProjection() ? ", parallel, " : ", perspective, ") +
       GetPathName(path);
-    std::cout << whole << ": " << error << '\n';
+    std::cout << fullName << ": " << error << '\n';
     const bool isOpenGL = path == vtkTimeWeightedTetrahedraMapper::OPENGL_PATH;
-    check.Near(error.Max, 0.0, isOpenGL ? openGLBound : Bound, whole, 1.0);
+    check.Near(error.Max, 0.0, isOpenGL ? openGLBound : Bound, fullName, 1.0);
   }
 }
 
 void TestBlendModes(Check& check, bool parallel)
 {
-  PictureCase what = MakeCase(parallel);
+  ImageCase what = MakeCase(parallel);
   AddSlabs(what.Grid, "IntervalId", 2, 4);
-  // As additive blending saturates, it gets a fainter volume as well.
+  // Additive blending saturates, so it is also tested with a fainter volume.
   auto faint = MakeRamp(0.01, 0.1);
   const struct
   {
@@ -89,18 +88,18 @@ void TestBlendModes(Check& check, bool parallel)
   what.Settings.How = Blend::Additive;
   what.Property = faint;
   what.Settings.Arrays.DeltaT.clear();
-  const RgbaPicture expected = DrawByReference(what);
+  const RgbaImage expected = DrawByReference(what);
   for (int path : AllRenderPaths())
   {
-    const PictureError error = ComparePictures(DrawByPath(path, what), expected);
+    const ImageError error = CompareImages(DrawByPath(path, what), expected);
     check.Near(error.Max, 0.0, Bound * LargestAlpha(expected), "additive, faint", 1.0);
   }
 }
 
-/// Layers that the priorities, not the positions, put over each other.
+/// Tests layers whose order depends on their priorities instead of their positions.
 void TestPriorities(Check& check, bool parallel)
 {
-  PictureCase what = MakeCase(parallel);
+  ImageCase what = MakeCase(parallel);
   AddSlabs(what.Grid, "layer", 0, 3);
   what.Property = MakeProperty({ { 0.0, Red, 2.0 }, { 1.0, Green, 1.0 }, { 2.0, Blue, 3.0 } });
   what.Settings.How = Blend::Priority;
@@ -109,24 +108,24 @@ void TestPriorities(Check& check, bool parallel)
   what.Settings.Arrays.OfCells = true;
   Expect(check, what, "priority by number");
   what.Settings.Priorities = { { 0, 5.0 }, { 1, -1.0 }, { 2, 0.5 } };
-  Expect(check, what, "priority as set");
+  Expect(check, what, "explicit priorities");
   what.Settings.Priorities = { { 0, 2.0 }, { 1, 2.0 } };
   Expect(check, what, "equal priorities");
 }
 
-/// AUTOMATIC_BLEND is composite without and optical depth with the array `DeltaT`, found by itself.
+/// Tests AUTOMATIC_BLEND: composite without an array `DeltaT`, optical depth if the input has it.
 void TestAutomatic(Check& check)
 {
-  PictureCase what = MakeCase(true);
-  for (bool extended : { false, true })
+  ImageCase what = MakeCase(true);
+  for (bool hasExtent : { false, true })
   {
-    if (extended)
+    if (hasExtent)
     {
       AddLinear(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
       what.Settings.How = Blend::OpticalDepth;
       what.Settings.Arrays.DeltaT = "DeltaT";
     }
-    const RgbaPicture expected = DrawByReference(what);
+    const RgbaImage expected = DrawByReference(what);
     for (int path : AllRenderPaths())
     {
       vtkNew<Mapper> mapper;
@@ -137,7 +136,7 @@ void TestAutomatic(Check& check)
       VolumeStage stage(what.Settings.Size);
       stage.SetVolume(mapper, what.Property);
       stage.SetCamera(what.Camera);
-      check.Near(ComparePictures(stage.Capture(), expected).Max, 0.0, Bound,
+      check.Near(CompareImages(stage.Capture(), expected).Max, 0.0, Bound,
         "automatic blend, " + GetPathName(path), 1.0);
     }
   }
@@ -161,15 +160,15 @@ void AddColors(vtkDataSetAttributes* data, vtkIdType tuples, int components, dou
   data->AddArray(colors);
 }
 
-/// Colours in the array itself, for points and cells.
+/// Tests arrays of colors, for points and cells.
 void TestColorArrays(Check& check, bool parallel)
 {
   for (bool ofCells : { false, true })
   {
-    const std::string place = ofCells ? " of cells" : " of points";
+    const std::string suffix = ofCells ? " of cells" : " of points";
     for (int components : { 2, 3, 4 })
     {
-      PictureCase what = MakeCase(parallel);
+      ImageCase what = MakeCase(parallel);
       what.Settings.Arrays.Scalars = "colors";
       what.Settings.Arrays.OfCells = ofCells;
       vtkDataSetAttributes* data = what.Grid->GetPointData();
@@ -181,17 +180,18 @@ void TestColorArrays(Check& check, bool parallel)
       }
       what.Property->IndependentComponentsOff();
       AddColors<vtkFloatArray>(data, tuples, components, 1.0);
-      Expect(check, what, std::to_string(components) + " components" + place);
+      Expect(check, what, std::to_string(components) + " components" + suffix);
       if (components > 2)
       {
         data->RemoveArray("colors");
         AddColors<vtkUnsignedCharArray>(data, tuples, components, 255.0);
         what.Property = MakeProperty({ { 0.0, Red, 0.1 }, { 255.0, Red, 1.0 } }, 0.25);
         what.Property->IndependentComponentsOff();
-        Expect(check, what, std::to_string(components) + " bytes" + place);
+        Expect(check, what, std::to_string(components) + " bytes" + suffix);
         what.Settings.How = Blend::MaximumIntensity;
-        // Colors jump between cells, so that a pixel at an edge shows which cell OpenGL gave it to.
-        Expect(check, what, std::to_string(components) + " bytes" + place + ", maximum",
+        // Colors are discontinuous between cells. Therefore OpenGL's rounding at an edge is
+        // visible.
+        Expect(check, what, std::to_string(components) + " bytes" + suffix + ", maximum",
           ofCells ? 0.5 : Bound);
       }
     }
@@ -200,7 +200,7 @@ void TestColorArrays(Check& check, bool parallel)
 
 void TestTransferFunctions(Check& check, bool parallel)
 {
-  // Thirty nodes over the range of the field: some four in each tetrahedron.
+  // Thirty nodes over the range of the field: about four per tetrahedron.
   std::vector<FunctionNode> nodes;
   for (int node = 0; node < 30; ++node)
   {
@@ -208,7 +208,7 @@ void TestTransferFunctions(Check& check, bool parallel)
     const Point3& color = node % 3 == 0 ? Red : node % 3 == 1 ? Green : Blue;
     nodes.push_back({ x, color, node % 2 == 0 ? 0.0 : 6.0 });
   }
-  PictureCase what = MakeCase(parallel);
+  ImageCase what = MakeCase(parallel);
   what.Property = MakeProperty(nodes);
   Expect(check, what, "thirty nodes");
   what.Grid = MakeCube(1);
@@ -216,7 +216,7 @@ void TestTransferFunctions(Check& check, bool parallel)
   what.Settings.How = Blend::OpticalDepth;
   Expect(check, what, "thirty nodes, optical depth");
   what.Settings.How = Blend::Composite;
-  // A step, and a spike narrower than a pixel is deep.
+  // A step, and a spike that is narrower than a tetrahedron.
   what.Property = MakeProperty({ { 0.0, Red, 0.0 }, { 0.5, Red, 0.0 }, { 0.5000001, Blue, 3.0 },
     { 0.7, Blue, 3.0 }, { 0.7001, Green, 900.0 }, { 0.7002, Green, 0.2 }, { 1.0, Green, 0.2 } });
   Expect(check, what, "a step and a spike");
@@ -224,12 +224,12 @@ void TestTransferFunctions(Check& check, bool parallel)
   Expect(check, what, "unit distance 0.03", 3e-3);
   what.Property = MakeRamp(0.0, 1.0, 0.25);
   what.Settings.Mode = Integration::AverageColor;
-  Expect(check, what, "average colour");
+  Expect(check, what, "average color");
 }
 
 void TestCellConstants(Check& check, bool parallel)
 {
-  PictureCase what = MakeCase(parallel);
+  ImageCase what = MakeCase(parallel);
   AddSlabs(what.Grid, "IntervalId", 1, 4);
   what.Settings.Arrays.Scalars = "IntervalId";
   what.Settings.Arrays.OfCells = true;
@@ -243,58 +243,58 @@ void TestCellConstants(Check& check, bool parallel)
 
 void TestNearPlane(Check& check)
 {
-  PictureCase what = MakeCase(true);
+  ImageCase what = MakeCase(true);
   double range[2];
   what.Camera->GetClippingRange(range);
-  const double middle = what.Camera->GetDistance();
-  what.Camera->SetClippingRange(middle - 0.13, range[1]);
+  const double distance = what.Camera->GetDistance();
+  what.Camera->SetClippingRange(distance - 0.13, range[1]);
   Expect(check, what, "near plane through the mesh");
   what = MakeCase(false);
-  what.Camera->SetClippingRange(middle + 0.11, range[1]);
+  what.Camera->SetClippingRange(distance + 0.11, range[1]);
   Expect(check, what, "near plane through the mesh");
-  // The eye inside, off every face.
+  // The camera is inside the mesh but not on a face.
   what.Camera->SetPosition(0.47, 0.53, 0.41);
   what.Camera->SetFocalPoint(0.47 + 0.3, 0.53 - 0.4, 0.41 + 1.0);
   what.Camera->SetViewAngle(70.0);
   what.Camera->SetClippingRange(0.02, 10.0);
-  Expect(check, what, "eye inside the mesh");
+  Expect(check, what, "camera inside the mesh");
   what.Camera->SetClippingRange(1e-4, 10.0);
-  Expect(check, what, "eye inside the mesh, near plane 1e-4 away");
+  Expect(check, what, "camera inside the mesh, near plane at 1e-4");
 }
 
-/// A fine mesh around the eye, which gives the image of one of five tetrahedra. Half of the way
-/// takes 99 % of the light: the tetrahedra behind still show.
+/// Tests that a fine mesh around the camera gives the same image as a mesh of five tetrahedra. The
+/// front half absorbs only 99 % of the light, so that tetrahedra behind it are still visible.
 void TestNearlyOpaque(Check& check)
 {
-  PictureCase what = MakeCase(false);
+  ImageCase what = MakeCase(false);
   what.Camera->SetPosition(0.47, 0.53, 0.41);
   what.Camera->SetFocalPoint(0.47 + 0.3, 0.53 - 0.4, 0.41 + 1.0);
   what.Camera->SetViewAngle(70.0);
   what.Camera->SetClippingRange(1e-4, 10.0);
   what.Property = MakeRamp(12.0, 12.0);
   what.Grid = MakeCube(1);
-  const RgbaPicture expected = DrawByReference(what);
+  const RgbaImage expected = DrawByReference(what);
   what.Grid = MakeCube(16);
   for (int path : AllRenderPaths())
   {
-    const PictureError error = ComparePictures(DrawByPath(path, what), expected);
+    const ImageError error = CompareImages(DrawByPath(path, what), expected);
     check.Near(error.Max, 0.0, Bound, "nearly opaque, " + GetPathName(path), 1.0);
   }
 }
 
-/// A plane across the whole picture, at a slant to the lines of sight, so far behind the middle.
-void AddPlane(PictureCase& what, double behind, const Point3& color)
+/// Adds a slanted plane across the image, at a distance \a behind the center.
+void AddPlane(ImageCase& what, double behind, const Point3& color)
 {
-  double eye[3];
-  double middle[3];
-  what.Camera->GetPosition(eye);
-  what.Camera->GetFocalPoint(middle);
+  double position[3];
+  double focalPoint[3];
+  what.Camera->GetPosition(position);
+  what.Camera->GetFocalPoint(focalPoint);
   double normal[3];
   what.Camera->GetDirectionOfProjection(normal);
   double center[3];
   for (int k = 0; k < 3; ++k)
   {
-    center[k] = middle[k] + behind * normal[k];
+    center[k] = focalPoint[k] + behind * normal[k];
   }
   normal[0] += 0.15;
   vtkNew<vtkPlaneSource> plane;
@@ -325,7 +325,7 @@ void AddPlane(PictureCase& what, double behind, const Point3& color)
   }
 }
 
-/// Something opaque in front of, inside and behind the volume.
+/// Tests an opaque plane in front of, inside and behind the volume.
 void TestOpaque(Check& check, bool parallel)
 {
   const Point3 color = { { 0.2, 0.6, 0.4 } };
@@ -333,10 +333,10 @@ void TestOpaque(Check& check, bool parallel)
   {
     for (double behind : { -1.5, -0.3, 0.05, 0.3, 1.5 })
     {
-      PictureCase what = MakeCase(parallel);
+      ImageCase what = MakeCase(parallel);
       what.Settings.How = how;
       AddPlane(what, behind, color);
-      RgbaPicture expected = DrawByReference(what);
+      RgbaImage expected = DrawByReference(what);
       for (const auto& [j, i] : AllIndices(expected.Height, expected.Width))
       {
         double* pixel = expected.At(i, j);
@@ -348,8 +348,8 @@ void TestOpaque(Check& check, bool parallel)
       }
       for (int path : AllRenderPaths())
       {
-        const PictureError error = ComparePictures(DrawByPath(path, what), expected);
-        const std::string name = "plane " + std::to_string(behind) + " behind the middle, blend " +
+        const ImageError error = CompareImages(DrawByPath(path, what), expected);
+        const std::string name = "plane " + std::to_string(behind) + " behind the center, blend " +
           std::to_string(static_cast<int>(how)) + (parallel ? ", parallel, " : ", perspective, ") +
           GetPathName(path);
         std::cout << name << ": " << error << '\n';

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every kind of camera: stereo, sheared, off-axis, with user transforms. Silhouettes against those
-// of vtkPolyDataMapper, colors of slabs in order and cut by planes and surfaces against formulas,
-// selection, lit boundaries.
+// Tests every kind of camera: stereo, sheared, off-axis and with user transforms. Silhouettes are
+// compared with vtkPolyDataMapper. Colors of slabs, also cut by planes and surfaces, are compared
+// with formulas. Selection and lit boundaries are tested as well.
 #include "Support/Arrays/ReferenceIndices.h"
-#include "Support/Drawing/PictureCases.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Drawing/ImageCases.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/MapperImage.h"
 #include "Tetrahedra/PixelSegments.h"
 #include "View/TetrahedraView.h"
 
@@ -46,7 +46,8 @@ constexpr int Slabs = 3;
 constexpr double Extinctions[Slabs] = { 2.0, 0.7, 4.0 };
 constexpr Point3 Colors[Slabs] = { { { 1.0, 0.1, 0.0 } }, { { 0.0, 0.9, 0.3 } },
   { { 0.2, 0.0, 1.0 } } };
-/// Nearly along the planes between slabs, which the two eyes see from different sides.
+/// View direction almost along the planes between slabs, so that each eye sees a different side of
+/// them.
 constexpr Point3 Along = { { 0.01, -0.35, 1.0 } };
 
 /// A camera that looks at the unit cube, in a window that may be stereo.
@@ -54,11 +55,12 @@ struct CameraCase
 {
   std::string Name;
   std::function<void(vtkCamera*)> Change;
-  /// 0 without stereo.
+  /// Stereo type, or 0 for no stereo.
   int StereoType = 0;
-  /// Whether vtkPolyDataMapper shades with true lengths and angles.
+  /// True if the transforms preserve lengths and angles, so that vtkPolyDataMapper shades
+  /// correctly.
   bool IsRigid = true;
-  /// Whether near or far plane cut the cube, which opens surfaces.
+  /// True if the near or far plane cuts the cube, which opens its surface.
   bool IsCut = false;
 };
 
@@ -69,15 +71,15 @@ vtkSmartPointer<vtkTransform> MakeTransform(const std::function<void(vtkTransfor
   return transform;
 }
 
-/// The screen of an off-axis camera in the view coordinates of the camera, as a parallelogram.
-void SetScreen(vtkCamera* camera, const Point3& middle, const Point3& right, const Point3& up)
+/// Sets the screen of an off-axis camera to a parallelogram in view coordinates.
+void SetScreen(vtkCamera* camera, const Point3& center, const Point3& right, const Point3& up)
 {
   Point3 corners[3];
   for (int k = 0; k < 3; ++k)
   {
-    corners[0][k] = middle[k] - right[k] - up[k];
-    corners[1][k] = middle[k] + right[k] - up[k];
-    corners[2][k] = middle[k] + right[k] + up[k];
+    corners[0][k] = center[k] - right[k] - up[k];
+    corners[1][k] = center[k] + right[k] - up[k];
+    corners[2][k] = center[k] + right[k] + up[k];
   }
   camera->SetScreenBottomLeft(corners[0].data());
   camera->SetScreenBottomRight(corners[1].data());
@@ -87,12 +89,12 @@ void SetScreen(vtkCamera* camera, const Point3& middle, const Point3& right, con
 
 const std::vector<CameraCase>& AllCameras()
 {
-  const auto nothing = [](vtkCamera*) {};
+  const auto unchanged = [](vtkCamera*) {};
   const auto wide = [](vtkCamera* camera) { camera->SetEyeAngle(12.0); };
   static const std::vector<CameraCase> cameras = {
-    { "plain", nothing },
-    { "left eye", nothing, VTK_STEREO_LEFT },
-    { "right eye", nothing, VTK_STEREO_RIGHT },
+    { "plain", unchanged },
+    { "left eye", unchanged, VTK_STEREO_LEFT },
+    { "right eye", unchanged, VTK_STEREO_RIGHT },
     { "left eye, wide", wide, VTK_STEREO_LEFT },
     { "right eye, wide", wide, VTK_STEREO_RIGHT },
     { "sheared", [](vtkCamera* camera) { camera->SetViewShear(0.2, -0.15, 0.7); } },
@@ -116,7 +118,7 @@ const std::vector<CameraCase>& AllCameras()
       [](vtkCamera* camera)
       { camera->SetUserTransform(MakeTransform([](vtkTransform* t) { t->RotateZ(180.0); })); },
       VTK_STEREO_LEFT },
-    { "turned picture",
+    { "rotated image",
       [](vtkCamera* camera)
       {
         camera->SetUserTransform(MakeTransform(
@@ -169,7 +171,7 @@ const std::vector<CameraCase>& AllCameras()
   return cameras;
 }
 
-/// Cameras with a screen, which look at the cube in view coordinates.
+/// Returns cameras with a screen, which look at the cube in view coordinates.
 const std::vector<CameraCase>& AllScreens()
 {
   static const std::vector<CameraCase> cameras = {
@@ -179,7 +181,7 @@ const std::vector<CameraCase>& AllScreens()
         const double z = -camera->GetDistance();
         SetScreen(camera, { { 0.3, -0.2, z } }, { { 1.2, 0.0, 0.0 } }, { { 0.0, 1.0, 0.0 } });
       } },
-    { "off-axis, right eye, turned screen",
+    { "off-axis, right eye, rotated screen",
       [](vtkCamera* camera)
       {
         camera->SetLeftEye(0);
@@ -199,7 +201,7 @@ const std::vector<CameraCase>& AllScreens()
   return cameras;
 }
 
-/// The cube in slabs of one color each, in front of a camera.
+/// A camera that looks at a cube of slabs, each with one color.
 class Scene
 {
 public:
@@ -212,14 +214,14 @@ public:
     AddSlabs(this->Grid, "slab", 0, Slabs);
     if (isScreen)
     {
-      // The volume is moved instead of the camera.
-      vtkNew<vtkMatrix4x4> place;
-      place->DeepCopy(this->Camera->GetViewTransformMatrix());
+      // Move the volume instead of the camera.
+      vtkNew<vtkMatrix4x4> matrix;
+      matrix->DeepCopy(this->Camera->GetViewTransformMatrix());
       const double distance = this->Camera->GetDistance();
       this->Camera->SetPosition(0.0, 0.0, 0.0);
       this->Camera->SetFocalPoint(0.0, 0.0, -distance);
       this->Camera->SetViewUp(0.0, 1.0, 0.0);
-      this->Stage.GetVolume()->SetUserMatrix(place);
+      this->Stage.GetVolume()->SetUserMatrix(matrix);
     }
     what.Change(this->Camera);
     this->Stage.SetCamera(this->Camera);
@@ -245,9 +247,9 @@ public:
     this->Stage.SetVolume(mapper, this->Property);
   }
 
-  RgbaPicture Draw()
+  RgbaImage Draw()
   {
-    // The camera learns of stereo when the window itself is drawn.
+    // Rendering the window passes the stereo settings to the camera.
     this->Stage.Render();
     return this->Stage.Capture(1);
   }
@@ -271,7 +273,7 @@ public:
   vtkSmartPointer<vtkVolumeProperty> Property;
 };
 
-/// The slabs over each other in the order in which the segment passes them.
+/// Returns the composited slabs along the segment.
 std::array<double, 4> ExpectSlabs(const PixelSegment& segment, vtkVolume* volume)
 {
   struct Piece
@@ -308,9 +310,9 @@ std::array<double, 4> ExpectSlabs(const PixelSegment& segment, vtkVolume* volume
   return color;
 }
 
-/// Compares all pixels with the slabs of their segments, which \a clip may cut. With OpenGL an edge
-/// of a tetrahedron can be on the other side of a pixel's center.
-void CompareSlabs(Check& check, Scene& scene, const RgbaPicture& picture, const std::string& name,
+/// Compares all pixels with the slabs of their segments, which \a clip may shorten. OpenGL may
+/// round an edge of a tetrahedron to the other side of a pixel's center.
+void CompareSlabs(Check& check, Scene& scene, const RgbaImage& image, const std::string& name,
   const std::function<void(PixelSegment&)>& clip = {})
 {
   const bool isSoftware = name.find("software") == 0;
@@ -318,7 +320,7 @@ void CompareSlabs(Check& check, Scene& scene, const RgbaPicture& picture, const 
   double largest = 0.0;
   int seen = 0;
   int different = 0;
-  for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))
+  for (const auto& [j, i] : AllIndices(image.Height, image.Width))
   {
     PixelSegment segment = segments.Get(i, j);
     if (clip)
@@ -328,22 +330,22 @@ void CompareSlabs(Check& check, Scene& scene, const RgbaPicture& picture, const 
     const std::array<double, 4> expected = ExpectSlabs(segment, scene.Stage.GetVolume());
     seen += expected[3] > 0.1 ? 1 : 0;
     double error = 0.0;
-    // Something opaque has an alpha of its own.
+    // Skip alpha: opaque surfaces set it.
     for (int c = 0; c < (clip ? 3 : 4); ++c)
     {
-      const double distance = std::abs(picture.At(i, j)[c] - expected[c]);
+      const double distance = std::abs(image.At(i, j)[c] - expected[c]);
       error = std::isfinite(distance) ? std::max(error, distance) : 1e9;
     }
     different += error > 1e-3 ? 1 : 0;
     largest = std::max(largest, error);
   }
-  check.That(seen > 1000, name + ": " + std::to_string(seen) + " pixels of the cube are seen");
+  check.That(seen > 1000, name + ": " + std::to_string(seen) + " pixels show the cube");
   check.That(
     different <= (isSoftware ? 0 : 4), name + ": " + std::to_string(different) + " pixels differ");
   check.Near(largest, 0.0, !isSoftware ? 1e-2 : clip ? 1e-3 : 2e-5, name, 1.0);
 }
 
-/// Draws the volume by each path and shader.
+/// Calls \a action for each render path and shader.
 void ForEachPath(const std::function<void(Mapper*, const std::string&)>& action)
 {
   for (int path : AllRenderPaths())
@@ -374,37 +376,38 @@ void TestSlabs(Check& check, Scene& scene)
     });
 }
 
-/// VTK's own mapper covers the same pixels with the cube's surface.
+/// Tests that the volume covers the same pixels as the cube's surface rendered by
+/// vtkPolyDataMapper.
 void TestSilhouette(Check& check, Scene& scene)
 {
   vtkNew<vtkCubeSource> cube;
   cube->SetBounds(Box.data());
   const auto surface = scene.AddSurface(cube);
   scene.Stage.GetVolume()->VisibilityOff();
-  const RgbaPicture expected = scene.Draw();
+  const RgbaImage expected = scene.Draw();
   surface->VisibilityOff();
   scene.Stage.GetVolume()->VisibilityOn();
   ForEachPath(
     [&](Mapper* mapper, const std::string& path)
     {
       scene.SetMapper(mapper);
-      const RgbaPicture picture = scene.Draw();
+      const RgbaImage image = scene.Draw();
       int covered = 0;
       int different = 0;
-      for (std::size_t i = 3; i < picture.Values.size(); i += 4)
+      for (std::size_t i = 3; i < image.Values.size(); i += 4)
       {
         covered += expected.Values[i] > 0.5 ? 1 : 0;
-        // Edges of the cube may pass a pixel's center.
-        different += (expected.Values[i] > 0.5) != (picture.Values[i] > 1e-5) ? 1 : 0;
+        // Edges of the cube may pass through a pixel's center.
+        different += (expected.Values[i] > 0.5) != (image.Values[i] > 1e-5) ? 1 : 0;
       }
-      check.That(covered > 800, path + ": the surface is seen");
+      check.That(covered > 800, path + ": the surface is visible");
       check.That(different <= 3,
         path + ": silhouettes differ in " + std::to_string(different) + " of " +
           std::to_string(covered) + " pixels");
     });
 }
 
-/// An opaque plane through the cube.
+/// Tests an opaque plane through the cube.
 void TestOpaque(Check& check, Scene& scene)
 {
   vtkNew<vtkPlaneSource> plane;
@@ -416,11 +419,11 @@ void TestOpaque(Check& check, Scene& scene)
   plane->Update();
   double corner[4];
   double sides[2][4];
-  vtkMatrix4x4* place = scene.Stage.GetVolume()->GetMatrix();
-  const auto move = [place](const double* point, double* moved)
+  vtkMatrix4x4* matrix = scene.Stage.GetVolume()->GetMatrix();
+  const auto move = [matrix](const double* point, double* moved)
   {
-    const double whole[4] = { point[0], point[1], point[2], 1.0 };
-    place->MultiplyPoint(whole, moved);
+    const double homogeneous[4] = { point[0], point[1], point[2], 1.0 };
+    matrix->MultiplyPoint(homogeneous, moved);
   };
   move(plane->GetOrigin(), corner);
   move(plane->GetPoint1(), sides[0]);
@@ -449,7 +452,7 @@ void TestOpaque(Check& check, Scene& scene)
   surface->VisibilityOff();
 }
 
-/// The cell that a selector finds at some pixels is the one that the segment enters first.
+/// Tests that the selected cell is the first on the segment.
 void TestSelection(Check& check, Scene& scene)
 {
   vtkNew<Mapper> mapper;
@@ -461,14 +464,14 @@ void TestSelection(Check& check, Scene& scene)
   check.That(found > 100, "selection: " + std::to_string(found) + " pixels");
 }
 
-/// The boundary under a light in the world is shaded as vtkPolyDataMapper shades it.
+/// Tests that a boundary under a scene light is shaded as by vtkPolyDataMapper.
 void TestLitBoundary(Check& check, Scene& scene)
 {
   vtkNew<vtkLight> light;
   light->SetLightTypeToSceneLight();
-  double middle[4] = { 2.0, 1.5, -2.0, 1.0 };
-  scene.Stage.GetVolume()->GetMatrix()->MultiplyPoint(middle, middle);
-  light->SetPosition(middle);
+  double center[4] = { 2.0, 1.5, -2.0, 1.0 };
+  scene.Stage.GetVolume()->GetMatrix()->MultiplyPoint(center, center);
+  light->SetPosition(center);
   light->PositionalOn();
   light->SetConeAngle(180.0);
   scene.Stage.SetLights({ light });
@@ -476,7 +479,7 @@ void TestLitBoundary(Check& check, Scene& scene)
   cube->SetBounds(Box.data());
   cube->Update();
   vtkNew<vtkPolyData> face;
-  // Triangles of the cube's nearest face, as the tetrahedra have them.
+  // Triangles of the tetrahedra on the front face of the cube.
   vtkNew<vtkCellArray> triangles;
   for (vtkIdType cell = 0; cell < scene.Grid->GetNumberOfCells(); ++cell)
   {
@@ -508,15 +511,15 @@ void TestLitBoundary(Check& check, Scene& scene)
   property->SetOpacity(1.0);
   property->SetAmbient(0.1);
   property->SetDiffuse(0.8);
-  vtkNew<vtkPolyDataMapper> peer;
-  peer->SetInputData(face);
+  vtkNew<vtkPolyDataMapper> polyDataMapper;
+  polyDataMapper->SetInputData(face);
   vtkNew<vtkActor> actor;
-  actor->SetMapper(peer);
+  actor->SetMapper(polyDataMapper);
   actor->SetProperty(property);
   actor->SetUserMatrix(scene.Stage.GetVolume()->GetUserMatrix());
   scene.Stage.AddActor(actor);
   scene.Stage.GetVolume()->VisibilityOff();
-  const RgbaPicture expected = scene.Draw();
+  const RgbaImage expected = scene.Draw();
   actor->VisibilityOff();
   scene.Stage.GetVolume()->VisibilityOn();
   ForEachPath(
@@ -526,27 +529,28 @@ void TestLitBoundary(Check& check, Scene& scene)
       mapper->SetBlendMode(Mapper::COMPOSITE_BLEND);
       mapper->SetBoundaryData(face);
       mapper->SetBoundaryProperty(property);
-      const RgbaPicture picture = scene.Draw();
+      const RgbaImage image = scene.Draw();
       double largest = 0.0;
       int seen = 0;
-      for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))
+      for (const auto& [j, i] : AllIndices(image.Height, image.Width))
       {
-        const double* wanted = expected.At(i, j);
-        if (wanted[3] > 0.5 && picture.At(i, j)[3] > 0.9999)
+        const double* pixel = expected.At(i, j);
+        if (pixel[3] > 0.5 && image.At(i, j)[3] > 0.9999)
         {
           ++seen;
           for (int c = 0; c < 3; ++c)
           {
-            largest = std::max(largest, std::abs(picture.At(i, j)[c] - wanted[c]));
+            largest = std::max(largest, std::abs(image.At(i, j)[c] - pixel[c]));
           }
         }
       }
-      check.That(seen > 800, path + ": the boundary is seen in " + std::to_string(seen));
+      check.That(
+        seen > 800, path + ": number of pixels that show the boundary: " + std::to_string(seen));
       check.Near(largest, 0.0, 2e-3, path + ": lit boundary", 1.0);
     });
 }
 
-/// The eye by which processes order their pieces is where VTK moves it to.
+/// Tests that the eye used to order the pieces of processes is VTK's stereo eye position.
 void TestEye(Check& check, bool isLeft)
 {
   check.SetContext(isLeft ? "eye, left" : "eye, right");
@@ -560,18 +564,18 @@ void TestEye(Check& check, bool isLeft)
   const std::array<double, 4> eye =
     interlume::TetrahedraView::FindEye(scene.Stage.GetRenderer(), scene.Stage.GetVolume());
   check.That(eye[3] > 0.0, "w is positive");
-  const double aside = (isLeft ? -1.0 : 1.0) * scene.Camera->GetDistance() *
+  const double offset = (isLeft ? -1.0 : 1.0) * scene.Camera->GetDistance() *
     std::tan(vtkMath::RadiansFromDegrees(3.5));
   const double scale[3] = { 2.0, 1.0, 0.5 };
   for (int k = 0; k < 3; ++k)
   {
     const double expected = scene.Camera->GetPosition()[k] +
-      aside * scene.Camera->GetViewTransformMatrix()->GetElement(0, k);
-    check.Near(scale[k] * eye[k] / eye[3], expected, 1e-9, "the eye", 1.0);
+      offset * scene.Camera->GetViewTransformMatrix()->GetElement(0, k);
+    check.Near(scale[k] * eye[k] / eye[3], expected, 1e-9, "eye position", 1.0);
   }
 }
 
-/// Windows that show both eyes at once, against vtkPolyDataMapper.
+/// Tests windows that show both eyes at once against vtkPolyDataMapper.
 void TestBothEyes(Check& check, int type)
 {
   check.SetContext("both eyes, type " + std::to_string(type));
@@ -604,7 +608,7 @@ void TestBothEyes(Check& check, int type)
         covered += expected[i] > 128 ? 1 : 0;
         different += std::abs(found[i] - expected[i]) > 2 ? 1 : 0;
       }
-      check.That(covered > 1000, path + ": something is seen");
+      check.That(covered > 1000, path + ": the volume is visible");
       check.That(different <= 9, path + ": " + std::to_string(different) + " channels differ");
     });
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clipping planes at any angle against formulas: the depth of what they leave of each pixel's
-// segment, in every blend mode and kind of values, in order, with boundaries and selection; planes
-// through points; planes that come, move and go, in views that move.
+// Tests clipping planes at any angle against formulas for the clipped segment of each pixel, in
+// every blend mode, with all kinds of values, boundaries and selection. Also tests planes through
+// points, and sequences that add, move and remove planes.
 #include "Support/Arrays/ReferenceIndices.h"
-#include "Support/Drawing/PictureCases.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Drawing/ImageCases.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceReport.h"
 #include "Support/Checks/ReferenceMessages.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/MapperImage.h"
 #include "Tetrahedra/PixelSegments.h"
 
 #include "vtkCamera.h"
@@ -43,7 +43,7 @@ using Color = std::array<double, 4>;
 
 constexpr std::array<double, 6> Box = { { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } };
 constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
-/// f = 0.1 + 0.5 x + 0.3 y + 0.1 z, as MakeBox() has it; extinction and color of MakeRamp().
+/// f = 0.1 + 0.5 x + 0.3 y + 0.1 z as in MakeBox(); extinction and color as in MakeRamp().
 constexpr double LowExtinction = 0.3;
 constexpr double HighExtinction = 6.0;
 
@@ -104,7 +104,7 @@ PixelSegment Clip(PixelSegment segment, const Planes& planes, vtkVolume* volume)
   return segment;
 }
 
-/// A volume of the unit cube, with planes, in a window.
+/// A volume of the unit cube in a window.
 class Scene
 {
 public:
@@ -132,30 +132,30 @@ public:
   vtkSmartPointer<vtkVolumeProperty> Property;
 };
 
-/// Compares every pixel with what a formula has for the segment that the planes leave.
+/// Compares every pixel with a formula for its clipped segment.
 void Compare(Check& check, Scene& scene, const Planes& planes, double tolerance,
   const std::string& name, const std::function<Color(const PixelSegment&)>& formula)
 {
-  const RgbaPicture picture = scene.Stage.Capture(1);
+  const RgbaImage image = scene.Stage.Capture(1);
   const PixelSegments segments(scene.Stage.GetRenderer());
   double largest = 0.0;
   int seen = 0;
-  for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))
+  for (const auto& [j, i] : AllIndices(image.Height, image.Width))
   {
     const PixelSegment segment = Clip(segments.Get(i, j), planes, scene.GetVolume());
     const Color expected = segment.IsEmpty() ? Color{ { 0.0, 0.0, 0.0, 0.0 } } : formula(segment);
     seen += expected[3] > 0.05 ? 1 : 0;
     for (int c = 0; c < 4; ++c)
     {
-      const double error = std::abs(picture.At(i, j)[c] - expected[c]);
+      const double error = std::abs(image.At(i, j)[c] - expected[c]);
       largest = std::isfinite(error) ? std::max(largest, error) : 1e9;
     }
   }
-  check.That(seen > 100, name + ": " + std::to_string(seen) + " pixels are seen");
+  check.That(seen > 100, name + ": " + std::to_string(seen) + " pixels show the volume");
   check.Near(largest, 0.0, tolerance, name, 1.0);
 }
 
-/// The scalar at a point of the world, by the volume's coordinates.
+/// Returns the scalar at a point in world coordinates.
 double GetScalar(const Point3& point, vtkVolume* volume)
 {
   vtkNew<vtkMatrix4x4> inverse;
@@ -170,13 +170,13 @@ double GetExtinction(double scalar)
   return LowExtinction + (HighExtinction - LowExtinction) * scalar;
 }
 
-/// From blue at 0 to yellow at 1, as MakeRamp() has it.
+/// Returns a color from blue at 0 to yellow at 1, as in MakeRamp().
 Point3 GetColor(double scalar)
 {
   return { { 0.1 + 0.9 * scalar, 0.2 + 0.6 * scalar, 0.9 - 0.8 * scalar } };
 }
 
-/// Composite of linear color and extinction, by many thin steps.
+/// Integrates linear color and extinction in many small steps.
 Color Composite(const PixelSegment& segment, vtkVolume* volume)
 {
   constexpr int steps = 200;
@@ -205,7 +205,7 @@ double GetOpticalDepth(const PixelSegment& segment, vtkVolume* volume)
   return 0.5 * (front + back) * segment.GetLength();
 }
 
-/// The path and shader, and the error that they may have.
+/// A render path and shader with the tolerated error.
 struct Path
 {
   int RenderPath;
@@ -232,7 +232,7 @@ vtkSmartPointer<Mapper> NewMapper(const Path& path)
   return mapper;
 }
 
-/// Composite, optical depth and maximum of scalars; the prop is moved, the planes are not.
+/// Tests composite and maximum blending of scalars. Moving the prop does not move the planes.
 void TestScalars(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   for (bool isMoved : { false, true })
@@ -266,7 +266,7 @@ void TestScalars(Check& check, const Path& path, const Planes& planes, bool para
   }
 }
 
-/// The depth alone, of one color, is exact: extinction that rises, and an extent in time.
+/// Tests the optical depth of a single color, with linear extinction and an extent in time.
 void TestDepth(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   Scene scene(parallel);
@@ -305,7 +305,7 @@ void TestDepth(Check& check, const Path& path, const Planes& planes, bool parall
   }
 }
 
-/// Cells of one color each, and colors of points: those at the ends of what is left.
+/// Tests cells of constant color, and colors of points, which depend on the ends of the segment.
 void TestColors(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   Scene scene(parallel);
@@ -321,7 +321,7 @@ void TestColors(Check& check, const Path& path, const Planes& planes, bool paral
   SetPlanes(mapper, planes);
   vtkVolume* volume = scene.GetVolume();
   mapper->SetBlendModeToComposite();
-  // The view goes from lower to higher x.
+  // The view direction is from lower to higher x.
   Compare(check, scene, planes, path.Tolerance, "slabs",
     [&](const PixelSegment& segment)
     {
@@ -340,15 +340,15 @@ void TestColors(Check& check, const Path& path, const Planes& planes, bool paral
       return sum;
     });
 
-  vtkNew<vtkFloatArray> ofPoints;
-  ofPoints->SetName("colors");
-  ofPoints->SetNumberOfComponents(4);
+  vtkNew<vtkFloatArray> pointColors;
+  pointColors->SetName("colors");
+  pointColors->SetNumberOfComponents(4);
   for (vtkIdType p = 0; p < scene.Grid->GetNumberOfPoints(); ++p)
   {
     const double* x = scene.Grid->GetPoint(p);
-    ofPoints->InsertNextTuple4(x[0], x[1], x[2], 0.5 * (x[0] + x[1]));
+    pointColors->InsertNextTuple4(x[0], x[1], x[2], 0.5 * (x[0] + x[1]));
   }
-  scene.Grid->GetPointData()->AddArray(ofPoints);
+  scene.Grid->GetPointData()->AddArray(pointColors);
   scene.Property = MakeRamp(0.0, 1.0);
   scene.Property->IndependentComponentsOff();
   scene.SetMapper(mapper);
@@ -358,7 +358,7 @@ void TestColors(Check& check, const Path& path, const Planes& planes, bool paral
   Compare(check, scene, planes, path.Tolerance, "colors of points",
     [&](const PixelSegment& segment)
     {
-      // The mean color, weighted by extinction; both are linear.
+      // The mean of the linear color, weighted by the linear extinction.
       const auto at = [](const Point3& x) {
         return Color{ { x[0], x[1], x[2], 0.5 * (x[0] + x[1]) } };
       };
@@ -377,7 +377,8 @@ void TestColors(Check& check, const Path& path, const Planes& planes, bool paral
     });
 }
 
-/// Boundary triangles where the segment passes the cube's surface, if no plane has cut that off.
+/// Tests that boundary triangles are visible where the segment passes the cube's surface, unless a
+/// plane removes them.
 void TestBoundary(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   Scene scene(parallel);
@@ -395,36 +396,36 @@ void TestBoundary(Check& check, const Path& path, const Planes& planes, bool par
   mapper->SetBoundaryConnection(boundary->GetOutputPort());
   mapper->SetBoundaryProperty(property);
   SetPlanes(mapper, planes);
-  const RgbaPicture picture = scene.Stage.Capture(1);
+  const RgbaImage image = scene.Stage.Capture(1);
   const PixelSegments segments(scene.Stage.GetRenderer());
   int different = 0;
   int counts[3] = { 0, 0, 0 };
-  for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))
+  for (const auto& [j, i] : AllIndices(image.Height, image.Width))
   {
-    PixelSegment whole = segments.Get(i, j);
-    whole.ClipToBox(Box, scene.GetVolume());
+    PixelSegment unclipped = segments.Get(i, j);
+    unclipped.ClipToBox(Box, scene.GetVolume());
     const PixelSegment segment = Clip(segments.Get(i, j), planes, scene.GetVolume());
     int faces = 0;
     if (!segment.IsEmpty())
     {
-      faces += segment.GetFrom() == whole.GetFrom() ? 1 : 0;
-      faces += segment.GetTo() == whole.GetTo() ? 1 : 0;
+      faces += segment.GetFrom() == unclipped.GetFrom() ? 1 : 0;
+      faces += segment.GetTo() == unclipped.GetTo() ? 1 : 0;
     }
     ++counts[faces];
     const double expected = faces == 0 ? 0.0 : faces == 1 ? 0.3 : 0.51;
-    different += std::abs(picture.At(i, j)[3] - expected) > 1e-3 ||
-        std::abs(picture.At(i, j)[1] - expected) > 1e-3
+    different +=
+      std::abs(image.At(i, j)[3] - expected) > 1e-3 || std::abs(image.At(i, j)[1] - expected) > 1e-3
       ? 1
       : 0;
   }
   check.That(counts[1] + counts[2] > 100,
     "boundary: " + std::to_string(counts[1] + counts[2]) + " pixels with faces");
-  // Where planes pass the faces, OpenGL may be off by a pixel.
+  // At edges cut by planes, OpenGL may be off by a pixel.
   check.That(different <= (path.RenderPath == Mapper::SOFTWARE_PATH ? 0 : 4),
     "boundary: " + std::to_string(different) + " pixels differ");
 }
 
-/// The cell at a pixel is one that the planes leave there.
+/// Tests that the selected cell is not removed by the planes.
 void TestSelection(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   Scene scene(parallel);
@@ -437,7 +438,7 @@ void TestSelection(Check& check, const Path& path, const Planes& planes, bool pa
   check.That(found > 30, "selection: " + std::to_string(found) + " pixels");
 }
 
-/// A convex body of more planes than shaders or bits have room for.
+/// Tests a convex body with more planes than shader uniforms or bit masks could hold.
 void TestManyPlanes(Check& check, const Path& path)
 {
   Planes planes;
@@ -452,7 +453,7 @@ void TestManyPlanes(Check& check, const Path& path)
   TestDepth(check, path, planes, false);
 }
 
-/// Planes come, move and go; the picture is that of a mapper that has drawn nothing else.
+/// Tests a sequence of changed planes. Each image must equal the image of a new mapper.
 void TestSequence(Check& check, const Path& path)
 {
   Scene scene(false);
@@ -460,12 +461,12 @@ void TestSequence(Check& check, const Path& path)
   scene.SetMapper(mapper);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> number(-1.0, 1.0);
-  const auto capture = [&](Mapper* drawer)
+  const auto capture = [&](Mapper* renderedMapper)
   {
-    scene.SetMapper(drawer);
+    scene.SetMapper(renderedMapper);
     return scene.Stage.Capture(1);
   };
-  RgbaPicture last = capture(mapper);
+  RgbaImage last = capture(mapper);
   for (int step = 0; step < 14; ++step)
   {
     bool isView = false;
@@ -494,21 +495,22 @@ void TestSequence(Check& check, const Path& path)
     last = capture(mapper);
     const auto report = CopyReport(mapper->GetReport());
     check.That((report->GetNumber("TetrahedraClipped") > 0) == (step % 7 != 6),
-      name + ": tetrahedra are cut");
+      name + ": tetrahedra are clipped");
     if (isView && path.RenderPath == Mapper::OPENGL_PATH)
     {
-      check.Near(report->GetNumber("UploadedStaticBytes"), 0, 0.0,
-        name + ": a view that moves sends the order only");
+      check.Equal(report->GetCount("UploadedStaticBytes"), 0,
+        name + ": a camera move uploads only the order");
     }
     auto fresh = NewMapper(path);
     fresh->SetClippingPlanes(mapper->GetClippingPlanes());
-    check.That(capture(fresh).Values == last.Values, name + ": the bytes of a new mapper");
-    check.That(LargestAlpha(last) > 0.1, name + ": something is seen");
+    check.That(
+      capture(fresh).Values == last.Values, name + ": the image equals that of a new mapper");
+    check.That(LargestAlpha(last) > 0.1, name + ": the volume is visible");
   }
 }
 
-/// Everything cut off, and planes that cannot be.
-void TestNothing(Check& check, const Path& path)
+/// Tests planes that remove the full volume, and invalid planes.
+void TestEmptyAndInvalid(Check& check, const Path& path)
 {
   for (int blend :
     { static_cast<int>(Mapper::COMPOSITE_BLEND), static_cast<int>(Mapper::MAXIMUM_INTENSITY_BLEND),
@@ -518,11 +520,11 @@ void TestNothing(Check& check, const Path& path)
     auto mapper = NewMapper(path);
     scene.SetMapper(mapper);
     mapper->SetBlendMode(blend);
-    check.That(LargestAlpha(scene.Stage.Capture(1)) > 0.1, "whole: something is seen");
+    check.That(LargestAlpha(scene.Stage.Capture(1)) > 0.1, "the unclipped volume is visible");
     SetPlanes(mapper, { "", { { { { 1.0, 0.0, 0.0 } }, { { 1.5, 0.0, 0.0 } } } } });
-    check.Near(LargestAlpha(scene.Stage.Capture(1)), 0.0, 0.0, "all is cut off");
-    check.Near(mapper->GetReport()->GetNumber("TetrahedraDrawn"), 0, 0.0,
-      "all is cut off: nothing is drawn");
+    check.Near(LargestAlpha(scene.Stage.Capture(1)), 0.0, 0.0, "alpha if all is clipped");
+    check.Equal(
+      mapper->GetReport()->GetCount("TetrahedraDrawn"), 0, "tetrahedra drawn if all is clipped");
   }
   Scene scene(false);
   auto mapper = NewMapper(path);
@@ -547,7 +549,7 @@ int TestTetrahedraMapperClipping(int, char*[])
   {
     for (const Planes& planes : AllPlanes())
     {
-      // Planes are in no shader: one case shows that both silhouette shaders draw what is cut.
+      // Planes do not affect shaders, so one case is enough to test the vertex shader.
       if (path.Shader == Mapper::VERTEX_SHADER && &planes != &AllPlanes()[1])
       {
         continue;
@@ -566,7 +568,7 @@ int TestTetrahedraMapperClipping(int, char*[])
     check.SetContext(path.Name);
     TestManyPlanes(check, path);
     TestSequence(check, path);
-    TestNothing(check, path);
+    TestEmptyAndInvalid(check, path);
   }
   return check.Result();
 }

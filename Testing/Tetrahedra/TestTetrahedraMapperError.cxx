@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The largest channel error of both render paths against the reference, in a float framebuffer, on
-// linear fields: regular and thin tetrahedra, small, large and far meshes, faint and dense ones.
-// The error of VTK's mapper stands in the same row.
+// Measures the largest channel error of both render paths and of VTK's mapper against the
+// reference, in a floating-point framebuffer. The cases are linear fields on regular and thin
+// tetrahedra, on small, large and distant meshes, with low and high extinction.
 #include "Support/Pages/StabilityCase.h"
-#include "Support/Drawing/PictureCases.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Support/Drawing/ImageCases.h"
+#include "Tetrahedra/MapperImage.h"
 
 #include "vtkCamera.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
@@ -25,19 +25,18 @@ constexpr double Bound = 1e-3;
 constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
 constexpr Point3 EdgeOn = { { 1.0, 0.03, 0.02 } };
 
-/// OpenGL rounds corners to parts of a pixel: a pixel's centre within 1/256 pixel of a silhouette
-/// may be missed. That shows where tetrahedra are thinner than that and hide one another, and at
-/// the edge of a sheet, where opacity is a step.
+/// OpenGL rounds corners and may miss a pixel whose center is within 1/256 pixel of a silhouette.
+/// This is visible if tetrahedra are thinner than that, and at the edge of a sheet, where opacity
+/// is a step.
 constexpr double OpenGLEdgeOnBound = 1e-2;
 constexpr double OpenGLSheetBound = 0.1;
 
-/// The largest difference, as a share of the largest alpha where that is small; NaN where nothing
-/// is seen, which fails.
-double ErrorOf(const RgbaPicture& found, const RgbaPicture& expected)
+/// Returns the largest difference, divided by the largest alpha if that is small. Returns NaN,
+/// which fails, if the expected image is empty.
+double ErrorOf(const RgbaImage& found, const RgbaImage& expected)
 {
   const double largest = LargestAlpha(expected);
-  return largest > 0.0 ? ComparePictures(found, expected).Max / std::min(1.0, largest)
-                       : std::nan("");
+  return largest > 0.0 ? CompareImages(found, expected).Max / std::min(1.0, largest) : std::nan("");
 }
 
 double GetOpenGLBound(const std::string& name)
@@ -65,21 +64,21 @@ public:
     for (bool parallel : { true, false })
     {
       const std::string projection = parallel ? "parallel" : "perspective";
-      const PictureCase what = MakeCase(grid, property, direction, parallel, size);
-      const RgbaPicture expected = DrawByReference(what);
-      std::ostringstream wanted;
-      wanted.precision(3);
-      wanted << "largest channel error, as a share of the largest alpha; VTK's mapper has "
-             << ErrorOf(DrawByPeer(what), expected);
+      const ImageCase what = MakeCase(grid, property, direction, parallel, size);
+      const RgbaImage expected = DrawByReference(what);
+      std::ostringstream text;
+      text.precision(3);
+      text << "largest channel error, relative to the largest alpha; error of VTK's mapper: "
+           << ErrorOf(DrawByVtkMapper(what), expected);
       for (int path : AllRenderPaths())
       {
-        const RgbaPicture found = DrawByPath(path, what);
+        const RgbaImage found = DrawByPath(path, what);
         std::string row = name;
         row.append("-").append(projection).append("-").append(GetPathName(path));
         const bool isSoftware = path == vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH;
-        this->Catalogue.Measure(row, extreme, wanted.str(), ErrorOf(found, expected),
+        this->Catalogue.Measure(row, extreme, text.str(), ErrorOf(found, expected),
           isSoftware ? Bound : GetOpenGLBound(name));
-        std::cout << "      " << ComparePictures(found, expected) << '\n';
+        std::cout << "      " << CompareImages(found, expected) << '\n';
       }
     }
   }
@@ -95,21 +94,21 @@ std::string Power(int exponent)
   return (exponent < 0 ? "1e-" : "1e+") + std::to_string(std::abs(exponent));
 }
 
-/// Pictures with a pixel in the middle, of meshes with faces through the middle: lines of sight lie
-/// in faces, along rows, columns and diagonals of the picture.
+/// Tests images with a central pixel and meshes with faces through the center. Rays then lie in
+/// faces along rows, columns and diagonals of the image.
 void TestAlignedFaces(ErrorTable& table)
 {
   const std::array<int, 2> odd = { { 95, 63 } };
-  const std::string extreme = "lines of sight within faces, ";
+  const std::string extreme = "view rays within faces, ";
   for (int axis = 0; axis < 3; ++axis)
   {
     Point3 direction = { { 0.0, 0.0, 0.0 } };
     direction[axis] = 1.0;
     std::string name = "aligned-";
     name.append(1, "xyz"[axis]);
-    table.Measure(name + "-5", extreme + "five tetrahedra a cube", MakeCube(4),
+    table.Measure(name + "-5", extreme + "five tetrahedra per cube", MakeCube(4),
       MakeRamp(0.1, 1.0, 0.25), direction, odd);
-    table.Measure(name + "-6", extreme + "six tetrahedra a cube", MakeBox({ { 4, 4, 4 } }),
+    table.Measure(name + "-6", extreme + "six tetrahedra per cube", MakeBox({ { 4, 4, 4 } }),
       MakeRamp(0.1, 1.0, 0.25), direction, odd);
   }
   table.Measure("aligned-xy", extreme + "along a diagonal", MakeCube(2), MakeRamp(0.1, 1.0, 0.25),
@@ -122,20 +121,20 @@ void TestThinTetrahedra(ErrorTable& table)
   {
     const double thickness = std::pow(10.0, exponent);
     const std::string aspect = Power(-exponent);
-    // Ten thin layers alone, and between thick ones.
-    std::vector<double> alone;
-    std::vector<double> between;
+    // Ten thin layers, separate or between thick ones.
+    std::vector<double> thin;
+    std::vector<double> alternating;
     double top = 0.0;
     for (int layer = 0; layer <= 10; ++layer)
     {
-      alone.push_back(layer * thickness / 4.0);
-      between.push_back(top);
+      thin.push_back(layer * thickness / 4.0);
+      alternating.push_back(top);
       top += layer % 2 == 0 ? 0.1 : thickness / 4.0;
     }
-    auto sheet = MakeLayers(4, alone);
+    auto sheet = MakeLayers(4, thin);
     table.Measure("sheet-" + aspect, "a sheet of tetrahedra of aspect " + aspect, sheet,
       MakeRamp(0.1, 1.0, thickness));
-    auto layered = MakeLayers(4, between);
+    auto layered = MakeLayers(4, alternating);
     table.Measure("layers-" + aspect, "every other layer of aspect " + aspect, layered,
       MakeRamp(0.1, 1.0, 0.25));
     table.Measure("layers-edge-on-" + aspect, "layers of aspect " + aspect + ", seen edge-on",
@@ -169,10 +168,11 @@ void TestExtinctions(ErrorTable& table)
   for (int exponent : { -6, -3, 0, 3, 6 })
   {
     const double extinction = std::pow(10.0, exponent);
-    table.Measure("extinction-" + Power(exponent), "extinction to " + Power(exponent) + " per unit",
-      grid, MakeRamp(0.1 * extinction, extinction));
+    table.Measure("extinction-" + Power(exponent),
+      "extinction up to " + Power(exponent) + " per unit", grid,
+      MakeRamp(0.1 * extinction, extinction));
     table.Measure("unit-distance-" + Power(-exponent),
-      "opacity to 1 in a unit distance of " + Power(-exponent), grid,
+      "opacity up to 1 with a unit distance of " + Power(-exponent), grid,
       MakeRamp(0.1, 1.0, 1.0 / extinction));
   }
 }
@@ -182,10 +182,10 @@ void TestExtinctions(ErrorTable& table)
 int TestTetrahedraMapperError(int argc, char* argv[])
 {
   ErrorTable table(argc, argv);
-  table.Measure("regular", "nothing", MakeCube(4), MakeRamp(0.1, 1.0, 0.25));
-  table.Measure("regular-face-on", "faces along the lines of sight", MakeCube(4),
+  table.Measure("regular", "none, for comparison", MakeCube(4), MakeRamp(0.1, 1.0, 0.25));
+  table.Measure("regular-face-on", "faces along the view rays", MakeCube(4),
     MakeRamp(0.1, 1.0, 0.25), { { 0.0, 0.0, 1.0 } });
-  table.Measure("regular-diagonal", "edges along the lines of sight", MakeBox({ { 3, 3, 3 } }),
+  table.Measure("regular-diagonal", "edges along the view rays", MakeBox({ { 3, 3, 3 } }),
     MakeRamp(0.1, 1.0, 0.25), { { 1.0, 1.0, 1.0 } });
   TestAlignedFaces(table);
   TestThinTetrahedra(table);

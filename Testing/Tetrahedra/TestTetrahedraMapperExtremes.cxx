@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The far plane, transfer functions of many nodes, and meshes of tetrahedra as thin as numbers are:
-// the software path is right in all of them, and OpenGL as far as vtkTimeWeightedTetrahedraMapper.h
-// says.
+// Tests the far plane, transfer functions with many nodes, and extremely thin tetrahedra. The
+// software path must be accurate, and OpenGL within the limits documented in
+// vtkTimeWeightedTetrahedraMapper.h.
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Pages/StabilityCase.h"
-#include "Support/Drawing/PictureCases.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Support/Drawing/ImageCases.h"
+#include "Tetrahedra/MapperImage.h"
 
 #include "vtkCamera.h"
 #include "vtkCellType.h"
@@ -31,14 +31,14 @@ using namespace reference;
 
 constexpr Point3 Slanted = { { 0.3, -0.4, -1.0 } };
 
-/// How many pixels are more than a thousandth off, and by how much at most.
+/// Number of pixels with an error above 1e-3, and the largest error.
 struct Misses
 {
   int Pixels = 0;
   double Largest = 0.0;
 };
 
-Misses Compare(const RgbaPicture& found, const RgbaPicture& expected)
+Misses Compare(const RgbaImage& found, const RgbaImage& expected)
 {
   Misses misses;
   for (const auto& [j, i] : AllIndices(expected.Height, expected.Width))
@@ -55,11 +55,11 @@ Misses Compare(const RgbaPicture& found, const RgbaPicture& expected)
   return misses;
 }
 
-/// Both paths against the reference: largest errors and pixels beyond 1e-3 that pass.
-void Expect(StabilityCatalogue& catalogue, const std::string& name, const PictureCase& what,
+/// Compares both paths with the reference. The arguments limit the errors of each path.
+void Expect(StabilityCatalogue& catalogue, const std::string& name, const ImageCase& what,
   const Misses& software, const Misses& opengl)
 {
-  const RgbaPicture expected = DrawByReference(what);
+  const RgbaImage expected = DrawByReference(what);
   const bool isSeen = LargestAlpha(expected) > 0.05;
   for (const int path : AllRenderPaths())
   {
@@ -67,19 +67,19 @@ void Expect(StabilityCatalogue& catalogue, const std::string& name, const Pictur
     const std::string row = name + "-" + GetPathName(path);
     const Misses& bound =
       path == vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH ? software : opengl;
-    catalogue.Measure(row + "-pixels", name, "pixels that are more than 1e-3 off",
+    catalogue.Measure(row + "-pixels", name, "pixels with an error above 1e-3",
       isSeen ? found.Pixels : std::nan(""), bound.Pixels);
     catalogue.Measure(row, name, "largest error of a channel",
       isSeen ? found.Largest : std::nan(""), bound.Largest);
   }
 }
 
-/// As an opaque plane across the axis, but that nothing is drawn there.
+/// Tests that the far plane clips like an opaque plane that is not drawn.
 void TestFarPlane(StabilityCatalogue& catalogue)
 {
   for (bool parallel : { true, false })
   {
-    PictureCase what = MakeCase(MakeCube(4), MakeRamp(0.5, 3.0), Slanted, parallel);
+    ImageCase what = MakeCase(MakeCube(4), MakeRamp(0.5, 3.0), Slanted, parallel);
     double range[2];
     what.Camera->GetClippingRange(range);
     const double far = 0.6 * range[0] + 0.4 * range[1];
@@ -116,8 +116,7 @@ void TestNodes(StabilityCatalogue& catalogue)
   }
 }
 
-/// Seen from above, and from the side in a row of pixels whose centres are in the middle of the
-/// plate.
+/// Tests a flat plate seen from above, and from the side with pixel centers in its central plane.
 void TestSquashed(StabilityCatalogue& catalogue)
 {
   for (const double height : { 1e-5, 1e-7, 1e-8, 1e-9 })
@@ -128,17 +127,17 @@ void TestSquashed(StabilityCatalogue& catalogue)
     MovePoints(grid, { { 0.0, 0.0, 0.0 } }, 1.0, { { 1.0, 1.0, height } });
     Expect(catalogue, name.str(), MakeCase(grid, MakeRamp(0.5, 3.0, height), Slanted, true),
       { 0, 1e-3 }, { 1, 0.8 });
-    PictureCase side = MakeCase(grid, MakeRamp(0.5, 3.0), Slanted, true);
+    ImageCase side = MakeCase(grid, MakeRamp(0.5, 3.0), Slanted, true);
     side.Camera = LookAt(grid, { { 0.0, 1.0, 0.0 } }, true);
     side.Settings.Size = { { 97, 97 } };
-    // A line of sight passes its pixel's centre by 4e-9 of the pixel. OpenGL has 1/256.
+    // The view ray misses its pixel's center by 4e-9 pixels; OpenGL rounds to 1/256.
     const int row = 97;
     const Misses software = height < 5e-9 ? Misses{ row, 6e-3 } : Misses{ 0, 1e-3 };
     Expect(catalogue, name.str() + ", from the side", side, software, { row, 1.0 });
   }
 }
 
-/// Needles around an axis, seen along it.
+/// Tests needles around an axis, seen along it.
 void TestNeedles(StabilityCatalogue& catalogue)
 {
   for (const int needles : { 200, 2000 })
@@ -163,7 +162,7 @@ void TestNeedles(StabilityCatalogue& catalogue)
     grid->GetPointData()->SetActiveScalars("f");
     for (bool parallel : { true, false })
     {
-      PictureCase what = MakeCase(grid, MakeRamp(0.5, 3.0), Slanted, parallel);
+      ImageCase what = MakeCase(grid, MakeRamp(0.5, 3.0), Slanted, parallel);
       what.Camera = LookAt(grid, { { 0.0, 0.0, -1.0 } }, parallel);
       Expect(catalogue,
         std::to_string(needles) + (parallel ? " needles, parallel" : " needles, perspective"), what,

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Input that cannot be drawn, in whole or in part: what is said, what is left out, what is seen.
+// Tests input that is invalid or partly invalid: messages, skipped tetrahedra, and the image.
 #include "Support/Pages/StabilityCase.h"
-#include "Support/Drawing/PictureCases.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Drawing/ImageCases.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceReport.h"
 #include "Support/Meshes/ReferenceMesh.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/MapperImage.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkCamera.h"
@@ -45,7 +45,7 @@ constexpr double Bound = 1e-3;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// Keeps the messages of an object's events.
+/// Collects error and warning messages of an object.
 class Listener
 {
 public:
@@ -73,26 +73,26 @@ private:
   vtkSmartPointer<vtkObject> Object;
 };
 
-PictureCase MakeCase()
+ImageCase MakeCase()
 {
   return reference::MakeCase(MakeCube(4), MakeRamp(0.1, 1.0, 0.25), Slanted, false, { { 64, 48 } });
 }
 
-/// What one picture came to.
+/// Result of one frame.
 struct Outcome
 {
-  RgbaPicture Picture;
+  RgbaImage Image;
   ReportCopy Report;
-  /// Of the mapper, and of all others: VTK's output window and OpenGL.
+  /// Messages of the mapper, and of VTK's output window and OpenGL.
   std::vector<std::string> Errors;
   std::vector<std::string> Others;
 };
 
-/// One mapper in one window, drawn again and again.
+/// A mapper in a window, rendered repeatedly.
 class Attempt
 {
 public:
-  Attempt(int path, const PictureCase& what)
+  Attempt(int path, const ImageCase& what)
     : Stage(what.Settings.Size)
     , Errors(Drawer)
     , Others(vtkOutputWindow::GetInstance())
@@ -103,13 +103,13 @@ public:
     this->Stage.SetCamera(what.Camera);
   }
 
-  /// Draws, twice as VolumeStage does it.
+  /// Renders two frames, as VolumeStage does.
   Outcome Draw()
   {
     this->Errors.Messages.clear();
     this->Others.Messages.clear();
     Outcome outcome;
-    outcome.Picture = this->Stage.Capture();
+    outcome.Image = this->Stage.Capture();
     for (unsigned int code = glGetError(); code != GL_NO_ERROR; code = glGetError())
     {
       this->Others.Messages.push_back("OpenGL error " + std::to_string(code));
@@ -143,7 +143,7 @@ std::string Describe(const Outcome& outcome)
       text << message << "; ";
     }
   }
-  text << "alpha to " << LargestAlpha(outcome.Picture) << ", "
+  text << "largest alpha " << LargestAlpha(outcome.Image) << ", "
        << outcome.Report->GetNumber("NonFiniteTetrahedra") << " not finite, "
        << outcome.Report->GetNumber("FlatTetrahedra") << " flat";
   std::string line = text.str();
@@ -151,7 +151,7 @@ std::string Describe(const Outcome& outcome)
   return line;
 }
 
-using Change = std::function<void(PictureCase&)>;
+using Change = std::function<void(ImageCase&)>;
 
 class Table
 {
@@ -162,43 +162,43 @@ public:
     this->Catalogue.SetClass("vtkTimeWeightedTetrahedraMapper");
   }
 
-  /// Expects one error with each of the words, nothing drawn, and no error in the next pictures.
-  void Refused(const std::string& name, const std::string& extreme,
+  /// Expects one error with all words, an empty image, and no further error in the next frame.
+  void Rejected(const std::string& name, const std::string& extreme,
     const std::vector<std::string>& words, const Change& change)
   {
     for (int path : AllRenderPaths())
     {
-      PictureCase what = MakeCase();
+      ImageCase what = MakeCase();
       change(what);
       Attempt attempt(path, what);
       const Outcome first = attempt.Draw();
       const Outcome again = attempt.Draw();
       bool isNamed = first.Errors.size() == 1;
-      std::string wanted = "one error, nothing drawn; it names";
+      std::string expected = "an empty image and one error that contains";
       for (const std::string& word : words)
       {
         isNamed = isNamed && first.Errors[0].find(word) != std::string::npos;
-        wanted.append(" ").append(word);
+        expected.append(" ").append(word);
       }
-      const bool isEmpty = LargestAlpha(first.Picture) == 0.0 && LargestAlpha(again.Picture) == 0.0;
-      this->Catalogue.Check(name + "-" + GetPathName(path), extreme, wanted, Describe(first),
+      const bool isEmpty = LargestAlpha(first.Image) == 0.0 && LargestAlpha(again.Image) == 0.0;
+      this->Catalogue.Check(name + "-" + GetPathName(path), extreme, expected, Describe(first),
         isNamed && isEmpty && first.Others.empty());
-      this->Catalogue.Check(name + "-again-" + GetPathName(path), extreme + ", the next picture",
-        "no error again", Describe(again), IsSilent(again));
+      this->Catalogue.Check(name + "-again-" + GetPathName(path), extreme + ", the next frame",
+        "no repeated error", Describe(again), IsSilent(again));
     }
   }
 
-  /// Expects the picture of the reference, silence, and so many tetrahedra left out.
-  void LeftOut(const std::string& name, const std::string& extreme, vtkIdType nonFinite,
+  /// Expects the reference image without messages, and the given numbers of skipped tetrahedra.
+  void Skipped(const std::string& name, const std::string& extreme, vtkIdType nonFinite,
     vtkIdType flat, const Change& change)
   {
     for (int path : AllRenderPaths())
     {
-      PictureCase what = MakeCase();
+      ImageCase what = MakeCase();
       change(what);
       Attempt attempt(path, what);
       const Outcome outcome = attempt.Draw();
-      const RgbaPicture expected = DrawByReference(what);
+      const RgbaImage expected = DrawByReference(what);
       const std::string row = name + "-" + GetPathName(path);
       this->Catalogue.Check(row, extreme,
         std::to_string(nonFinite) + " not finite, " + std::to_string(flat) + " flat, no error",
@@ -207,22 +207,22 @@ public:
           outcome.Report->GetNumber("FlatTetrahedra") == flat &&
           outcome.Report->GetNumber("Tetrahedra") == what.Grid->GetNumberOfCells());
       const bool isSeen = LargestAlpha(expected) > 0.2;
-      this->Catalogue.Measure(row + "-picture", extreme, "the others as in the reference",
-        isSeen ? ComparePictures(outcome.Picture, expected).Max : NaN, Bound);
+      this->Catalogue.Measure(row + "-picture", extreme, "largest difference from the reference",
+        isSeen ? CompareImages(outcome.Image, expected).Max : NaN, Bound);
     }
   }
 
-  /// Expects silence and what else there is to be expected of an attempt.
-  void Quiet(const std::string& name, const std::string& extreme, const std::string& expected,
-    const std::function<bool(Attempt&, Outcome&)>& isRight, const Change& change)
+  /// Expects no messages and a condition on the attempt.
+  void Silent(const std::string& name, const std::string& extreme, const std::string& expected,
+    const std::function<bool(Attempt&, Outcome&)>& isExpected, const Change& change)
   {
     for (int path : AllRenderPaths())
     {
-      PictureCase what = MakeCase();
+      ImageCase what = MakeCase();
       change(what);
       Attempt attempt(path, what);
       Outcome outcome;
-      const bool passed = isRight(attempt, outcome);
+      const bool passed = isExpected(attempt, outcome);
       this->Catalogue.Check(name + "-" + GetPathName(path), extreme, expected + ", no error",
         Describe(outcome), passed && IsSilent(outcome));
     }
@@ -234,7 +234,7 @@ private:
   StabilityCatalogue Catalogue;
 };
 
-/// How many cells have a point.
+/// Returns the number of cells that use a point.
 vtkIdType CountCellsAt(vtkIdType point)
 {
   auto grid = MakeCase().Grid;
@@ -261,28 +261,28 @@ void TestErrors(Table& table)
     { MeshKind::Boxes, "vtkPolyhedron" } };
   for (const auto& kind : kinds)
   {
-    table.Refused("cells-" + GetName(kind.Kind), std::string("cells of type ") + kind.Type,
+    table.Rejected("cells-" + GetName(kind.Kind), std::string("cells of type ") + kind.Type,
       { kind.Type, remedy },
-      [&kind](PictureCase& what)
+      [&kind](ImageCase& what)
       {
         what.Grid = MakeMesh(kind.Kind, { { 2, 2, 2 } });
         AddLinear(what.Grid, "f", 0.1, { { 0.5, 0.3, 0.1 } });
         what.Grid->GetPointData()->SetActiveScalars("f");
       });
   }
-  table.Refused("cells-one", "the last cell is a triangle", { "vtkTriangle", remedy },
-    [](PictureCase& what)
+  table.Rejected("cells-one", "the last cell is a triangle", { "vtkTriangle", remedy },
+    [](ImageCase& what)
     {
       const vtkIdType corners[3] = { 0, 1, 2 };
       what.Grid->InsertNextCell(VTK_TRIANGLE, 3, corners);
     });
-  table.Refused("scalars-missing", "no array of the scalars' name", { "absent" },
-    [](PictureCase& what) { what.Settings.Arrays.Scalars = "absent"; });
-  table.Refused("scalars-none", "no scalars", { "scalars" },
-    [](PictureCase& what) { what.Grid->GetPointData()->Initialize(); });
-  table.Refused("scalars-short-unnamed", "scalars without name, one value short",
+  table.Rejected("scalars-missing", "a scalar array that does not exist", { "absent" },
+    [](ImageCase& what) { what.Settings.Arrays.Scalars = "absent"; });
+  table.Rejected("scalars-none", "no scalars", { "scalars" },
+    [](ImageCase& what) { what.Grid->GetPointData()->Initialize(); });
+  table.Rejected("scalars-short-unnamed", "unnamed scalars with a missing value",
     { "without a name", "124 tuples", "125 are needed" },
-    [](PictureCase& what)
+    [](ImageCase& what)
     {
       vtkNew<vtkDoubleArray> array;
       array->SetNumberOfTuples(what.Grid->GetNumberOfPoints() - 1);
@@ -290,10 +290,10 @@ void TestErrors(Table& table)
       what.Grid->GetPointData()->Initialize();
       what.Grid->GetPointData()->SetScalars(array);
     });
-  table.Refused("delta-t-missing", "no array of the name of the extent in time", { "absent" },
-    [](PictureCase& what) { what.Settings.Arrays.DeltaT = "absent"; });
-  table.Refused("delta-t-vector", "an extent in time of three components", { "vector" },
-    [](PictureCase& what)
+  table.Rejected("delta-t-missing", "an extent array that does not exist", { "absent" },
+    [](ImageCase& what) { what.Settings.Arrays.DeltaT = "absent"; });
+  table.Rejected("delta-t-vector", "a three-component extent array", { "vector" },
+    [](ImageCase& what)
     {
       vtkNew<vtkDoubleArray> array;
       array->SetName("vector");
@@ -303,9 +303,9 @@ void TestErrors(Table& table)
       what.Grid->GetPointData()->AddArray(array);
       what.Settings.Arrays.DeltaT = "vector";
     });
-  table.Refused("delta-t-short", "an extent in time, one value short",
+  table.Rejected("delta-t-short", "an extent array with a missing value",
     { "\"brief\"", "124 tuples", "125 are needed" },
-    [](PictureCase& what)
+    [](ImageCase& what)
     {
       vtkNew<vtkDoubleArray> array;
       array->SetName("brief");
@@ -314,8 +314,9 @@ void TestErrors(Table& table)
       what.Grid->GetPointData()->AddArray(array);
       what.Settings.Arrays.DeltaT = "brief";
     });
-  table.Refused("layers-short", "layers, one value short", { "\"few\"", "one for each cell" },
-    [](PictureCase& what)
+  table.Rejected("layers-short", "a layer array with a missing value",
+    { "\"few\"", "one for each cell" },
+    [](ImageCase& what)
     {
       vtkNew<vtkDoubleArray> array;
       array->SetName("few");
@@ -325,8 +326,8 @@ void TestErrors(Table& table)
       what.Settings.How = Blend::Priority;
       what.Settings.Layers = "few";
     });
-  table.Refused("layers-missing", "no array of the layers' name", { "absent" },
-    [](PictureCase& what)
+  table.Rejected("layers-missing", "a layer array that does not exist", { "absent" },
+    [](ImageCase& what)
     {
       what.Settings.How = Blend::Priority;
       what.Settings.Layers = "absent";
@@ -335,7 +336,7 @@ void TestErrors(Table& table)
 
 void TestNonFinite(Table& table)
 {
-  // In the middle of the cube.
+  // The center of the cube.
   constexpr vtkIdType point = 62;
   const vtkIdType cells = CountCellsAt(point);
   const struct
@@ -345,23 +346,22 @@ void TestNonFinite(Table& table)
   } values[] = { { NaN, "nan" }, { Infinity, "infinity" }, { -Infinity, "minus-infinity" } };
   for (const auto& value : values)
   {
-    const std::string of = std::string(value.Name) + " at one point, in ";
+    const std::string prefix = std::string(value.Name) + " at one point, in ";
     const double x = value.Value;
-    table.LeftOut(std::string("scalars-") + value.Name, of + "the scalars", cells, 0,
-      [x](PictureCase& what)
-      { what.Grid->GetPointData()->GetScalars()->SetComponent(point, 0, x); });
+    table.Skipped(std::string("scalars-") + value.Name, prefix + "the scalars", cells, 0,
+      [x](ImageCase& what) { what.Grid->GetPointData()->GetScalars()->SetComponent(point, 0, x); });
     for (int axis : { 0, 2 })
     {
       const std::string name = std::to_string(axis) + "-" + value.Name;
-      const auto change = [x, axis](PictureCase& what)
+      const auto change = [x, axis](ImageCase& what)
       {
         what.Grid->GetPoints()->GetData()->SetComponent(point, axis, x);
         what.Grid->GetPoints()->Modified();
         what.Grid->Modified();
       };
-      table.LeftOut("coordinates-" + name, of + "a coordinate", cells, 0, change);
-      table.Quiet(
-        "bounds-" + name, of + "a coordinate", "the bounds of the other points",
+      table.Skipped("coordinates-" + name, prefix + "a coordinate", cells, 0, change);
+      table.Silent(
+        "bounds-" + name, prefix + "a coordinate", "the bounds of the other points",
         [](Attempt& attempt, Outcome& outcome)
         {
           outcome = attempt.Draw();
@@ -371,17 +371,17 @@ void TestNonFinite(Table& table)
         },
         change);
     }
-    table.LeftOut(std::string("delta-t-") + value.Name, of + "the extent in time", cells, 0,
-      [x](PictureCase& what)
+    table.Skipped(std::string("delta-t-") + value.Name, prefix + "the extent in time", cells, 0,
+      [x](ImageCase& what)
       {
         AddLinear(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
         what.Grid->GetPointData()->GetArray("DeltaT")->SetComponent(point, 0, x);
         what.Settings.Arrays.DeltaT = "DeltaT";
         what.Settings.How = Blend::OpticalDepth;
       });
-    table.LeftOut(std::string("cells-") + value.Name, std::string(value.Name) + " of one cell", 1,
+    table.Skipped(std::string("cells-") + value.Name, std::string(value.Name) + " at one cell", 1,
       0,
-      [x](PictureCase& what)
+      [x](ImageCase& what)
       {
         vtkNew<vtkDoubleArray> array;
         array->SetName("c");
@@ -393,36 +393,36 @@ void TestNonFinite(Table& table)
         what.Settings.Arrays.Scalars = "c";
         what.Settings.Arrays.OfCells = true;
       });
-    table.Quiet(
+    table.Silent(
       std::string("all-") + value.Name, std::string(value.Name) + " at every point",
-      "all are counted, nothing drawn",
+      "an empty image, all tetrahedra reported",
       [](Attempt& attempt, Outcome& outcome)
       {
         outcome = attempt.Draw();
         return outcome.Report->GetNumber("NonFiniteTetrahedra") ==
           outcome.Report->GetNumber("Tetrahedra") &&
-          outcome.Report->GetNumber("Tetrahedra") > 0 && LargestAlpha(outcome.Picture) == 0.0;
+          outcome.Report->GetNumber("Tetrahedra") > 0 && LargestAlpha(outcome.Image) == 0.0;
       },
-      [x](PictureCase& what) { what.Grid->GetPointData()->GetScalars()->FillComponent(0, x); });
+      [x](ImageCase& what) { what.Grid->GetPointData()->GetScalars()->FillComponent(0, x); });
   }
 }
 
 void TestShapes(Table& table)
 {
-  table.LeftOut("flat", "three more tetrahedra with no volume", 0, 3,
-    [](PictureCase& what)
+  table.Skipped("flat", "three additional degenerate tetrahedra", 0, 3,
+    [](ImageCase& what)
     {
-      // In a side of the cube, along an edge, and in a point.
+      // Flat tetrahedra: in a face of the cube, along an edge, and collapsed to a point.
       for (const auto& corners :
         { std::array<vtkIdType, 4>{ { 0, 1, 5, 6 } }, { { 0, 1, 2, 3 } }, { { 7, 7, 7, 7 } } })
       {
         what.Grid->InsertNextCell(VTK_TETRA, 4, corners.data());
       }
     });
-  table.LeftOut("constant", "one value of the scalar", 0, 0,
-    [](PictureCase& what) { what.Grid->GetPointData()->GetScalars()->FillComponent(0, 0.6); });
-  table.LeftOut("inverted", "every other tetrahedron turned inside out", 0, 0,
-    [](PictureCase& what)
+  table.Skipped("constant", "a constant scalar", 0, 0,
+    [](ImageCase& what) { what.Grid->GetPointData()->GetScalars()->FillComponent(0, 0.6); });
+  table.Skipped("inverted", "every other tetrahedron inverted", 0, 0,
+    [](ImageCase& what)
     {
       vtkNew<vtkCellArray> cells;
       for (vtkIdType cell = 0; cell < what.Grid->GetNumberOfCells(); ++cell)
@@ -430,26 +430,26 @@ void TestShapes(Table& table)
         vtkIdType size = 0;
         const vtkIdType* corners = nullptr;
         what.Grid->GetCellPoints(cell, size, corners);
-        std::array<vtkIdType, 4> turned = { { corners[0], corners[1], corners[2], corners[3] } };
+        std::array<vtkIdType, 4> inverted = { { corners[0], corners[1], corners[2], corners[3] } };
         if (cell % 2 == 1)
         {
-          std::swap(turned[0], turned[2]);
+          std::swap(inverted[0], inverted[2]);
         }
-        cells->InsertNextCell(4, turned.data());
+        cells->InsertNextCell(4, inverted.data());
       }
       what.Grid->SetCells(VTK_TETRA, cells);
     });
 }
 
-/// Ghost cells as if they were not there; duplicate points alone take nothing away.
+/// Tests that ghost and hidden cells are skipped.
 void TestGhosts(Table& table)
 {
-  table.Quiet(
-    "ghosts", "half of the cells are ghosts", "the picture without them",
+  table.Silent(
+    "ghosts", "half of the cells are ghosts", "the image without them",
     [](Attempt& attempt, Outcome& outcome)
     {
       outcome = attempt.Draw();
-      PictureCase half = MakeCase();
+      ImageCase half = MakeCase();
       vtkNew<vtkCellArray> cells;
       for (vtkIdType cell = 0; cell < half.Grid->GetNumberOfCells(); cell += 2)
       {
@@ -459,13 +459,13 @@ void TestGhosts(Table& table)
         cells->InsertNextCell(4, corners);
       }
       half.Grid->SetCells(VTK_TETRA, cells);
-      const RgbaPicture expected = DrawByReference(half);
+      const RgbaImage expected = DrawByReference(half);
       return LargestAlpha(expected) > 0.2 &&
         outcome.Report->GetNumber("NonFiniteTetrahedra") == 0 &&
         outcome.Report->GetNumber("FlatTetrahedra") == 0 &&
-        ComparePictures(outcome.Picture, expected).Max < Bound;
+        CompareImages(outcome.Image, expected).Max < Bound;
     },
-    [](PictureCase& what)
+    [](ImageCase& what)
     {
       vtkNew<vtkUnsignedCharArray> ghosts;
       ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
@@ -482,77 +482,76 @@ void TestGhosts(Table& table)
 
 void TestEmpty(Table& table)
 {
-  const auto isNothing = [](Attempt& attempt, Outcome& outcome)
+  const auto isEmpty = [](Attempt& attempt, Outcome& outcome)
   {
     outcome = attempt.Draw();
-    return LargestAlpha(outcome.Picture) == 0.0 && outcome.Report->GetNumber("Tetrahedra") == 0;
+    return LargestAlpha(outcome.Image) == 0.0 && outcome.Report->GetNumber("Tetrahedra") == 0;
   };
-  table.Quiet("empty", "a grid without cells and points", "nothing drawn", isNothing,
-    [](PictureCase& what) { what.Grid->Initialize(); });
-  table.Quiet("no-cells", "a grid of points alone", "nothing drawn", isNothing,
-    [](PictureCase& what) { what.Grid->SetCells(VTK_TETRA, vtkNew<vtkCellArray>()); });
-  table.Quiet(
-    "emptied", "cells that go and come back", "nothing, then the same picture",
+  table.Silent("empty", "a grid without cells and points", "an empty image", isEmpty,
+    [](ImageCase& what) { what.Grid->Initialize(); });
+  table.Silent("no-cells", "a grid without cells", "an empty image", isEmpty,
+    [](ImageCase& what) { what.Grid->SetCells(VTK_TETRA, vtkNew<vtkCellArray>()); });
+  table.Silent(
+    "emptied", "cells that are removed and restored", "an empty image, then the first image",
     [](Attempt& attempt, Outcome& outcome)
     {
-      const RgbaPicture before = attempt.Draw().Picture;
+      const RgbaImage before = attempt.Draw().Image;
       auto* grid = vtkUnstructuredGrid::SafeDownCast(attempt.Drawer->GetInput());
       vtkNew<vtkUnstructuredGrid> copy;
       copy->DeepCopy(grid);
       grid->Initialize();
       outcome = attempt.Draw();
-      const bool isEmpty = LargestAlpha(outcome.Picture) == 0.0;
+      const bool isEmpty = LargestAlpha(outcome.Image) == 0.0;
       grid->DeepCopy(copy);
-      const RgbaPicture after = attempt.Draw().Picture;
-      return isEmpty && LargestAlpha(before) > 0.2 && ComparePictures(after, before).Max == 0.0;
+      const RgbaImage after = attempt.Draw().Image;
+      return isEmpty && LargestAlpha(before) > 0.2 && CompareImages(after, before).Max == 0.0;
     },
-    [](PictureCase&) {});
+    [](ImageCase&) {});
 }
 
-/// An error is forgotten with its cause, and said again when it comes back.
+/// Tests that an error is cleared with its cause and reported again when it recurs.
 void TestRecovery(Table& table)
 {
-  table.Quiet(
-    "recovery", "a missing array of the extent in time, named by turns",
-    "one error each time, and the picture in between",
+  table.Silent(
+    "recovery", "a missing extent array that is set and unset",
+    "one error per change, and the image in between",
     [](Attempt& attempt, Outcome& outcome)
     {
-      const RgbaPicture before = attempt.Draw().Picture;
-      bool isRight = LargestAlpha(before) > 0.2;
-      for (int turn = 0; turn < 3; ++turn)
+      const RgbaImage before = attempt.Draw().Image;
+      bool isExpected = LargestAlpha(before) > 0.2;
+      for (int repetition = 0; repetition < 3; ++repetition)
       {
         attempt.Drawer->SetDeltaTArrayName("absent");
         outcome = attempt.Draw();
-        isRight = isRight && outcome.Errors.size() == 1 && outcome.Others.empty() &&
-          LargestAlpha(outcome.Picture) == 0.0;
+        isExpected = isExpected && outcome.Errors.size() == 1 && outcome.Others.empty() &&
+          LargestAlpha(outcome.Image) == 0.0;
         attempt.Drawer->SetDeltaTArrayName("");
         outcome = attempt.Draw();
-        isRight = isRight && ComparePictures(outcome.Picture, before).Max == 0.0;
+        isExpected = isExpected && CompareImages(outcome.Image, before).Max == 0.0;
       }
-      return isRight;
+      return isExpected;
     },
-    [](PictureCase&) {});
+    [](ImageCase&) {});
 }
 
-/// VTK's pipeline says by itself, to its own observers, that an input is missing.
+/// VTK's pipeline reports a missing input to its own observers.
 void TestNoInput(Table& table)
 {
-  table.Quiet(
-    "no-input", "no input after one was drawn, and the input again",
-    "nothing drawn, then the same picture",
+  table.Silent(
+    "no-input", "an input that is removed and restored", "an empty image, then the first image",
     [](Attempt& attempt, Outcome& outcome)
     {
-      const RgbaPicture before = attempt.Draw().Picture;
+      const RgbaImage before = attempt.Draw().Image;
       vtkSmartPointer<vtkDataSet> grid = attempt.Drawer->GetInput();
       const Listener pipeline(attempt.Drawer->GetExecutive());
       attempt.Drawer->SetInputConnection(nullptr);
       outcome = attempt.Draw();
-      const bool isEmpty = LargestAlpha(outcome.Picture) == 0.0;
+      const bool isEmpty = LargestAlpha(outcome.Image) == 0.0;
       attempt.Drawer->SetInputData(grid);
-      const RgbaPicture after = attempt.Draw().Picture;
-      return isEmpty && LargestAlpha(before) > 0.2 && ComparePictures(after, before).Max == 0.0;
+      const RgbaImage after = attempt.Draw().Image;
+      return isEmpty && LargestAlpha(before) > 0.2 && CompareImages(after, before).Max == 0.0;
     },
-    [](PictureCase&) {});
+    [](ImageCase&) {});
 }
 
 void TestSizes(Table& table)
@@ -561,12 +560,11 @@ void TestSizes(Table& table)
     { std::array<int, 2>{ { 1, 1 } }, { { 1, 41 } }, { { 41, 1 } }, { { 2, 3 } }, { { 5, 4 } } })
   {
     const std::string text = std::to_string(size[0]) + "x" + std::to_string(size[1]);
-    table.LeftOut("window-" + text, "a window of " + text + " pixels", 0, 0,
-      [&size](PictureCase& what) { what.Settings.Size = size; });
+    table.Skipped("window-" + text, "a window of " + text + " pixels", 0, 0,
+      [&size](ImageCase& what) { what.Settings.Size = size; });
   }
-  table.Quiet(
-    "viewport-zero", "a renderer of no size, and then of the whole window",
-    "nothing, then the picture",
+  table.Silent(
+    "viewport-zero", "an empty viewport, then the full window", "the image",
     [](Attempt& attempt, Outcome& outcome)
     {
       vtkRenderer* renderer = attempt.Stage.GetRenderer();
@@ -574,9 +572,9 @@ void TestSizes(Table& table)
       attempt.Stage.Render();
       renderer->SetViewport(0.0, 0.0, 1.0, 1.0);
       outcome = attempt.Draw();
-      return ComparePictures(outcome.Picture, DrawByReference(MakeCase())).Max < Bound;
+      return CompareImages(outcome.Image, DrawByReference(MakeCase())).Max < Bound;
     },
-    [](PictureCase&) {});
+    [](ImageCase&) {});
 }
 
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plate of constant hypercubes, projected along time: with its extent in time it is a slab of
-// constant extinction, 1 - exp(-tau duration length) from everywhere (figure 3.19 of the source);
-// without, the overlap of the tetrahedra shows (figure 3.14).
+// Tests a plate of constant hypercubes projected along time. With the extent in time, the opacity
+// is 1 - exp(-tau duration length) for any view (figure 3.19 of the dissertation). Without it,
+// overlapping tetrahedra are visible (figure 3.14).
 #include "Support/Arrays/ReferenceIndices.h"
-#include "Support/Pictures/HypercubePlate.h"
-#include "Support/Drawing/PictureCases.h"
+#include "Support/Images/HypercubePlate.h"
+#include "Support/Drawing/ImageCases.h"
 #include "Support/Checks/ReferenceCheck.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/MapperImage.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCamera.h"
@@ -28,7 +28,7 @@ using namespace reference;
 
 constexpr int CELLS = 8;
 constexpr Point3 Color = { { 0.2, 0.9, 0.5 } };
-/// Optical depth of the plate where a line of sight crosses it at a right angle.
+/// Optical depth of the plate along a perpendicular view ray.
 constexpr double DEPTH = 0.8;
 
 vtkSmartPointer<vtkUnstructuredGrid> MakePlate(
@@ -41,40 +41,40 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePlate(
   interval->SetInterval(0, -1.0, 1.0);
   interval->Update();
   vtkInterlumeReport* report = interval->GetReport();
-  check.Near(report->GetNumber("CellsWithOutput"), CELLS * CELLS * (steps - 1), 0.0, "hypercubes");
+  check.Equal(report->GetCount("CellsWithOutput"), CELLS * CELLS * (steps - 1), "hypercubes");
   check.That(
-    report->GetNumber("Simplices") >= 22 * CELLS * CELLS * (steps - 1), "hypercubes are cut");
+    report->GetNumber("Simplices") >= 22 * CELLS * CELLS * (steps - 1), "hypercubes are split");
   return interval->GetOutput();
 }
 
-/// Opacity of the pixels that see the plate.
+/// Opacity of the pixels that show the plate.
 struct Opacity
 {
   int Pixels = 0;
   double Mean = 0.0;
   double Deviation = 0.0;
-  /// Largest distance from 1 - exp(-depth), of colour and opacity.
+  /// Largest difference from 1 - exp(-depth), for color and opacity.
   double Error = 0.0;
-  /// Pixels further away than OUTLIER; they are left out of the mean and the deviation.
+  /// Number of pixels with a larger error than OUTLIER, which mean and deviation exclude.
   int Outliers = 0;
 };
 
-/// OpenGL rounds silhouettes to 1/256 of a pixel. A pixel whose centre is as near to the end of a
-/// face seen edge-on can miss a tetrahedron.
+/// OpenGL rounds silhouettes to 1/256 pixel. It can miss a tetrahedron at a pixel whose center is
+/// that close to a face seen edge-on.
 constexpr double OUTLIER = 1e-3;
 
-/// The mean and the deviation are of the pixels whose lines of sight are longest: seen in parallel,
-/// all that pass both large faces of the plate. The error is of all pixels.
-Opacity Measure(const PictureCase& what, const RgbaPicture& picture, double extinction)
+/// Computes mean and deviation for the pixels with the longest chord. In parallel projection, these
+/// are all pixels that see both large faces. The error is computed for all pixels.
+Opacity Measure(const ImageCase& what, const RgbaImage& image, double extinction)
 {
   Opacity opacity;
   const PixelRays rays(what.Camera, what.Settings.Size);
   double squares = 0.0;
   double longest = 0.0;
-  for (const auto& [pass, j, i] : AllIndices(2, picture.Height, picture.Width))
+  for (const auto& [pass, j, i] : AllIndices(2, image.Height, image.Width))
   {
     const double chord = BoxChord(what.Grid, rays.Get(i, j));
-    const double* pixel = picture.At(i, j);
+    const double* pixel = image.At(i, j);
     const double expected = -std::expm1(-extinction * chord);
     const double error = std::abs(pixel[3] - expected);
     if (pass == 0)
@@ -113,7 +113,7 @@ void TestPlate(Check& check, int path, int steps, double duration, bool isMoving
     { "flat", { { -1.0, 0.4, 0.3 } }, true }, { "near the front", { { 0.0, 0.0, 1.0 } }, false },
     { "near, oblique", { { 0.3, -0.4, 1.0 } }, false } };
   const bool isExact = path == vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH;
-  PictureCase what;
+  ImageCase what;
   what.Grid = MakePlate(steps, duration, isMoving, check);
   what.Property = MakeProperty({ { 0.0, Color, DEPTH / duration } });
   what.Settings.Size = { { 160, 160 } };
@@ -131,42 +131,43 @@ void TestPlate(Check& check, int path, int steps, double duration, bool isMoving
     std::cout << name << ": " << with.Pixels << " pixels, mean " << with.Mean << ", deviation "
               << with.Deviation << ", largest error " << with.Error << ", " << with.Outliers
               << " outliers; " << without.Outliers << " without Delta t\n";
-    // A pixel may lack one of the tetrahedra on top of each other, but not all.
+    // A pixel may miss one of several overlapping tetrahedra.
     check.Near(with.Error, 0.0, isExact ? 1e-5 : 0.2, "largest error", 1.0);
     check.That(
       with.Outliers <= (isExact ? 0 : what.Settings.Size[0] * what.Settings.Size[1] / 1000),
-      "hardly a pixel is missed");
+      "few pixels are missed");
     if (view.IsParallel)
     {
-      check.That(with.Pixels > 500, "the plate is seen");
+      check.That(with.Pixels > 500, "the plate is visible");
       check.Near(with.Deviation, 0.0, 1e-5, "standard deviation of opacity", 1.0);
     }
-    check.That(without.Outliers > 5000, "wrong without the extent in time");
+    check.That(without.Outliers > 5000, "without the extent in time the opacity differs");
   }
 }
 
-/// Without the extent in time the overlap shows, which is what makes the uniform plate a test.
+/// Tests that the overlap is visible without the extent in time. Otherwise the plate would not test
+/// anything.
 void TestPattern(Check& check, int path)
 {
   check.SetContext("pattern, " + GetPathName(path));
-  PictureCase what;
+  ImageCase what;
   what.Grid = MakePlate(2, 1.0, true, check);
   what.Property = MakeProperty({ { 0.0, Color, 0.2 } });
   what.Settings.Size = { { 160, 160 } };
   what.Settings.How = Blend::OpticalDepth;
   what.Settings.Arrays.DeltaT = "";
   what.Camera = LookAt(what.Grid, { { 0.0, 0.0, 1.0 } }, true);
-  const RgbaPicture picture = DrawByPath(path, what);
+  const RgbaImage image = DrawByPath(path, what);
   double lowest = 1.0;
   double highest = 0.0;
   for (int i = 20; i < 140; ++i)
   {
-    lowest = std::min(lowest, picture.At(i, 77)[3]);
-    highest = std::max(highest, picture.At(i, 77)[3]);
+    lowest = std::min(lowest, image.At(i, 77)[3]);
+    highest = std::max(highest, image.At(i, 77)[3]);
   }
   std::cout << GetPathName(path) << ", without Delta t: opacity " << lowest << " to " << highest
             << '\n';
-  check.That(highest - lowest > 0.1, "the overlap shows");
+  check.That(highest - lowest > 0.1, "the overlap is visible");
 }
 
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The software path draws the same picture with any number of threads, and leaves off where the
-// window's abort says so.
+// Tests that the software path renders the same image with any number of threads, and stops when
+// the window aborts rendering.
 #include "Support/Drawing/DrawingAborts.h"
-#include "Support/Drawing/PictureCases.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Drawing/ImageCases.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/MapperImage.h"
 
 #include "vtkCamera.h"
 #include "vtkNew.h"
@@ -20,7 +20,7 @@ int TestTetrahedraMapperRuns(int, char*[])
 {
   using namespace reference;
   Check check;
-  const PictureCase what =
+  const ImageCase what =
     MakeCase(MakeCube(12), MakeRamp(0.1, 1.0, 2.0), { { 0.6, -1.0, 0.4 } }, false);
   const int software = vtkTimeWeightedTetrahedraMapper::SOFTWARE_PATH;
   CheckSame(

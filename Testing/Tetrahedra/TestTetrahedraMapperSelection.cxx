@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkHardwareSelector finds the input's cell ids: of well separated tetrahedra, with some left out,
-// transparent, hidden or cut by the near plane, with and without multisampling.
-#include "Support/Pictures/PictureSettings.h"
+// Tests that vtkHardwareSelector returns the input's cell ids, for separate tetrahedra of which
+// some are skipped, transparent, hidden or cut by the near plane, with and without multisampling.
+#include "Support/Images/CameraSettings.h"
 #include "Support/Checks/ReferenceCheck.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/MapperImage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -43,12 +43,12 @@ using Ids = std::set<vtkIdType>;
 
 constexpr int Side = 4;
 constexpr vtkIdType Cells = Side * Side;
-/// The process that selections are to be of.
+/// The process id that selections must contain.
 constexpr int Process = 7;
 constexpr Point3 Red = { { 1.0, 0.1, 0.0 } };
 
-/// Side x Side tetrahedra a unit apart and half as large, each with its own scalar, the cell's id,
-/// and some with points before the plane z = 0.
+/// Returns Side x Side tetrahedra, one per unit square, with the cell id as scalar. Some of their
+/// points are in front of the plane z = 0.
 vtkSmartPointer<vtkUnstructuredGrid> MakeSeparated()
 {
   const double corners[4][3] = { { 0.0, 0.0, -0.25 }, { 0.5, 0.0, -0.1 }, { 0.2, 0.5, 0.0 },
@@ -98,7 +98,7 @@ public:
     this->Window->AddRenderer(this->Renderer);
   }
 
-  /// Every cell of the volume in a part of the window.
+  /// Selects the cells of the volume in a rectangle of the window.
   Ids Select(int left, int bottom, int right, int top)
   {
     this->Window->Render();
@@ -127,21 +127,21 @@ public:
 
   Ids SelectAll() { return this->Select(0, 0, 159, 159); }
 
-  /// The cell at the pixel on which the middle of a tetrahedron is.
+  /// Selects at the pixel that shows the center of a tetrahedron.
   Ids SelectAt(vtkIdType cell)
   {
-    double middle[3] = { 0.0, 0.0, 0.0 };
+    double center[3] = { 0.0, 0.0, 0.0 };
     for (vtkIdType i = 0; i < 4; ++i)
     {
       double x[3];
       MakeSeparated()->GetPoint(4 * cell + i, x);
       for (int k = 0; k < 3; ++k)
       {
-        middle[k] += 0.25 * x[k];
+        center[k] += 0.25 * x[k];
       }
     }
     this->Window->Render();
-    this->Renderer->SetWorldPoint(middle[0], middle[1], middle[2], 1.0);
+    this->Renderer->SetWorldPoint(center[0], center[1], center[2], 1.0);
     this->Renderer->WorldToDisplay();
     const double* pixel = this->Renderer->GetDisplayPoint();
     const int i = static_cast<int>(pixel[0]);
@@ -168,7 +168,7 @@ std::string Print(const Ids& ids)
   return text.str();
 }
 
-/// Expects every cell but some, in the whole window and each at its own place.
+/// Expects all cells except \a missing, in the full window and at their own pixels.
 void Expect(Check& check, Picker& picker, const Ids& missing, const std::string& what)
 {
   const std::string name = picker.Name + ", " + what;
@@ -182,12 +182,13 @@ void Expect(Check& check, Picker& picker, const Ids& missing, const std::string&
   }
   const Ids all = picker.SelectAll();
   check.That(all == expected, name + ": found" + Print(all) + " instead of" + Print(expected));
-  check.That(!picker.HasOtherProcess, name + ": another process");
+  check.That(!picker.HasOtherProcess, name + ": the process id is correct");
   for (vtkIdType cell = 0; cell < Cells; ++cell)
   {
     const Ids one = picker.SelectAt(cell);
-    const Ids wanted = missing.count(cell) == 0 ? Ids{ cell } : Ids{};
-    check.That(one == wanted, name + ": found" + Print(one) + " at cell " + std::to_string(cell));
+    const Ids expectedId = missing.count(cell) == 0 ? Ids{ cell } : Ids{};
+    check.That(
+      one == expectedId, name + ": found" + Print(one) + " at cell " + std::to_string(cell));
   }
 }
 
@@ -197,7 +198,7 @@ void TestPlain(Check& check, int path, bool parallel, int samples)
   Expect(check, picker, {}, "all");
 }
 
-void TestLeftOut(Check& check, int path, bool parallel, int samples)
+void TestSkipped(Check& check, int path, bool parallel, int samples)
 {
   Picker picker(path, parallel, samples);
   for (vtkIdType cell : { 2, 3, 9 })
@@ -206,7 +207,7 @@ void TestLeftOut(Check& check, int path, bool parallel, int samples)
       4 * cell + 1, 0, std::numeric_limits<double>::quiet_NaN());
   }
   picker.Grid->Modified();
-  Expect(check, picker, { 2, 3, 9 }, "some left out");
+  Expect(check, picker, { 2, 3, 9 }, "some skipped");
 }
 
 void TestTransparent(Check& check, int path, bool parallel, int samples)
@@ -231,7 +232,7 @@ void TestHidden(Check& check, int path, bool parallel, int samples)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   picker.Renderer->AddActor(actor);
-  // The eye is at a large z; in front of cell 10, and behind it.
+  // The camera is at a large z, and the sphere is in front of or behind cell 10.
   sphere->SetCenter(2.23, 2.2, 0.75);
   Expect(check, picker, { 10 }, "a sphere in front");
   sphere->SetCenter(2.23, 2.2, -0.85);
@@ -241,13 +242,13 @@ void TestHidden(Check& check, int path, bool parallel, int samples)
 void TestNearPlane(Check& check, int path, bool parallel, int samples)
 {
   Picker picker(path, parallel, samples);
-  double eye[3];
-  picker.Renderer->GetActiveCamera()->GetPosition(eye);
-  // At z = 0.05 the apex of each is cut off; the middle of each is behind.
-  picker.Renderer->GetActiveCamera()->SetClippingRange(eye[2] - 0.05, eye[2] + 10.0);
+  double position[3];
+  picker.Renderer->GetActiveCamera()->GetPosition(position);
+  // The plane z = 0.05 removes the apex of each tetrahedron but not its center.
+  picker.Renderer->GetActiveCamera()->SetClippingRange(position[2] - 0.05, position[2] + 10.0);
   Expect(check, picker, {}, "cut by the near plane");
-  check.Near(picker.Drawer->GetReport()->GetNumber("TetrahedraClipped"), Cells, 0.0,
-    picker.Name + ": all are cut");
+  check.Equal(picker.Drawer->GetReport()->GetCount("TetrahedraClipped"), Cells,
+    picker.Name + ": all are clipped");
 }
 
 }
@@ -262,7 +263,7 @@ int TestTetrahedraMapperSelection(int, char*[])
       for (int samples : { 0, 4 })
       {
         TestPlain(check, path, parallel, samples);
-        TestLeftOut(check, path, parallel, samples);
+        TestSkipped(check, path, parallel, samples);
         TestTransparent(check, path, parallel, samples);
         TestHidden(check, path, parallel, samples);
         TestNearPlane(check, path, parallel, samples);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The silhouettes of a vertex shader against those of a geometry shader: every kind of array, blend
-// mode and part of a picture, by one mapper that takes turns with both.
-#include "Support/Drawing/PictureCases.h"
-#include "Support/Pictures/VolumeStage.h"
+// Tests that a vertex shader and a geometry shader produce the same silhouettes, for every kind of
+// array and blend mode, with one mapper that alternates between them.
+#include "Support/Drawing/ImageCases.h"
+#include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/MapperImage.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -30,7 +30,7 @@ using namespace reference;
 using Mapper = vtkTimeWeightedTetrahedraMapper;
 
 constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
-/// Both shaders do the same arithmetic, which a compiler may put together differently.
+/// Compilers may reorder the arithmetic, which is the same in both shaders.
 constexpr double Rounding = 1e-5;
 
 vtkSmartPointer<Mapper> NewMapper()
@@ -41,7 +41,7 @@ vtkSmartPointer<Mapper> NewMapper()
   return mapper;
 }
 
-void Expect(Check& check, Mapper* mapper, const PictureCase& what, const std::string& name)
+void Expect(Check& check, Mapper* mapper, const ImageCase& what, const std::string& name)
 {
   Configure(mapper, what);
   VolumeStage stage(what.Settings.Size);
@@ -52,29 +52,31 @@ void Expect(Check& check, Mapper* mapper, const PictureCase& what, const std::st
     stage.AddActor(actor);
   }
   mapper->SetSilhouetteShader(Mapper::GEOMETRY_SHADER);
-  const RgbaPicture made = stage.Capture();
-  check.Near(mapper->GetReport()->GetNumber("SilhouetteShader"), Mapper::GEOMETRY_SHADER, 0.0,
+  const RgbaImage geometry = stage.Capture();
+  check.Equal(mapper->GetReport()->GetCount("SilhouetteShader"), Mapper::GEOMETRY_SHADER,
     name + ": geometry");
   const vtkIdType bytes = mapper->GetReport()->GetNumber("BufferBytes");
-  check.That(LargestAlpha(made) > 0.1, name + ": something is seen");
+  check.That(LargestAlpha(geometry) > 0.1, name + ": the volume is visible");
   mapper->SetSilhouetteShader(Mapper::VERTEX_SHADER);
-  const RgbaPicture pulled = stage.Capture();
-  check.Near(mapper->GetReport()->GetNumber("SilhouetteShader"), Mapper::VERTEX_SHADER, 0.0,
-    name + ": vertices");
-  check.That(mapper->GetReport()->GetNumber("BufferBytes") > bytes, name + ": bytes of indices");
-  check.Near(mapper->GetReport()->GetNumber("UploadedOrderBytes"), 0, 0.0,
-    name + ": the order is sent once");
+  const RgbaImage vertices = stage.Capture();
+  check.Equal(
+    mapper->GetReport()->GetCount("SilhouetteShader"), Mapper::VERTEX_SHADER, name + ": vertices");
+  check.That(mapper->GetReport()->GetNumber("BufferBytes") > bytes,
+    name + ": the indices need buffer memory");
+  check.Equal(mapper->GetReport()->GetCount("UploadedOrderBytes"), 0,
+    name + ": the order is not uploaded again");
   mapper->SetSilhouetteShader(Mapper::GEOMETRY_SHADER);
-  const RgbaPicture again = stage.Capture();
-  const PictureError error = ComparePictures(pulled, made);
+  const RgbaImage again = stage.Capture();
+  const ImageError error = CompareImages(vertices, geometry);
   std::cout << name << ": " << error << '\n';
   check.Near(error.Max, 0.0, Rounding, name, 1.0);
-  check.That(ComparePictures(again, made).Max == 0.0, name + ": and back");
+  check.That(
+    CompareImages(again, geometry).Max == 0.0, name + ": the first shader reproduces its image");
 }
 
-PictureCase MakeBlock(bool parallel)
+ImageCase MakeBlock(bool parallel)
 {
-  PictureCase what = MakeCase(MakeCube(5), MakeRamp(0.1, 1.0, 0.25), Slanted, parallel);
+  ImageCase what = MakeCase(MakeCube(5), MakeRamp(0.1, 1.0, 0.25), Slanted, parallel);
   AddSlabs(what.Grid, "IntervalId", 2, 4);
   AddLinear(what.Grid, "DeltaT", 1.0, { { -0.8, 0.5, 0.3 } });
   return what;
@@ -86,7 +88,7 @@ void TestBlendModes(Check& check, bool parallel)
   for (Blend how : { Blend::Composite, Blend::MaximumIntensity, Blend::Additive, Blend::Priority,
          Blend::OpticalDepth })
   {
-    PictureCase what = MakeBlock(parallel);
+    ImageCase what = MakeBlock(parallel);
     what.Settings.How = how;
     for (const char* extent : { "", "DeltaT" })
     {
@@ -98,7 +100,7 @@ void TestBlendModes(Check& check, bool parallel)
   }
 }
 
-/// Adds colours with opacities that no two neighbours share.
+/// Adds colors with opacities that differ between neighbors.
 void AddColors(vtkDataSetAttributes* data, vtkIdType tuples)
 {
   vtkNew<vtkFloatArray> colors;
@@ -116,21 +118,21 @@ void TestColors(Check& check, bool parallel)
 {
   for (bool ofCells : { false, true })
   {
-    PictureCase what = MakeBlock(parallel);
+    ImageCase what = MakeBlock(parallel);
     what.Settings.Arrays.Scalars = "colors";
     what.Settings.Arrays.OfCells = ofCells;
     what.Property->IndependentComponentsOff();
     AddColors(ofCells ? static_cast<vtkDataSetAttributes*>(what.Grid->GetCellData())
                       : static_cast<vtkDataSetAttributes*>(what.Grid->GetPointData()),
       ofCells ? what.Grid->GetNumberOfCells() : what.Grid->GetNumberOfPoints());
-    Expect(check, NewMapper(), what, ofCells ? "colours of cells" : "colours of points");
+    Expect(check, NewMapper(), what, ofCells ? "colors of cells" : "colors of points");
   }
 }
 
-/// Boundary triangles, something opaque within, the near plane within, tetrahedra left out.
+/// Tests boundary triangles, an opaque sphere inside, a near plane inside, and several draw calls.
 void TestParts(Check& check, bool parallel)
 {
-  PictureCase what = MakeBlock(parallel);
+  ImageCase what = MakeBlock(parallel);
   vtkNew<vtkGeometryFilter> boundary;
   boundary->SetInputData(what.Grid);
   auto withBoundary = NewMapper();
@@ -148,34 +150,36 @@ void TestParts(Check& check, bool parallel)
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(surface);
   what.Actors.push_back(actor);
-  Expect(check, NewMapper(), what, "a sphere within");
+  Expect(check, NewMapper(), what, "a sphere inside");
 
   what = MakeBlock(parallel);
   double range[2];
   what.Camera->GetClippingRange(range);
   what.Camera->SetClippingRange(what.Camera->GetDistance() - 0.13, range[1]);
-  Expect(check, NewMapper(), what, "near plane within");
+  Expect(check, NewMapper(), what, "near plane inside");
 
-  // More tetrahedra than have indices, so that they are drawn in several goes.
+  // More tetrahedra than one draw call can index.
   what = MakeCase(MakeCube(16), MakeRamp(0.1, 1.0, 0.25), Slanted, parallel);
   Expect(check, NewMapper(), what, "20,480 tetrahedra");
 }
 
 void TestChoice(Check& check)
 {
-  const PictureCase what = MakeBlock(true);
+  const ImageCase what = MakeBlock(true);
   vtkNew<Mapper> mapper;
-  check.Equal(mapper->GetSilhouetteShader(), Mapper::AUTOMATIC_SHADER, "default");
+  check.Equal(mapper->GetSilhouetteShader(), Mapper::AUTOMATIC_SHADER, "default shader");
   mapper->SetSilhouetteShader(7);
-  check.Equal(mapper->GetSilhouetteShader(), Mapper::AUTOMATIC_SHADER, "clamped");
+  check.Equal(
+    mapper->GetSilhouetteShader(), Mapper::AUTOMATIC_SHADER, "invalid shaders are clamped");
   mapper->SetRenderPath(Mapper::OPENGL_PATH);
   DrawByMapper(mapper, what);
   check.That(mapper->GetReport()->GetNumber("SilhouetteShader") != Mapper::AUTOMATIC_SHADER,
-    "one is chosen");
-  check.That(!mapper->GetReport()->GetText("ShaderReason").empty(), "the choice has a reason");
+    "a shader is selected");
+  check.That(!mapper->GetReport()->GetText("ShaderReason").empty(), "the selection has a reason");
   mapper->SetRenderPath(Mapper::SOFTWARE_PATH);
   DrawByMapper(mapper, what);
-  check.That(mapper->GetReport()->GetText("ShaderReason").empty(), "no shader in software");
+  check.That(
+    mapper->GetReport()->GetText("ShaderReason").empty(), "the software path has no shader");
 }
 
 }

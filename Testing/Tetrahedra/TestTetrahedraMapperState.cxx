@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Drawing leaves how pixels are read and written as it was: a picture of odd width, read after it
-// as RGB, has rows of which the length is no multiple of four.
-#include "Support/Drawing/PictureCases.h"
+// Tests that rendering restores the OpenGL state for reading and writing pixels. An RGB image of
+// odd width, read afterward, has rows whose length is not a multiple of four.
+#include "Support/Drawing/ImageCases.h"
 #include "Support/Checks/ReferenceCheck.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/MapperImage.h"
 
 #include "vtkActor.h"
 #include "vtkCubeSource.h"
@@ -67,7 +67,7 @@ int TestTetrahedraMapperState(int, char*[])
     window->AddRenderer(renderer);
     const std::map<std::string, GLint> before = GetStates(window);
 
-    PictureCase what;
+    ImageCase what;
     what.Grid = MakeCube(4);
     vtkNew<vtkTimeWeightedTetrahedraMapper> mapper;
     Configure(mapper, what);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes at random whose points coincide on the screen, or nearly so, whose faces are seen edge-on
-// and whose tetrahedra are nearly flat; and one mapper through a sequence of changes at random.
-#include "Support/Drawing/PictureCases.h"
+// Tests random meshes with almost or exactly coinciding points in the image, faces seen edge-on,
+// and nearly flat tetrahedra. Also tests a random sequence of changes with one mapper.
+#include "Support/Drawing/ImageCases.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/MapperImage.h"
 #include "Tetrahedra/PathComparison.h"
 
 #include "vtkCamera.h"
@@ -29,15 +29,15 @@ namespace
 using namespace reference;
 using Mapper = vtkTimeWeightedTetrahedraMapper;
 
-/// Small pictures of few tetrahedra, whose silhouettes are made to line up with pixels.
-constexpr double ShareOfSilhouettes = 0.02;
+/// Allows many silhouette pixels: images are small and silhouettes are aligned with pixels.
+constexpr double SilhouetteFraction = 0.02;
 
-/// The point scalars `f`: linear, and a part at random.
+/// Adds point scalars `f`: a linear field plus noise.
 void AddScalars(vtkUnstructuredGrid* grid, Random& random)
 {
   const Point3 gradient = random.GetPoint(0.4);
   AddLinear(grid, "f", 0.5, gradient);
-  // Values that are not linear over the mesh show what is taken from beyond a tetrahedron.
+  // Nonlinear values reveal interpolation outside a tetrahedron.
   vtkDataArray* values = grid->GetPointData()->GetArray("f");
   for (vtkIdType id = 0; id < values->GetNumberOfTuples(); ++id)
   {
@@ -46,9 +46,9 @@ void AddScalars(vtkUnstructuredGrid* grid, Random& random)
   grid->GetPointData()->SetActiveScalars("f");
 }
 
-/// Columns of triangular prisms along z, three tetrahedra each, over a triangulated square with its
-/// points moved aside at random. Each layer's points are moved aside by up to \a shift more, so
-/// that those of a column nearly coincide seen along z; with 0 they do.
+/// Returns columns of triangular prisms along z, with three tetrahedra per prism, over a
+/// triangulated square with random points. The points of each layer are displaced by up to \a
+/// shift, so that columns nearly coincide along z, or exactly if it is 0.
 vtkSmartPointer<vtkUnstructuredGrid> MakeColumns(
   int cells, const std::vector<double>& layers, double shift, Random& random)
 {
@@ -58,9 +58,9 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeColumns(
     for (int i = 0; i <= cells; ++i)
     {
       const bool isInner = i > 0 && i < cells && j > 0 && j < cells;
-      const double aside = isInner ? 0.25 : 0.0;
-      base.push_back(
-        { { (i + random.Get(-aside, aside)) / cells, (j + random.Get(-aside, aside)) / cells } });
+      const double offset = isInner ? 0.25 : 0.0;
+      base.push_back({ { (i + random.Get(-offset, offset)) / cells,
+        (j + random.Get(-offset, offset)) / cells } });
     }
   }
   vtkNew<vtkPoints> points;
@@ -86,7 +86,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeColumns(
         { a, a + cells + 1, a + cells + 2 } };
       for (const vtkIdType* c : corners)
       {
-        // Cut by ascending ids, on which neighbours agree.
+        // Split by ascending ids, which is consistent between neighbors.
         const vtkIdType tetrahedra[3][4] = { { c[0], c[1], c[2], c[2] + stride },
           { c[0], c[1], c[1] + stride, c[2] + stride },
           { c[0], c[0] + stride, c[1] + stride, c[2] + stride } };
@@ -101,20 +101,21 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeColumns(
   return grid;
 }
 
-/// Layers at random, every other one down to a ten thousandth as thick.
-std::vector<double> MakeLayerPlaces(int layers, Random& random)
+/// Returns positions of random layers. Every other layer is thinner by a factor of up to 10,000.
+std::vector<double> MakeLayerPositions(int layers, Random& random)
 {
-  std::vector<double> places = { 0.0 };
+  std::vector<double> positions = { 0.0 };
   for (int i = 0; i < layers; ++i)
   {
-    places.push_back(places.back() + std::pow(10.0, i % 2 ? random.Get(-4.0, -1.0) : 0.0) / layers);
+    positions.push_back(
+      positions.back() + std::pow(10.0, i % 2 ? random.Get(-4.0, -1.0) : 0.0) / layers);
   }
-  return places;
+  return positions;
 }
 
-PictureCase MakeCase(vtkUnstructuredGrid* grid, const std::array<int, 2>& size)
+ImageCase MakeCase(vtkUnstructuredGrid* grid, const std::array<int, 2>& size)
 {
-  PictureCase what;
+  ImageCase what;
   what.Grid = grid;
   what.Property =
     MakeProperty({ { 0.0, { { 0.1, 0.2, 0.9 } }, 0.0 }, { 0.4, { { 0.9, 0.9, 0.9 } }, 0.4 },
@@ -126,11 +127,11 @@ PictureCase MakeCase(vtkUnstructuredGrid* grid, const std::array<int, 2>& size)
 
 void TestColumns(Check& check, Random& random)
 {
-  // As far as single precision of coordinates, and around it.
+  // Displacements below, at and above single precision.
   for (double shift : { 0.0, 1e-12, 1e-9, 1e-7, 1e-5, 1e-3 })
   {
-    const auto grid = MakeColumns(5, MakeLayerPlaces(6, random), shift, random);
-    PictureCase what = MakeCase(grid, { { 64, 48 } });
+    const auto grid = MakeColumns(5, MakeLayerPositions(6, random), shift, random);
+    ImageCase what = MakeCase(grid, { { 64, 48 } });
     for (bool parallel : { false, true })
     {
       for (const Point3& direction :
@@ -142,38 +143,38 @@ void TestColumns(Check& check, Random& random)
           "columns " + std::to_string(shift) + (parallel ? ", parallel" : ", perspective") +
             ", along " + std::to_string(direction[0]) + " " + std::to_string(direction[1]) + " " +
             std::to_string(direction[2]),
-          check, ShareOfSilhouettes);
+          check, SilhouetteFraction);
       }
     }
   }
 }
 
-/// Lattices seen along axes, diagonals of faces and of cells, as they are and with points moved
-/// aside by rounding of single precision and more.
-void TestLattices(Check& check, Random& random)
+/// Tests regular grids seen along axes and diagonals of faces and cells, exact and displaced by
+/// single-precision rounding or more.
+void TestRegularGrids(Check& check, Random& random)
 {
   const Point3 directions[] = { { { 1.0, 0.0, 0.0 } }, { { 0.0, -1.0, 0.0 } },
     { { 0.0, 0.0, 1.0 } }, { { 1.0, 1.0, 0.0 } }, { { 0.0, 1.0, -1.0 } }, { { 1.0, 1.0, 1.0 } },
     { { -1.0, 1.0, 1.0 } } };
   for (double shift : { 0.0, 1e-7, 1e-4 })
   {
-    for (bool isOfFive : { true, false })
+    for (bool hasFive : { true, false })
     {
-      auto grid = isOfFive ? MakeCube(4) : MakeBox({ { 4, 4, 4 } });
+      auto grid = hasFive ? MakeCube(4) : MakeBox({ { 4, 4, 4 } });
       for (vtkIdType id = 0; id < grid->GetNumberOfPoints(); ++id)
       {
         double x[3];
         grid->GetPoint(id, x);
-        const Point3 aside = random.GetPoint(shift);
-        vtkMath::Add(x, aside.data(), x);
+        const Point3 offset = random.GetPoint(shift);
+        vtkMath::Add(x, offset.data(), x);
         grid->GetPoints()->SetPoint(id, x);
       }
       AddScalars(grid, random);
-      // Odd sizes have a pixel in the middle, whose line of sight lies in faces. Where those are
-      // not quite planar it says nothing, since paths and reference pass it as far aside as the
+      // An odd size has a central pixel whose ray lies in faces. This makes no sense for faces that
+      // are not quite planar, because the paths and the reference displace that ray as much as the
       // points.
       const bool isOdd = shift == 0.0;
-      PictureCase what =
+      ImageCase what =
         MakeCase(grid, isOdd ? std::array<int, 2>{ { 61, 45 } } : std::array<int, 2>{ { 60, 44 } });
       for (const Point3& direction : directions)
       {
@@ -181,35 +182,35 @@ void TestLattices(Check& check, Random& random)
         {
           what.Camera = LookAt(grid, direction, parallel);
           ComparePaths(what,
-            (isOfFive ? "five a cube, moved by " : "six a cube, moved by ") +
+            (hasFive ? "five per cube, moved by " : "six per cube, moved by ") +
               std::to_string(shift) + (parallel ? ", parallel" : ", perspective") + ", along " +
               std::to_string(direction[0]) + " " + std::to_string(direction[1]) + " " +
               std::to_string(direction[2]),
-            check, ShareOfSilhouettes);
+            check, SilhouetteFraction);
         }
       }
     }
   }
 }
 
-/// Changes of data, colours and camera in any order: always as a new mapper draws.
+/// Tests random changes of data, colors and camera against a new mapper.
 void TestChanges(Check& check, Random& random)
 {
   const Point3 directions[] = { { { 1.0, 0.0, 0.0 } }, { { 0.0, -1.0, 0.0 } },
     { { 0.0, 0.0, 1.0 } }, { { 1.0, 1.0, 0.0 } }, { { 0.3, -0.4, 1.0 } } };
   for (int path : AllRenderPaths())
   {
-    vtkNew<Mapper> kept;
-    kept->SetRenderPath(path);
-    kept->AutoAdjustLevelOfDetailOff();
-    PictureCase what = MakeCase(MakeCube(3), { { 40, 40 } });
+    vtkNew<Mapper> reused;
+    reused->SetRenderPath(path);
+    reused->AutoAdjustLevelOfDetailOff();
+    ImageCase what = MakeCase(MakeCube(3), { { 40, 40 } });
     what.Camera = LookAt(what.Grid, directions[0], false);
     for (int step = 0; step < 30; ++step)
     {
       const auto change = static_cast<int>(random.Get(0.0, 4.0));
       if (change == 0)
       {
-        what.Grid = MakeColumns(3, MakeLayerPlaces(3, random), 1e-7, random);
+        what.Grid = MakeColumns(3, MakeLayerPositions(3, random), 1e-7, random);
       }
       else if (change == 1)
       {
@@ -222,10 +223,10 @@ void TestChanges(Check& check, Random& random)
       }
       what.Camera = LookAt(
         what.Grid, directions[static_cast<int>(random.Get(0.0, 5.0))], random.Get(0.0, 1.0) < 0.5);
-      const RgbaPicture found = DrawByMapper(kept, what);
-      const RgbaPicture fresh = DrawByPath(path, what);
-      check.Near(ComparePictures(found, fresh).Max, 0.0, 0.0,
-        GetPathName(path) + ": step " + std::to_string(step) + " as a fresh mapper", 1.0);
+      const RgbaImage found = DrawByMapper(reused, what);
+      const RgbaImage fresh = DrawByPath(path, what);
+      check.Near(CompareImages(found, fresh).Max, 0.0, 0.0,
+        GetPathName(path) + ": step " + std::to_string(step) + " differs from a new mapper", 1.0);
     }
   }
 }
@@ -237,7 +238,7 @@ int TestTetrahedraMapperTies(int, char*[])
   Check check;
   Random random(16);
   TestColumns(check, random);
-  TestLattices(check, random);
+  TestRegularGrids(check, random);
   TestChanges(check, random);
   return check.Result();
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// One mapper in several windows and renderers, resized, released and drawn again; depth peeling and
-// multisampling; level of detail. Pictures are compared with those of fresh mappers.
+// Tests one mapper in several windows and renderers, with resizing and releasing resources, depth
+// peeling, multisampling and level of detail. Images are compared with those of new mappers.
 #include "Support/Arrays/ReferenceIndices.h"
-#include "Support/Drawing/PictureCases.h"
-#include "Support/Pictures/TestWindow.h"
+#include "Support/Drawing/ImageCases.h"
+#include "Support/Images/TestWindow.h"
 #include "Support/Checks/ReferenceCheck.h"
-#include "Tetrahedra/MapperPicture.h"
+#include "Tetrahedra/MapperImage.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
@@ -40,25 +40,25 @@ constexpr Point3 Sideways = { { 1.0, 0.2, 0.3 } };
 constexpr double Byte = 1.0 / 255.0;
 constexpr double StillRate = 1e-4;
 
-/// The window's own pixels.
-RgbaPicture Draw(vtkRenderWindow* window)
+/// Renders the window and returns its pixels.
+RgbaImage Draw(vtkRenderWindow* window)
 {
   window->Render();
   const int* size = window->GetSize();
-  RgbaPicture picture(size[0], size[1]);
+  RgbaImage image(size[0], size[1]);
   vtkNew<vtkFloatArray> pixels;
   window->GetRGBAPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixels);
-  for (std::size_t i = 0; i < picture.Values.size(); ++i)
+  for (std::size_t i = 0; i < image.Values.size(); ++i)
   {
-    picture.Values[i] = pixels->GetValue(static_cast<vtkIdType>(i));
+    image.Values[i] = pixels->GetValue(static_cast<vtkIdType>(i));
   }
-  return picture;
+  return image;
 }
 
-/// The mesh and what it looks like.
+/// A mesh with its rendering settings.
 struct Scene
 {
-  /// Sorted is composite; without order is optical depth.
+  /// Uses composite blending if \a isSorted is true, otherwise optical depth blending.
   Scene(int path, bool isSorted)
     : Path(path)
     , Blend(isSorted ? static_cast<int>(Mapper::COMPOSITE_BLEND)
@@ -76,8 +76,7 @@ struct Scene
     mapper->AutoAdjustLevelOfDetailOff();
     auto volume = vtkSmartPointer<vtkVolume>::New();
     volume->SetMapper(mapper);
-    // A volume touches its property, and the next one would have the picture of this one made
-    // again.
+    // Use a copy: a volume modifies its property, which would make other volumes render again.
     vtkNew<vtkVolumeProperty> property;
     property->DeepCopy(this->Property);
     volume->SetProperty(property);
@@ -91,7 +90,7 @@ struct Scene
   vtkSmartPointer<vtkVolumeProperty> Property = MakeRamp(0.1, 1.0, 0.25);
 };
 
-/// A window of one renderer.
+/// A window with one renderer.
 struct View
 {
   View(const Scene& scene, vtkVolume* volume, const Point3& direction,
@@ -106,58 +105,58 @@ struct View
     this->Renderer->SetActiveCamera(LookAt(scene.Grid, direction, false));
   }
 
-  RgbaPicture Draw() { return ::Draw(this->Window); }
+  RgbaImage Draw() { return ::Draw(this->Window); }
 
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
 };
 
-/// By a mapper that has drawn nothing else.
-RgbaPicture DrawFresh(
+/// Renders with a new mapper.
+RgbaImage DrawFresh(
   const Scene& scene, const Point3& direction, const std::array<int, 2>& size = { { 80, 64 } })
 {
   return View(scene, scene.MakeVolume(), direction, size).Draw();
 }
 
-/// Expects equal pictures in which the volume is seen.
+/// Expects equal images that show the volume.
 void ExpectSame(
-  Check& check, const RgbaPicture& found, const RgbaPicture& expected, const std::string& what)
+  Check& check, const RgbaImage& found, const RgbaImage& expected, const std::string& what)
 {
-  check.Near(ComparePictures(found, expected).Max, 0.0, 1e-9, what, 1.0);
+  check.Near(CompareImages(found, expected).Max, 0.0, 1e-9, what, 1.0);
   double largest = 0.0;
   for (std::size_t i = 0; i < expected.Values.size(); i += 4)
   {
     largest = std::max(largest, std::abs(expected.Values[i] - 0.2));
   }
-  check.That(largest > 0.1, what + ": the volume is seen");
+  check.That(largest > 0.1, what + ": the volume is visible");
 }
 
 void TestTwoWindows(Check& check, const Scene& scene)
 {
-  const RgbaPicture first = DrawFresh(scene, Slanted);
-  const RgbaPicture second = DrawFresh(scene, Sideways, { { 48, 72 } });
+  const RgbaImage first = DrawFresh(scene, Slanted);
+  const RgbaImage second = DrawFresh(scene, Sideways, { { 48, 72 } });
   auto volume = scene.MakeVolume();
   View a(scene, volume, Slanted);
   View b(scene, volume, Sideways, { { 48, 72 } });
-  for (int turn = 0; turn < 3; ++turn)
+  for (int frame = 0; frame < 3; ++frame)
   {
-    const std::string name = scene.Name + "two windows, turn " + std::to_string(turn);
+    const std::string name = scene.Name + "two windows, turn " + std::to_string(frame);
     ExpectSame(check, a.Draw(), first, name + ", first");
     ExpectSame(check, b.Draw(), second, name + ", second");
   }
-  // A change reaches both.
+  // A change affects both windows.
   Scene other = scene;
   other.Property = MakeRamp(1.0, 0.2, 0.5);
   volume->SetProperty(other.Property);
-  ExpectSame(check, a.Draw(), DrawFresh(other, Slanted), scene.Name + "other colours, first");
+  ExpectSame(check, a.Draw(), DrawFresh(other, Slanted), scene.Name + "other colors, first");
   ExpectSame(check, b.Draw(), DrawFresh(other, Sideways, { { 48, 72 } }),
-    scene.Name + "other colours, second");
+    scene.Name + "other colors, second");
 }
 
 void TestTwoRenderers(Check& check, const Scene& scene)
 {
-  const RgbaPicture left = DrawFresh(scene, Slanted, { { 40, 64 } });
-  const RgbaPicture right = DrawFresh(scene, Sideways, { { 40, 64 } });
+  const RgbaImage left = DrawFresh(scene, Slanted, { { 40, 64 } });
+  const RgbaImage right = DrawFresh(scene, Sideways, { { 40, 64 } });
   auto volume = scene.MakeVolume();
   View view(scene, volume, Slanted);
   view.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
@@ -167,10 +166,10 @@ void TestTwoRenderers(Check& check, const Scene& scene)
   other->AddVolume(volume);
   other->SetActiveCamera(LookAt(scene.Grid, Sideways, false));
   view.Window->AddRenderer(other);
-  for (int turn = 0; turn < 2; ++turn)
+  for (int frame = 0; frame < 2; ++frame)
   {
-    const RgbaPicture both = view.Draw();
-    RgbaPicture halves[2] = { RgbaPicture(40, 64), RgbaPicture(40, 64) };
+    const RgbaImage both = view.Draw();
+    RgbaImage halves[2] = { RgbaImage(40, 64), RgbaImage(40, 64) };
     for (const auto& [j, i] : AllIndices(64, 80))
     {
       std::copy_n(both.At(i, j), 4, halves[i / 40].At(i % 40, j));
@@ -197,29 +196,29 @@ void TestRelease(Check& check, const Scene& scene)
 {
   auto volume = scene.MakeVolume();
   View view(scene, volume, Slanted);
-  const RgbaPicture expected = view.Draw();
+  const RgbaImage expected = view.Draw();
   volume->GetMapper()->ReleaseGraphicsResources(view.Window);
   ExpectSame(check, view.Draw(), expected, scene.Name + "released");
   volume->GetMapper()->ReleaseGraphicsResources(view.Window);
   volume->GetMapper()->ReleaseGraphicsResources(view.Window);
   ExpectSame(check, view.Draw(), expected, scene.Name + "released twice");
   view.Window->Finalize();
-  ExpectSame(check, view.Draw(), expected, scene.Name + "window finalised");
+  ExpectSame(check, view.Draw(), expected, scene.Name + "window finalized");
   {
     View other(scene, volume, Slanted);
     ExpectSame(check, other.Draw(), expected, scene.Name + "another window");
   }
-  ExpectSame(check, view.Draw(), expected, scene.Name + "the other window is gone");
+  ExpectSame(check, view.Draw(), expected, scene.Name + "the other window is destroyed");
 }
 
-/// A translucent plane over the left half of the picture, in front of the volume.
+/// Returns a translucent plane over the left half of the image, in front of the volume.
 vtkSmartPointer<vtkActor> MakePlane(const Scene& scene)
 {
   auto camera = LookAt(scene.Grid, Slanted, false);
-  double eye[3];
-  double middle[3];
-  camera->GetPosition(eye);
-  camera->GetFocalPoint(middle);
+  double position[3];
+  double focalPoint[3];
+  camera->GetPosition(position);
+  camera->GetFocalPoint(focalPoint);
   double right[3];
   double up[3] = { 0.0, 1.0, 0.0 };
   double view[3];
@@ -230,7 +229,7 @@ vtkSmartPointer<vtkActor> MakePlane(const Scene& scene)
   double corners[3][3];
   for (int k = 0; k < 3; ++k)
   {
-    const double center = 0.5 * (eye[k] + middle[k]);
+    const double center = 0.5 * (position[k] + focalPoint[k]);
     corners[0][k] = center - 2.0 * right[k] - 2.0 * up[k];
     corners[1][k] = center - 2.0 * up[k];
     corners[2][k] = center - 2.0 * right[k] + 2.0 * up[k];
@@ -249,8 +248,8 @@ vtkSmartPointer<vtkActor> MakePlane(const Scene& scene)
   return actor;
 }
 
-/// The largest difference of a channel of colour among the columns [first, last).
-double CompareColumns(const RgbaPicture& a, const RgbaPicture& b, int first, int last)
+/// Returns the largest color difference in the columns [first, last).
+double CompareColumns(const RgbaImage& a, const RgbaImage& b, int first, int last)
 {
   double largest = 0.0;
   for (int j = 0; j < a.Height; ++j)
@@ -276,13 +275,13 @@ void TestPeeling(Check& check, const Scene& scene, int samples, bool isPeeled)
   view.Renderer->SetUseDepthPeeling(isPeeled);
   view.Renderer->SetMaximumNumberOfPeels(8);
   view.Renderer->AddActor(MakePlane(scene));
-  const RgbaPicture plain = DrawFresh(scene, Slanted);
-  for (int turn = 0; turn < 2; ++turn)
+  const RgbaImage plain = DrawFresh(scene, Slanted);
+  for (int frame = 0; frame < 2; ++frame)
   {
-    const RgbaPicture found = view.Draw();
+    const RgbaImage found = view.Draw();
     check.Near(CompareColumns(found, plain, 42, 80), 0.0, 2.0 * Byte, name + ": the volume", 1.0);
-    check.That(CompareColumns(found, plain, 25, 38) > 0.1, name + ": the actor over the volume");
-    // Beside the volume the plane is half over the background.
+    check.That(CompareColumns(found, plain, 25, 38) > 0.1, name + ": the actor covers the volume");
+    // Outside the volume the plane is blended with the background.
     const double* corner = found.At(1, 1);
     check.Near(corner[0], 0.5 * (0.2 + 0.1), 2.0 * Byte, name + ": the actor's red", 1.0);
     check.Near(corner[1], 0.5 * (0.1 + 0.9), 2.0 * Byte, name + ": the actor's green", 1.0);
@@ -290,7 +289,7 @@ void TestPeeling(Check& check, const Scene& scene, int samples, bool isPeeled)
   }
 }
 
-/// OpenGL draws after it was told to: what the level is chosen by must not end before.
+/// OpenGL renders asynchronously: the time that selects the level of detail must include rendering.
 void TestLevelOfDetailTime(Check& check)
 {
   Scene scene(Mapper::OPENGL_PATH, false);
@@ -312,16 +311,17 @@ void TestLevelOfDetailTime(Check& check)
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     });
   view.Renderer->AddObserver(vtkCommand::EndEvent, wait);
-  // The share of the drawing that was not in the report; the least of some, as others are busy too.
-  double share = 1.0;
-  for (int turn = 0; turn < 3; ++turn)
+  // The fraction of the time that the report misses; the minimum of several frames on a busy
+  // machine.
+  double fraction = 1.0;
+  for (int frame = 0; frame < 3; ++frame)
   {
     view.Window->Render();
-    share = std::min(share, left / (left + mapper->GetReport()->GetNumber("Seconds")));
+    fraction = std::min(fraction, left / (left + mapper->GetReport()->GetNumber("Seconds")));
   }
-  check.That(share < 0.01,
-    scene.Name + "level of detail: measured until OpenGL is done, but for a share of " +
-      std::to_string(share));
+  check.That(fraction < 0.01,
+    scene.Name +
+      "level of detail: fraction of the time that is not measured: " + std::to_string(fraction));
 }
 
 void TestLevelOfDetail(Check& check, const Scene& scene)
@@ -331,26 +331,29 @@ void TestLevelOfDetail(Check& check, const Scene& scene)
   mapper->AutoAdjustLevelOfDetailOn();
   View view(scene, volume, Slanted);
   view.Window->SetDesiredUpdateRate(StillRate);
-  const RgbaPicture expected = view.Draw();
+  const RgbaImage expected = view.Draw();
   const std::string name = scene.Name + "level of detail";
-  check.Near(mapper->GetReport()->GetNumber("PixelStride"), 1, 0.0, name + ": full at first");
-  for (int turn = 0; turn < 2; ++turn)
+  check.Equal(
+    mapper->GetReport()->GetCount("PixelStride"), 1, name + ": full resolution in the first frame");
+  for (int frame = 0; frame < 2; ++frame)
   {
     view.Window->SetDesiredUpdateRate(1e9);
-    const RgbaPicture coarse = view.Draw();
-    check.That(mapper->GetReport()->GetNumber("PixelStride") > 1, name + ": coarse in a hurry");
-    const PictureError error = ComparePictures(coarse, expected);
-    check.That(error.Max > 1e-3 && error.Mean < 0.05, name + ": another, but similar picture");
+    const RgbaImage coarse = view.Draw();
+    check.That(
+      mapper->GetReport()->GetNumber("PixelStride") > 1, name + ": coarse at a high update rate");
+    const ImageError error = CompareImages(coarse, expected);
+    check.That(error.Max > 1e-3 && error.Mean < 0.05, name + ": a different but similar image");
     view.Window->SetDesiredUpdateRate(StillRate);
     ExpectSame(check, view.Draw(), expected, name + ": still");
-    check.Near(mapper->GetReport()->GetNumber("PixelStride"), 1, 0.0, name + ": full when still");
-    check.Near(
-      mapper->GetReport()->GetNumber("TetrahedronStride"), 1, 0.0, name + ": all when still");
+    check.Equal(
+      mapper->GetReport()->GetCount("PixelStride"), 1, name + ": full resolution when still");
+    check.Equal(
+      mapper->GetReport()->GetCount("TetrahedronStride"), 1, name + ": all tetrahedra when still");
   }
   mapper->AutoAdjustLevelOfDetailOff();
   view.Window->SetDesiredUpdateRate(1e9);
   ExpectSame(check, view.Draw(), expected, name + " off");
-  check.Near(mapper->GetReport()->GetNumber("PixelStride"), 1, 0.0, name + " off: full");
+  check.Equal(mapper->GetReport()->GetCount("PixelStride"), 1, name + " off: full resolution");
 }
 
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The adjacency of tetrahedra, against a map of their faces.
+// Tests the face adjacency of tetrahedra against a map of their faces.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
@@ -47,10 +47,10 @@ void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name, C
       twins[face.second[1]] = face.second[0];
     }
   }
-  check.That(interlume::FaceAdjacency::FindTwins(mesh) == twins, "twins");
+  check.That(interlume::FaceAdjacency::FindTwins(mesh) == twins, "matching faces");
 }
 
-// A fan of tetrahedra about one edge, and about one point that all of many have.
+// Returns a fan of tetrahedra around one edge. All share two points.
 interlume::TetrahedraMesh MakeFan(int number)
 {
   interlume::TetrahedraMesh mesh;
@@ -63,7 +63,7 @@ interlume::TetrahedraMesh MakeFan(int number)
   return mesh;
 }
 
-// A third tetrahedron on an inner face takes that face's match away.
+// Checks that a third tetrahedron on an interior face removes the match of that face.
 void CheckThird(Check& check)
 {
   CubeMesh form;
@@ -88,7 +88,7 @@ void CheckThird(Check& check)
   }
   mesh.Points.insert(mesh.Points.end(), { 2.0, 2.0, 2.0 });
   CheckMesh(mesh, "a third tetrahedron on a face", check);
-  check.Equal(countOpen(), 6 * 25 * 2 + 3 + 3, "boundary faces then");
+  check.Equal(countOpen(), 6 * 25 * 2 + 3 + 3, "boundary faces with the third tetrahedron");
 }
 }
 
@@ -113,13 +113,13 @@ int TestTetrahedraSortAdjacency(int, char*[])
   CheckMesh(MakeFan(50000), "a fan", check);
   interlume::TetrahedraMesh twice = MakeFan(1000);
   twice.Corners.insert(twice.Corners.end(), twice.Corners.begin(), twice.Corners.begin() + 2000);
-  CheckMesh(twice, "tetrahedra that are there twice", check);
-  // Many faces of one lowest id, each three times.
-  interlume::TetrahedraMesh thrice = MakeFan(50000);
-  const std::vector<std::uint32_t> once = thrice.Corners;
-  thrice.Corners.insert(thrice.Corners.end(), once.begin(), once.end());
-  thrice.Corners.insert(thrice.Corners.end(), once.begin(), once.end());
-  CheckMesh(thrice, "a fan three times", check);
+  CheckMesh(twice, "duplicate tetrahedra", check);
+  // Many faces with the same lowest id, three copies of each.
+  interlume::TetrahedraMesh triple = MakeFan(50000);
+  const std::vector<std::uint32_t> once = triple.Corners;
+  triple.Corners.insert(triple.Corners.end(), once.begin(), once.end());
+  triple.Corners.insert(triple.Corners.end(), once.begin(), once.end());
+  CheckMesh(triple, "a fan three times", check);
   CheckThird(check);
   return check.Result();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The order by centroids, against a stable sort of the same distances.
+// Tests the centroid order against a stable sort of the same distances.
 #include "Support/Checks/ReferenceCheck.h"
-#include "Support/Tetrahedra/ReferenceSightlines.h"
+#include "Support/Tetrahedra/ReferenceViewRays.h"
 #include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "Order/CentroidOrder.h"
@@ -34,7 +34,7 @@ void CheckRadix(Check& check)
   interlume::RadixOrder radix;
   for (const std::uint32_t number : { 0u, 1u, 2u, 1000u, 16384u, 300000u, 17u })
   {
-    // Few different keys, one digit, two, all bits; from 0 on and from elsewhere.
+    // A few different keys, one digit, two digits and all bits, with and without an offset.
     for (const int bits : { 0, 1, 11, 12, 22, 23, 32 })
     {
       const std::uint32_t mask = bits == 32 ? ~0u : (1u << bits) - 1;
@@ -65,7 +65,8 @@ void CheckFloatKeys(Check& check)
     "0 and -0 have the same key");
 }
 
-// The sum of corners, less four times the eye: squared, and along the direction.
+// Returns the sum of corners minus four times the eye position: its square, or its component along
+// the direction.
 std::vector<double> Measure(const interlume::TetrahedraMesh& mesh, const interlume::Viewpoint& view)
 {
   std::vector<double> measures;
@@ -87,8 +88,8 @@ std::vector<double> Measure(const interlume::TetrahedraMesh& mesh, const interlu
   return measures;
 }
 
-// On a lattice whose coordinates are multiples of 1/16 distances are exact, and many are equal.
-void CheckLattice(Check& check)
+// Coordinates are multiples of 1/16. Therefore distances are exact, and many are equal.
+void CheckRegularGrid(Check& check)
 {
   CubeMesh form;
   form.Cubes = 16;
@@ -105,13 +106,13 @@ void CheckLattice(Check& check)
       view.Eye = { 0.5 * distance, distance, -0.75 * distance };
       centroids.Compute(mesh, view, order);
       check.That(order == SortStably(Measure(mesh, view)),
-        "stable, at a distance of " + std::to_string(distance));
+        "the order is stable at a distance of " + std::to_string(distance));
     }
   }
 }
 
-// The order keeps distances apart that differ by more than single precision of the mesh's size,
-// from wherever it is seen.
+// The order must distinguish distances that differ by more than the single-precision error of the
+// mesh size, from any camera position.
 void CheckPrecision(Check& check)
 {
   CubeMesh form;
@@ -125,17 +126,17 @@ void CheckPrecision(Check& check)
     interlume::Viewpoint view;
     view.Eye = { 0.6 * distance, 0.0, 0.8 * distance };
     centroids.Compute(mesh, view, order);
-    check.That(
-      IsPermutation(order, mesh.GetNumberOfTetrahedra()), "each tetrahedron is there once");
+    check.That(IsPermutation(order, mesh.GetNumberOfTetrahedra()), "each tetrahedron occurs once");
     const std::vector<double> squared = Measure(mesh, view);
-    double worst = 0.0;
+    double largestError = 0.0;
     for (std::size_t i = 1; i < order.size(); ++i)
     {
       const double step = std::sqrt(squared[order[i - 1]]) - std::sqrt(squared[order[i]]);
-      worst = std::max(worst, step / 4.0);
+      largestError = std::max(largestError, step / 4.0);
     }
-    check.That(worst < 3e-7,
-      "wrong by " + std::to_string(1e9 * worst) + "e-9 from " + std::to_string(distance));
+    check.That(largestError < 3e-7,
+      "error of " + std::to_string(1e9 * largestError) + "e-9 from a distance of " +
+        std::to_string(distance));
   }
 }
 
@@ -144,16 +145,16 @@ void CheckSmall(Check& check)
   interlume::CentroidOrder centroids;
   std::vector<std::uint32_t> order(5);
   centroids.Compute(interlume::TetrahedraMesh(), interlume::Viewpoint(), order);
-  check.That(order.empty(), "nothing of an empty mesh");
+  check.That(order.empty(), "the order of an empty mesh is empty");
   interlume::TetrahedraMesh mesh;
   Append(mesh, { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { 0, 0, 1 } } } });
   centroids.Compute(mesh, interlume::Viewpoint(), order);
   check.That(order == std::vector<std::uint32_t>{ 0 }, "one tetrahedron");
-  check.That(centroids.GetBytes() > 0, "bytes are counted");
+  check.That(centroids.GetBytes() > 0, "memory is reported");
 }
 }
 
 int TestTetrahedraSortCentroid(int, char*[])
 {
-  return RunChecks({ CheckRadix, CheckFloatKeys, CheckLattice, CheckPrecision, CheckSmall });
+  return RunChecks({ CheckRadix, CheckFloatKeys, CheckRegularGrid, CheckPrecision, CheckSmall });
 }

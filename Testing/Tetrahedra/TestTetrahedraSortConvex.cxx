@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The visibility order of convex meshes along lines of sight, each intersected with all tetrahedra.
+// Tests the visibility order of convex meshes along view rays, which are intersected with all
+// tetrahedra.
 #include "Support/Checks/ReferenceCheck.h"
-#include "Support/Tetrahedra/ReferenceSightlines.h"
+#include "Support/Tetrahedra/ReferenceViewRays.h"
 #include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "Order/VisibilityOrder.h"
@@ -16,9 +17,9 @@ using namespace reference;
 void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name, int lines,
   bool mayBeCyclic, OrderTally& tally, Check& check)
 {
-  const Sightlines sightlines(mesh);
+  const ViewRayCheck viewRays(mesh);
   interlume::VisibilityOrder visibility;
-  check.That(visibility.Build(mesh), "built");
+  check.That(visibility.Build(mesh), "the order can be built");
   std::vector<std::uint32_t> order;
   std::vector<std::uint32_t> orderOfFaces;
   for (const View& view : GetViews(200, { 0.31, -0.12, 0.22 }))
@@ -26,19 +27,19 @@ void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name, i
     check.SetContext(name + ", " + view.Name);
     visibility.Compute(mesh, view.Rays, order);
     check.Equal(visibility.GetNumberOfGapRelations(), 0, "relations across gaps");
-    if (!CheckOrder(sightlines, visibility, view.Rays, order, lines, mayBeCyclic, tally, check))
+    if (!CheckOrder(viewRays, visibility, view.Rays, order, lines, mayBeCyclic, tally, check))
     {
       continue;
     }
-    const OrderErrors errors = sightlines.CheckRandom(view.Rays, order, lines, 2);
-    check.Equal(errors.Wrong, 0, "wrong along random lines");
+    const OrderErrors errors = viewRays.CheckRandom(view.Rays, order, lines, 2);
+    check.Equal(errors.Misordered, 0, "errors along random rays");
     tally.Pairs += errors.Pairs;
 
-    // Shared faces alone are enough, and give the same.
+    // The order computed only from shared faces must be identical.
     interlume::ViewRays facesOnly = view.Rays;
     facesOnly.Width = 0;
     visibility.Compute(mesh, facesOnly, orderOfFaces);
-    check.That(order == orderOfFaces, "the same without a picture");
+    check.That(order == orderOfFaces, "the order without an image is the same");
   }
 }
 }
@@ -53,15 +54,15 @@ int TestTetrahedraSortConvex(int, char*[])
     form.Pieces = pieces;
     form.Cubes = 12;
     form.Jitter = 0.0;
-    CheckMesh(MakeCubes(form), std::to_string(pieces) + " of a cube", 60, false, tally, check);
-    CheckMesh(
-      Shuffle(MakeCubes(form), 9), std::to_string(pieces) + ", shuffled", 60, false, tally, check);
+    CheckMesh(MakeCubes(form), std::to_string(pieces) + " per cube", 60, false, tally, check);
+    CheckMesh(Shuffle(MakeCubes(form), 9), std::to_string(pieces) + " per cube, shuffled", 60,
+      false, tally, check);
     for (const double jitter : { 0.05, 0.15, 0.25 })
     {
       form.Jitter = jitter;
       form.Seed = pieces + static_cast<unsigned int>(100 * jitter);
       CheckMesh(
-        MakeCubes(form), std::to_string(pieces) + " of a cube, moved", 60, true, tally, check);
+        MakeCubes(form), std::to_string(pieces) + " per cube, displaced", 60, true, tally, check);
     }
   }
   form.Jitter = 0.0;
@@ -75,7 +76,7 @@ int TestTetrahedraSortConvex(int, char*[])
     Distort(mesh, 0.02 * seed, 10, seed);
     CheckMesh(mesh, "distorted, " + std::to_string(seed), 100, true, tally, check);
   }
-  std::cout << tally.Orders << " orders, " << tally.Cyclic << " with cycles left out, "
+  std::cout << tally.Orders << " orders, " << tally.Cyclic << " skipped because of cycles, "
             << tally.Pairs << " pairs\n";
   check.SetContext("");
   check.That(tally.Pairs > 20000, "pairs were compared");

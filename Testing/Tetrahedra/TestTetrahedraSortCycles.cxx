@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cycles of visibility: found, counted, and put out whole.
+// Tests that visibility cycles are detected and reported, and their tetrahedra output together.
 #include "Support/Checks/ReferenceCheck.h"
-#include "Support/Tetrahedra/ReferenceSightlines.h"
+#include "Support/Tetrahedra/ReferenceViewRays.h"
 #include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "Order/VisibilityOrder.h"
@@ -17,8 +17,8 @@ namespace
 using namespace reference;
 using Point = std::array<double, 3>;
 
-// A long tetrahedron from a place on a circle to one a third of a turn on, falling from z = 0.1 to
-// z = -0.1: each of three lies on that before it.
+// Returns a long tetrahedron from a point on a circle to the point a third of the circle further,
+// sinking from z = 0.1 to z = -0.1. Each of the three rests on the previous one.
 std::array<Point, 4> MakeStick(int third)
 {
   const double pi = std::acos(-1.0);
@@ -29,7 +29,7 @@ std::array<Point, 4> MakeStick(int third)
   const Point along = { { to[0] - from[0], to[1] - from[1], 0.0 } };
   for (int axis = 0; axis < 2; ++axis)
   {
-    // So that they cross near the ends rather than meet in them.
+    // Extend the ends so that the sticks cross near their ends instead of touching.
     from[axis] -= 0.2 * along[axis];
     to[axis] += 0.2 * along[axis];
   }
@@ -64,26 +64,26 @@ void CheckSticks(Check& check)
       LookAt({ 0.0, 0.0, 4.0 }, { 0.0, 0.0, 0.0 }, isParallel ? 1.0 : 0.3, 400, isParallel);
     visibility.Compute(mesh, rays, order);
     check.Equal(visibility.GetNumberOfTetrahedraInCycles(), 3, "tetrahedra in cycles");
-    check.That(IsPermutation(order, 5), "each tetrahedron once");
+    check.That(IsPermutation(order, 5), "each tetrahedron occurs once");
     check.That(order.size() == 5 && order.front() == before && order.back() == behind,
-      "what is before a cycle and what is behind it are in order");
+      "tetrahedra in front of and behind the cycle are in order");
 
-    // From below the sticks are a cycle the other way round; from the side they are none.
+    // From below, the sticks form a cycle in the other direction. From the side, there is no cycle.
     rays = LookAt({ 0.0, 0.0, -4.0 }, { 0.0, 0.0, 0.0 }, isParallel ? 1.0 : 0.3, 400, isParallel);
     visibility.Compute(mesh, rays, order);
     check.Equal(visibility.GetNumberOfTetrahedraInCycles(), 3, "tetrahedra in cycles from below");
     check.That(order.size() == 5 && order.front() == behind && order.back() == before,
-      "what is before a cycle and what is behind it are in order from below");
+      "tetrahedra in front of and behind the cycle are in order from below");
     rays = LookAt({ 4.0, 1.0, 0.0 }, { 0.0, 0.0, 0.0 }, isParallel ? 1.0 : 0.3, 400, isParallel);
     visibility.Compute(mesh, rays, order);
     check.Equal(
       visibility.GetNumberOfTetrahedraInCycles(), 0, "tetrahedra in cycles from the side");
-    const OrderErrors errors = Sightlines(mesh).CheckPixels(rays, order, 5000, 1);
-    check.That(errors.Pairs > 0 && errors.Wrong == 0, "order from the side");
+    const OrderErrors errors = ViewRayCheck(mesh).CheckPixels(rays, order, 5000, 1);
+    check.That(errors.Pairs > 0 && errors.Misordered == 0, "order from the side");
   }
 }
 
-// Relations over shared faces: for each tetrahedron those in front of it.
+// Returns the tetrahedra in front of each tetrahedron, as determined by shared faces.
 std::vector<std::vector<std::uint32_t>> Relate(
   const interlume::TetrahedraMesh& mesh, const Point& eye)
 {
@@ -125,7 +125,7 @@ std::vector<std::vector<std::uint32_t>> Relate(
   return inFront;
 }
 
-// How many tetrahedra are before themselves.
+// Returns the number of tetrahedra that are in front of themselves.
 long long CountInCycles(const std::vector<std::vector<std::uint32_t>>& inFront)
 {
   long long count = 0;
@@ -148,8 +148,8 @@ long long CountInCycles(const std::vector<std::vector<std::uint32_t>>& inFront)
   return count;
 }
 
-// Whether a is put out before b for each relation, unless b is before a too.
-bool IsKept(
+// Returns whether a precedes b in the order for each relation, unless both are in a cycle.
+bool IsOrderConsistent(
   const std::vector<std::vector<std::uint32_t>>& inFront, const std::vector<std::uint32_t>& order)
 {
   const auto isReached = [&](std::uint32_t from, std::uint32_t to)
@@ -190,7 +190,7 @@ bool IsKept(
   return true;
 }
 
-// A convex mesh of long and thin tetrahedra has cycles over shared faces.
+// Tests cycles over shared faces, which convex meshes of long and thin tetrahedra have.
 void CheckDistorted(Check& check)
 {
   CubeMesh form;
@@ -214,8 +214,9 @@ void CheckDistorted(Check& check)
       const auto inFront = Relate(mesh, eye);
       const long long expected = CountInCycles(inFront);
       check.Equal(visibility.GetNumberOfTetrahedraInCycles(), expected, "tetrahedra in cycles");
-      check.That(IsPermutation(order, mesh.GetNumberOfTetrahedra()), "each tetrahedron once");
-      check.That(IsKept(inFront, order), "relations outside of cycles are kept");
+      check.That(
+        IsPermutation(order, mesh.GetNumberOfTetrahedra()), "each tetrahedron occurs once");
+      check.That(IsOrderConsistent(inFront, order), "relations outside cycles are satisfied");
       found += expected;
     }
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The visibility order where signs are 0: eyes on points, edges and planes of faces; and of meshes
-// that are not manifold.
+// Tests the visibility order for zero determinants: eye positions on points, edges and planes of
+// faces. Also tests meshes that are not manifold.
 #include "Support/Checks/ReferenceCheck.h"
-#include "Support/Tetrahedra/ReferenceSightlines.h"
+#include "Support/Tetrahedra/ReferenceViewRays.h"
 #include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "Order/VisibilityOrder.h"
@@ -18,7 +18,7 @@ using Point = std::array<double, 3>;
 const std::array<Point, 4> Corner = { { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0, 1, 0 } },
   { { 0, 0, 1 } } } };
 
-// An order of a mesh without cycles, right along all lines of sight that are tried.
+// Checks that the order has no cycles and is correct along all tested rays.
 void CheckOrder(
   const interlume::TetrahedraMesh& mesh, const interlume::ViewRays& rays, Check& check)
 {
@@ -26,14 +26,14 @@ void CheckOrder(
   visibility.Build(mesh);
   std::vector<std::uint32_t> order;
   visibility.Compute(mesh, rays, order);
-  check.That(IsPermutation(order, mesh.GetNumberOfTetrahedra()), "each tetrahedron once");
+  check.That(IsPermutation(order, mesh.GetNumberOfTetrahedra()), "each tetrahedron occurs once");
   check.Equal(visibility.GetNumberOfTetrahedraInCycles(), 0, "tetrahedra in cycles");
-  const OrderErrors errors = Sightlines(mesh).CheckPixels(rays, order, 200, 1);
-  check.Equal(errors.Wrong, 0, "wrong along lines through pixels");
+  const OrderErrors errors = ViewRayCheck(mesh).CheckPixels(rays, order, 200, 1);
+  check.Equal(errors.Misordered, 0, "errors along rays through pixels");
 }
 
-// An even and an odd picture: lines of sight beside the planes, and within them.
-void CheckEyes(Check& check)
+// Tests even and odd image sizes, with rays next to the planes of faces and within them.
+void CheckAlignedEyePositions(Check& check)
 {
   CubeMesh form;
   form.Cubes = 6;
@@ -44,8 +44,8 @@ void CheckEyes(Check& check)
   for (const int pieces : { 5, 6 })
   {
     form.Pieces = pieces;
-    const interlume::TetrahedraMesh whole = MakeCubes(form);
-    const interlume::TetrahedraMesh separate = Separate(whole);
+    const interlume::TetrahedraMesh connected = MakeCubes(form);
+    const interlume::TetrahedraMesh separate = Separate(connected);
     for (const Point& eye : eyes)
     {
       for (const int pixels : { 64, 65 })
@@ -53,9 +53,9 @@ void CheckEyes(Check& check)
         const interlume::ViewRays rays =
           LookAt(glm::make_vec3(eye.data()), { -0.5, -0.5, -0.5 }, 1.0, pixels, false);
         check.SetContext("eye at " + std::to_string(eye[0]) + ", " + std::to_string(eye[1]) + ", " +
-          std::to_string(eye[2]) + ", " + std::to_string(pieces) + " of a cube");
-        CheckOrder(whole, rays, check);
-        // Within the planes a line of sight has no order of its own between pieces.
+          std::to_string(eye[2]) + ", " + std::to_string(pieces) + " per cube");
+        CheckOrder(connected, rays, check);
+        // Rays within the planes do not define an order of disconnected pieces.
         if (pixels == 64)
         {
           check.SetContext("no shared points");
@@ -70,26 +70,27 @@ void CheckEyes(Check& check)
         LookAt({ 0, 0, 0 }, glm::make_vec3(direction.data()), 0.9, 64, true);
       check.SetContext("parallel along " + std::to_string(direction[0]) + ", " +
         std::to_string(direction[1]) + ", " + std::to_string(direction[2]));
-      CheckOrder(whole, rays, check);
+      CheckOrder(connected, rays, check);
       CheckOrder(separate, rays, check);
     }
   }
 }
 
-// A turned lattice: coplanar faces whose planes, with rounding, no longer hold the eye exactly.
-void CheckTurned(Check& check)
+// Tests a rotated grid: because of rounding, planes of coplanar faces no longer contain the eye
+// position exactly.
+void CheckRotated(Check& check)
 {
   CubeMesh form;
   form.Cubes = 8;
   interlume::TetrahedraMesh mesh = MakeCubes(form);
-  // Rows of a rotation, far from any multiple of 2^-k.
-  const double turn[3][3] = { { 0.36, 0.48, -0.8 }, { -0.8, 0.6, 0.0 }, { 0.48, 0.64, 0.6 } };
+  // Rows of a rotation matrix whose elements are not binary fractions.
+  const double rotation[3][3] = { { 0.36, 0.48, -0.8 }, { -0.8, 0.6, 0.0 }, { 0.48, 0.64, 0.6 } };
   const auto rotate = [&](const glm::dvec3& p)
   {
     glm::dvec3 q;
     for (int i = 0; i < 3; ++i)
     {
-      q[i] = turn[i][0] * p[0] + turn[i][1] * p[1] + turn[i][2] * p[2] + 0.123;
+      q[i] = rotation[i][0] * p[0] + rotation[i][1] * p[1] + rotation[i][2] * p[2] + 0.123;
     }
     return q;
   };
@@ -101,7 +102,7 @@ void CheckTurned(Check& check)
   for (const glm::dvec3& eye :
     { glm::dvec3(0.0), glm::dvec3(0.25, 0.125, 3.0), glm::dvec3(0.0, 0.0, 40.0), glm::dvec3(0.5) })
   {
-    check.SetContext("turned lattice, eye at " + std::to_string(eye[2]));
+    check.SetContext("rotated grid, eye at " + std::to_string(eye[2]));
     const double halfSize = std::min(1.0, 0.7 / std::max(0.1, eye[2]));
     CheckOrder(mesh, LookAt(rotate(eye), rotate({ 0.1, 0.2, -0.3 }), halfSize, 64, false), check);
   }
@@ -114,25 +115,25 @@ void CheckSmall(Check& check)
   const interlume::ViewRays rays = LookAt({ 0.2, 0.2, 5.0 }, { 0.2, 0.2, 0.0 }, 0.3, 50, false);
   interlume::TetrahedraMesh mesh;
   check.SetContext("empty");
-  check.That(visibility.Build(mesh), "built");
+  check.That(visibility.Build(mesh), "the order can be built");
   visibility.Compute(mesh, rays, order);
-  check.That(order.empty(), "nothing");
+  check.That(order.empty(), "the order is empty");
   check.SetContext("one");
   Append(mesh, Corner);
   visibility.Build(mesh);
   visibility.Compute(mesh, rays, order);
   check.That(order == std::vector<std::uint32_t>{ 0 }, "one tetrahedron");
 
-  // Three axes in a plane give no picture, and no pixels give none.
+  // Coplanar axes define no image.
   interlume::ViewRays flat = rays;
   flat.Up = flat.Right;
   visibility.Compute(mesh, flat, order);
-  check.That(order == std::vector<std::uint32_t>{ 0 }, "a picture without area");
-  check.That(visibility.GetBytes() > 0, "bytes are counted");
+  check.That(order == std::vector<std::uint32_t>{ 0 }, "an image without area");
+  check.That(visibility.GetBytes() > 0, "memory is reported");
 }
 
-// Overlapping, folded and flat tetrahedra have no order, and are all put out.
-void CheckBroken(Check& check)
+// Checks that overlapping, folded and flat tetrahedra, which have no order, are all output.
+void CheckInvalid(Check& check)
 {
   CubeMesh form;
   form.Cubes = 4;
@@ -141,7 +142,7 @@ void CheckBroken(Check& check)
 
   interlume::TetrahedraMesh mesh = cubes;
   mesh.Corners.insert(mesh.Corners.end(), cubes.Corners.begin(), cubes.Corners.begin() + 120);
-  meshes.emplace_back("tetrahedra that are there twice", mesh);
+  meshes.emplace_back("duplicate tetrahedra", mesh);
 
   mesh = cubes;
   for (std::uint32_t i = 0; i < 100; i += 4)
@@ -149,37 +150,37 @@ void CheckBroken(Check& check)
     const std::uint32_t* corners = cubes.GetCorners(i);
     mesh.Corners.insert(mesh.Corners.end(), { corners[0], corners[1], corners[2], (i + 60) % 125 });
   }
-  meshes.emplace_back("faces of three tetrahedra", mesh);
+  meshes.emplace_back("faces with three tetrahedra", mesh);
 
   mesh = cubes;
-  // The middle point of the lattice far away: folded.
+  // Folded: the central point is moved far away.
   mesh.Points[3 * 62] += 0.7;
   meshes.emplace_back("folded", mesh);
 
   mesh = cubes;
-  // A point onto its neighbour: flat.
+  // Flat: a point is moved to its neighbor.
   std::copy_n(&mesh.Points[3 * 63], 3, &mesh.Points[3 * 62]);
   meshes.emplace_back("flat", mesh);
 
-  for (const auto& broken : meshes)
+  for (const auto& invalid : meshes)
   {
     interlume::VisibilityOrder visibility;
-    visibility.Build(broken.second);
+    visibility.Build(invalid.second);
     for (const View& view : GetViews(60, { 0.3, 0.2, 0.1 }))
     {
-      check.SetContext(broken.first + ", " + view.Name);
+      check.SetContext(invalid.first + ", " + view.Name);
       std::vector<std::uint32_t> order;
-      visibility.Compute(broken.second, view.Rays, order);
-      check.That(
-        IsPermutation(order, broken.second.GetNumberOfTetrahedra()), "each tetrahedron once");
+      visibility.Compute(invalid.second, view.Rays, order);
+      check.That(IsPermutation(order, invalid.second.GetNumberOfTetrahedra()),
+        "each tetrahedron occurs once");
     }
   }
 }
 
-// A copy of a tetrahedron behind a mesh's own leaves the order of the others right.
+// Checks that a duplicate tetrahedron does not affect the order of the others.
 void CheckTwins(Check& check)
 {
-  check.SetContext("two alike among others");
+  check.SetContext("two identical tetrahedra among others");
   interlume::TetrahedraMesh mesh;
   const auto append = [&](double z)
   {
@@ -190,10 +191,10 @@ void CheckTwins(Check& check)
     }
     return Append(mesh, corners);
   };
-  const std::uint32_t middle = append(0.0);
+  const std::uint32_t center = append(0.0);
   for (int k = 0; k < 4; ++k)
   {
-    mesh.Corners.push_back(mesh.GetCorners(middle)[k]);
+    mesh.Corners.push_back(mesh.GetCorners(center)[k]);
   }
   const std::uint32_t back = append(-2.0);
   const std::uint32_t front = append(2.0);
@@ -201,7 +202,7 @@ void CheckTwins(Check& check)
   visibility.Build(mesh);
   std::vector<std::uint32_t> order;
   visibility.Compute(mesh, LookAt({ 0.2, 0.2, 9.0 }, { 0.2, 0.2, 0.0 }, 0.3, 50, false), order);
-  check.That(order == std::vector<std::uint32_t>({ front, middle, middle + 1, back }), "order");
+  check.That(order == std::vector<std::uint32_t>({ front, center, center + 1, back }), "order");
   check.Equal(visibility.GetNumberOfTetrahedraInCycles(), 0, "tetrahedra in cycles");
   check.Equal(visibility.GetNumberOfGapRelations(), 3, "relations across gaps");
 }
@@ -209,5 +210,6 @@ void CheckTwins(Check& check)
 
 int TestTetrahedraSortDegenerate(int, char*[])
 {
-  return RunChecks({ CheckSmall, CheckEyes, CheckTurned, CheckBroken, CheckTwins });
+  return RunChecks(
+    { CheckSmall, CheckAlignedEyePositions, CheckRotated, CheckInvalid, CheckTwins });
 }

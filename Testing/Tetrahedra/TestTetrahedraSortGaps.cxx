@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The visibility order of meshes with gaps along lines of sight, each intersected with all
+// Tests the visibility order of meshes with gaps along view rays, which are intersected with all
 // tetrahedra.
 #include "Support/Checks/ReferenceCheck.h"
-#include "Support/Tetrahedra/ReferenceSightlines.h"
+#include "Support/Tetrahedra/ReferenceViewRays.h"
 #include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "Order/VisibilityOrder.h"
@@ -17,39 +17,40 @@ using namespace reference;
 struct Tally : OrderTally
 {
   long long RandomPairs = 0;
-  long long RandomWrong = 0;
-  // What MPVO without relations across gaps has wrong: the meshes do need them.
-  long long WrongByFacesAlone = 0;
+  long long RandomMisordered = 0;
+  // Errors of MPVO, the order from shared faces only. They show that the meshes require relations
+  // across gaps.
+  long long MisorderedByFacesOnly = 0;
 };
 
 void CheckMesh(const interlume::TetrahedraMesh& mesh, const std::string& name,
   const std::array<double, 3>& hole, int lines, bool mayBeCyclic, Tally& tally, Check& check)
 {
-  const Sightlines sightlines(mesh);
+  const ViewRayCheck viewRays(mesh);
   interlume::VisibilityOrder visibility;
-  check.That(visibility.Build(mesh), "built");
+  check.That(visibility.Build(mesh), "the order can be built");
   std::vector<std::uint32_t> order;
   for (const View& view : GetViews(160, glm::make_vec3(hole.data())))
   {
     check.SetContext(name + ", " + view.Name);
     visibility.Compute(mesh, view.Rays, order);
-    if (!CheckOrder(sightlines, visibility, view.Rays, order, lines, mayBeCyclic, tally, check))
+    if (!CheckOrder(viewRays, visibility, view.Rays, order, lines, mayBeCyclic, tally, check))
     {
       continue;
     }
-    const OrderErrors errors = sightlines.CheckRandom(view.Rays, order, lines, 2);
+    const OrderErrors errors = viewRays.CheckRandom(view.Rays, order, lines, 2);
     tally.RandomPairs += errors.Pairs;
-    tally.RandomWrong += errors.Wrong;
+    tally.RandomMisordered += errors.Misordered;
 
     interlume::ViewRays facesOnly = view.Rays;
     facesOnly.Height = 0;
     visibility.Compute(mesh, facesOnly, order);
-    check.Equal(visibility.GetNumberOfGapRelations(), 0, "relations without a picture");
-    tally.WrongByFacesAlone += sightlines.CheckPixels(view.Rays, order, lines, 1).Wrong;
+    check.Equal(visibility.GetNumberOfGapRelations(), 0, "relations without an image");
+    tally.MisorderedByFacesOnly += viewRays.CheckPixels(view.Rays, order, lines, 1).Misordered;
   }
 }
 
-// Two slabs that touch, cut differently: no point of one is a point of the other.
+// Returns two touching slabs with different splits and no common points.
 interlume::TetrahedraMesh MakeTouchingSlabs()
 {
   CubeMesh form;
@@ -85,7 +86,7 @@ int TestTetrahedraSortGaps(int, char*[])
     form.Pieces = 5;
     form.Jitter = 0.12;
     CheckMesh(
-      Shuffle(MakeCubes(form), 3), shape.Name + ", moved", shape.Hole, 60, true, tally, check);
+      Shuffle(MakeCubes(form), 3), shape.Name + ", displaced", shape.Hole, 60, true, tally, check);
   }
   form.Jitter = 0.0;
   form.Pieces = 6;
@@ -102,13 +103,14 @@ int TestTetrahedraSortGaps(int, char*[])
   CheckMesh(MakeDelaunay(1500, 4), "Delaunay", inside, 100, false, tally, check);
   CheckMesh(MakeTouchingSlabs(), "touching slabs", inside, 100, false, tally, check);
 
-  std::cout << tally.Orders << " orders, " << tally.Cyclic << " with cycles left out, "
-            << tally.Pairs << " pairs through pixels; between pixels " << tally.RandomWrong
-            << " of " << tally.RandomPairs << " wrong; by faces alone " << tally.WrongByFacesAlone
-            << " wrong\n";
+  std::cout << tally.Orders << " orders, " << tally.Cyclic << " skipped because of cycles, "
+            << tally.Pairs << " pairs through pixels; between pixels " << tally.RandomMisordered
+            << " of " << tally.RandomPairs << " wrong; by faces only "
+            << tally.MisorderedByFacesOnly << " wrong\n";
   check.SetContext("");
   check.That(tally.Pairs > 20000, "pairs were compared");
-  check.That(tally.WrongByFacesAlone > 0, "shared faces alone are not enough");
-  check.That(tally.RandomWrong * 1000 <= tally.RandomPairs, "nearly none wrong between pixels");
+  check.That(tally.MisorderedByFacesOnly > 0, "shared faces are not sufficient");
+  check.That(
+    tally.RandomMisordered * 1000 <= tally.RandomPairs, "at most 0.1 % errors between pixels");
   return check.Result();
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same orders for 1, 2 and 8 threads and every backend.
+// Tests that orders do not depend on the number of threads or the backend.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
-#include "Support/Tetrahedra/ReferenceSightlines.h"
+#include "Support/Tetrahedra/ReferenceViewRays.h"
 #include "Support/Tetrahedra/ReferenceTetrahedra.h"
 
 #include "Order/CentroidOrder.h"
@@ -62,8 +62,8 @@ int TestTetrahedraSortThreads(int, char*[])
   CubeMesh form;
   form.Cubes = 22;
   form.IsIn = GetShapes()[0].IsIn;
-  CheckMesh(MakeCubes(form), "ball with holes", check);
-  // Cycles, and as many open faces as there can be.
+  CheckMesh(MakeCubes(form), "sphere with holes", check);
+  // Cycles, and the maximum number of boundary faces.
   form.Cubes = 8;
   form.Pieces = 5;
   interlume::TetrahedraMesh mesh = MakeCubes(form);

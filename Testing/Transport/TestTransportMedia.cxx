@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Media of the Monte Carlo solver: extinction and albedo of an image against another evaluation of
-// the same functions, the ranges of their cells, and what comes through them against sums.
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/ReferenceMedium.h"
-#include "Support/Pictures/ShadowCases.h"
+// Media of the Monte Carlo solver: extinction and albedo of an image against ReferenceMedium,
+// extinction ranges of cells, and transmittance against numerical integration.
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/ReferenceMedium.h"
+#include "Support/Images/ShadowCases.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Transport/CellMedium.h"
@@ -28,14 +28,14 @@ glm::dvec3 ToVector(const std::array<double, 3>& v)
   return { v[0], v[1], v[2] };
 }
 
-/// A ray that begins outside of the unit cube around the origin.
+/// Returns a ray that begins outside the unit cube around the origin.
 TransportRay MakeRay(Random& random)
 {
   const glm::dvec3 direction = ToVector(random.GetDirection());
   return { ToVector(random.GetPoint(0.4)) - 3.0 * direction, direction };
 }
 
-/// The optical depth of a ray by the middles of many steps, each within its cell.
+/// Returns the optical depth of a ray by the midpoint rule, with steps inside each cell.
 double SumDepth(const TransportMedium& medium, const TransportRay& ray, double end, Check& check)
 {
   constexpr int Steps = 40;
@@ -47,8 +47,8 @@ double SumDepth(const TransportMedium& medium, const TransportRay& ray, double e
       {
         const double value = medium.GetExtinction(ray.At(a + (b - a) * (step + 0.5) / Steps));
         check.That(
-          value >= range.Least - 1e-6 * range.Largest && value <= range.Largest * (1.0 + 1e-6),
-          "the extinction is in its range");
+          value >= range.Minimum - 1e-6 * range.Largest && value <= range.Largest * (1.0 + 1e-6),
+          "the extinction is in the range of its cell");
         depth += value * (b - a) / Steps;
       }
       return true;
@@ -56,7 +56,7 @@ double SumDepth(const TransportMedium& medium, const TransportRay& ray, double e
   return depth;
 }
 
-/// Both ways of light through matter, against exp(-depth), for an end within the box.
+/// Compares both transmittance estimators with exp(-depth). The rays end inside the box.
 void CheckFlights(const TransportMedium& medium, const std::string& name, Check& check)
 {
   Random random(5);
@@ -67,20 +67,23 @@ void CheckFlights(const TransportMedium& medium, const std::string& name, Check&
     const TransportRay ray = MakeRay(random);
     const double end = 3.1;
     const double expected = std::exp(-SumDepth(medium, ray, end, check));
-    double through = 0.0;
+    double uncollided = 0.0;
     double mean = 0.0;
     double square = 0.0;
     for (int path = 0; path < Paths; ++path)
     {
       TransportRandom numbers(7, static_cast<std::uint64_t>(line * Paths + path));
-      through += TransportFlight::SampleCollision(medium, ray, numbers) >= end ? 1.0 / Paths : 0.0;
-      const double share = TransportFlight::EstimateTransmittance(medium, ray, end, numbers);
-      mean += share / Paths;
-      square += share * share / Paths;
+      uncollided +=
+        TransportFlight::SampleCollision(medium, ray, numbers) >= end ? 1.0 / Paths : 0.0;
+      const double transmittance =
+        TransportFlight::EstimateTransmittance(medium, ray, end, numbers);
+      mean += transmittance / Paths;
+      square += transmittance * transmittance / Paths;
     }
-    // Four standard deviations, and what the sum of the depth lacks.
+    // Four standard deviations, and the error of the numerical integration.
     const double noise = std::sqrt(expected * (1.0 - expected) / Paths);
-    check.Near(through, expected, 4.0 * noise + 1e-3, "share that comes through", 1.0);
+    check.Near(
+      uncollided, expected, 4.0 * noise + 1e-3, "fraction of paths without collision", 1.0);
     const double deviation = std::sqrt(std::max(square - mean * mean, 0.0) / Paths);
     check.Near(mean, expected, 4.0 * deviation + 1e-3, "mean transmittance", 1.0);
   }
@@ -107,7 +110,8 @@ void CheckCells(Check& check)
     extinction, { glm::dvec3(0.3) });
   check.SetContext("cells");
   // The cell (2, 1, 4).
-  check.Near(medium.GetExtinction({ 0.4, -0.2, 0.1 }), extinction[2 + 3 * (1 + 5 * 4)], 0.0, "one");
+  check.Near(medium.GetExtinction({ 0.4, -0.2, 0.1 }), extinction[2 + 3 * (1 + 5 * 4)], 0.0,
+    "extinction of one cell");
   CheckFlights(medium, "cells", check);
 }
 
@@ -115,26 +119,26 @@ void CheckVolume(Check& check)
 {
   const auto field = [](const Double3& x)
   { return std::max(std::sin(5.0 * x[0] + 1.0) * std::cos(4.0 * x[1]) + 0.5 * x[2], 0.0); };
-  // Seventeen cells, so that blocks of four do not end with the image.
+  // 17 cells, so that the last block of four cells extends past the image.
   ShadowScene scene = MakeScene(MakeImage(17, field), MakeSoftProperty(0.7, false));
   vtkNew<vtkColorTransferFunction> albedo;
   albedo->AddRGBPoint(0.0, 1.0, 0.5, 0.0);
   albedo->AddRGBPoint(1.0, 0.2, 0.5, 0.9);
   const VolumeMedium medium(scene.Image, scene.Property);
-  const VolumeMedium coloured(scene.Image, scene.Property, albedo);
+  const VolumeMedium colored(scene.Image, scene.Property, albedo);
   const ReferenceMedium expected(scene);
   Random random(3);
   check.SetContext("volume");
   for (int i = 0; i < 500; ++i)
   {
-    const std::array<double, 3> place = random.GetPoint(0.55);
-    const glm::dvec3 x = ToVector(place);
+    const std::array<double, 3> position = random.GetPoint(0.55);
+    const glm::dvec3 x = ToVector(position);
     if (std::max({ std::abs(x.x), std::abs(x.y), std::abs(x.z) }) >= 0.5)
     {
-      check.Near(medium.GetExtinction(x), 0.0, 0.0, "outside", 1.0);
+      check.Near(medium.GetExtinction(x), 0.0, 0.0, "no extinction outside the volume", 1.0);
       continue;
     }
-    const IndexLine line = expected.GetImage().ToIndex(place, { { 0.0, 0.0, 1.0 } });
+    const IndexLine line = expected.GetImage().ToIndex(position, { { 0.0, 0.0, 1.0 } });
     std::array<ReferenceMedium::Part, 4> parts;
     const int count = expected.GetParts(line.Begin, true, parts);
     const double extinction = count > 0 ? parts[0].Extinction : 0.0;
@@ -142,12 +146,12 @@ void CheckVolume(Check& check)
     const double value = expected.GetImage().At(line.Begin).Values[0];
     for (int channel = 0; channel < 3; ++channel)
     {
-      check.Near(coloured.GetAlbedo(x)[channel], albedo->GetColor(std::min(value, 1.0))[channel],
+      check.Near(colored.GetAlbedo(x)[channel], albedo->GetColor(std::min(value, 1.0))[channel],
         1e-4, "albedo", 1.0);
       if (count > 0)
       {
         check.Near(medium.GetAlbedo(x)[channel], parts[0].Color[static_cast<std::size_t>(channel)],
-          1e-4, "colour", 1.0);
+          1e-4, "color", 1.0);
       }
     }
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The Monte Carlo solver of scattered light against published slabs: H. C. van de Hulst, "Multiple
-// Light Scattering", Academic Press 1980, volumes I and II, as public test suites of other solvers
-// quote them. Reflection and transmission are flux over incident flux; the surfaces do not reflect.
+// Compares the Monte Carlo solver with published slabs: H. C. van de Hulst, "Multiple Light
+// Scattering", Academic Press 1980, volumes I and II, as quoted by public test suites of other
+// solvers. Reflection and transmission are fluxes divided by the incident flux. The boundaries do
+// not reflect.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceThreads.h"
 #include "Support/Transport/SlabTransport.h"
@@ -18,7 +19,7 @@ namespace
 
 using namespace reference;
 
-/// A published number, and the half of its last digit.
+/// A published value, and half a unit of its last digit. A value of 0 means that none is published.
 struct Published
 {
   double Value = 0.0;
@@ -34,28 +35,28 @@ struct Row
   double Cosine;
   std::uint64_t Paths;
   Published Reflected;
-  /// Scattered light alone; a value of 0 for none published.
+  /// Scattered light only.
   Published Transmitted;
   Published Direct;
 };
 
 const Row Rows[] = {
-  // Henyey and Greenstein's phase function, light along the normal. T is 0.66096 in all, with
-  // 0.13534 of direct light.
+  // Henyey-Greenstein phase function, light along the normal. The total transmission is 0.66096;
+  // 0.13534 of it is direct light.
   { "II, table 35", 2.0, 0.9, 0.75, 1.0, 1200000, { 0.09739, 5e-6 }, { 0.66096 - 0.13534, 1e-5 },
     { 0.13534, 5e-6 } },
   { "II, table 37, depth 1", 1.0, 1.0, 0.75, 1.0, 1300000, { 0.07874, 5e-6 }, { 0.55338, 5e-6 },
     { 0.36788, 5e-6 } },
-  // R, T and direct light as printed make 1.00001.
+  // The printed R, T and direct light add up to 1.00001.
   { "II, table 37, depth 8", 8.0, 1.0, 0.75, 1.0, 60000, { 0.50642, 1e-5 }, { 0.49325, 1e-5 },
     { 0.00034, 5e-6 } },
-  // Isotropic, light at a cosine of 0.1.
+  // Isotropic scattering, light at a cosine of 0.1.
   { "I, table 12, depth 1/32, albedo 0.2", 0.03125, 0.2, 0.0, 0.1, 350000, { 0.025447, 5e-7 }, {},
     {} },
   { "I, table 12, depth 1/32, albedo 1", 0.03125, 1.0, 0.0, 0.1, 300000, { 0.13462, 5e-6 }, {},
     {} },
   { "I, table 12, depth 32, albedo 0.2", 32.0, 0.2, 0.0, 0.1, 850000, { 0.082661, 5e-7 }, {}, {} },
-  // Direct light is exp(-320).
+  // The direct light, exp(-320), is negligible.
   { "I, table 12, depth 32, albedo 1", 32.0, 1.0, 0.0, 0.1, 200000, { 0.978453, 5e-7 },
     { 0.021548, 5e-7 }, {} },
 };
@@ -86,7 +87,8 @@ void CheckEstimate(
   check.That(
     std::abs(found.Value - expected.Value) <= 3.0 * found.StandardError + expected.Rounding,
     line.str());
-  check.That(found.StandardError <= 1e-3 * expected.Value, line.str() + ": to 0.001 of it");
+  check.That(
+    found.StandardError <= 1e-3 * expected.Value, line.str() + ": standard error below 0.1 %");
 }
 
 void CheckRows(Check& check)
@@ -104,9 +106,9 @@ void CheckRows(Check& check)
   }
 }
 
-// Light that nothing absorbs comes out again, every path of it: g may be anything, and the largest
-// extinction of delta tracking larger than the true one. Where the control variate is the same for
-// both sides, what it takes from one it gives to the other.
+// Without absorption, reflection and transmission of all paths add up to 1, for any g and for a
+// majorant above the extinction. The control variate is subtracted from one side and added to the
+// other, so that it cancels in the sum.
 void CheckFurnace(Check& check)
 {
   for (const double g : { -0.99, -0.4, 0.0, 0.0005, 0.6, 0.99 })
@@ -121,12 +123,12 @@ void CheckFurnace(Check& check)
       settings.Paths = 2000;
       const SlabTransportResult result = TraceSlab(settings);
       const double sum = result.Reflected.Value + result.Transmitted.Value + result.Direct;
-      check.Near(sum, 1.0, 1e-12, "all light, g " + std::to_string(g));
+      check.Near(sum, 1.0, 1e-12, "R + T = 1 without absorption, g " + std::to_string(g));
     }
   }
 }
 
-// Thin matter, of which the first order of scattering is known, and matter that is black.
+// A slab of low optical depth, whose first scattering order is known, and a slab with albedo 0.
 void CheckThin(Check& check)
 {
   SlabTransportSettings settings;
@@ -136,15 +138,16 @@ void CheckThin(Check& check)
   const SlabTransportResult result = TraceSlab(settings);
   for (const TransportEstimate& side : { result.Reflected, result.Transmitted })
   {
-    // Half of what is scattered goes to each side; the next order is 1e-5 of it.
-    check.That(std::abs(side.Value - 0.25e-6) < 4.0 * side.StandardError + 1e-11, "a thin slab");
+    // Half of the scattered light leaves at each side. The second order is 1e-5 of the first.
+    check.That(
+      std::abs(side.Value - 0.25e-6) < 4.0 * side.StandardError + 1e-11, "flux of a thin slab");
   }
   settings.Albedo = 0.0;
   const SlabTransportResult black = TraceSlab(settings);
   check.Near(black.Reflected.Value + black.Transmitted.Value, 0.0, 0.0, "albedo 0", 1.0);
 }
 
-// Null collisions change the noise alone.
+// Null collisions change the noise, but not the mean.
 void CheckMajorant(Check& check)
 {
   SlabTransportSettings settings = GetSettings(Rows[0]);
@@ -159,7 +162,7 @@ void CheckMajorant(Check& check)
     "T with null collisions");
 }
 
-// A table of Henyey and Greenstein's function scatters as the formula does.
+// A tabulated Henyey-Greenstein function scatters as the closed form does.
 void CheckTable(Check& check)
 {
   const TransportPhase formula = TransportPhase::HenyeyGreenstein(0.75);
@@ -167,7 +170,7 @@ void CheckTable(Check& check)
   std::vector<double> values;
   for (int i = 0; i <= 2000; ++i)
   {
-    // Closer to 1, where the function is steep.
+    // Samples are denser near 1, where the function is steep.
     const double t = 1.0 - i / 2000.0;
     cosines.push_back(1.0 - 2.0 * t * t);
     values.push_back(7.0 * formula.GetValue(cosines.back()));
@@ -184,10 +187,10 @@ void CheckTable(Check& check)
   const SlabTransportResult result = TraceSlab(settings);
   check.That(std::abs(result.Reflected.Value - Rows[1].Reflected.Value) <
       3.5 * result.Reflected.StandardError,
-    "R by a table");
+    "R with a tabulated phase function");
 }
 
-// The stated errors are true: means of other seeds scatter as much.
+// The reported standard errors match the spread of results with other seeds.
 void CheckErrors(Check& check)
 {
   SlabTransportSettings settings = GetSettings(Rows[2]);
@@ -202,8 +205,8 @@ void CheckErrors(Check& check)
     squares += std::pow(found.Value - Rows[2].Transmitted.Value, 2.0) / Runs;
     stated += found.StandardError * found.StandardError / Runs;
   }
-  // The deviation of a variance of 40 values is 0.22 of it.
-  check.Near(squares / stated, 1.0, 0.66, "true over stated variance");
+  // The relative deviation of a variance of 40 values is 0.22.
+  check.Near(squares / stated, 1.0, 0.66, "true variance over reported variance");
 }
 
 void CheckThreads(Check& check)
@@ -219,7 +222,7 @@ void CheckThreads(Check& check)
     check.That(found.Reflected.Value == expected.Reflected.Value &&
         found.Reflected.StandardError == expected.Reflected.StandardError &&
         found.Transmitted.Value == expected.Transmitted.Value,
-      "the same for " + std::to_string(threads) + " threads");
+      "the result is identical with " + std::to_string(threads) + " threads");
   }
 }
 }

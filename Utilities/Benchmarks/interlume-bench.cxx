@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures Interlume against VTK's own filters; see --help.
+// Measures Interlume against filters and mappers of VTK; see --help.
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Report/PlotSvg.h"
 #include "Benchmarks/Report/ReportPage.h"
@@ -25,7 +25,7 @@ namespace
 {
 using Suites = std::vector<BenchSuite>;
 
-/// What the command line says, beyond the options of every suite.
+/// Arguments of the command line, in addition to the common options of the suites.
 struct Arguments
 {
   BenchOptions Options;
@@ -42,50 +42,56 @@ struct Arguments
   std::string Out;
   std::string From;
   std::string Costs;
-  std::string Stability = INTERLUME_STABILITY_FOLDER;
+  std::string Stability = INTERLUME_STABILITY_DIR;
 };
 
 void Define(CLI::App& app, Arguments& arguments, const std::vector<std::string>& names)
 {
-  app.add_flag("--list", arguments.List, "Print each suite and what it measures");
+  app.add_flag("--list", arguments.List, "Print all suites with a short description");
   app.add_option("SUITE", arguments.Suites, "Suites to run")->check(CLI::IsMember(names));
   app.add_option("--json", arguments.Json, "Write the rows to this file");
-  app.add_option("--plots", arguments.Plots, "Draw the plots into this folder");
-  app.add_option("--from", arguments.From, "Rows of an earlier run, instead of running again")
+  app.add_option("--plots", arguments.Plots, "Draw the plots into this directory");
+  app.add_option("--from", arguments.From, "Read the rows of an earlier run instead of measuring")
     ->check(CLI::ExistingFile);
   app.add_flag("--spans", arguments.Spans,
     "With --json: write when each run began and ended, in seconds of the monotonic clock");
-  app.add_flag("--quick", arguments.Quick, "Smaller cases: under 45 s a suite on two cores");
-  app.add_option("--threads", arguments.Options.Threads, "Threads that 'all' stands for")
+  app.add_flag("--quick", arguments.Quick, "Smaller cases: less than 45 s per suite on two cores");
+  app
+    .add_option(
+      "--threads", arguments.Options.Threads, "Number of threads of rows that use all threads")
     ->check(CLI::Range(1, 4096))
     ->capture_default_str();
   app.add_option("--seed", arguments.Options.Seed, "Seed of the random values")
     ->capture_default_str();
-  app.add_option("--data", arguments.Data, "Folder of the real data; default that of the project")
+  app
+    .add_option(
+      "--data", arguments.Data, "Directory of the data files; default: the project's Data")
     ->check(CLI::ExistingDirectory);
-  // Of the program's own tests, and of a process that it starts itself.
+  // For the tests of this program and for processes that it starts.
   app.add_flag("--tiny", arguments.Tiny)->group("");
   app.add_option("--task", arguments.Task)->group("");
 
-  CLI::App* report = app.add_subcommand("report", "Run every suite and write one page of it");
+  CLI::App* report =
+    app.add_subcommand("report", "Run all suites and write the results as one page");
   report->fallthrough();
-  report->add_option("--out", arguments.Out, "Folder of the page")->required();
-  report->add_option("--stability", arguments.Stability, "Folder of the stability cases")
+  report->add_option("--out", arguments.Out, "Directory of the page")->required();
+  report->add_option("--stability", arguments.Stability, "Directory of the stability cases")
     ->capture_default_str();
   report
-    ->add_option("--costs", arguments.Costs, "What interlume-bench-costs wrote, for its section")
+    ->add_option(
+      "--costs", arguments.Costs, "File written by interlume-bench-costs, added to the page")
     ->check(CLI::ExistingFile);
   report->callback([&arguments]() { arguments.Report = true; });
 }
 
-/// The results that the suites add theirs to: of an earlier run, or none.
+/// Returns the results of an earlier run, or empty results for this machine.
 BenchResults Start(const Arguments& arguments)
 {
   return arguments.From.empty() ? BenchResults::Here(arguments.Options)
                                 : BenchResults::Read(arguments.From);
 }
 
-/// Adds the suite's rows, where they are not there from an earlier run, and what is wanted of them.
+/// Runs the suite, unless its rows were read from an earlier run, and checks its targets.
 void Run(const BenchSuite& suite, const Arguments& arguments, BenchResults& results)
 {
   if (arguments.From.empty())
@@ -113,7 +119,7 @@ const BenchSuite& Find(const Suites& suites, const std::string& name)
     suites.begin(), suites.end(), [&name](const BenchSuite& suite) { return suite.Name == name; });
 }
 
-/// What stands under every plot.
+/// Returns the caption that all plots share.
 std::string CaptionOf(const BenchResults& results)
 {
   return MachineInOneLine(results.Machine, results.Vtk) + "\n" +
@@ -122,7 +128,7 @@ std::string CaptionOf(const BenchResults& results)
 
 void WriteReport(const Suites& suites, const Arguments& arguments)
 {
-  // First, since it fails where there are none, and the suites take long.
+  // Gather the stability cases first: this may fail, and the suites take long.
   const std::vector<StabilityCase> cases = StabilityCatalogue::Gather(arguments.Stability);
   BenchResults results = Start(arguments);
   for (const BenchSuite& suite : suites)
@@ -211,7 +217,7 @@ int main(int argc, char* argv[])
   }
   Arguments arguments;
   arguments.Options.Threads = vtkSMPTools::GetEstimatedNumberOfThreads();
-  CLI::App app("Interlume's measurements, against VTK's own filters", "interlume-bench");
+  CLI::App app("Measures Interlume against filters and mappers of VTK", "interlume-bench");
   Define(app, arguments, names);
   CLI11_PARSE(app, argc, argv);
 

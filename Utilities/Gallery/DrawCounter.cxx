@@ -74,13 +74,14 @@ BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features)
 {
   BufferCount count;
   const vtkIdType pixels = panel.GetPixels();
-  // Colour RGBA8 and depth of the window, and the copies it resolves them into.
+  // Color (RGBA8) and depth of the window, and the copies into which it resolves them.
   count.Buffers = 4;
   count.Bytes = 16 * pixels;
   if (panel.UsesAmbientOcclusion())
   {
     features.insert("ambient-occlusion");
-    // Colour RGBA32F, position and normal RGB16F, occlusion R8, depth 32F; occlude and combine.
+    // Color RGBA32F, position and normal RGB16F, occlusion R8, depth 32F. The passes compute and
+    // combine occlusion.
     count.Buffers += 5;
     count.Bytes += (16 + 6 + 6 + 1 + 4) * pixels;
     count.ScreenPasses += 2;
@@ -88,7 +89,7 @@ BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features)
   if (auto* scene = vtkShadowedScenePass::SafeDownCast(panel.GetRenderer()->GetPass()))
   {
     features.insert("scene-shadows");
-    // Depth maps of lights, depth of the eye, light that volumes leave.
+    // Shadow maps, camera depth, transmittance of volumes.
     for (const char* name : { "DepthMapBytes", "CameraDepthBytes", "TransmittanceBytes" })
     {
       const double bytes = scene->GetReport()->GetNumber(name);

@@ -17,13 +17,14 @@ class Panel;
 struct SceneReport;
 
 /**
- * Counts how often the surfaces of a renderer are drawn: the draws of its busiest mapper.
+ * Counts how often the surfaces of a renderer are drawn. The result is the count of the mapper that
+ * is drawn most often.
  */
 class DrawCounter
 {
 public:
   /**
-   * From now on counts the draws of every actor in \a renderer.
+   * Starts counting the draws of every actor in \a renderer.
    */
   explicit DrawCounter(vtkRenderer* renderer);
   ~DrawCounter();
@@ -36,8 +37,8 @@ private:
 };
 
 /**
- * Off-screen textures of one panel, its window's own included, and the screen-space passes over
- * them.
+ * Number and size of the off-screen textures of a panel and its window, and number of screen-space
+ * passes over them.
  */
 struct BufferCount
 {
@@ -47,13 +48,13 @@ struct BufferCount
 };
 
 /**
- * The textures that the window and ambient occlusion keep for \a panel after it was
- * drawn, in the formats VTK 9 gives them; adds what is on to \a features.
+ * Counts the textures that the window and ambient occlusion hold after \a panel was drawn. Assumes
+ * the texture formats of VTK 9. Adds the names of active features to \a features.
  */
 BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features);
 
 /**
- * Adds what each volume of \a panel took when it was drawn to \a report.
+ * Adds the mapper reports of the volumes of \a panel to \a report.
  */
 void AddVolumeReports(const Panel& panel, SceneReport& report);
 }

@@ -17,15 +17,15 @@
 
 namespace gallery
 {
-void WritePng(vtkImageData* picture, const std::string& path)
+void WritePng(vtkImageData* image, const std::string& path)
 {
   vtkNew<vtkPNGWriter> writer;
-  writer->SetInputData(picture);
+  writer->SetInputData(image);
   writer->SetFileName(path.c_str());
   writer->Write();
   if (writer->GetErrorCode())
   {
-    throw std::runtime_error("cannot write " + path);
+    throw std::runtime_error("Cannot write " + path + ".");
   }
 }
 
@@ -50,7 +50,8 @@ void FrameFiles::Add(vtkImageData* frame)
   {
     if (!vtksys::SystemTools::MakeDirectory(this->Folder + "/" + this->Id))
     {
-      throw std::runtime_error("cannot make the folder " + this->Folder + "/" + this->Id);
+      throw std::runtime_error(
+        "Cannot create the directory " + this->Folder + "/" + this->Id + ".");
     }
 #ifdef INTERLUME_HAS_MOVIES
     vtkNew<vtkOggTheoraWriter> movie;

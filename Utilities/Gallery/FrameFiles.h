@@ -12,13 +12,14 @@ class vtkImageData;
 namespace gallery
 {
 /**
- * Writes a picture as PNG. Throws std::runtime_error where that fails.
+ * Writes an image as PNG.
+ * @throw std::runtime_error if the file cannot be written.
  */
-void WritePng(vtkImageData* picture, const std::string& path);
+void WritePng(vtkImageData* image, const std::string& path);
 
 /**
- * The frames of a scene's animation as files: `<id>/000.png` and so on, and, where VTK has an
- * encoder, a movie `<id>.ogv` of them.
+ * Writes the frames of an animation as `<id>/000.png`, `<id>/001.png` and so on. If VTK has an
+ * encoder, also writes the movie `<id>.ogv`.
  */
 class FrameFiles
 {
@@ -29,10 +30,10 @@ public:
   ~FrameFiles();
 
   void Add(vtkImageData* frame);
-  /// Ends the movie. Returns whether there is one.
+  /// Ends the movie. Returns false if there is no movie or writing it failed.
   bool Finish();
 
-  /// Returns the name of a frame within the folder.
+  /// Returns the path of a frame, relative to the output directory.
   static std::string GetName(const std::string& id, int number);
   static std::string GetMovieName(const std::string& id) { return id + ".ogv"; }
 

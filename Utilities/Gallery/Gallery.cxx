@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// interlume-gallery: draws the pictures of the gallery and the page that shows them.
+// interlume-gallery: renders the images of the gallery and an HTML page that shows them.
 
 #include "Gallery/FrameFiles.h"
 #include "Gallery/IndexPage.h"
-#include "Gallery/Picture.h"
+#include "Gallery/GalleryImage.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
 
@@ -45,7 +45,8 @@ void ParseSize(const std::string& text, int& width, int& height)
   if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 64 ||
     height < 64 || width > 8192 || height > 8192)
   {
-    throw std::invalid_argument("--size takes WxH with both from 64 to 8192, not " + text);
+    throw std::invalid_argument(
+      "--size requires WIDTHxHEIGHT with both from 64 to 8192, not " + text + ".");
   }
 }
 
@@ -64,7 +65,7 @@ std::vector<const gallery::Scene*> ChosenScenes(const std::vector<std::string>& 
     const gallery::Scene* scene = gallery::FindScene(id);
     if (!scene)
     {
-      throw std::invalid_argument("no scene " + id + "; --list shows them");
+      throw std::invalid_argument("There is no scene " + id + ". --list prints all scenes.");
     }
     scenes.push_back(scene);
   }
@@ -82,7 +83,7 @@ void WriteJson(const std::vector<gallery::SceneReport>& reports, const std::stri
   file << nlohmann::json{ { "scenes", scenes } }.dump(2) << "\n";
   if (!file)
   {
-    throw std::runtime_error("cannot write " + path);
+    throw std::runtime_error("Cannot write " + path + ".");
   }
 }
 
@@ -95,17 +96,17 @@ void Draw(const Options& options)
   const gallery::DisplayHold display;
   if (!vtksys::SystemTools::MakeDirectory(options.Out))
   {
-    throw std::runtime_error("cannot make the folder " + options.Out);
+    throw std::runtime_error("Cannot create the directory " + options.Out + ".");
   }
   std::vector<gallery::SceneReport> reports;
   for (const gallery::Scene* scene : scenes)
   {
     gallery::SceneReport report;
     gallery::FrameFiles frames(options.Out, scene->Id);
-    vtkSmartPointer<vtkImageData> picture = gallery::RenderScene(*scene, width, height, report,
+    vtkSmartPointer<vtkImageData> image = gallery::RenderScene(*scene, width, height, report,
       options.Frames, [&frames](vtkImageData* frame) { frames.Add(frame); });
     report.HasMovie = frames.Finish();
-    gallery::WritePng(picture, options.Out + "/" + scene->Id + ".png");
+    gallery::WritePng(image, options.Out + "/" + scene->Id + ".png");
     reports.push_back(report);
     std::printf("[%zu/%zu] %-26s %.1f s\n", reports.size(), scenes.size(), scene->Id.c_str(),
       report.BuildSeconds + report.RenderSeconds + report.FrameSeconds);
@@ -124,18 +125,21 @@ int main(int argc, char* argv[])
 {
   Options options;
   CLI::App app(
-    "Draws the gallery of Interlume: a picture a scene, and index.html to look at them.");
-  app.add_flag("--list", options.List, "Print id, figure and title of every scene, and end");
-  app.add_option("--scene", options.Scenes, "Draw this scene only; can be given again")
+    "Renders the gallery of Interlume: an image for each scene, and index.html that shows them.");
+  app.add_flag("--list", options.List, "Print id, figure and title of every scene, and exit");
+  app
+    .add_option(
+      "--scene", options.Scenes, "Render only this scene; repeat the option for more scenes")
     ->allow_extra_args(false);
-  app.add_option("--out", options.Out, "Folder for the pictures and index.html")
+  app.add_option("--out", options.Out, "Directory for the images and index.html")
     ->capture_default_str();
-  app.add_option("--size", options.Size, "Width and height of a picture in pixels")
+  app.add_option("--size", options.Size, "Width and height of an image in pixels")
     ->capture_default_str();
   app.add_option("--json", options.Json, "Write times and counters of every scene to this file");
   app
     .add_option("--frames", options.Frames,
-      "Frames of scenes that move, written beside their pictures and shown on the page; 0 for none")
+      "Number of frames of animated scenes, written next to the images and shown on the page; 0 "
+      "for none")
     ->check(CLI::Range(0, 999))
     ->capture_default_str();
   CLI11_PARSE(app, argc, argv);

@@ -50,10 +50,10 @@ dl .features { grid-column: 1 / -1; }
 footer { color: var(--soft); font-size: 13px; padding-bottom: 56px; }
 )css";
 
-/// Plays the frames of animations, each as soon as it is there.
+/// Plays the frames of animations. Frames that are not loaded are skipped.
 const char* const SCRIPT = R"js(
-document.querySelectorAll('img[data-frames]').forEach(picture => {
-  const frames = JSON.parse(picture.dataset.frames).map(name => {
+document.querySelectorAll('img[data-frames]').forEach(image => {
+  const frames = JSON.parse(image.dataset.frames).map(name => {
     const frame = new Image();
     frame.src = name;
     return frame;
@@ -61,20 +61,20 @@ document.querySelectorAll('img[data-frames]').forEach(picture => {
   let next = 0;
   setInterval(() => {
     next = (next + 1) % frames.length;
-    if (frames[next].complete) picture.src = frames[next].src;
-  }, 1000 / picture.dataset.rate);
+    if (frames[next].complete) image.src = frames[next].src;
+  }, 1000 / image.dataset.rate);
 });
 )js";
 
 using html::Escaped;
 
-/// 1234567 as "1 234 567", with thin spaces.
+/// Formats a number with thin spaces between groups of digits: 1234567 as "1 234 567".
 std::string Grouped(vtkIdType number)
 {
   std::string digits = std::to_string(number);
-  for (int place = static_cast<int>(digits.size()) - 3; place > 0; place -= 3)
+  for (int position = static_cast<int>(digits.size()) - 3; position > 0; position -= 3)
   {
-    digits.insert(static_cast<std::size_t>(place), "&#8201;");
+    digits.insert(static_cast<std::size_t>(position), "&#8201;");
   }
   return digits;
 }
@@ -101,7 +101,7 @@ void WriteFact(std::ostream& page, const std::string& name, const std::string& v
   page << "<div><dt>" << name << "</dt><dd>" << value << "</dd></div>\n";
 }
 
-/// Of all volumes drawn in slices together.
+/// Writes the totals of all sliced volumes.
 void WriteSlices(std::ostream& page, const SceneReport::VolumeReports& volumes)
 {
   if (volumes.empty())
@@ -122,7 +122,7 @@ void WriteSlices(std::ostream& page, const SceneReport::VolumeReports& volumes)
   WriteFact(page, "Light buffers", std::to_string(lightBuffers));
 }
 
-/// The animation of a scene, as frames that a script plays and as a movie.
+/// Writes the animation of a scene: frames that a script plays, and a link to the movie.
 void WriteFrames(std::ostream& page, const Scene& scene, const SceneReport& report)
 {
   if (report.Frames == 0)
@@ -130,7 +130,7 @@ void WriteFrames(std::ostream& page, const Scene& scene, const SceneReport& repo
     return;
   }
   page << "<img class=\"frames\" src=\"" << FrameFiles::GetName(scene.Id, 0) << "\" alt=\""
-       << Escaped(scene.Title) << ", moving\" data-rate=\"" << FrameFiles::FramesPerSecond
+       << Escaped(scene.Title) << ", animated\" data-rate=\"" << FrameFiles::FramesPerSecond
        << "\" data-frames='[";
   for (int i = 0; i < report.Frames; ++i)
   {
@@ -186,7 +186,7 @@ void WriteScene(std::ostream& page, const Scene& scene, const SceneReport& repor
   {
     const interlume::DataRow& row = interlume::FindDataRow(manifest, file);
     page << "<p class=\"source\">Data: " << Escaped(row.Content) << " (" << Escaped(row.File)
-         << ", from " << Escaped(row.Source) << "). Licence: " << Escaped(row.Licence) << ".</p>\n";
+         << ", from " << Escaped(row.Source) << "). License: " << Escaped(row.License) << ".</p>\n";
   }
   page << "</article>\n";
 }
@@ -196,15 +196,14 @@ void WriteIndexPage(const std::string& folder, const std::vector<SceneReport>& r
 {
   const std::vector<interlume::DataRow> manifest = interlume::ReadDataManifest();
   std::ostringstream page;
-  page
-    << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-    << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-    << "<title>Interlume gallery</title>\n<style>" << STYLE << "</style>\n</head>\n<body>\n"
-    << "<header>\n<h1>Interlume</h1>\n<p>Volumes with the shadows they cast, and interval volumes: "
-       "the region where a field lies between two values, as tetrahedra. Each picture is a short "
-       "pipeline over the public "
-       "classes; the figure numbers are those of the dissertation the methods come from "
-       "(C.&nbsp;Zhang, Ohio State University, 2006).</p>\n<nav>\n";
+  page << "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+       << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
+       << "<title>Interlume gallery</title>\n<style>" << STYLE << "</style>\n</head>\n<body>\n"
+       << "<header>\n<h1>Interlume</h1>\n<p>Volumes with shadows, and interval volumes: the region "
+          "where a "
+          "field lies between two values, as tetrahedra. Each image is a short pipeline of public "
+          "classes. Figure numbers refer to the dissertation on which the methods are based "
+          "(C.&nbsp;Zhang, Ohio State University, 2006).</p>\n<nav>\n";
   for (const SceneReport& report : reports)
   {
     const Scene& scene = *FindScene(report.Id);
@@ -216,16 +215,17 @@ void WriteIndexPage(const std::string& folder, const std::vector<SceneReport>& r
   {
     WriteScene(page, *FindScene(report.Id), report, manifest);
   }
-  page << "</main>\n<footer>Drawn off-screen with VTK " << vtkVersion::GetVTKVersion()
-       << ". Times are wall clock on the machine that made this page; passes are passes over the "
-          "geometry and the screen, buffers are textures at the size drawn.</footer>\n<script>"
-       << SCRIPT << "</script>\n</body>\n</html>\n";
+  page
+    << "</main>\n<footer>Rendered off-screen with VTK " << vtkVersion::GetVTKVersion()
+    << ". Times are wall-clock times on the machine that created this page. Passes are passes over "
+       "the geometry and the screen. Buffers are off-screen textures.</footer>\n<script>"
+    << SCRIPT << "</script>\n</body>\n</html>\n";
   const std::string path = folder + "/index.html";
   std::ofstream file(path);
   file << page.str();
   if (!file)
   {
-    throw std::runtime_error("cannot write " + path);
+    throw std::runtime_error("Cannot write " + path + ".");
   }
 }
 }

@@ -10,9 +10,9 @@
 namespace gallery
 {
 /**
- * Writes \a folder/index.html: one self-contained page that shows the pictures `<id>.png` beside it
- * with title, figure, caption, times, counters, data and licence.
- * @throw std::runtime_error when it can't be written.
+ * Writes \a folder/index.html: one self-contained page that shows the images `<id>.png` in the same
+ * directory with title, figure number, caption, times, counters, data sources and license.
+ * @throw std::runtime_error if the file cannot be written.
  */
 void WriteIndexPage(const std::string& folder, const std::vector<SceneReport>& reports);
 }

@@ -24,26 +24,26 @@ namespace gallery
 {
 namespace
 {
-/// Rectangles in pixels, each of one colour, drawn as one actor.
+/// Collects rectangles in pixels, each of one color, and draws them as one actor.
 class Rectangles
 {
 public:
   Rectangles()
   {
-    this->Colours->SetNumberOfComponents(3);
+    this->Colors->SetNumberOfComponents(3);
     this->Data->SetPoints(this->Points);
     this->Data->SetPolys(this->Cells);
-    this->Data->GetCellData()->SetScalars(this->Colours);
+    this->Data->GetCellData()->SetScalars(this->Colors);
   }
 
-  void Add(double x, double y, double width, double height, const vtkColor3d& colour)
+  void Add(double x, double y, double width, double height, const vtkColor3d& color)
   {
     const std::array<vtkIdType, 4> corners = { { this->Points->InsertNextPoint(x, y, 0.0),
       this->Points->InsertNextPoint(x + width, y, 0.0),
       this->Points->InsertNextPoint(x + width, y + height, 0.0),
       this->Points->InsertNextPoint(x, y + height, 0.0) } };
     this->Cells->InsertNextCell(4, corners.data());
-    this->Colours->InsertNextTuple3(255.0 * colour[0], 255.0 * colour[1], 255.0 * colour[2]);
+    this->Colors->InsertNextTuple3(255.0 * color[0], 255.0 * color[1], 255.0 * color[2]);
   }
 
   void DrawInto(vtkRenderer* overlay)
@@ -58,14 +58,14 @@ public:
 private:
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Cells;
-  vtkNew<vtkUnsignedCharArray> Colours;
+  vtkNew<vtkUnsignedCharArray> Colors;
   vtkNew<vtkPolyData> Data;
 };
 
 std::string NumberLabel(double value, double span)
 {
   std::array<char, 32> text;
-  // A number that is zero but for rounding would show as 1e-17.
+  // Rounding error may turn zero into 1e-17.
   std::snprintf(text.data(), text.size(), "%.4g", std::abs(value) < 1e-9 * span ? 0.0 : value);
   return text.data();
 }
@@ -104,7 +104,7 @@ void AddText(vtkRenderer* overlay, const std::string& text, double x, double y, 
   overlay->AddViewProp(actor);
 }
 
-void AddColourBar(vtkRenderer* overlay, const std::string& title, vtkScalarsToColors* colours,
+void AddColorBar(vtkRenderer* overlay, const std::string& title, vtkScalarsToColors* colors,
   double lower, double upper, double x, double y, double width, int fontSize)
 {
   const int strips = 256;
@@ -113,36 +113,36 @@ void AddColourBar(vtkRenderer* overlay, const std::string& title, vtkScalarsToCo
   Rectangles rectangles;
   for (int i = 0; i < strips; ++i)
   {
-    vtkColor3d colour;
-    colours->GetColor(lower + (upper - lower) * (i + 0.5) / strips, colour.GetData());
-    rectangles.Add(left + width * i / strips, y, width / strips, height, colour);
+    vtkColor3d color;
+    colors->GetColor(lower + (upper - lower) * (i + 0.5) / strips, color.GetData());
+    rectangles.Add(left + width * i / strips, y, width / strips, height, color);
   }
   const int labels = 5;
   for (int i = 0; i < labels; ++i)
   {
-    const double share = static_cast<double>(i) / (labels - 1);
-    rectangles.Add(left + share * width - 1.0, y - 0.3 * fontSize, 2.0, 0.3 * fontSize, Ink());
-    AddText(overlay, NumberLabel(lower + share * (upper - lower), upper - lower),
-      left + share * width, y - 0.9 * fontSize, fontSize);
+    const double fraction = static_cast<double>(i) / (labels - 1);
+    rectangles.Add(left + fraction * width - 1.0, y - 0.3 * fontSize, 2.0, 0.3 * fontSize, Ink());
+    AddText(overlay, NumberLabel(lower + fraction * (upper - lower), upper - lower),
+      left + fraction * width, y - 0.9 * fontSize, fontSize);
   }
   rectangles.DrawInto(overlay);
   AddText(overlay, title, x, y + height + 0.8 * fontSize, fontSize);
 }
 
-void AddColourKey(vtkRenderer* overlay, const std::string& title,
-  const std::vector<ColourEntry>& entries, double x, double y, int fontSize)
+void AddColorKey(vtkRenderer* overlay, const std::string& title,
+  const std::vector<ColorEntry>& entries, double x, double y, int fontSize)
 {
   const double patch = 1.1 * fontSize;
   const double gap = 0.5 * fontSize;
   const double space = 1.6 * fontSize;
   double total = -space;
-  for (const ColourEntry& entry : entries)
+  for (const ColorEntry& entry : entries)
   {
     total += patch + gap + TextWidth(entry.second, fontSize) + space;
   }
   double left = x - 0.5 * total;
   Rectangles rectangles;
-  for (const ColourEntry& entry : entries)
+  for (const ColorEntry& entry : entries)
   {
     rectangles.Add(left, y - 0.5 * patch, patch, patch, entry.first);
     AddText(overlay, entry.second, left + patch + gap, y, fontSize, Align::Left);

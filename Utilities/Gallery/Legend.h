@@ -12,38 +12,38 @@ class vtkRenderer;
 class vtkScalarsToColors;
 
 /**
- * Text and legends, drawn into a renderer that covers the whole window. Positions are in its
- * pixels, from the lower left.
+ * Text and legends, drawn into a renderer that covers the window. Positions are in pixels from the
+ * lower left corner.
  */
 namespace gallery
 {
 enum class Align
 {
   Left,
-  Centre
+  Center
 };
 
 /**
- * One line of text; \a y is its middle.
+ * Adds one line of text. \a y is its vertical center.
  */
 void AddText(vtkRenderer* overlay, const std::string& text, double x, double y, int fontSize,
-  Align align = Align::Centre, bool bold = false);
+  Align align = Align::Center, bool bold = false);
 
 /**
- * A horizontal bar of \a colours over [lower, upper] with a title above and five labels below, in
- * the units of the value. \a x is its middle, \a y the lower edge of the bar.
+ * Adds a horizontal color bar of \a colors over [lower, upper], with a title above and five labels
+ * below. \a x is the horizontal center of the bar, \a y its lower edge.
  */
-void AddColourBar(vtkRenderer* overlay, const std::string& title, vtkScalarsToColors* colours,
+void AddColorBar(vtkRenderer* overlay, const std::string& title, vtkScalarsToColors* colors,
   double lower, double upper, double x, double y, double width, int fontSize);
 
-/// A colour and what it stands for.
-using ColourEntry = std::pair<vtkColor3d, std::string>;
+/// A color and its label.
+using ColorEntry = std::pair<vtkColor3d, std::string>;
 
 /**
- * A row of colour patches with their labels, centred at (x, y), with a title above unless empty.
+ * Adds a row of color patches with labels, centered at (x, y). A title above is optional.
  */
-void AddColourKey(vtkRenderer* overlay, const std::string& title,
-  const std::vector<ColourEntry>& entries, double x, double y, int fontSize);
+void AddColorKey(vtkRenderer* overlay, const std::string& title,
+  const std::vector<ColorEntry>& entries, double x, double y, int fontSize);
 }
 
 #endif

@@ -12,8 +12,8 @@ namespace gallery
 {
 namespace
 {
-/// Control points at equal steps from the lower end to the upper end. The darkest tenth of viridis
-/// and fifth of inferno are left out: shading can't show there.
+/// Returns evenly spaced control points from the lower to the upper end. The darkest tenth of
+/// viridis and fifth of inferno are excluded, since shading is not visible there.
 std::vector<vtkColor3d> ControlPoints(Map map)
 {
   switch (map)
@@ -66,15 +66,15 @@ vtkColor3d Pencil()
   return { 0.62, 0.64, 0.67 };
 }
 
-vtkColor3d IntervalColour(int i)
+vtkColor3d IntervalColor(int i)
 {
-  static const std::array<vtkColor3d, 6> colours = { { { 0.220, 0.440, 0.720 },
+  static const std::array<vtkColor3d, 6> colors = { { { 0.220, 0.440, 0.720 },
     { 0.278, 0.655, 0.580 }, { 0.929, 0.694, 0.263 }, { 0.788, 0.286, 0.231 },
     { 0.494, 0.341, 0.600 }, { 0.545, 0.565, 0.585 } } };
-  return colours[static_cast<std::size_t>(i) % colours.size()];
+  return colors[static_cast<std::size_t>(i) % colors.size()];
 }
 
-vtkSmartPointer<vtkColorTransferFunction> MakeColourMap(Map map, double lower, double upper)
+vtkSmartPointer<vtkColorTransferFunction> MakeColorMap(Map map, double lower, double upper)
 {
   auto function = vtkSmartPointer<vtkColorTransferFunction>::New();
   const std::vector<vtkColor3d> points = ControlPoints(map);

@@ -9,46 +9,47 @@
 class vtkRenderer;
 
 /**
- * The one look of all pictures of the gallery: background, ink, light, colour maps.
+ * Background, text color, lights and color maps that all images of the gallery share.
  */
 namespace gallery
 {
-/// Colour of the background, the same in every picture.
+/// Returns the background color of all images.
 vtkColor3d Background();
 
-/// Colour behind volumes whose colours are added up: dark, so that white can be told from nothing.
+/// Returns a dark background, for volumes with additive blending: their bright parts, which become
+/// white, would not be visible on a light background.
 vtkColor3d DarkBackground();
 
-/// Colour of text.
+/// Returns the color of text.
 vtkColor3d Ink();
 
-/// Colour of outlines and of surfaces that are there for orientation only.
+/// Returns the color of outlines and of surfaces that only help orientation.
 vtkColor3d Pencil();
 
 /**
- * Colour of interval \a i, 0 to 5: six hues of about the same strength that stay distinct for
- * colour-blind readers and in grey.
+ * Returns the color of interval \a i, 0 to 5. The six hues have similar saturation and remain
+ * distinct for color-blind readers and in grayscale.
  */
-vtkColor3d IntervalColour(int i);
+vtkColor3d IntervalColor(int i);
 
 enum class Map
 {
-  /// Magnitudes: dark blue over green to yellow.
+  /// For magnitudes: dark blue, green, yellow.
   Viridis,
-  /// Magnitudes of something hot: purple over red to yellow.
+  /// For magnitudes such as temperatures: purple, red, yellow.
   Inferno,
-  /// Signed values: blue over grey to red.
+  /// For signed values: blue, gray, red.
   CoolWarm
 };
 
 /**
- * The colour map over [lower, upper].
+ * Returns the color map over [lower, upper].
  */
-vtkSmartPointer<vtkColorTransferFunction> MakeColourMap(Map map, double lower, double upper);
+vtkSmartPointer<vtkColorTransferFunction> MakeColorMap(Map map, double lower, double upper);
 
 /**
- * Background and lights: a key light from above and one side so that form reads, a weak fill from
- * the other side. The lights move with the camera.
+ * Sets the background and the lights of \a renderer: a key light from above and one side, a weak
+ * fill light from the other side, and a headlight. The lights move with the camera.
  */
 void ApplyLook(vtkRenderer* renderer);
 }

@@ -2,7 +2,7 @@
 #include "Gallery/Panel.h"
 
 #include "Gallery/Look.h"
-#include "Gallery/Picture.h"
+#include "Gallery/GalleryImage.h"
 #include "Gallery/SurfacesPass.h"
 #include "Gallery/VectorArithmetic.h"
 
@@ -30,10 +30,10 @@ namespace gallery
 {
 namespace
 {
-/// Share of the panel that the fitted props take.
+/// Fraction of the panel that the fitted props fill.
 constexpr double FILL = 0.95;
 
-/// Enough points to find the outline of a surface to a pixel or so.
+/// Number of points that approximate the outline of a surface to about a pixel.
 constexpr vtkIdType OUTLINE_POINTS = 20000;
 
 template <typename Visit>
@@ -48,7 +48,7 @@ void ForEachProp(vtkRenderer* renderer, const Visit& visit)
   }
 }
 
-/// The points that a prop draws, where they lie in the world as they are.
+/// Returns the points that a prop draws, or nullptr if the prop is transformed or has none.
 vtkPointSet* GetShape(vtkProp* prop)
 {
   auto* prop3D = vtkProp3D::SafeDownCast(prop);
@@ -113,9 +113,9 @@ void Panel::LookAs(Panel& other)
   this->Renderer->SetActiveCamera(this->Camera);
 }
 
-void Panel::SetBackground(const vtkColor3d& colour)
+void Panel::SetBackground(const vtkColor3d& color)
 {
-  this->Renderer->SetBackground(colour[0], colour[1], colour[2]);
+  this->Renderer->SetBackground(color[0], color[1], color[2]);
 }
 
 void Panel::SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights)
@@ -137,7 +137,7 @@ bool Panel::UsesAmbientOcclusion() const
 
 void Panel::PreparePasses()
 {
-  // The pass of a scene whose surfaces and volumes shadow each other does all by itself.
+  // vtkShadowedScenePass draws surfaces and volumes and needs no other passes.
   if (vtkShadowedScenePass::SafeDownCast(this->Renderer->GetPass()))
   {
     return;
@@ -175,7 +175,8 @@ void Panel::PreparePasses()
 
 vtkSmartPointer<vtkImageData> Panel::Draw(int width, int height)
 {
-  // A window a panel: the ambient occlusion of VTK 9.1 takes a renderer to cover its window.
+  // Each panel has its own window: the ambient occlusion of VTK 9.1 requires that a renderer covers
+  // its window.
   this->PreparePasses();
   this->Pixels = static_cast<vtkIdType>(width) * height;
   vtkSmartPointer<vtkRenderWindow> window = MakeWindow(width, height);
@@ -188,7 +189,7 @@ vtkSmartPointer<vtkImageData> Panel::DrawIn(vtkRenderWindow* window)
   double bounds[6];
   this->GetBox().GetBounds(bounds);
   this->Renderer->ResetCameraClippingRange(bounds);
-  return GrabPicture(window);
+  return GrabImage(window);
 }
 
 vtkBoundingBox Panel::GetBox() const
@@ -233,8 +234,8 @@ void Panel::Fit(const std::vector<vtkVector3d>& points, double aspect)
   {
     return;
   }
-  // The extent on the screen changes with the distance; a few rounds of panning and dollying
-  // settle.
+  // With perspective, the extent on screen depends on the distance. A few iterations of panning and
+  // dollying converge.
   const double pi = 3.14159265358979323846;
   const double slope = std::tan(0.5 * this->Camera->GetViewAngle() * pi / 180.0);
   vtkVector3d from(this->Camera->GetPosition());
@@ -264,12 +265,12 @@ void Panel::Fit(const std::vector<vtkVector3d>& points, double aspect)
       const double depth =
         isParallel ? distance : std::max(distance - offset.Dot(from), 1e-3 * distance);
       nearest = std::min(nearest, depth);
-      const double place[2] = { offset.Dot(right) / (depth * slope * aspect),
+      const double projected[2] = { offset.Dot(right) / (depth * slope * aspect),
         offset.Dot(up) / (depth * slope) };
       for (int axis = 0; axis < 2; ++axis)
       {
-        low[axis] = std::min(low[axis], place[axis]);
-        high[axis] = std::max(high[axis], place[axis]);
+        low[axis] = std::min(low[axis], projected[axis]);
+        high[axis] = std::max(high[axis], projected[axis]);
       }
     }
     const double half = 0.5 * std::max(high[0] - low[0], high[1] - low[1]);

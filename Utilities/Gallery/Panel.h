@@ -20,9 +20,9 @@ class vtkRenderWindow;
 namespace gallery
 {
 /**
- * One view within a picture: its props, its camera, its caption. Made by Stage::AddPanel.
+ * A view within an image, with its props, camera and caption. Created by Stage::AddPanel.
  *
- * The camera is given as a direction only; the stage fits it so that the props fill the panel.
+ * The camera is given by its direction only. The stage fits it so that the props fill the panel.
  */
 class Panel
 {
@@ -37,47 +37,46 @@ public:
   void Add(vtkProp* prop);
 
   /**
-   * The eye looks along minus \a from, with \a up pointing up. Default from (0, -1, 0), up (0, 0,
-   * 1).
+   * Sets the direction from the focal point to the camera, and the view-up vector. Default: (0, -1,
+   * 0) and (0, 0, 1).
    */
   void LookFrom(const vtkVector3d& from, const vtkVector3d& up);
 
   /**
-   * Uses the camera of another panel; both are fitted to the props of both.
+   * Shares the camera of another panel. The camera is fitted to the props of both panels.
    */
   void LookAs(Panel& other);
 
   /**
-   * The camera is fitted to \a bounds instead of the props; what lies around them may run out of
-   * the picture.
+   * Fits the camera to \a bounds instead of the props. Props may extend past the frame.
    */
   void Frame(const vtkBoundingBox& bounds) { this->FramedBox = bounds; }
 
   /**
-   * Lights of the panel's own in place of the look's, of any type and place.
+   * Replaces the default lights. Any type of light is valid.
    */
   void SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights);
 
   /**
-   * Draws without perspective, so that equal things look equal everywhere. Default: in perspective.
+   * Uses a parallel projection, so that equal objects have equal sizes. Default: perspective.
    */
   void UseParallelProjection() { this->Camera->ParallelProjectionOn(); }
 
   /**
-   * Default: Background() of the look.
+   * Sets the background color. Default: Background().
    */
-  void SetBackground(const vtkColor3d& colour);
+  void SetBackground(const vtkColor3d& color);
 
   /**
-   * Ambient occlusion of the surfaces: reach as a share of the diagonal of the panel's props, 0 for
-   * none. Default 0.05; none where the panel has no surface.
+   * Sets the radius of ambient occlusion as a fraction of the diagonal of the props' bounds. 0
+   * turns it off. It has no effect on panels without surfaces. Default: 0.05.
    */
   void SetAmbientOcclusion(double reach) { this->OcclusionReach = reach; }
 
   ///@{
   /**
-   * For the stage: the renderer, the camera, what fitting it needs, and the drawing of width x
-   * height pixels. GetPixels() is the size drawn last.
+   * Used by Stage: the renderer, the camera and its fitting, and drawing. GetPixels() returns the
+   * number of pixels of the last drawing.
    */
   vtkRenderer* GetRenderer() const { return this->Renderer; }
   vtkCamera* GetCamera() const { return this->Camera; }
@@ -85,7 +84,7 @@ public:
   std::vector<vtkVector3d> GetPoints() const;
   void Fit(const std::vector<vtkVector3d>& points, double aspect);
   vtkSmartPointer<vtkImageData> Draw(int width, int height);
-  /// Draws in a window that shows this panel alone, and stays for the next drawing.
+  /// Draws in \a window, which shows only this panel and can be reused.
   vtkSmartPointer<vtkImageData> DrawIn(vtkRenderWindow* window);
   vtkIdType GetPixels() const { return this->Pixels; }
   ///@}

@@ -32,8 +32,8 @@ namespace
 {
 const char* const GRADIENT = "Gradient";
 
-/// Normals from the gradient of the field, out of the interval: down the gradient at its lower
-/// side.
+/// Computes normals from the gradient of the field. They point out of the interval, against the
+/// gradient on its lower boundary.
 void SetGradientNormals(vtkPointData* pointData, int side)
 {
   vtkDataArray* vectors = pointData->GetArray(GRADIENT);
@@ -92,7 +92,7 @@ vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* cells, double featureAngle)
   return normals->GetOutput();
 }
 
-vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& colour)
+vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& color)
 {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(surface);
@@ -100,7 +100,7 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& colo
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   vtkProperty* property = actor->GetProperty();
-  property->SetColor(colour[0], colour[1], colour[2]);
+  property->SetColor(color[0], color[1], color[2]);
   property->SetAmbient(0.16);
   property->SetDiffuse(0.88);
   property->SetSpecular(0.12);
@@ -108,18 +108,18 @@ vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& colo
   return actor;
 }
 
-vtkSmartPointer<vtkActor> MakeColouredActor(
-  vtkPolyData* surface, const std::string& array, vtkScalarsToColors* colours)
+vtkSmartPointer<vtkActor> MakeColoredActor(
+  vtkPolyData* surface, const std::string& array, vtkScalarsToColors* colors)
 {
   vtkSmartPointer<vtkActor> actor = MakeActor(surface, { 1.0, 1.0, 1.0 });
   vtkMapper* mapper = actor->GetMapper();
   mapper->ScalarVisibilityOn();
   mapper->SetScalarModeToUsePointFieldData();
   mapper->SelectColorArray(array.c_str());
-  mapper->SetLookupTable(colours);
+  mapper->SetLookupTable(colors);
   mapper->UseLookupTableScalarRangeOn();
   mapper->InterpolateScalarsBeforeMappingOn();
-  // More light from everywhere, so that a colour in the shade can still be looked up in the bar.
+  // Strong ambient light, so that colors in shade can be compared with the color bar.
   actor->GetProperty()->SetAmbient(0.3);
   actor->GetProperty()->SetDiffuse(0.7);
   return actor;

@@ -17,65 +17,65 @@ class vtkScalarsToColors;
 class vtkStructuredGrid;
 
 /**
- * What scenes put on stage: surfaces of extracted tetrahedra, boundary triangles, walls.
+ * Surfaces and data of scenes: surfaces of tetrahedra, boundary triangles, walls.
  */
 namespace gallery
 {
 /**
- * The cells of \a triangles with cell array \a array equal to \a value, over the points of all.
+ * Returns the cells of \a triangles whose cell array \a array equals \a value. All points are
+ * retained.
  */
 vtkSmartPointer<vtkUnstructuredGrid> SelectTriangles(
   vtkUnstructuredGrid* triangles, const std::string& array, int value);
 
 /**
- * The boundary triangles of an extraction with cell array `BoundarySide` equal to \a side
- * (vtkIntervalVolume::BoundarySides), over the points of all. Point normals come from the gradient
- * of the field, smoother than those of the triangles; AddGradient() was applied before the
- * extraction.
+ * Returns the boundary triangles of an extraction whose cell array `BoundarySide` equals \a side
+ * (vtkIntervalVolume::BoundarySides). All points are retained. Point normals are computed from the
+ * gradient of the field, which is smoother than the triangle normals. The input of the extraction
+ * must come from AddGradient().
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeBoundary(vtkIntervalVolume* filter, int side);
 
 /**
- * The outer surface of \a cells with point normals; sharper edges than \a featureAngle degrees stay
- * sharp.
+ * Returns the outer surface of \a cells with point normals. Edges sharper than \a featureAngle
+ * degrees remain sharp.
  */
 vtkSmartPointer<vtkPolyData> MakeSurface(vtkDataSet* cells, double featureAngle = 50.0);
 
 /**
- * A smoothly shaded actor of one colour.
+ * Returns an actor of one color with smooth shading.
  */
-vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& colour);
+vtkSmartPointer<vtkActor> MakeActor(vtkPolyData* surface, const vtkColor3d& color);
 
 /**
- * A smoothly shaded actor coloured by point array \a array.
+ * Returns an actor with smooth shading, colored by the point array \a array.
  */
-vtkSmartPointer<vtkActor> MakeColouredActor(
-  vtkPolyData* surface, const std::string& array, vtkScalarsToColors* colours);
+vtkSmartPointer<vtkActor> MakeColoredActor(
+  vtkPolyData* surface, const std::string& array, vtkScalarsToColors* colors);
 
 /**
- * \a data with the gradient of point array \a array as point array `Gradient`.
+ * Returns \a data with the gradient of the point array \a array as the point array `Gradient`.
  */
 vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data, const std::string& array);
 
 /**
- * \a data with the length of a vector as point array \a magnitude.
+ * Returns \a data with the magnitude of the point array \a vectors as the point array \a magnitude.
  */
 vtkSmartPointer<vtkDataSet> AddMagnitude(
   vtkDataSet* data, const std::string& vectors, const std::string& magnitude);
 
 /**
- * One grid surface of a structured grid, \a axis 0 to 2 at \a index: a wall for orientation.
+ * Returns the grid surface at \a index of \a axis (0 to 2), such as a wall.
  */
 vtkSmartPointer<vtkPolyData> MakeWall(vtkStructuredGrid* grid, int axis, int index);
 
 /**
- * \a image with the cells hidden that lie where both x < \a x and y < \a y: a quarter taken away to
- * look inside.
+ * Returns \a image with the cells hidden where x < \a x and y < \a y, which cuts it open.
  */
 vtkSmartPointer<vtkImageData> HideQuarter(vtkImageData* image, double x, double y);
 
 /**
- * \a image with each axis reduced by \a factor, each value the mean of its block.
+ * Returns \a image reduced by \a factor along each axis. Each value is the mean of its block.
  */
 vtkSmartPointer<vtkImageData> Reduce(vtkImageData* image, int factor);
 }

@@ -15,7 +15,7 @@ std::vector<Scene>& Registry()
   return scenes;
 }
 
-/// Chapter and number of "3.10", which a comparison of text would put before "3.3".
+/// Returns chapter and number of "3.10". As text it would sort before "3.3".
 std::pair<int, int> FigureNumber(const Scene& scene)
 {
   const std::string::size_type dot = scene.Figure.find('.');
@@ -40,9 +40,9 @@ const Scene* FindScene(const std::string& id)
 SceneRegistration::SceneRegistration(const Scene& scene)
 {
   std::vector<Scene>& scenes = Registry();
-  const auto place = std::upper_bound(scenes.begin(), scenes.end(), scene,
+  const auto position = std::upper_bound(scenes.begin(), scenes.end(), scene,
     [](const Scene& a, const Scene& b)
     { return std::make_pair(FigureNumber(a), a.Id) < std::make_pair(FigureNumber(b), b.Id); });
-  scenes.insert(place, scene);
+  scenes.insert(position, scene);
 }
 }

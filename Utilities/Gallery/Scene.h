@@ -10,36 +10,35 @@ namespace gallery
 class Stage;
 
 /**
- * One picture of the gallery: what it is called, what it shows, and the pipeline that builds it.
+ * An image of the gallery: its name, texts, data, and a function that builds its pipeline.
  *
- * A file in Scenes/ defines the build functions of one scene or of several that share their data,
- * and a `const SceneRegistration` for each; nothing else has to be told of them but the list of
- * files in CMakeLists.txt. The gallery program and the regression test of the same id render the
- * same scene.
+ * A file in Scenes/ defines the build function of a scene, or of several scenes with common data,
+ * and a `const SceneRegistration` for each. Only the list of files in CMakeLists.txt must name the
+ * file. The gallery program and the regression test with the same id render the same scene.
  */
 struct Scene
 {
   /// Unique name on the command line, such as `interval-linear`.
   std::string Id;
-  /// Number of the figure of the source it answers, such as `3.3`.
+  /// Number of the corresponding figure of the dissertation, such as `3.3`.
   std::string Figure;
   /// One line.
   std::string Title;
-  /// Two or three sentences for the page: what is seen, and what to look at.
+  /// Two or three sentences for the page: what the image shows, and which details to look at.
   std::string Caption;
-  /// The files of Data/ it reads; each has a row in the manifest. Empty for analytic data.
+  /// Files of Data/ that the scene reads. Each has a row in the manifest. Empty for analytic data.
   std::vector<std::string> Data;
   /// Fills an empty stage.
   void (*Build)(Stage& stage);
 };
 
 /**
- * Every registered scene, ordered by figure number.
+ * Returns all registered scenes, ordered by figure number.
  */
 const std::vector<Scene>& AllScenes();
 
 /**
- * The scene of that id, or nullptr.
+ * Returns the scene with this id, or nullptr.
  */
 const Scene* FindScene(const std::string& id);
 

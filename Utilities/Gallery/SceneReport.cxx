@@ -15,11 +15,11 @@ namespace gallery
 {
 namespace
 {
-/// Values of extraction filters that do not add up.
+/// Values of extraction filters that are combined by their maximum instead of their sum.
 const std::set<std::string> LARGEST{ "ArraysInterpolated", "ArraysCopied", "Passes",
   "WorkingBytes" };
 
-/// Returns the key of a value: "tetrahedra_drawn" for "TetrahedraDrawn".
+/// Returns the JSON key of a value: "tetrahedra_drawn" for "TetrahedraDrawn".
 std::string GetKey(const std::string& name)
 {
   std::string key;
@@ -53,7 +53,7 @@ nlohmann::json ToJson(vtkInterlumeReport* report, std::initializer_list<const ch
   return values;
 }
 
-/// Returns the name of the mode that a value is.
+/// Returns the name of the mode whose index is \a value.
 const char* GetMode(
   vtkInterlumeReport* report, const char* value, const std::vector<const char*>& names)
 {
@@ -128,7 +128,7 @@ double SumValues(vtkInterlumeReport* report, std::initializer_list<const char*> 
   double sum = 0.0;
   for (const char* name : names)
   {
-    // GetNumber reports an unknown name.
+    // GetNumber reports an error for an unknown name.
     const vtkIdType size = report->Has(name) ? report->GetSize(name) : 1;
     for (vtkIdType entry = 0; entry < size; ++entry)
     {
@@ -142,8 +142,8 @@ void SceneReport::AddExtraction(vtkInterlumeReport* filter)
 {
   for (auto& [name, value] : this->Extraction)
   {
-    const auto own = static_cast<vtkIdType>(filter->GetNumber(name));
-    value = LARGEST.count(name) > 0 ? std::max(value, own) : value + own;
+    const auto number = filter->GetCount(name);
+    value = LARGEST.count(name) > 0 ? std::max(value, number) : value + number;
   }
 }
 
@@ -196,7 +196,7 @@ nlohmann::json ToJson(const SceneReport& report)
     { "criteria", report.Criteria }, { "tetrahedra", report.Tetrahedra },
     { "boundary_triangles", report.BoundaryTriangles }, { "slabs", report.Slabs },
     { "simplices", report.Simplices }, { "flow_cells", report.FlowCells },
-    { "flow_cells_left_out", report.FlowCellsLeftOut }, { "inflow_passes", report.InflowPasses },
+    { "flow_cells_left_out", report.SkippedFlowCells }, { "inflow_passes", report.InflowPasses },
     { "time_passes", report.TimePasses }, { "extraction", ToJson(report.Extraction) } };
 }
 }

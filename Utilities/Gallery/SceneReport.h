@@ -17,69 +17,70 @@
 namespace gallery
 {
 /**
- * What one scene did and what it used. Counts are measured, not declared: a feature that is off
- * leaves its counts at 0 and its name out of Features.
+ * Costs and statistics of one scene. All counts are measured: the counts of an inactive feature are
+ * 0, and its name is not in Features.
  */
 struct SceneReport
 {
   std::string Id;
   std::string Figure;
-  /// Pixels of the picture.
+  /// Size of the image in pixels.
   int Width = 0;
   int Height = 0;
 
-  /// Wall clock: reading and building, of that the extraction filters, and drawing.
+  /// Wall-clock times: reading and building, the part of that time spent in extraction filters, and
+  /// rendering.
   double BuildSeconds = 0.0;
   double ExtractSeconds = 0.0;
   double RenderSeconds = 0.0;
-  /// The frames of its animation, how long they took to draw and write, and whether a movie was
-  /// made of them.
+  /// Number of animation frames, the time to render and write them, and true if a movie was
+  /// written.
   int Frames = 0;
   double FrameSeconds = 0.0;
   bool HasMovie = false;
 
-  /// Names of what was on: `criteria`, `boundaries`, `time`, `time-boundaries` (those of
-  /// tetrahedra), `time-slices`, `flow`, `stream-surfaces`, `time-surfaces`, `volumes`, `slices`,
-  /// `inflow-textures`, `shadows`, `ambient-occlusion`.
+  /// Names of the active features: `criteria`, `boundaries`, `time`, `time-boundaries` (boundaries
+  /// that are tetrahedra), `time-slices`, `flow`, `stream-surfaces`, `time-surfaces`, `volumes`,
+  /// `slices`, `inflow-textures`, `shadows`, `scene-shadows`, `ambient-occlusion`.
   std::set<std::string> Features;
 
-  /// Extraction filters run, their intervals and criteria, and what came out.
+  /// Extraction filters that ran, their intervals and criteria, and the sizes of their outputs.
   int Filters = 0;
   int Intervals = 0;
   int Criteria = 0;
   vtkIdType Tetrahedra = 0;
   vtkIdType BoundaryTriangles = 0;
-  /// Of interval volumes in space and time: the most slabs between steps, and the 4-simplices.
+  /// Time-varying interval volumes: the maximum number of time slabs, and the number of
+  /// 4-simplices.
   int Slabs = 0;
   vtkIdType Simplices = 0;
-  /// Values of the filters' reports by their names: the sum, or the largest of those that do not
-  /// add up.
+  /// Values of the filters' reports by name: the sum over the filters, or the maximum of values
+  /// that cannot be added.
   std::map<std::string, vtkIdType> Extraction{ { "Cells", 0 }, { "CellsVisited", 0 },
     { "CellsWithOutput", 0 }, { "LowerDimensionalCells", 0 }, { "NonFiniteCells", 0 },
     { "BlankedCells", 0 }, { "LinearizedCells", 0 }, { "UnsupportedCells", 0 },
     { "CollapsedSimplices", 0 }, { "ArraysInterpolated", 0 }, { "ArraysCopied", 0 },
     { "Passes", 0 }, { "WorkingBytes", 0 } };
 
-  /// Of flow volumes: cells of the implicit flow fields, those left out because nothing may be
-  /// interpolated in them, and extractions by inflow and by advection time.
+  /// Flow volumes: cells of the implicit flow fields, cells skipped because interpolation is
+  /// invalid in them, and extraction passes by inflow and by advection time.
   vtkIdType FlowCells = 0;
-  vtkIdType FlowCellsLeftOut = 0;
+  vtkIdType SkippedFlowCells = 0;
   int InflowPasses = 0;
   int TimePasses = 0;
 
-  /// Panels, those that have surfaces, and of these those with ambient occlusion.
+  /// Number of panels, of panels with surfaces, and of panels with ambient occlusion.
   int Panels = 0;
   int SurfacePanels = 0;
   int OcclusionPanels = 0;
-  /// Passes over the surfaces of a panel, over the tetrahedra of each volume and over the buffers
-  /// of each volume of slices, summed over panels; the screen-space passes of ambient occlusion are
-  /// among them.
+  /// Passes over the surfaces of each panel, the tetrahedra of each volume and the buffers of each
+  /// sliced volume, and the screen-space passes of ambient occlusion, summed over panels.
   int Passes = 0;
-  /// Off-screen textures of the drawing, and the bytes they take, the window's own included.
+  /// Off-screen textures of the rendering, including window buffers, and their size in bytes.
   int Buffers = 0;
   vtkIdType Bytes = 0;
-  /// Copies of the reports of the volumes: of tetrahedra, of slices, and of inflow textures. Their
-  /// passes, buffers and bytes are in the sums above.
+  /// Copies of the mapper reports: tetrahedra, slices, and inflow textures. The sums above include
+  /// their passes, buffers and bytes.
   using VolumeReports = std::vector<vtkSmartPointer<vtkInterlumeReport>>;
   VolumeReports Volumes;
   VolumeReports SlicedVolumes;
@@ -88,7 +89,7 @@ struct SceneReport
   /// Adds the report of an extraction filter.
   void AddExtraction(vtkInterlumeReport* filter);
   ///@{
-  /// Add the report of a volume's mapper.
+  /// Add the report of a volume mapper.
   void AddVolume(vtkInterlumeReport* volume);
   void AddSlicedVolume(vtkInterlumeReport* volume);
   void AddInflowVolume(vtkInterlumeReport* volume);
@@ -97,7 +98,7 @@ struct SceneReport
 
 nlohmann::json ToJson(const SceneReport& report);
 
-/// Returns the sum of all entries of values of a report.
+/// Returns the sum of all entries of the named values of a report.
 double SumValues(vtkInterlumeReport* report, std::initializer_list<const char*> names);
 }
 

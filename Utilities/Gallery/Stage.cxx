@@ -3,7 +3,7 @@
 
 #include "Gallery/DrawCounter.h"
 #include "Gallery/Look.h"
-#include "Gallery/Picture.h"
+#include "Gallery/GalleryImage.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stopwatch.h"
 
@@ -21,10 +21,10 @@ namespace gallery
 {
 namespace
 {
-/// The picture is drawn this many times larger in each direction and averaged down.
+/// The image is rendered this many times larger in each direction and averaged.
 constexpr int SUPERSAMPLING = 2;
 
-/// Height of the caption line and of the legend, in lines of text.
+/// Heights of the caption and of the legend, in lines of text.
 constexpr double CAPTION_LINES = 2.4;
 constexpr double LEGEND_LINES = 4.4;
 
@@ -64,18 +64,19 @@ Panel& Stage::AddPanel(const std::string& caption, const vtkVector3d& from, cons
   return panel;
 }
 
-void Stage::SetColourBar(
-  const std::string& title, vtkScalarsToColors* colours, double lower, double upper)
+void Stage::SetColorBar(
+  const std::string& title, vtkScalarsToColors* colors, double lower, double upper)
 {
-  vtkSmartPointer<vtkScalarsToColors> kept = colours;
-  this->Legend = [title, kept, lower, upper](vtkRenderer* overlay, double x, double width, int font)
-  { AddColourBar(overlay, title, kept, lower, upper, x, 1.9 * font, width, font); };
+  vtkSmartPointer<vtkScalarsToColors> colorMap = colors;
+  this->Legend = [title, colorMap, lower, upper](
+                   vtkRenderer* overlay, double x, double width, int font)
+  { AddColorBar(overlay, title, colorMap, lower, upper, x, 1.9 * font, width, font); };
 }
 
-void Stage::SetColourKey(const std::string& title, const std::vector<ColourEntry>& entries)
+void Stage::SetColorKey(const std::string& title, const std::vector<ColorEntry>& entries)
 {
   this->Legend = [title, entries](vtkRenderer* overlay, double x, double, int font)
-  { AddColourKey(overlay, title, entries, x, 1.5 * font, font); };
+  { AddColorKey(overlay, title, entries, x, 1.5 * font, font); };
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> Stage::Run(vtkAlgorithm* filter)
@@ -153,7 +154,7 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkFlowVolume* filter, vtkDa
   }
   vtkInterlumeReport* report = filter->GetReport();
   this->Report.FlowCells += report->GetNumber("Cells");
-  this->Report.FlowCellsLeftOut += SumValues(report,
+  this->Report.SkippedFlowCells += SumValues(report,
                                      { "CellsWithoutResult", "CellsBetweenSurfaces", "CellsOnSeams",
                                        "CellsAcrossSurfaces", "CellsWithTimeJumps" }) -
     report->GetNumber("CellsCut");
@@ -193,14 +194,14 @@ vtkSmartPointer<vtkImageData> Stage::Render()
 {
   const Stopwatch watch;
   this->FitCameras();
-  vtkSmartPointer<vtkImageData> picture = this->DrawPaper();
+  vtkSmartPointer<vtkImageData> image = this->DrawCaptions();
   for (std::size_t i = 0; i < this->Panels.size(); ++i)
   {
     Panel& panel = *this->Panels[i];
     const DrawCounter counter(panel.GetRenderer());
     const Cell cell = this->GetCell(i);
     vtkSmartPointer<vtkImageData> drawing = panel.Draw(cell.Width, cell.Height - cell.Caption);
-    Paste(picture, drawing, cell.Left, cell.Bottom + cell.Caption);
+    Paste(image, drawing, cell.Left, cell.Bottom + cell.Caption);
     const BufferCount used = CountBuffers(panel, this->Report.Features);
     this->Report.Buffers += used.Buffers;
     this->Report.Bytes += used.Bytes;
@@ -210,18 +211,18 @@ vtkSmartPointer<vtkImageData> Stage::Render()
     AddVolumeReports(panel, this->Report);
   }
   this->Report.Panels = static_cast<int>(this->Panels.size());
-  picture = AverageDown(picture, SUPERSAMPLING);
+  image = AverageDown(image, SUPERSAMPLING);
   this->Report.RenderSeconds = watch.Seconds();
-  return picture;
+  return image;
 }
 
-vtkSmartPointer<vtkImageData> Stage::RenderFrame(double part, int width, int height)
+vtkSmartPointer<vtkImageData> Stage::RenderFrame(double fraction, int width, int height)
 {
   const SceneReport report = this->Report;
   const int size[2] = { this->Width, this->Height };
   this->Width = SUPERSAMPLING * width;
   this->Height = SUPERSAMPLING * height;
-  this->Show(part);
+  this->Show(fraction);
   vtkSmartPointer<vtkImageData> frame = this->Render();
   this->Width = size[0];
   this->Height = size[1];
@@ -229,24 +230,24 @@ vtkSmartPointer<vtkImageData> Stage::RenderFrame(double part, int width, int hei
   return frame;
 }
 
-vtkSmartPointer<vtkImageData> Stage::DrawPaper()
+vtkSmartPointer<vtkImageData> Stage::DrawCaptions()
 {
   const int font = FontSize(this->Height);
-  vtkNew<vtkRenderer> paper;
-  ApplyLook(paper);
+  vtkNew<vtkRenderer> overlay;
+  ApplyLook(overlay);
   for (std::size_t i = 0; i < this->Panels.size(); ++i)
   {
     const Cell cell = this->GetCell(i);
-    AddText(paper, this->Panels[i]->GetCaption(), cell.Left + 0.5 * cell.Width,
+    AddText(overlay, this->Panels[i]->GetCaption(), cell.Left + 0.5 * cell.Width,
       cell.Bottom + 0.5 * cell.Caption, font);
   }
   if (this->Legend)
   {
-    this->Legend(paper, 0.5 * this->Width, 0.42 * this->Width, font);
+    this->Legend(overlay, 0.5 * this->Width, 0.42 * this->Width, font);
   }
   vtkSmartPointer<vtkRenderWindow> window = MakeWindow(this->Width, this->Height);
-  window->AddRenderer(paper);
-  return GrabPicture(window);
+  window->AddRenderer(overlay);
+  return GrabImage(window);
 }
 
 const std::vector<std::unique_ptr<Panel>>& Stage::FitPanels()
@@ -260,9 +261,9 @@ void Stage::FitCameras()
   std::map<vtkCamera*, std::vector<vtkVector3d>> points;
   for (const std::unique_ptr<Panel>& panel : this->Panels)
   {
-    const std::vector<vtkVector3d> own = panel->GetPoints();
+    const std::vector<vtkVector3d> panelPoints = panel->GetPoints();
     std::vector<vtkVector3d>& shared = points[panel->GetCamera()];
-    shared.insert(shared.end(), own.begin(), own.end());
+    shared.insert(shared.end(), panelPoints.begin(), panelPoints.end());
   }
   for (std::size_t i = 0; i < this->Panels.size(); ++i)
   {
@@ -285,7 +286,7 @@ vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, int width, int hei
   Stage stage(width, height);
   scene.Build(stage);
   const double buildSeconds = watch.Seconds();
-  vtkSmartPointer<vtkImageData> picture = stage.Render();
+  vtkSmartPointer<vtkImageData> image = stage.Render();
   report = stage.GetReport();
   report.Id = scene.Id;
   report.Figure = scene.Figure;
@@ -297,6 +298,6 @@ vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, int width, int hei
     take(stage.RenderFrame(static_cast<double>(i) / report.Frames, width / 2, height / 2));
   }
   report.FrameSeconds = frameWatch.Seconds();
-  return picture;
+  return image;
 }
 }

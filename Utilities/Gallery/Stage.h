@@ -28,20 +28,20 @@ namespace gallery
 struct Scene;
 
 /**
- * Where a scene puts its panels: lays them out in a grid with a caption under each and one legend
- * under all, draws them off-screen at twice the size, and counts what was used.
+ * Lays out the panels of a scene in a grid, with a caption under each and one legend under all.
+ * Renders them off-screen at twice the size, and counts the resources used.
  */
 class Stage
 {
 public:
   /**
-   * A picture of width x height pixels.
+   * Sets the size of the image in pixels.
    */
   Stage(int width, int height);
   ~Stage();
 
   /**
-   * Number of columns of the grid of panels; rows follow. Default: one row.
+   * Sets the number of columns of the panel grid. Default: all panels in one row.
    */
   void SetColumns(int columns) { this->Columns = columns; }
 
@@ -51,63 +51,65 @@ public:
   Panel& AddPanel(const std::string& caption);
 
   /**
-   * The same, with a camera that looks from \a from, and that the panels added like this share.
+   * Adds a panel whose camera looks from \a from. All panels added with this overload share the
+   * camera of the first panel.
    */
   Panel& AddPanel(
     const std::string& caption, const vtkVector3d& from, const vtkVector3d& up = { 0.0, 0.0, 1.0 });
 
   ///@{
   /**
-   * The legend under the panels, one of both: a bar where colour means a value, or a key where it
-   * means an interval.
+   * Set the legend under the panels: a color bar for values, or a color key for intervals. The last
+   * call wins.
    */
-  void SetColourBar(
-    const std::string& title, vtkScalarsToColors* colours, double lower, double upper);
-  void SetColourKey(const std::string& title, const std::vector<ColourEntry>& entries);
+  void SetColorBar(
+    const std::string& title, vtkScalarsToColors* colors, double lower, double upper);
+  void SetColorKey(const std::string& title, const std::vector<ColorEntry>& entries);
   ///@}
 
   /**
-   * Runs an extraction filter on \a input and adds what it did to the report. Returns its
-   * tetrahedra, which outlive another run. Boundary triangles, where asked for, are on the filter's
-   * port 1.
+   * Runs an extraction filter on \a input and adds its statistics to the report. Returns its
+   * tetrahedra, which further runs do not change. Boundary triangles, if generated, are on port 1
+   * of the filter.
    */
   vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkIntervalVolume* filter, vtkDataObject* input);
 
   /**
-   * The same for an interval volume in space and time of a temporal source, over the steps that the
-   * filter takes. Boundaries, where asked for, are on the filter's port 1, and counted; 4-simplices
-   * on its port 2.
+   * Runs a time-varying interval volume on a temporal source, over the time steps that the filter
+   * uses. Boundaries, if generated, are on port 1 of the filter and are counted. 4-simplices are on
+   * port 2.
    */
   vtkSmartPointer<vtkUnstructuredGrid> Extract(
     vtkTimeVaryingIntervalVolume* filter, vtkAlgorithm* source);
 
   /**
-   * The same for a flow volume of an implicit flow field with its inflow. Stream surfaces, where
-   * asked for, are on the filter's port 1, time surfaces on its port 2, and counted.
+   * Runs a flow volume on an implicit flow field with inflow values. Stream surfaces, if generated,
+   * are on port 1 of the filter, and time surfaces on port 2. Both are counted.
    */
   vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkFlowVolume* filter, vtkDataObject* input);
 
   /**
-   * The 4-simplices at one time, as tetrahedra, which are counted.
+   * Returns a slice of the 4-simplices at one time as tetrahedra, and counts them.
    */
   vtkSmartPointer<vtkUnstructuredGrid> Slice(vtkUnstructuredGrid* simplices, double time);
 
   /**
-   * The scene moves: \a show makes it as it is at a part of the animation, 0 to 1. Default: none.
+   * Sets the animation: \a show updates the scene to a fraction of the animation, 0 to 1. Default:
+   * no animation.
    */
-  void SetAnimation(const std::function<void(double part)>& show) { this->Show = show; }
+  void SetAnimation(const std::function<void(double fraction)>& show) { this->Show = show; }
   bool HasAnimation() const { return this->Show != nullptr; }
 
   /**
-   * Draws the picture: RGB, unsigned char.
+   * Renders the image: RGB, unsigned char.
    */
   vtkSmartPointer<vtkImageData> Render();
 
   /**
-   * Draws the animation at a part, as a picture of width x height pixels. It is not counted in the
-   * report.
+   * Renders the animation at a fraction, as an image of width x height pixels. It is not counted in
+   * the report.
    */
-  vtkSmartPointer<vtkImageData> RenderFrame(double part, int width, int height);
+  vtkSmartPointer<vtkImageData> RenderFrame(double fraction, int width, int height);
 
   /**
    * Fits the cameras as Render() does, and returns the panels.
@@ -115,12 +117,13 @@ public:
   const std::vector<std::unique_ptr<Panel>>& FitPanels();
 
   /**
-   * What was done up to now; complete after Render().
+   * Returns the statistics collected so far. They are complete after Render().
    */
   const SceneReport& GetReport() const { return this->Report; }
 
 private:
-  /// Place of a panel in the large picture, in pixels; Caption is the height of its lowest part.
+  /// Location of a panel in the large image, in pixels. Caption is the height of the caption at its
+  /// bottom.
   struct Cell
   {
     int Left;
@@ -130,10 +133,10 @@ private:
     int Caption;
   };
   Cell GetCell(std::size_t panel) const;
-  /// Runs a filter and counts what came out, and how long it took.
+  /// Runs a filter, counts its output and measures its time.
   vtkSmartPointer<vtkUnstructuredGrid> Run(vtkAlgorithm* filter);
   void FitCameras();
-  vtkSmartPointer<vtkImageData> DrawPaper();
+  vtkSmartPointer<vtkImageData> DrawCaptions();
 
   int Width;
   int Height;
@@ -145,14 +148,15 @@ private:
 };
 
 /**
- * Builds and draws \a scene and fills the report.
+ * Builds and renders \a scene, and fills the report.
  */
 vtkSmartPointer<vtkImageData> RenderScene(
   const Scene& scene, int width, int height, SceneReport& report);
 
 /**
- * The same, and where the scene has an animation gives \a take that many frames of it, evenly
- * spaced from part 0 on, without part 1, of half the picture's width and height.
+ * As above. If the scene has an animation, also passes \a frames frames of it to \a take. They are
+ * evenly spaced from fraction 0 on, without fraction 1, and have half the width and height of the
+ * image.
  */
 vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, int width, int height,
   SceneReport& report, int frames, const std::function<void(vtkImageData* frame)>& take);

@@ -7,7 +7,7 @@
 namespace gallery
 {
 /**
- * Wall clock time since it was made.
+ * Measures the wall-clock time since construction.
  */
 class Stopwatch
 {

@@ -8,8 +8,8 @@
 namespace gallery
 {
 /**
- * Lets another pass see the props that are no volumes. vtkSSAOPass knows volumes in newer versions
- * of VTK, and calls those an error that are not shaded.
+ * Passes only the props that are not volumes to another pass. Newer versions of vtkSSAOPass process
+ * volumes, and report an error for volumes without shading.
  */
 class SurfacesPass : public vtkRenderPass
 {

@@ -26,7 +26,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeTimeBoundary(
   chosen->GetPointData()->CopyAllocate(all->GetPointData());
   vtkNew<vtkIntArray> ids;
   ids->SetName("IntervalId");
-  std::vector<vtkIdType> places(static_cast<std::size_t>(all->GetNumberOfPoints()), -1);
+  std::vector<vtkIdType> newIds(static_cast<std::size_t>(all->GetNumberOfPoints()), -1);
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < all->GetNumberOfCells(); ++cell)
   {
@@ -39,13 +39,13 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeTimeBoundary(
     all->GetCellPoints(cell, corners);
     for (vtkIdType& corner : *corners)
     {
-      vtkIdType& place = places[static_cast<std::size_t>(corner)];
-      if (place < 0)
+      vtkIdType& newId = newIds[static_cast<std::size_t>(corner)];
+      if (newId < 0)
       {
-        place = points->InsertNextPoint(all->GetPoint(corner));
-        chosen->GetPointData()->CopyData(all->GetPointData(), corner, place);
+        newId = points->InsertNextPoint(all->GetPoint(corner));
+        chosen->GetPointData()->CopyData(all->GetPointData(), corner, newId);
       }
-      corner = place;
+      corner = newId;
     }
     chosen->InsertNextCell(all->GetCellType(cell), corners);
     ids->InsertNextValue(static_cast<int>(kind - kinds.begin()));

@@ -12,10 +12,10 @@ class vtkTimeVaryingIntervalVolume;
 namespace gallery
 {
 /**
- * The cells of port 1 of \a filter that are of one of \a kinds
- * (vtkTimeVaryingIntervalVolume::BoundaryKinds), with their points only and the point arrays. Cell
- * array `IntervalId` is the place of the kind among \a kinds, so that MakeVolumeOfIntervals() gives
- * each a colour.
+ * Returns the cells of port 1 of \a filter that have one of \a kinds
+ * (vtkTimeVaryingIntervalVolume::BoundaryKinds), with only their points and the point arrays. The
+ * cell array `IntervalId` is the index of the kind in \a kinds, so that MakeVolumeOfIntervals()
+ * colors each kind.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeTimeBoundary(
   vtkTimeVaryingIntervalVolume* filter, const std::vector<int>& kinds);

@@ -36,7 +36,7 @@ Panel& AddPanelInTime(
   Panel& panel = stage.AddPanel("");
   panel.SetBackground(DarkBackground());
   panel.Add(volume);
-  stage.SetColourBar(
+  stage.SetColorBar(
     "time", volume->GetProperty()->GetRGBTransferFunction(), times.front(), times.back());
   return panel;
 }

@@ -12,14 +12,14 @@ class Panel;
 class Stage;
 
 /**
- * The times of the steps of a temporal source.
+ * Returns the times of the steps of a temporal source.
  */
 std::vector<double> GetTimeSteps(vtkAlgorithm* source);
 
 /**
- * Adds a dark panel with the interval from \a lower to \a upper of the scalars of \a source over
- * all times between its steps: colours of time are added up, with \a extinction per unit of length
- * and time. Sets the colour bar of the stage.
+ * Adds a dark panel with the interval from \a lower to \a upper of the scalars of \a source, over
+ * all times between its steps. Colors of different times are added. \a extinction is per unit of
+ * length and time. Sets the color bar of the stage.
  */
 Panel& AddPanelInTime(
   Stage& stage, vtkAlgorithm* source, double lower, double upper, double extinction);

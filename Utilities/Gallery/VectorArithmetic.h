@@ -4,9 +4,9 @@
 
 /**
  * @file
- * @brief + - * / for vtkVector3d and its like
+ * @brief + - * / for vtkVector3d and similar types
  *
- * They are in a header of their own in VTK 9.1 to 9.5, and in vtkVector.h itself from 9.6 on.
+ * VTK 9.1 to 9.5 declare these operators in a separate header, VTK 9.6 in vtkVector.h.
  */
 #include "vtkVector.h"
 #if __has_include("vtkVectorOperators.h")

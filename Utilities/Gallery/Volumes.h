@@ -15,49 +15,49 @@ class vtkTimeWeightedTetrahedraMapper;
 class vtkUnstructuredGrid;
 
 /**
- * Tetrahedra as volumes, drawn by vtkTimeWeightedTetrahedraMapper.
+ * Volumes of tetrahedra, rendered by vtkTimeWeightedTetrahedraMapper.
  */
 namespace gallery
 {
 /**
- * How one interval looks: its colour and its extinction, per unit of length.
+ * Color and extinction, per unit of length, of an interval.
  */
 struct IntervalLook
 {
-  vtkColor3d Colour;
+  vtkColor3d Color;
   double Extinction;
 };
 
 /**
- * A volume whose colour and extinction, per unit of length, are functions of point array \a array.
+ * Returns a volume whose color and extinction, per unit of length, are functions of the point array
+ * \a array.
  */
 vtkSmartPointer<vtkVolume> MakeVolume(vtkUnstructuredGrid* tetrahedra, const std::string& array,
-  vtkColorTransferFunction* colours, vtkPiecewiseFunction* extinction);
+  vtkColorTransferFunction* colors, vtkPiecewiseFunction* extinction);
 
 /**
- * A volume in which each interval has one colour and extinction; looks[i] is that of cells with
+ * Returns a volume with one color and extinction per interval: looks[i] applies to cells with
  * `IntervalId` i.
  */
 vtkSmartPointer<vtkVolume> MakeVolumeOfIntervals(
   vtkUnstructuredGrid* tetrahedra, const std::vector<IntervalLook>& looks);
 
 /**
- * A volume of vtkTimeVaryingIntervalVolume with the colours that vtkTemporalColorTransferFunction
- * gives to the times of the steps, by point array `Time`; \a extinction per unit of length and
- * time.
+ * Returns a volume of vtkTimeVaryingIntervalVolume, colored by the point array `Time` with the
+ * vtkTemporalColorTransferFunction of the step times. \a extinction is per unit of length and time.
  */
 vtkSmartPointer<vtkVolume> MakeVolumeInTime(
   vtkUnstructuredGrid* tetrahedra, const std::vector<double>& times, double extinction);
 
 /**
- * Draws boundary triangles over the points of the tetrahedra between the parts of the volume,
- * shaded and glossy; \a opacity 0 to 1.
+ * Draws boundary triangles inside the volume, shaded and glossy. The triangles must share the
+ * points of the tetrahedra. \a opacity: 0 to 1.
  */
 void SetBoundary(
-  vtkVolume* volume, vtkUnstructuredGrid* triangles, const vtkColor3d& colour, double opacity);
+  vtkVolume* volume, vtkUnstructuredGrid* triangles, const vtkColor3d& color, double opacity);
 
 /**
- * The mapper of a volume made by one of these.
+ * Returns the mapper of a volume created by one of these functions.
  */
 vtkTimeWeightedTetrahedraMapper* GetMapper(vtkVolume* volume);
 }

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Text of numbers in rows: "{ratio} ({seconds})" with the fields and counts of a row.
+"""Formats numbers of rows by templates such as "{ratio} ({seconds})", with the fields and counts of a row.
 
-{name} is formatted by the name's unit (seconds, KiB), {name:%} as a percentage, {name:2} with two digits; {a/b} is the
-quotient of two numbers, {ratio} the baseline's time over ours and {slower} its inverse.
+{name} is formatted by the unit in the name (seconds, KiB), {name:%} as a percentage, {name:2} with two digits. {a/b} is
+a quotient of two numbers, {ratio} the baseline's time divided by Interlume's, and {slower} its inverse.
 """
 
 import re
@@ -13,7 +13,7 @@ TIMES = ("ratio", "slower", "seconds", "peer_seconds")
 
 
 def short(number, digits=3):
-    """A number with the given digits; whole numbers in full, with commas. JSON has null for NaN and infinity."""
+    """Formats a number with the given digits; integers in full, with commas. Null stands for NaN and infinity."""
     if number is None:
         return "no number"
     if isinstance(number, str):
@@ -36,7 +36,7 @@ def seconds(number):
 
 
 def number_of(row, name):
-    """A field or count of a row. Raises KeyError if the row has neither."""
+    """Returns a field or count of a row. Raises KeyError if the row has neither."""
     if "/" in name:
         above, below = name.split("/")
         return number_of(row, above) / number_of(row, below)
@@ -65,9 +65,9 @@ def formatted(row, name, form):
 
 
 def text_of(row, template):
-    """The template filled from a row, or NOTHING if the row lacks one of its numbers.
+    """Fills a template from a row. Returns NOTHING if the row lacks one of its numbers.
 
-    A star marks times that are not medians; "1–1" is shortened.
+    A star marks times of a single run. "1–1" is shortened to "1".
     """
     try:
         text = FIELD.sub(lambda found: formatted(row, found.group(1), found.group(2)), template)
@@ -78,7 +78,7 @@ def text_of(row, template):
 
 
 def span_of(rows, template):
-    """The text of a row, or "a to b" for the smallest and the largest number of several."""
+    """Returns the text of a row, or "a to b" for the smallest and the largest number of several rows."""
     name = FIELD.search(template).group(1)
     texts = [text_of(row, template) for row in sorted(rows, key=lambda row: number_of(row, name))]
     return " to ".join(dict.fromkeys((texts[0], texts[-1]))) if texts else NOTHING

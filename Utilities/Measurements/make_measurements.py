@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""make_measurements.py [--check]: writes Documentation/measurements.md and the README's section "Measured".
+"""make_measurements.py [--check]: writes Documentation/measurements.md and the section "Measured" of README.md.
 
-Their words are in Documentation/measurements/page.in.md and readme.in.md, their numbers in
-Documentation/measurements/vtk-*/SUITE.json, which `interlume-bench SUITE --json FILE` writes. --check fails where a
-page is not what would be written. --take FILE puts the suites of a JSON of `interlume-bench report` (rows.json) into
-the folder of its VTK. --folder FOLDER stands for Documentation/ and the folder of README.md.
+The templates are Documentation/measurements/page.in.md and readme.in.md. The numbers are read from
+Documentation/measurements/vtk-*/SUITE.json, which `interlume-bench SUITE --json FILE` writes.
+
+Options: --check fails if a page is out of date. --take FILE splits rows.json of `interlume-bench report` into one file
+per suite, in the directory of its VTK version. --folder FOLDER is the directory of README.md and Documentation/.
 """
 
 import argparse
@@ -18,10 +19,10 @@ from results import split_report
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("--check", action="store_true", help="fail where a page is not what would be written")
-    parser.add_argument("--take", metavar="FILE", help="a JSON of the report, to be split into suites first")
+    parser.add_argument("--check", action="store_true", help="fail if a page is out of date")
+    parser.add_argument("--take", metavar="FILE", help="rows.json of a report, split into one file per suite first")
     parser.add_argument("--folder", type=Path, default=Path(__file__).resolve().parents[2],
-                        help="the folder of README.md and Documentation/")
+                        help="directory of README.md and Documentation/")
     arguments = parser.parse_args()
     data = arguments.folder / "Documentation" / "measurements"
     if arguments.take:

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Pages from templates, whose fields in {{ }} are filled from the measurements.
+"""Fills page templates from the measurements. Fields are in {{ }}:
 
-{{runs}}: what was run, and when; {{machines}}: where; {{table NAME}}: a table of tables.py; {{value NAME}}: a number in
-a sentence; {{targets SUITE}}: how many targets are met; {{missed SUITE: TEXT}}: a missed target with its cases;
-{{readme}}: the README's table; {{"text"}}: text that is not a measurement, such as a setting.
-Every missed target needs its {{missed}}, so that the page says what limits it.
+{{runs}}: the commands, with dates; {{machines}}: the machines; {{table NAME}}: a table of tables.py; {{value NAME}}: a
+number in a sentence; {{targets SUITE}}: the number of targets met; {{missed SUITE: TEXT}}: a missed target with its
+cases; {{readme}}: the README's table; {{"text"}}: text that is not a measurement, such as a setting.
+Each missed target requires a {{missed}} field, so that the page explains the reason.
 """
 
 import re
@@ -16,34 +16,35 @@ from tables import README_LINES, TABLES, VALUES
 
 FIELD = re.compile(r"\{\{(.+?)\}\}")
 README_BLOCK = re.compile(r"(<!-- measured: .*? -->\n).*?(<!-- /measured -->)", re.DOTALL)
-# What is not prose: fields, code, images, the targets of links, versions of programs.
+# Parts of a page that are not prose: fields, code, images, link targets, program versions.
 NOT_PROSE = re.compile(r"\{\{.*?\}\}|`[^`]*`|!\[[^\]]*\]\([^)]*\)|\]\([^)]*\)|\b(?:VTK|ParaView|Debian) [\d.]+")
-# Generated parts of the README, and code.
+# Generated parts of the README, and code blocks.
 NOT_TYPED = re.compile(r"<!-- (versions|measured).*?<!-- (?:end of |/)\1 -->|```.*?```", re.DOTALL)
 MEASURED = re.compile(r"\d\.\d|\d ?%|\d\s?e-?\d|\d ?(?:s|ms|µs|MB|MiB|GB|GiB|times|million)\b")
-MOST_WORDS = 3000
-# A VTK with results of fewer suites has no column in the README.
-FEWEST_SUITES = 3
+MAXIMUM_WORDS = 3000
+# The README has a column for each VTK version with results of at least this number of suites.
+MINIMUM_SUITES = 3
 
 
 def check_words(name, text):
-    """Raises ValueError if prose has a measured number, which no command would update."""
+    """Raises ValueError if prose contains a measured number, which no command would update."""
     for number, line in enumerate(text.splitlines(), 1):
         found = MEASURED.search(NOT_PROSE.sub(" ", line))
         if found:
-            raise ValueError(f"{name}:{number}: \"{found.group()}\" is typed by hand: {line.strip()}")
+            raise ValueError(f"{name}:{number}: \"{found.group()}\" is typed by hand; use a {{{{value}}}} field: "
+                             f"{line.strip()}")
 
 
 def only_row(run, fields):
-    """The row with these fields, or None."""
+    """Returns the row with these fields, or None. Raises ValueError if several rows match."""
     found = run.select(**fields)
     if len(found) > 1:
-        raise ValueError(f"{run.path}: {len(found)} rows of {run.suite} are {fields}")
+        raise ValueError(f"{run.path}: {len(found)} rows of {run.suite} match {fields}; add a field")
     return found[0] if found else None
 
 
 def table_text(run, table):
-    """A line for each value of the fields `by` among the rows `where`, a column for each template."""
+    """Returns a table: a line for each value of the fields `by` in the rows `where`, a column for each template."""
     lines = {}
     for row in run.select(**table["where"]):
         key = {name: row.get(name) for name in table["by"]}
@@ -58,7 +59,7 @@ def table_text(run, table):
 
 
 def line_ratios(run, line):
-    """The ratios of a line of the README's table as numbers and as text, or None if one is missing."""
+    """Returns the smallest ratio of a line of the README table, and all ratios as text, or None if a row is missing."""
     rows = [only_row(run, fields) for fields in line["rows"]] if run else [None]
     if None in rows:
         return None
@@ -68,9 +69,9 @@ def line_ratios(run, line):
 
 
 class Pages:
-    """The pages made of the templates and measurements in a directory.
+    """Creates the pages from the templates and measurements in a directory.
 
-    If `explains` is false, missed targets need no {{missed}}: those of small cases say nothing.
+    If `explains` is false, missed targets require no {{missed}} field. Tests use this for runs of small cases.
     """
 
     def __init__(self, folder, explains=True):
@@ -80,16 +81,16 @@ class Pages:
         self.stated = set()
 
     def written(self, root):
-        """The texts of measurements.md and of README.md, by path."""
+        """Returns the texts of measurements.md and of README.md, by path."""
         readme = root / "README.md"
         old = readme.read_text(encoding="utf-8")
         if not README_BLOCK.search(old):
-            raise ValueError(f"{readme} has no block <!-- measured: --> ... <!-- /measured -->")
+            raise ValueError(f"{readme} has no block <!-- measured: --> ... <!-- /measured -->; add one")
         check_words(readme, NOT_TYPED.sub(lambda found: "\n" * found.group().count("\n"), old))
         block = self.expanded("readme.in.md")
         page = self.expanded("page.in.md")
-        if len(page.split()) > MOST_WORDS:
-            raise ValueError(f"the page has {len(page.split())} words, more than {MOST_WORDS}")
+        if len(page.split()) > MAXIMUM_WORDS:
+            raise ValueError(f"page.in.md expands to {len(page.split())} words; the limit is {MAXIMUM_WORDS}")
         return {root / "Documentation" / "measurements.md": page,
                 readme: README_BLOCK.sub(lambda found: found.group(1) + block + found.group(2), old)}
 
@@ -97,7 +98,7 @@ class Pages:
         text = (self.folder / name).read_text(encoding="utf-8")
         check_words(self.folder / name, text)
         self.stated = set(re.findall(r"\{\{missed (.+?)\}\}", text))
-        # A field may have no text.
+        # Fields without text leave empty lines.
         return re.sub(r"\n{3,}", "\n\n", FIELD.sub(lambda found: self.field(found.group(1)), text))
 
     def field(self, words):
@@ -107,20 +108,20 @@ class Pages:
         makers = {"table": self.table, "targets": self.targets, "missed": self.missed, "value": self.value,
                   "runs": self.runs, "machines": self.machines, "readme": self.readme}
         if kind not in makers:
-            raise ValueError(f"{{{{{words}}}}} is unknown")
+            raise ValueError(f"The field {{{{{words}}}}} is unknown; see pages.py for the fields")
         try:
             return makers[kind](name)
         except KeyError as missing:
-            raise ValueError(f"{{{{{words}}}}}: there is no {missing}") from missing
+            raise ValueError(f"The field {{{{{words}}}}} names {missing}, which does not exist") from missing
 
     def table(self, name):
-        """The table with the rows of the first VTK that has some."""
+        """Returns a table with the rows of the oldest VTK that has such rows."""
         table = TABLES[name]
         texts = filter(None, (table_text(run, table) for run in self.results.of(table["suite"])))
         return next(texts, f"`interlume-bench {table['suite']}` has not been run for this yet.")
 
     def targets_of(self, suite):
-        """The targets of a suite by their text, each of the first VTK that has cases of it."""
+        """Returns the targets of a suite by their text, each from the oldest VTK with cases of it."""
         found = {}
         for run in self.results.of(suite):
             for target in run.targets:
@@ -131,7 +132,7 @@ class Pages:
         found = self.targets_of(suite)
         for text, target in found.items():
             if self.explains and not target["met"] and f"{suite}: {text}" not in self.stated:
-                raise ValueError(f"no {{{{missed {suite}: {text}}}}} says what limits it")
+                raise ValueError(f"The page lacks {{{{missed {suite}: {text}}}}} and the reason")
         met = sum(target["met"] for target in found.values())
         return f"Targets met: {met}/{len(found)}." if found else ""
 
@@ -139,7 +140,7 @@ class Pages:
         suite, _, text = words.partition(": ")
         target = self.targets_of(suite).get(text)
         if target is None or target["met"]:
-            # Of a run of few cases.
+            # Runs of small cases may meet a target that the full run misses.
             return f"*{text}*: not missed."
         cases = [f"{case['case']} {short(case['number'])}" for case in target["cases"] if not case["met"]]
         more = f" and {len(cases) - 2} more" if len(cases) > 2 else ""
@@ -166,9 +167,9 @@ class Pages:
         return "; ".join(f"{machine} (VTK {', '.join(sorted(versions))})" for machine, versions in found.items())
 
     def readme(self, _):
-        """Ratios to baselines, a column for each VTK, losses first."""
+        """Returns the table of ratios to baselines: a column for each VTK, smallest ratio first."""
         measured = [version for _, version in self.results.runs]
-        columns = [version for version in self.results.versions() if measured.count(version) >= FEWEST_SUITES]
+        columns = [version for version in self.results.versions() if measured.count(version) >= MINIMUM_SUITES]
         columns = columns or self.results.versions()
         lines = []
         for line in README_LINES:
@@ -180,7 +181,7 @@ class Pages:
             if others:
                 texts[0] = ", ".join([text for text in texts[:1] if text != NOTHING] + others)
             if found:
-                least = min(number for number, _ in found.values())
-                lines.append((least, [line["work"], line["data"], line["peer"], *texts]))
-        heads = ["work", "data", "peer", *(f"ratio, VTK {version}" for version in columns)]
+                smallest = min(number for number, _ in found.values())
+                lines.append((smallest, [line["work"], line["data"], line["peer"], *texts]))
+        heads = ["task", "data", "baseline", *(f"ratio, VTK {version}" for version in columns)]
         return markdown(heads, [line for _, line in sorted(lines, key=lambda one: one[0])])

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""profile_suites.py PROGRAM [SUITE...]: where the time goes of the rows that miss what is wanted of them.
+"""profile_suites.py PROGRAM [SUITE...]: profiles the benchmark rows that miss their targets.
 
-PROGRAM is interlume-bench, which tells when each measured run began and ended; perf takes samples of it meanwhile.
-The shares of those in a row's runs are written to Documentation/measurements/vtk-*/profiles.json, beside those of
-suites that are not asked for. It needs a display, and perf.
+PROGRAM is interlume-bench, which reports when each measured run began and ended. perf samples it meanwhile. The
+fractions of the samples in a row's runs are written to Documentation/measurements/vtk-*/profiles.json, which keeps the
+profiles of other suites. The script requires a display and perf.
 """
 
 import argparse
@@ -19,7 +19,7 @@ from pathlib import Path
 
 from results import short_version
 
-# By suite: samples a second, and the rows, by case, method and parameter.
+# By suite: samples per second, and the rows, by case, method and parameter.
 PROFILED = {
     "interval": (10000, [("bonsai-low", "drag", "2 threads"), ("bonsai-low", "drag-tied", "2 threads"),
                         ("head-ct-256-low", "drag", "2 threads"), ("disk-out", "interval-volume", "1 thread"),
@@ -38,13 +38,13 @@ PROFILED = {
 }
 SAMPLE = re.compile(r"^\s*(?P<time>[\d.]+):\s+[0-9a-f]+ (?P<symbol>.*) \((?P<library>[^()]*)\)$")
 OWN = re.compile(r"interlume::((?:\w+::)*\w+)")
-# Libraries whose functions nobody here can change, by how their paths go on.
+# Libraries that are not part of this project: prefix of the file name, name in the profile.
 LIBRARIES = (("libgallium", "OpenGL"), ("libGL", "OpenGL"), ("swrast", "OpenGL"), ("libLLVM", "OpenGL"),
              ("libvtk", "VTK"), ("libtbb", "TBB"), ("libX", "X"), ("libxcb", "X"))
 
 
 def plain(symbol):
-    """A function without its arguments, templates and namespaces."""
+    """Returns the name of a function without its arguments, templates and namespaces."""
     depth = 0
     out = ""
     for letter in symbol.replace("(anonymous namespace)::", "").replace("interlume::", ""):
@@ -53,12 +53,12 @@ def plain(symbol):
         depth += (letter == "<") - (letter == ">")
         if depth == 0 and letter != ">":
             out += letter
-    # The type that a template returns is before its name.
+    # The return type of a template precedes its name.
     return out.strip().split(" ")[-1]
 
 
 def name_of(symbol, library):
-    """What a sample is counted as: own functions by name, those of others by who has them."""
+    """Returns the name a sample is counted under: Interlume's functions by name, others by library."""
     file = library.rsplit("/", 1)[-1]
     if "kernel" in library:
         return "kernel (pages)" if "clear_page" in symbol or "zero_user" in symbol else "kernel"
@@ -67,7 +67,7 @@ def name_of(symbol, library):
             return name
     if file.startswith(("libInterlume", "interlume-bench")):
         own = OWN.search(symbol.replace("(anonymous namespace)::", ""))
-        # A loop of threads goes by the function that it is in.
+        # vtkSMPTools functors are counted as the function that contains them.
         return own.group(1) if own and not symbol.startswith("interlume::") else plain(symbol)
     if file.startswith(("libc.", "libm.", "libstdc++", "ld-")):
         return "C library" + (" (memory)" if re.search("mem(cpy|move|set)", symbol) else "")
@@ -75,7 +75,7 @@ def name_of(symbol, library):
 
 
 def read_samples(lines):
-    """The times and names of samples as `perf script` prints them, in order of time."""
+    """Returns the times and names of samples printed by `perf script`, in time order."""
     samples = []
     for line in lines:
         match = SAMPLE.match(line.rstrip("\n"))
@@ -85,7 +85,7 @@ def read_samples(lines):
 
 
 def shares(samples, spans):
-    """How many samples are in the spans, and each name's share of them, the greatest first."""
+    """Returns the number of samples in the spans, and each name's fraction of them, in descending order."""
     times = [time for time, name in samples]
     found = Counter()
     for begin, end in spans:
@@ -96,7 +96,7 @@ def shares(samples, spans):
 
 
 def profile(program, suite, folder):
-    """The results of a suite, and the samples of perf."""
+    """Runs a suite under perf and returns its results and the samples."""
     rows = folder / "rows.json"
     data = folder / "perf.data"
     subprocess.run(["perf", "record", "--quiet", "--clockid", "CLOCK_MONOTONIC", "--freq", str(PROFILED[suite][0]),
@@ -109,13 +109,16 @@ def profile(program, suite, folder):
 
 
 def profiled_rows(suite, results, samples):
-    """A row for each that is asked for of a suite; a row has its spans once for each of its peers."""
+    """Returns a profile row for each profiled row of a suite.
+
+    A row has the same spans for each of its baselines, so the first match is used.
+    """
     made = []
     for case, method, parameter in PROFILED[suite][1]:
         row = next((row for row in results["rows"] if (row["case"], row["method"]) == (case, method)
                     and row.get("parameter") == parameter), None)
         if row is None:
-            raise ValueError(f"{suite} has no row {case}, {method}, {parameter}")
+            raise ValueError(f"{suite} has no row {case}, {method}, {parameter}; correct PROFILED")
         number, found = shares(samples, row["spans"])
         made.append({"suite": "profiles", "case": f"{suite}: {case}", "method": method, "parameter": parameter,
                      "counts": {"samples": number, "shares": found}})
@@ -123,21 +126,22 @@ def profiled_rows(suite, results, samples):
 
 
 def joined(suite, before, results, samples):
-    """The profiles of all suites: of this one new, of the others as before, each with its date and load."""
+    """Merges new profiles of one suite into the profiles of all suites, each with its date and load."""
     def of_others(case):
         return not case.startswith(suite + ":")
 
-    def place(case):
+    def position(case):
         return list(PROFILED).index(case.split(":")[0])
+
     name = Path(__file__).name
     rows = [row for row in before["rows"] if of_others(row["case"])] + profiled_rows(suite, results, samples)
     parts = [part for part in before["conditions"].get("parts", []) if part["command"].split(" ")[-1] != suite]
     parts.append({"command": f"{name} interlume-bench {suite}", "date": results["conditions"]["date"],
                   "load": results["conditions"]["load"]})
     conditions = {**results["conditions"], "command": f"{name} interlume-bench",
-                  "parts": sorted(parts, key=lambda part: place(part["command"].split(" ")[-1]))}
+                  "parts": sorted(parts, key=lambda part: position(part["command"].split(" ")[-1]))}
     return {**results, "conditions": conditions, "suites": {"profiles": {}},
-            "rows": sorted(rows, key=lambda row: place(row["case"]))}
+            "rows": sorted(rows, key=lambda row: position(row["case"]))}
 
 
 def main():
@@ -148,7 +152,7 @@ def main():
     measurements = Path(__file__).resolve().parents[2] / "Documentation" / "measurements"
     for suite in arguments.suites or PROFILED:
         if suite not in PROFILED:
-            raise ValueError(f"no row of {suite} is asked for")
+            raise ValueError(f"PROFILED has no row of {suite}; choose from {', '.join(PROFILED)}")
         with tempfile.TemporaryDirectory() as folder:
             results, samples = profile(arguments.program.resolve(), suite, Path(folder))
         path = measurements / f"vtk-{short_version(results['vtk'])}" / "profiles.json"

@@ -1,22 +1,22 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The rows that interlume-bench wrote, by suite and VTK version."""
+"""Rows written by interlume-bench, by suite and VTK version."""
 
 import json
 from pathlib import Path
 
 
 def short_version(version):
-    """Returns 9.1 for 9.1.0."""
+    """Shortens a version: 9.1 for 9.1.0."""
     return ".".join(version.split(".")[:2])
 
 
 def matches(value, expected):
-    """A tuple lists the accepted values; otherwise values must be equal."""
+    """Compares a value with the expected one; a tuple lists several accepted values."""
     return value in expected if isinstance(expected, tuple) else value == expected
 
 
 class Run:
-    """The rows and targets of one suite in one JSON, and the conditions of the measurement."""
+    """Rows and targets of one suite in one JSON file, and the conditions of the measurement."""
 
     def __init__(self, path, suite, results):
         about = results.get("suites", {}).get(suite, {})
@@ -48,7 +48,7 @@ class Run:
         return self.suite + size + threads
 
     def when(self):
-        """The date, and the load before the run or its parts."""
+        """Returns the date, and the load before the run or its parts."""
         loads = [part["load"] for part in self.conditions.get("parts", [self.conditions]) if "load" in part]
         load = " to ".join(dict.fromkeys(map(str, (min(loads), max(loads))))) if loads else ""
         return f"[{self.conditions['date']}](measurements/vtk-{self.version}/{self.path.name})" + (
@@ -56,7 +56,7 @@ class Run:
 
 
 class Results:
-    """Every run in the directories vtk-*/ of a directory."""
+    """All runs in the directories vtk-*/ of a directory."""
 
     def __init__(self, folder):
         self.runs = {}
@@ -64,15 +64,15 @@ class Results:
             results = json.loads(path.read_text(encoding="utf-8"))
             version = short_version(results["vtk"])
             if path.parent.name != f"vtk-{version}":
-                raise ValueError(f"{path} is of VTK {version}")
+                raise ValueError(f"{path} is of VTK {version}; move it to the directory vtk-{version}")
             for suite in dict.fromkeys(row["suite"] for row in results["rows"]):
                 if (suite, version) in self.runs:
                     raise ValueError(f"{path}: {suite} of VTK {version} is also in "
-                                     f"{self.runs[suite, version].path.name}")
+                                     f"{self.runs[suite, version].path.name}; remove one of them")
                 self.runs[suite, version] = Run(path, suite, results)
 
     def versions(self):
-        """The VTK versions, oldest first."""
+        """Returns the VTK versions, oldest first."""
         return sorted({version for suite, version in self.runs},
                       key=lambda version: [int(part) for part in version.split(".")])
 
@@ -80,12 +80,12 @@ class Results:
         return sorted({suite for suite, version in self.runs})
 
     def of(self, suite):
-        """The runs of a suite, oldest VTK first."""
+        """Returns the runs of a suite, oldest VTK first."""
         return [self.runs[suite, version] for version in self.versions() if (suite, version) in self.runs]
 
 
 def split_report(path, folder):
-    """Writes a JSON for each suite in the JSON of a report, to the directory of its VTK."""
+    """Splits the JSON file of a report into one file per suite, in the directory of its VTK version."""
     results = json.loads(Path(path).read_text(encoding="utf-8"))
     target = Path(folder) / f"vtk-{short_version(results['vtk'])}"
     target.mkdir(parents=True, exist_ok=True)

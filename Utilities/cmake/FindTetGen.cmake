@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Finds TetGen, built as a library: the header tetgen.h and the library tet.
 #   TetGen_FOUND
-#   TetGen_VERSION   as the header's heading has it
-#   TetGen::TetGen   what to link to
-# On Debian it is the package libtet1.5-dev, later libtet-dev.
+#   TetGen_VERSION   the version in the first lines of the header
+#   TetGen::TetGen   the target to link to
+# On Debian it is the package libtet1.5-dev, or libtet-dev in later releases.
 find_path(TetGen_INCLUDE_DIR tetgen.h PATH_SUFFIXES tetgen tetgen1.5)
 find_library(TetGen_LIBRARY NAMES tet tetgen)
 mark_as_advanced(TetGen_INCLUDE_DIR TetGen_LIBRARY)

@@ -3,8 +3,8 @@
 if (CMAKE_CXX_COMPILER_ID MATCHES "GNU|Clang")
   add_compile_options(-Wall -Wextra)
 endif ()
-# GCC 14 warns in error of the bounds of a std::vector<bool> in VTK's vtkSMPThreadLocal wherever that is
-# inlined. Earlier and later versions, which do not, look at the bounds of our own arrays.
+# GCC 14 reports false violations of array bounds in a std::vector<bool> of VTK's vtkSMPThreadLocal
+# wherever it is inlined. Other versions still check the project's code.
 if (CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 14
     AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 15)
   add_compile_options(-Wno-array-bounds -Wno-stringop-overflow)

@@ -11,7 +11,7 @@ function (interlume_component module name)
   foreach (used IN LISTS arg_USES)
     get_property(indirect TARGET ${module} PROPERTY INTERLUME_USED_BY_${used})
     if (NOT indirect)
-      message(FATAL_ERROR "${module}: ${name} uses ${used}, which does not come before it.")
+      message(FATAL_ERROR "${module}: ${name} uses ${used}, which must be defined before it.")
     endif ()
     list(APPEND visible ${indirect})
   endforeach ()
@@ -32,7 +32,7 @@ function (interlume_component module name)
   set(component ${module}${name})
   add_library(${component} OBJECT ${sources})
   # The include directories of the module without its own directory. All are SYSTEM, since the property does
-  # not distinguish those of VTK.
+  # not distinguish VTK's directories.
   set(own "${CMAKE_CURRENT_SOURCE_DIR}|${CMAKE_CURRENT_BINARY_DIR}|${PROJECT_SOURCE_DIR}/Filters")
   target_include_directories(${component}
     PRIVATE "${folder}" "${CMAKE_CURRENT_BINARY_DIR}" "${PROJECT_SOURCE_DIR}/Filters")
@@ -59,9 +59,9 @@ function (interlume_link_headers folder)
   endforeach ()
 endfunction ()
 
-# interlume_shaders(VARIABLE MODULE FILE...): sets VARIABLE to the sources of the texts of shaders, which are to
-# be given to vtk_module_add_module. Their headers have a target of their own, since each component may
-# include them.
+# interlume_shaders(VARIABLE MODULE FILE...): sets VARIABLE to the generated sources of the shader
+# texts, to be passed to vtk_module_add_module. A separate target generates their headers, since
+# each component may include them.
 function (interlume_shaders variable module)
   string(TOUPPER ${module} prefix)
   set(headers)

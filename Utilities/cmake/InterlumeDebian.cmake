@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What `cpack` makes of a build: Debian packages, a component each. Of the VTK modules: the libraries,
-# what development needs, Python's package, and what needs TetGen, apart because of its licence. Of a
-# build of the plugin: the plugin, and the program that runs TetGen. They are meant for the presets
-# `packages` and `paraview-packages`; Utilities/packages makes and tries them.
+# Debian packages, built by `cpack`, one for each component. The VTK modules have packages for the
+# libraries, for development, for Python, and separate ones, because of its license, for TetGen. The
+# plugin has packages for the plugin and for the program that runs TetGen. Use the presets
+# `packages` and `paraview-packages`; Utilities/packages builds and tests the packages.
 set(INTERLUME_PACKAGE_CONTACT "Interlume developers <developers@interlume.invalid>" CACHE STRING
-  "The maintainer of the packages: a name, and an address in angle brackets")
+  "Maintainer of the packages: name and e-mail address in angle brackets")
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME interlume)
@@ -31,7 +31,8 @@ find_program(INTERLUME_GZIP gzip)
 set(about "${PROJECT_SOURCE_DIR}/Utilities/debian")
 
 # interlume_debian_package(COMPONENT PACKAGE TITLE TEXT [SECTION NAME] [DEPENDS TEXT] [LIBRARIES])
-# LIBRARIES: the package has libraries that others link to, whose names do not make its own.
+# LIBRARIES: the package contains libraries to link to, and its name is not derived from their
+# names.
 macro (interlume_debian_package component package title text)
   cmake_parse_arguments(arg "LIBRARIES" "SECTION;DEPENDS" "" ${ARGN})
   string(TOUPPER "${component}" upper)
@@ -61,15 +62,15 @@ macro (interlume_debian_package component package title text)
 endmacro ()
 
 if (INTERLUME_GZIP AND EXISTS /usr/bin/dpkg-deb)
-  set(text "Interval volumes of any dataset from isotables, implicit flow fields, and their\ndrawing as volumes in time, with shadows, or through inflow textures.")
-  set(tetgen_text "${text}\nTetGen's licence is the AGPL.")
+  set(text "Interval volumes of any dataset from isotables, implicit flow fields, and volume\nrendering over time, with shadows, or with inflow textures.")
+  set(tetgen_text "${text}\nTetGen's license is the AGPL.")
   set(this "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
   if (INTERLUME_BUILD_PARAVIEW_PLUGIN)
     get_target_property(libraries VTK::CommonCore LOCATION)
     get_filename_component(libraries "${libraries}" DIRECTORY)
     set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS "${libraries}"
       "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${PARAVIEW_PLUGIN_SUBDIR}/Interlume")
-    # Plugins work with the minor version of ParaView that they are built for.
+    # Plugins work only with the minor version of ParaView for which they are built.
     math(EXPR next "${ParaView_VERSION_MINOR} + 1")
     interlume_debian_package(plugin paraview-interlume
       "filters and volume rendering of Interlume in ParaView" "${text}"
@@ -78,7 +79,7 @@ if (INTERLUME_GZIP AND EXISTS /usr/bin/dpkg-deb)
     if (INTERLUME_ENABLE_TETGEN)
       set(CPACK_DEBIAN_PLUGIN_PACKAGE_SUGGESTS paraview-interlume-tetgen)
       interlume_debian_package(tetgen paraview-interlume-tetgen
-        "tetrahedral meshes by TetGen for Interlume in ParaView" "${tetgen_text}"
+        "tetrahedral meshes with TetGen for Interlume in ParaView" "${tetgen_text}"
         DEPENDS "paraview-interlume ${this}")
     endif ()
   else ()
@@ -101,10 +102,10 @@ if (INTERLUME_GZIP AND EXISTS /usr/bin/dpkg-deb)
     endif ()
     if (INTERLUME_ENABLE_TETGEN)
       interlume_debian_package(tetgen interlume-tetgen
-        "tetrahedral meshes by TetGen for VTK" "${tetgen_text}"
+        "tetrahedral meshes with TetGen for VTK" "${tetgen_text}"
         DEPENDS "${library} ${this}${python}" LIBRARIES)
       interlume_debian_package(tetgen_development interlume-tetgen-dev
-        "tetrahedral meshes by TetGen for VTK: headers and CMake package" "${tetgen_text}"
+        "tetrahedral meshes with TetGen for VTK: headers and CMake package" "${tetgen_text}"
         SECTION libdevel DEPENDS "interlume-tetgen ${this}, libinterlume-dev ${this}")
       if (INTERLUME_PYTHON)
         set(CPACK_DEBIAN_TETGEN_PACKAGE_RECOMMENDS "python3-interlume ${this}")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Run by `cpack` when it has made the packages. CPack adds scripts that run ldconfig to each package with
-# libraries; Debian wants a trigger in their place, which such packages have.
+# Run by `cpack` after it has built the packages. CPack adds scripts that run ldconfig to each
+# package with libraries. Debian requires a trigger instead, which these packages have.
 foreach (package IN LISTS CPACK_PACKAGE_FILES)
   set(folder "${package}.parts")
   set(files "${folder}/DEBIAN")
@@ -12,6 +12,6 @@ foreach (package IN LISTS CPACK_PACKAGE_FILES)
   endif ()
   file(REMOVE_RECURSE "${folder}")
   if (NOT status EQUAL 0)
-    message(FATAL_ERROR "dpkg-deb could not read or write ${package}")
+    message(FATAL_ERROR "dpkg-deb cannot read or write ${package}.")
   endif ()
 endforeach ()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The target `documentation`, where Doxygen is: pages of the public headers, which are the documentation, and
-# of the guide, in documentation/html of the build folder.
+# Adds the target `documentation` if Doxygen is found. It writes pages of the public headers and of
+# the guide to documentation/html in the build directory.
 find_package(Doxygen QUIET)
 if (NOT DOXYGEN_FOUND)
   return()
@@ -26,13 +26,13 @@ foreach (module IN ITEMS Flow FlowTexture Intervals Isotables Light Meshing Scen
   string(TOUPPER "${module}" upper)
   list(APPEND DOXYGEN_PREDEFINED "INTERLUME${upper}_EXPORT=")
 endforeach ()
-# Private classes, in folders below those of the modules, are for those who read the code.
+# Private classes, in subdirectories of the modules, are excluded.
 file(GLOB modules LIST_DIRECTORIES ON "${PROJECT_SOURCE_DIR}/Filters/*" "${PROJECT_SOURCE_DIR}/Rendering/*")
 set(DOXYGEN_RECURSIVE NO)
 doxygen_add_docs(documentation ${modules} "${PROJECT_SOURCE_DIR}/Documentation/guide"
   "${PROJECT_SOURCE_DIR}/Documentation"
   COMMENT "Writing the documentation of the public headers and the guide")
-# The pages refer to pictures beside the guide's folder, and in that of measurements.md.
+# The pages refer to images next to the guide's directory, and next to measurements.md.
 foreach (place IN ITEMS pictures html/pictures)
   add_custom_command(TARGET documentation POST_BUILD
     COMMAND "${CMAKE_COMMAND}" -E copy_directory

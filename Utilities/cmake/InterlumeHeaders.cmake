@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Headers that modules use inside: those of Filters/Common, and libraries of headers alone. Nothing of them
-# is in installed headers or in what the package exports. Any version of Debian 12 or later does, and none
-# is asked for: Eigen 5 says that it is not compatible with 3.4.
+# Headers that modules use privately: Filters/Common, and header-only libraries. Neither installed
+# headers nor the exported targets refer to them. Any version in Debian 12 or later works. No
+# version is requested, since Eigen 5 declares itself incompatible with 3.4.
 find_package(Boost CONFIG REQUIRED)
 find_package(Eigen3 CONFIG REQUIRED)
 find_package(glm CONFIG REQUIRED)
 
-# interlume_use_headers(MODULE [LIBRARY...]): Filters/Common with GLM, and the libraries' targets, such as
-# Eigen3::Eigen.
+# interlume_use_headers(MODULE [LIBRARY...]): lets MODULE include Filters/Common, GLM, and the
+# libraries, given by their targets, such as Eigen3::Eigen.
 function (interlume_use_headers module)
   vtk_module_include("${module}" PRIVATE "${PROJECT_SOURCE_DIR}/Filters")
   foreach (library IN ITEMS glm::glm ${ARGN})
@@ -15,7 +15,7 @@ function (interlume_use_headers module)
       SYSTEM PRIVATE "$<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>")
   endforeach ()
   if ("Eigen3::Eigen" IN_LIST ARGN)
-    # Of Eigen only what has its licence, MPL 2.
+    # Excludes parts of Eigen with other licenses than MPL 2.
     vtk_module_definitions("${module}" PRIVATE EIGEN_MPL2_ONLY)
   endif ()
 endfunction ()

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# What `find_package(Interlume)` reads after an installation. To be included before the modules are
-# made: they are installed so that each finds the others beside it.
+# The CMake package for `find_package(Interlume)`. Include this before the modules are added: its
+# RPATH lets installed libraries find each other.
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_RPATH "$ORIGIN")
-# Libraries of one minor version can stand in for each other.
+# Libraries with the same minor version are compatible.
 set(interlume_soversion "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}")
 set(interlume_library_destination "${CMAKE_INSTALL_LIBDIR}")
 set(interlume_python_component python)

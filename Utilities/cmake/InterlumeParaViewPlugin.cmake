@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The ParaView plugin: the same modules, built against ParaView's own VTK and loaded with the
-# server-manager XML of Plugin/.
+# The ParaView plugin: the same modules, built against ParaView's VTK, and the server-manager XML of
+# Plugin/.
 find_package(ParaView 5.11 REQUIRED)
 paraview_plugin_scan(
   PLUGIN_FILES      "${PROJECT_SOURCE_DIR}/Plugin/paraview.plugin"
@@ -9,7 +9,7 @@ paraview_plugin_scan(
   ENABLE_BY_DEFAULT ON)
 foreach (module IN LISTS required_modules)
   if (NOT TARGET "${module}")
-    message(FATAL_ERROR "This ParaView lacks the module ${module}")
+    message(FATAL_ERROR "This ParaView does not have the module ${module}.")
   endif ()
 endforeach ()
 include(InterlumePython)
@@ -21,8 +21,8 @@ paraview_plugin_build(
   PLUGINS_COMPONENT    plugin
   PLUGINS              ${plugins})
 
-# Python's package beside the plugin: the one of VTK's own Python cannot be loaded here, and may be
-# installed as well.
+# A Python package for the plugin. The package for VTK's Python cannot be loaded in ParaView, and
+# both may be installed.
 if (INTERLUME_PYTHON)
   set(modules ${interlume_modules})
   set(tetgen_modules)

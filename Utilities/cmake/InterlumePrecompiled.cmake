@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# interlume_precompile(): where INTERLUME_PRECOMPILE_HEADERS is on, the headers that most files include are
-# read once for the libraries of all modules and of their wrappers, and once for each other target that has
-# so many files that it wins by it. To be called when all targets are known. Clang's tools take no precompiled
-# headers of GCC: they need the compilation database of a build without, as of the preset debug.
+# interlume_precompile(): if INTERLUME_PRECOMPILE_HEADERS is on, precompiles frequently included
+# headers: once for the libraries of all modules and their wrappers, and once for each other target
+# with enough files to benefit. Call it after all targets are defined. Clang tools cannot read GCC's
+# precompiled headers. They need the compilation database of a build without them, such as the
+# preset debug.
 set(interlume_precompiled_headers
   <algorithm> <array> <cmath> <cstdint> <functional> <iostream> <limits> <map> <memory> <numeric> <sstream>
   <string> <unordered_map> <vector>
@@ -11,7 +12,7 @@ set(interlume_precompiled_headers
   <vtkUnstructuredGrid.h>)
 set(interlume_large_targets
   InterlumeBenchmarks InterlumeFlowTests InterlumeGalleryScenes InterlumeIntervalsTests InterlumeLightTests
-  InterlumePictureSupport InterlumeRepresentations InterlumeTestSupport InterlumeTetrahedraTests)
+  InterlumeImageSupport InterlumeRepresentations InterlumeTestSupport InterlumeTetrahedraTests)
 
 function (interlume_precompile)
   if (NOT INTERLUME_PRECOMPILE_HEADERS)
@@ -22,8 +23,8 @@ function (interlume_precompile)
       target_precompile_headers(${target} PRIVATE ${interlume_precompiled_headers})
     endif ()
   endforeach ()
-  # Libraries of modules have the same options, which those who share precompiled headers must have; but for
-  # Isotables, which knows VTK's core alone.
+  # Targets that share precompiled headers must have the same options, as the libraries of modules
+  # do. Common and Isotables are excluded, since they depend only on VTK's core.
   file(GENERATE OUTPUT "${CMAKE_BINARY_DIR}/InterlumePrecompiled.cxx" CONTENT "")
   add_library(InterlumePrecompiled OBJECT "${CMAKE_BINARY_DIR}/InterlumePrecompiled.cxx")
   target_link_libraries(InterlumePrecompiled PRIVATE VTK::CommonDataModel VTK::CommonExecutionModel)
@@ -36,6 +37,12 @@ function (interlume_precompile)
     foreach (target IN ITEMS ${module} ${components} ${module}CS ${module}Python)
       if (TARGET ${target})
         target_precompile_headers(${target} REUSE_FROM InterlumePrecompiled)
+      endif ()
+    endforeach ()
+    # VTK_DEPRECATION is empty in wrappers, but not in the precompiled header.
+    foreach (target IN ITEMS ${module}CS ${module}Python)
+      if (TARGET ${target})
+        target_compile_options(${target} PRIVATE -Wno-deprecated-declarations)
       endif ()
     endforeach ()
   endforeach ()

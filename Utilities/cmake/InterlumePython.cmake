@@ -1,24 +1,25 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Python's side of the modules: finds what VTK wraps classes with, and wraps ours with it. To be included
-# where VTK, or ParaView, has been found.
-#   INTERLUME_PYTHON             whether the modules are wrapped; where not, a status line has said why
-#   INTERLUME_PYTHON_DESTINATION where the package goes, relative to the prefix, unless it is given
-#   interlume_python_libraries   the folder of VTK's libraries
+# Finds VTK's wrapping tools and wraps the modules for Python. Include it after VTK or ParaView has
+# been found.
+#   INTERLUME_PYTHON             true if the modules are wrapped; otherwise a status message states the reason
+#   INTERLUME_PYTHON_DESTINATION install directory of the package relative to the prefix; may be set before
+#   interlume_python_libraries   directory of VTK's libraries
 
-# interlume_find_python(): looks for VTK's tools and for the Python that VTK's own modules are made for.
-# A macro, since find_package's targets have the scope of the folder that asks for them.
+# interlume_find_python(): finds VTK's wrapping tools, and the Python version for which VTK's
+# modules are built. A macro, since imported targets are visible only in the directory that calls
+# find_package.
 macro (interlume_find_python)
   set(INTERLUME_PYTHON OFF)
   if (NOT INTERLUME_WRAP_PYTHON)
-    set(interlume_python_obstacle "INTERLUME_WRAP_PYTHON is OFF")
+    set(interlume_python_error "INTERLUME_WRAP_PYTHON is OFF")
   elseif (INTERLUME_SANITIZE)
-    set(interlume_python_obstacle "Python cannot load a library with sanitizers")
+    set(interlume_python_error "Python cannot load libraries with sanitizers")
   elseif (NOT BUILD_SHARED_LIBS)
-    set(interlume_python_obstacle "modules of Python need shared libraries")
+    set(interlume_python_error "Python modules require BUILD_SHARED_LIBS")
   elseif (NOT VTK_WRAP_PYTHON)
-    set(interlume_python_obstacle "this VTK is not wrapped")
+    set(interlume_python_error "this VTK was built without Python wrapping")
   else ()
-    # The interpreter beside VTK, which may not be the first one on the path.
+    # Prefers the interpreter next to VTK, which may not be the first one on the path.
     if (NOT DEFINED Python3_ROOT_DIR AND NOT DEFINED Python3_EXECUTABLE)
       set(Python3_ROOT_DIR "${VTK_PREFIX_PATH}")
     endif ()
@@ -30,10 +31,10 @@ macro (interlume_find_python)
     endif ()
     get_target_property(interlume_python_libraries VTK::CommonCore LOCATION)
     get_filename_component(interlume_python_libraries "${interlume_python_libraries}" DIRECTORY)
-    interlume_find_python_obstacle(interlume_python_obstacle)
+    interlume_check_python(interlume_python_error)
   endif ()
-  if (interlume_python_obstacle)
-    message(STATUS "Without Python: ${interlume_python_obstacle}")
+  if (interlume_python_error)
+    message(STATUS "Without Python: ${interlume_python_error}")
   else ()
     set(INTERLUME_PYTHON ON)
     if (NOT DEFINED INTERLUME_PYTHON_DESTINATION)
@@ -43,14 +44,14 @@ macro (interlume_find_python)
   endif ()
 endmacro ()
 
-# Sets VARIABLE to what is missing; empty where nothing is.
-function (interlume_find_python_obstacle variable)
-  set(obstacle "")
+# Sets VARIABLE to an error message, or to an empty string if nothing is missing.
+function (interlume_check_python variable)
+  set(error "")
   if (NOT Python3_FOUND)
-    set(obstacle "Python's interpreter or its headers are missing (on Debian: python3-dev)")
+    set(error "the Python interpreter or its headers are missing (on Debian: python3-dev)")
   elseif (NOT TARGET VTK::WrapPython OR NOT TARGET VTK::WrapHierarchy
           OR NOT TARGET VTK::WrappingPythonCore OR NOT TARGET VTK::Python)
-    set(obstacle "VTK's wrapping tools are missing (on Debian: python3-vtk9)")
+    set(error "VTK's wrapping tools are missing (on Debian: python3-vtk9)")
   else ()
     interlume_python_path(path)
     execute_process(
@@ -60,14 +61,14 @@ function (interlume_find_python_obstacle variable)
       OUTPUT_VARIABLE version
       ERROR_QUIET)
     if (NOT version MATCHES "^${VTK_MAJOR_VERSION}\\.${VTK_MINOR_VERSION}\\.")
-      set(obstacle
-        "${Python3_EXECUTABLE} has no vtkmodules of VTK ${VTK_VERSION}; Python3_EXECUTABLE may name another")
+      set(error
+        "${Python3_EXECUTABLE} has no vtkmodules of VTK ${VTK_VERSION}; set Python3_EXECUTABLE to another interpreter")
     endif ()
   endif ()
-  set(${variable} "${obstacle}" PARENT_SCOPE)
+  set(${variable} "${error}" PARENT_SCOPE)
 endfunction ()
 
-# Sets VARIABLE to the PYTHONPATH where vtkmodules and what FOLDERS have are found.
+# Sets VARIABLE to the PYTHONPATH for vtkmodules and the given directories.
 function (interlume_python_path variable)
   set(folders ${ARGN} "${VTK_PREFIX_PATH}/${VTK_PYTHONPATH}")
   if (NOT "$ENV{PYTHONPATH}" STREQUAL "")
@@ -77,8 +78,9 @@ function (interlume_python_path variable)
   set(${variable} "${path}" PARENT_SCOPE)
 endfunction ()
 
-# Sets VARIABLE to where Python looks for packages below the prefix, relative to that: the interpreter
-# is asked, since Debian's has folders of its own, and another prefix has the usual one.
+# Sets VARIABLE to the directory below the prefix where Python looks for packages, relative to the
+# prefix. Queries the interpreter, since Debian's uses other directories. If it has no directory
+# below the prefix, uses lib/pythonX.Y/site-packages.
 function (interlume_python_destination variable)
   execute_process(
     COMMAND "${Python3_EXECUTABLE}" -c [[

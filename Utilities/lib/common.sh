@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Shared by the commands in Utilities/: messages, steps with a log, the build folder, a display.
-# To be sourced by bash with `set -euo pipefail`.
+# Functions shared by the commands in Utilities/: messages, logged steps, the build directory, a
+# display. Source it from bash with `set -euo pipefail`.
 
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 build_root=$source_dir/build
@@ -19,14 +19,14 @@ die()
   exit 1
 }
 
-# Prints the comment block at the top of the calling script, which is its help.
+# Prints the comment block at the top of the calling script, which is its help text.
 show_help()
 {
   sed -n '3,/^[^#]/{/^#/s/^# \{0,1\}//p}' "$0"
 }
 
-# run_logged NAME COMMAND...: output goes to a log; its last line is shown now and then, and the end
-# of it when the command fails.
+# run_logged NAME COMMAND...: redirects output to a log. Shows its last line periodically, and its
+# end if the command fails.
 run_logged()
 {
   local name=$1 log=$log_dir/$1.log pid status=0 waited=0
@@ -46,11 +46,11 @@ run_logged()
   trap - INT TERM
   if [ "$status" -ne 0 ]; then
     tail -n 40 "$log" >&2
-    die "$name failed with status $status; all of its output is in $log"
+    die "$name failed with status $status; see the output in $log"
   fi
 }
 
-# Configures the preset when needed and builds the targets named, or all of them.
+# Configures the preset and builds the given targets, or all targets.
 build_preset()
 {
   local preset=$1 target
@@ -65,10 +65,11 @@ build_preset()
     cmake --build --preset "$preset" --parallel "$jobs" ${targets[@]+"${targets[@]}"})
 }
 
-# Runs a command on a virtual display, so that a picture never depends on the desktop's driver; or
-# where `window` names VTK's class of window that needs no display, in those. The display takes more
-# clients than usual, since each rank of a parallel run opens windows of its own, and does not reset
-# when the last of them leaves: the next, arriving meanwhile, would be turned away.
+# Runs a command on a virtual display, so that images do not depend on the desktop's driver. If
+# `window` is set to a VTK window class that needs no display, uses that class instead. The display
+# accepts more clients than the default, since each process of a parallel run opens windows. It does
+# not reset when the last client disconnects, since it would reject a client that connects
+# meanwhile.
 with_display()
 {
   if [ -n "${window:-}" ]; then

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Installs what a Debian machine lacks. Needs common.sh.
+# Installs missing Debian packages. Needs common.sh.
 
-# What the modules need besides VTK, or ParaView: the two cannot be installed together. Where a
-# package's name differs between Debian's versions, the names have | between them.
+# Packages for the modules in addition to either VTK or ParaView, which cannot be installed
+# together. If a package has different names in different Debian releases, the names are separated
+# by |.
 module_packages=(
   g++ cmake ninja-build libboost-dev libeigen3-dev libglm-dev 'libtet1.5-dev | libtet-dev')
 
-# VTK with what wraps classes for Python, which libvtk9-dev brings, and NumPy, which it does not.
+# VTK with the tools for wrapping classes in Python, and NumPy, which libvtk9-dev does not depend
+# on.
 vtk_packages=(libvtk9-dev libpython3-dev python3-vtk9 python3-numpy)
 
 build_packages=(
@@ -14,9 +16,9 @@ build_packages=(
   libcli11-dev nlohmann-json3-dev
   xvfb xauth libgl1-mesa-dri libglx-mesa0)
 
-# What ParaView's CMake package asks for, and a window manager for the tests of its client; its own
-# run-time libraries are read from its package. ParaView 5.11 is of Qt 5, later ones are of Qt 6; 6.1
-# has no VTK of its own but Debian's, and makes its help with a tool of Qt 5.
+# Requirements of ParaView's CMake package, and a window manager for the tests of its client. The
+# run-time dependencies are read from the package. ParaView 5.11 uses Qt 5, later versions use Qt 6.
+# ParaView 6.1 uses Debian's VTK and builds its help with a tool of Qt 5.
 paraview_build_packages=(
   libtool-bin libopenmpi-dev openmpi-bin python3-mpi4py python3-numpy openbox)
 paraview_qt5_packages=(
@@ -34,18 +36,18 @@ as_root()
   elif command -v sudo >/dev/null; then
     sudo env DEBIAN_FRONTEND=noninteractive "$@"
   else
-    die "packages are missing, and this user is neither root nor has sudo; as root, run: $*"
+    die "packages are missing, and this user is not root and has no sudo; as root, run: $*"
   fi
 }
 
-# apt_get ARGUMENTS...: with the package lists as they are; with new ones if that fails.
+# apt_get ARGUMENTS...: runs apt-get. If it fails, updates the package lists and retries.
 apt_get()
 {
   local -a command=(apt-get -y -q -o DPkg::Lock::Timeout=600 --no-install-recommends "$@")
   as_root "${command[@]}" || { as_root apt-get -q update && as_root "${command[@]}"; }
 }
 
-# is_installed PACKAGE: or, of several with | between them, any.
+# is_installed PACKAGE: succeeds if the package, or any of several separated by |, is installed.
 is_installed()
 {
   local package
@@ -55,12 +57,12 @@ is_installed()
   return 1
 }
 
-# install_packages NAME PACKAGE...: NAME is what the log is called.
+# install_packages NAME PACKAGE...: installs missing packages. NAME is the name of the log.
 install_packages()
 {
   local name=$1 package missing=
   shift
-  command -v apt-get >/dev/null || die "this needs a Debian system; elsewhere install: $*"
+  command -v apt-get >/dev/null || die "packages can be installed automatically only on Debian; install: $*"
   for package in "$@"; do
     is_installed "$package" || missing+="${missing:+, }$package"
   done
@@ -70,8 +72,8 @@ install_packages()
   fi
 }
 
-# Prints the version of a package that apt would install; nothing where there is none, by new package
-# lists too.
+# Prints the version of a package that apt would install, or nothing if it is not available even after
+# updating the package lists.
 available_version()
 {
   local -a show=(apt-cache show --no-all-versions "$1")

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Brings ParaView into a folder of its own: its Python package cannot be installed beside VTK's.
-# Needs common.sh and packages.sh.
+# Unpacks ParaView into a separate directory, because its Python package conflicts with VTK's. Needs
+# common.sh and packages.sh.
 
 paraview_root=$build_root/paraview-root
 paraview_stamp=$paraview_root/.unpacked
 paraview_known='5.11 5.13 6.1'
 
-# Prints the ParaView that the plugin is built with: the one unpacked, or the one apt would bring.
+# Prints the ParaView version for the plugin: of the unpacked ParaView, or of the available package.
 paraview_version()
 {
   if [ -s "$paraview_stamp" ]; then
@@ -16,8 +16,8 @@ paraview_version()
   fi
 }
 
-# Prints why ParaView's plugin cannot be built on this system; nothing where it can.
-paraview_obstacle()
+# Prints an error message if the plugin cannot be built on this system; otherwise prints nothing.
+check_paraview()
 {
   local version known
   version=$(paraview_version)
@@ -27,16 +27,16 @@ paraview_obstacle()
   if [ -n "$version" ]; then
     printf 'this system has ParaView %s' "${version%%[+-]*}"
   else
-    printf 'this system has no ParaView'
+    printf 'this system has no package of ParaView'
   fi
-  printf '; the plugin knows %s' "${paraview_known// /, }"
+  printf '; the plugin supports %s' "${paraview_known// /, }"
 }
 
 fetch_paraview()
 {
-  local packages=$build_root/paraview-packages obstacle version client_packages
-  obstacle=$(paraview_obstacle)
-  [ -z "$obstacle" ] || die "$obstacle"
+  local packages=$build_root/paraview-packages error version client_packages
+  error=$(check_paraview)
+  [ -z "$error" ] || die "$error"
   version=$(paraview_version)
   case $version in
     5.11.*) client_packages=("${paraview_qt5_packages[@]}") ;;
@@ -65,7 +65,8 @@ download_packages()
   apt-get -q download "$@" || { as_root apt-get -q update && apt-get -q download "$@"; }
 }
 
-# The dependencies of a package without its interpreters: scripts here need only numpy and mpi4py.
+# Prints the dependencies of a package except tclsh and Python packages: the scripts need only numpy
+# and mpi4py.
 libraries_of()
 {
   dpkg-deb -f "$1" Depends | sed -E 's/(^|, )(tclsh|python3-[^,]*)//g; s/^, //'
@@ -79,7 +80,7 @@ unpack_packages()
   done
 }
 
-# ParaView's CMake package names the modules of its Python without the interpreter's tag.
+# ParaView's CMake package refers to its Python modules without the interpreter's tag.
 link_python_modules()
 {
   local module plain

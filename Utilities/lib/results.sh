@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs ctest over several build folders, says at the end what came out, and writes it to results.json
-# beside the logs. Needs common.sh and paraview.sh.
+# Runs ctest in several build directories, prints a summary, and writes it to results.json next to
+# the logs. Needs common.sh and paraview.sh.
 
 result_names=()
 result_runs=()
 failed_runs=0
-left_out=
+skipped=
 
-# run_tests NAME BUILD_FOLDER CTEST_ARGUMENTS...
+# run_tests NAME BUILD_DIRECTORY CTEST_ARGUMENTS...
 run_tests()
 {
   local name=$1 folder=$2
@@ -20,7 +20,7 @@ run_tests()
     --no-tests=error "$@" 2>&1 | tee "$log_dir/test-$name.log" || failed_runs=$((failed_runs + 1))
 }
 
-# Prints the program whose version tells runs of a name apart: ParaView, or VTK and its window.
+# Prints the version of the tested program: ParaView, or VTK and its window class.
 tested_version()
 {
   local version
@@ -33,14 +33,14 @@ tested_version()
   fi
 }
 
-# leave_out WHAT WHY: is said at once, and again among the results; nothing fails by it.
-leave_out()
+# skip WHAT WHY: prints a message now, and again in the summary. Skipping is not a failure.
+skip()
 {
-  say "Left out: $1, since $2"
-  left_out+="$1: left out, since $2"$'\n'
+  say "Skipped: $1, because $2"
+  skipped+="$1: skipped, because $2"$'\n'
 }
 
-# Prints ctest's closing lines of every run, and what was left out; fails if a run failed.
+# Prints ctest's summary of each run, and the skipped steps. Fails if a run failed.
 report_results()
 {
   local name
@@ -50,7 +50,7 @@ report_results()
     sed -n '/tests passed,/,$p' "$log_dir/test-$name.log" |
       sed -e '/^Label Time Summary/,/^$/d' -e '/^$/d' -e 's/^/  /'
   done
-  printf '%s' "$left_out"
+  printf '%s' "$skipped"
   python3 "$source_dir/Utilities/lib/write_results.py" "$log_dir/results.json" "$log_dir" \
     "g++ $(g++ -dumpfullversion)" "${result_runs[@]}"
   if [ "$failed_runs" -ne 0 ]; then

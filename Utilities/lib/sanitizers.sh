@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The value and stability tests under a sanitizer. Needs common.sh and results.sh.
+# Runs the value and stability tests with a sanitizer. Needs common.sh and results.sh.
 
-# test_with_sanitizer address|thread: the presets and the suppressions are named after it. Left out
-# are the gallery, whose OpenGL driver is not built with it, and the project that uses the installed
-# package, which is not either; for threads, whose locks in the driver cannot be seen, all that draws.
+# test_with_sanitizer address|thread: also the name of the preset and of the suppressions. Excludes
+# the gallery, because the OpenGL driver is not instrumented, and the project that uses the
+# installed package, which is not instrumented either. For threads, excludes all rendering, because
+# locks in the driver are not visible.
 test_with_sanitizer()
 {
   local name=$1 suppressions=$source_dir/Utilities/sanitizers excluded='Gallery|TestInstalledPackage'
@@ -11,7 +12,7 @@ test_with_sanitizer()
     excluded="$excluded|TestTetrahedraMapper|TestVolumeStage"
   fi
   build_preset "sanitize-$name"
-  # The thread pool of the standard library instead of TBB: ThreadSanitizer sees its locks.
+  # Uses the thread pool of the standard library instead of TBB: ThreadSanitizer sees its locks.
   VTK_SMP_BACKEND_IN_USE=STDThread \
   ASAN_OPTIONS=detect_leaks=1:detect_odr_violation=0 \
   LSAN_OPTIONS="suppressions=$suppressions/leaks.txt:print_suppressions=0" \

@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs a command of Utilities/ in a Debian system of its own, in a folder. Needs common.sh and
+# Runs a command of Utilities/ in a minimal Debian system in a directory. Needs common.sh and
 # packages.sh.
 
 suites_dir=${INTERLUME_SUITES:-$build_root/suites}
 suites_known='bookworm trixie sid'
 
-# run_in_suite SUITE COMMAND...: COMMAND is relative to the source folder. The system is made at the
-# first call; later ones reuse it, with what was installed and built there, and copy the files that
-# have changed since.
+# run_in_suite SUITE COMMAND...: runs COMMAND, which is relative to the source directory. The first
+# call creates the system. Later calls reuse it with its installed packages and builds, and copy
+# only changed files.
 run_in_suite()
 {
   local suite=$1 root=$suites_dir/$1
@@ -18,17 +18,17 @@ run_in_suite()
   enter_suite "$root" /src "$@"
 }
 
-# make_suite SUITE ROOT: a minimal Debian in the folder ROOT, unless it is there.
+# make_suite SUITE ROOT: creates a minimal Debian in the directory ROOT if it does not exist.
 make_suite()
 {
   local suite=$1 root=$2 mirror
   case " $suites_known " in
     *" $suite "*) ;;
-    *) die "unknown suite $suite; known are: ${suites_known// /, }" ;;
+    *) die "unknown suite $suite; supported suites: ${suites_known// /, }" ;;
   esac
   install_packages suite debootstrap util-linux
   if [ ! -d "$root" ]; then
-    say "Making Debian $suite in $root"
+    say "Creating Debian $suite in $root"
     mkdir -p "$suites_dir"
     as_root rm -rf "$root.part"
     mirror=$(debian_mirror)
@@ -38,13 +38,13 @@ make_suite()
   fi
 }
 
-# enter_suite ROOT FOLDER COMMAND...: runs COMMAND in FOLDER of the system in ROOT.
+# enter_suite ROOT DIRECTORY COMMAND...: runs COMMAND in DIRECTORY of the system in ROOT.
 enter_suite()
 {
   local root=$1 propagation=private
-  # In a folder that is itself such a system there is nothing to make private.
+  # Inside such a system, mount propagation cannot be changed.
   as_root unshare --mount true 2>/dev/null || propagation=unchanged
-  # The mounts end with the command's own namespace.
+  # The mounts exist only in the mount namespace of the command.
   as_root unshare --mount --propagation $propagation bash -euc '
     root=$1 folder=$2
     shift 2
@@ -60,15 +60,16 @@ enter_suite()
       chroot "$root" bash -c "cd \"\$1\" && shift && exec \"\$@\"" bash "$folder" "$@"' bash "$@"
 }
 
-# The mirror that this system uses; nothing where it names none, for debootstrap's own.
+# Prints the mirror that this system uses. Prints nothing if there is none; debootstrap then uses
+# its default.
 debian_mirror()
 {
   cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null |
     sed -nE 's/^(URIs: |deb (\[[^]]*\] )?)(http[^ ]*\/debian)\/?( .*)?$/\3/p' | head -n 1 || true
 }
 
-# All files but what was built. Those that differ are new there, whatever their times are here, so that
-# they alone are built again; those that are gone leave the copy too.
+# Copies all files except build results. Changed files get a new modification time, so that only
+# they are rebuilt. Deleted files are deleted in the copy.
 copy_source()
 {
   local root=$1 list=$1/src.files files=$log_dir/suite-files changed=$log_dir/suite-changed file

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""versions.py JSON PAGE [RESULTS...]: writes the table of versions into PAGE, between the lines <!-- versions -->
-and <!-- end of versions -->, from the runs of Utilities/test that JSON keeps: the latest of each version.
-RESULTS are files results.json of further runs, taken up first.
+"""versions.py [--check] JSON PAGE [RESULTS...]: writes the table of versions into PAGE, between the lines
+<!-- versions --> and <!-- end of versions -->. JSON stores the latest run of Utilities/test for each version.
+RESULTS are files results.json of further runs, which are added to JSON first.
 
-With --check before JSON: fails where the table is not what would be written.
+With --check: fails if the table in PAGE is not up to date.
 """
 
 import json
@@ -16,8 +16,8 @@ HEAD = """| program | system | tests passed, failed, skipped | of these pictures
 """
 
 
-def take_up(runs, results):
-    """Whole runs only: those of the modules are called vtk, those of the plugin paraview."""
+def add_results(runs, results):
+    """Adds complete runs: vtk for the modules and paraview for the plugin."""
     for run in results["runs"]:
         if run["name"] in ("vtk", "paraview"):
             runs[run["version"]] = {"date": results["date"], "system": results["system"],
@@ -35,7 +35,7 @@ def row(run):
 
 
 def footnotes(runs):
-    """The names behind each number that is not of tests passed."""
+    """Yields the names of failed and skipped tests."""
     for version, run in runs.items():
         for result in ("failed", "skipped"):
             if run[result]:
@@ -55,12 +55,12 @@ def main(arguments):
     record, page, *results = map(Path, arguments[check:])
     runs = json.loads(record.read_text()) if record.exists() else {}
     for result in results:
-        take_up(runs, json.loads(result.read_text()))
+        add_results(runs, json.loads(result.read_text()))
     runs = {version: runs[version] for version in sorted(runs, key=order)}
     text = page.read_text()
     table = with_table(text, runs)
     if check:
-        sys.exit(0 if table == text else f"the table of versions in {page} is not that of {record}")
+        sys.exit(0 if table == text else f"The table of versions in {page} does not match {record}. Run Utilities/versions.")
     record.write_text(json.dumps(runs, indent=1) + "\n")
     page.write_text(table)
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a user of Python does first: an interval volume of a wavelet; and a mesh of a sphere, where the
-package is installed that runs TetGen."""
+"""Tests the Python package: an interval volume of a wavelet and, if its package is installed, a mesh of a
+sphere by TetGen."""
 
 import sys
 
@@ -26,4 +26,4 @@ if "--tetgen" in sys.argv:
     print(cells, "tetrahedra of a sphere")
     sys.exit(cells == 0)
 elif hasattr(interlume, "vtkTetrahedralMesher"):
-    sys.exit("what needs TetGen is here without its package")
+    sys.exit("vtkTetrahedralMesher exists, although its package is not installed")

@@ -1,9 +1,10 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# In a fresh system with /packages and this folder as /trial: installs the packages of the VTK modules, and
-# uses them in C++ and in Python, first without those that need TetGen.
+# Runs in a minimal system with /packages and /trial (this directory). Installs the packages of the
+# VTK modules and uses them in C++ and in Python, first without the packages that require TetGen.
 set -eu
-# The system may be of another day than the mirror; a mirror that stands still has lists that have expired.
+# The system's clock may differ from the mirror's, and the package lists of a frozen mirror may have
+# expired.
 apt-get update -q || true
 install()
 {

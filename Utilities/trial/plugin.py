@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""What a user of ParaView does first: an interval volume of a wavelet, by a plugin that nobody names here;
-and a mesh of a sphere, by the program that runs TetGen."""
+"""Tests the ParaView plugin: an interval volume of a wavelet, and a mesh of a sphere by the program that runs
+TetGen. The plugin must be loaded without being named here."""
 
 import os
 import traceback
@@ -17,10 +17,10 @@ try:
     for result in (volume, mesh):
         result.UpdatePipeline()
         numbers.append(result.GetDataInformation().GetNumberOfCells())
-    # The client keeps what is printed for a window of its own.
+    # The client captures printed text in a window.
     os.write(1, f"{numbers} tetrahedra in ParaView\n".encode())
     status = 0 if all(numbers) else 1
 except Exception:
     os.write(2, traceback.format_exc().encode())
-# The client would wait for its user.
+# Otherwise the client waits for user input.
 os._exit(status)

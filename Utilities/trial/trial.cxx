@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a user of the libraries does first: an interval volume of a wavelet.
+// Tests the installed libraries: extracts an interval volume of a wavelet.
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
 #include "vtkRTAnalyticSource.h"

@@ -33,34 +33,39 @@ namespace interlume
 
 /**
  * @class   Advection
- * @brief   follows streamlines of a walker's field, one after another, each to its end
+ * @brief   traces streamlines through the field of a cell walker, one at a time
  *
- * The walker is as CellWalker has it, the method as vtkImplicitFlowField has it. Steps are taken
- * in the cell's coordinates, dp/dt = velocity or its negative. A step may end a little outside of
- * the cell; it is accepted when its error, as a vector of world space, is at most MaximumError
- * times the step (or times what rounding leaves of the speed), and then cut by its dense output
- * where it leaves the cell. Where it meets a surface the step is taken once more to there. The
- * first step is from the time through the cell and
- * the bend of the streamline; from then on the step goes on from cell to cell as a time.
+ * For the interface of the walker see CellWalker; for the method see vtkImplicitFlowField.
  *
- * Faces crossed without time going on, as at edges and corners, are at most 64 in a row, and none
- * of them back: then a step is taken where the streamline stands. A streamline has stagnated where
- * its speed is below the least or 0, and by StagnationTest. It is on a closed orbit by
- * RecurrenceTest.
+ * Integration uses the parametric coordinates of the cell: dp/dt = velocity, or its negative for
+ * backward integration. A step may end slightly outside the cell. It is accepted if its error,
+ * measured in world space, is at most MaximumError times the step time; MaximumError is raised if
+ * it is below the rounding error of the speed. The dense output then cuts the step at the face
+ * where it leaves the cell. If the step reaches a termination surface, it is repeated with its end
+ * at the surface. The length of the first step follows from the time to cross the cell and the
+ * curvature of the streamline. Later cells continue with the step time of the cell before.
  *
- * A streamline that ends where the field ends, whether it leaves, stagnates or begins there, has
- * reached a surface that is as near as ArrivalTolerance times the width of the cell there, and as
- * the face is from flat: else rounding, and the triangles of a mesh of the field's own faces, would
- * decide.
+ * At edges and vertices a streamline may cross several faces without advancing in time. After 64
+ * such crossings in a row, or a return to the previous cell, the next step starts from the current
+ * point without another crossing. A streamline stagnates if its speed is 0 or below MinimumSpeed,
+ * or if StagnationTest finds that it no longer makes progress. RecurrenceTest detects closed
+ * orbits.
  *
- * One object serves one thread. Nothing is allocated but by the constructor, if the result is used
- * again.
+ * A streamline may end at the boundary of the field, by leaving, stagnating or starting there. It
+ * then counts as having reached a surface if the surface is within ArrivalTolerance times the cell
+ * width, plus the deviation of the face from a plane. Without this tolerance, rounding and the
+ * triangulation of a surface made from the field's own faces would decide whether the streamline
+ * reaches it.
+ *
+ * An object must not be shared between threads. If the result object is reused, only the
+ * constructor allocates memory.
  */
 template <typename Walker>
 class Advection : private StreamlineState
 {
 public:
-  /// Makes an advection on a copy of \a field. \a options must not change while it is used.
+  /// Constructs an advection with a copy of \a field. \a options must outlive the object and must
+  /// not change.
   Advection(const Walker& field, const AdvectionOptions& options)
     : Field(field)
     , Options(options)
@@ -75,23 +80,23 @@ public:
 
   void Follow(const double x[3], AdvectionResult& result)
   {
-    bool goesOn = this->Start(x);
-    while (goesOn)
+    bool isActive = this->Start(x);
+    while (isActive)
     {
-      goesOn = this->GoStep();
+      isActive = this->Advance();
     }
     this->Finish(result);
   }
 
   ///@{
-  /// Follows one streamline step by step: Start and GoStep return false where it ends, and then
-  /// Finish is called.
+  /// Traces one streamline step by step. Start and Advance return false when the streamline ends.
+  /// Finish must then be called.
   bool Start(const double x[3])
   {
     this->Reset(StreamlineState());
     return this->Begin(x);
   }
-  bool GoStep() { return this->Enter() && this->TakeStep(); }
+  bool Advance() { return this->Enter() && this->MakeStep(); }
   void Finish(AdvectionResult& result)
   {
     this->End();
@@ -105,10 +110,9 @@ public:
   ///@}
 
   ///@{
-  /// Start and GoStep return false too where another process has to go on, in a cell that is not
-  /// here. Finish is not called then; the other process resumes the streamline from its state, as
-  /// Start begins one.
-  bool IsElsewhere() const { return this->Elsewhere; }
+  /// Start and Advance also return false if the streamline enters a cell of another process. Finish
+  /// must not be called then. The other process calls Resume with the saved state instead of Start.
+  bool IsOnOtherProcess() const { return this->IsLeaving; }
   void Save(AdvectionState& state) const
   {
     state.Values = *this;
@@ -126,26 +130,26 @@ public:
       return this->BeginInCell(this->Result.Position);
     }
     this->Integrals.Restore(this->Surfaces.Restore(state.Numbers.data()));
-    this->NoteCrossing();
+    this->RecordCrossing();
     return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
   }
   ///@}
 
-  /// Returns the number of steps of the streamline, rejected ones too.
+  /// Returns the number of steps of the streamline, including rejected ones.
   int GetNumberOfSteps() const { return this->Result.GetNumberOfSteps(); }
 
   ///@{
-  /// Hands the streamline over to a lane that goes on with it, if the next steps may be those that
-  /// LaneSteps takes, and takes it back.
+  /// Copies the streamline to a SIMD lane, and back to this object. StoreToSimdLane returns false
+  /// if SimdDormandPrince cannot take the next step.
   template <typename Steps>
-  bool GiveTo(Steps& steps, int lane) const
+  bool StoreToSimdLane(Steps& steps, int lane) const
   {
-    const int most = std::min(this->Stagnation.GetStepsLeft(),
+    const int maximumSteps = std::min(this->Stagnation.GetStepsLeft(),
       this->Options.MaximumNumberOfSteps - this->GetNumberOfSteps());
     const bool isExplicit = this->Options.Integrator == vtkFlowSettings::DORMAND_PRINCE ||
       (this->Options.Integrator == vtkFlowSettings::AUTOMATIC && !this->Stiffness.IsStiff());
-    if (!isExplicit || most <= 0 || this->HasIntegrals || this->Recurrence.IsWatching() ||
-      this->Step == 0.0 || this->Crossings >= MostCrossings || this->ClosedFace >= 0)
+    if (!isExplicit || maximumSteps <= 0 || this->HasIntegrals || this->Recurrence.IsWatching() ||
+      this->Step == 0.0 || this->Crossings >= MaximumCrossings || this->ClosedFace >= 0)
     {
       return false;
     }
@@ -156,24 +160,24 @@ public:
     }
     steps.Time.Set(lane, this->Time);
     steps.Step.Set(lane, this->Step);
-    steps.Way.Set(lane, this->Stagnation.GetWay());
+    steps.PathLength.Set(lane, this->Stagnation.GetPathLength());
     steps.Previous.Set(lane, this->Controller.GetPrevious());
     steps.WasRejected.Set(lane, this->Controller.GetWasRejected() ? 1.0 : 0.0);
-    steps.StepsLeft.Set(lane, most);
+    steps.StepsLeft.Set(lane, maximumSteps);
     for (std::size_t i = 0; i < steps.Clearances.size(); ++i)
     {
       steps.Clearances[i].Set(lane, this->Surfaces.GetClearance(i));
     }
     typename Steps::Count& count = steps.Counts[lane];
     count = typename Steps::Count();
-    count.MostCells = this->Recurrence.GetNextFace() - this->Result.Cells;
+    count.MaximumCells = this->Recurrence.GetNextFace() - this->Result.Cells;
     count.From = this->Recurrence.GetFrom();
     count.To = this->Recurrence.GetTo();
     count.HasRate = this->HasPointRate;
     return true;
   }
-  /// Returns whether the next step meets no surface after all, where that was all that kept a lane
-  /// from it, so that the lane goes on. Else TakeFrom is to be called.
+  /// Returns true if the SIMD lane can continue: only a nearby surface stopped the lane, and the
+  /// exact distance shows that the next step cannot reach it. Otherwise call LoadFromSimdLane.
   template <typename Steps>
   bool IsClear(Steps& steps, int lane)
   {
@@ -184,7 +188,8 @@ public:
         this->Surfaces.RestoreClearance(i, steps.Clearances[i].Get(lane));
       }
     }
-    // Of several surfaces the first that is met decides which others are looked at.
+    // With several surfaces, a hit on one shortens the range in which the others are tested.
+    // Therefore only a single surface is handled here.
     if (!steps.IsNear(lane) || this->Surfaces.GetNumber() != 1)
     {
       return false;
@@ -193,7 +198,7 @@ public:
       steps.Point[2].Get(lane) };
     double x[3];
     steps.Walker.GetPosition(lane, p, x);
-    if (!this->Surfaces.Renew(x, steps.GetWay(lane)))
+    if (!this->Surfaces.Renew(x, steps.GetStepDistance(lane)))
     {
       return false;
     }
@@ -201,14 +206,14 @@ public:
     return true;
   }
   template <typename Steps>
-  void TakeFrom(const Steps& steps, int lane)
+  void LoadFromSimdLane(const Steps& steps, int lane)
   {
     const typename Steps::Count& count = steps.Counts[lane];
     if (count.Steps == 0)
     {
       return;
     }
-    this->Field.StandIn(steps.Walker.GetPlace(lane));
+    this->Field.StandIn(steps.Walker.GetCellLocation(lane));
     for (int i = 0; i < 3; ++i)
     {
       this->Point[i] = steps.Point[i].Get(lane);
@@ -216,7 +221,7 @@ public:
     this->Time = steps.Time.Get(lane);
     this->Step = steps.Step.Get(lane);
     this->Controller.Restore(steps.Previous.Get(lane), false);
-    this->Stagnation.Restore(steps.Way.Get(lane), count.Steps);
+    this->Stagnation.Restore(steps.PathLength.Get(lane), count.Steps);
     this->Stiffness.AddHarmless(count.Steps);
     this->HasPointRate = count.HasRate;
     if (this->HasPointRate)
@@ -225,7 +230,7 @@ public:
       --this->Result.Evaluations;
     }
     this->Result.Steps += count.Steps;
-    this->Result.LaneSteps += count.Steps;
+    this->Result.SimdSteps += count.Steps;
     this->Result.Cells += count.Cells;
     this->Result.Evaluations +=
       DormandPrinceStep<double>::NumberOfRates * count.Steps + count.Rates;
@@ -236,7 +241,7 @@ public:
 
 private:
   using Measures = StepMeasures<double>;
-  static constexpr int MostCrossings = 64;
+  static constexpr int MaximumCrossings = 64;
   static constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 
   void Reset(const StreamlineState& state)
@@ -244,18 +249,18 @@ private:
     static_cast<StreamlineState&>(*this) = state;
     this->HasPointRate = false;
     this->ClosedFace = -1;
-    this->FaceLeft = -1;
-    this->Elsewhere = false;
+    this->LeavingFace = -1;
+    this->IsLeaving = false;
   }
 
-  /// Leaves the streamline to the process that has the cell.
-  bool GoElsewhere()
+  /// Stops because another process owns the cell. Always returns false.
+  bool LeaveToOtherProcess()
   {
-    this->Elsewhere = true;
+    this->IsLeaving = true;
     return false;
   }
 
-  /// Begins a streamline. Returns false where it ends at its start.
+  /// Starts a streamline. Returns false if it ends at its start.
   bool Begin(const double x[3])
   {
     std::copy(x, x + 3, this->Result.Position);
@@ -263,7 +268,7 @@ private:
     {
       return this->EndWith(vtkFlowStatus::OUTSIDE);
     }
-    return this->Field.IsHere() ? this->BeginInCell(x) : this->GoElsewhere();
+    return this->Field.IsHere() ? this->BeginInCell(x) : this->LeaveToOtherProcess();
   }
 
   bool BeginInCell(const double x[3])
@@ -291,13 +296,13 @@ private:
     return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
   }
 
-  /// Returns whether the streamline, where it stands, is at a surface as it is at the end of the
-  /// field: within \a most, in widths of the cell, of a face that has no neighbour.
-  bool ArrivesAtOuterFace(double most)
+  /// Returns true if the streamline has reached a surface at a boundary face (a face without a
+  /// neighbor) that is within \a maximumDistance cell widths of the current point.
+  bool ArrivesAtOuterFace(double maximumDistance)
   {
     for (int face = 0; face < this->Field.GetNumberOfFaces(); ++face)
     {
-      if (this->Field.GetFaceDistance(face, this->Point) <= most &&
+      if (this->Field.GetFaceDistance(face, this->Point) <= maximumDistance &&
         !this->Field.HasNeighbor(face) && this->Arrives(face))
       {
         return true;
@@ -306,7 +311,7 @@ private:
     return false;
   }
 
-  /// Returns whether the streamline is at a surface as it is at one such face.
+  /// Returns true if the streamline has reached a surface at the given boundary face.
   bool Arrives(int face)
   {
     if (this->Surfaces.IsEmpty() || !(this->Options.ArrivalTolerance > 0.0))
@@ -336,14 +341,14 @@ private:
     return true;
   }
 
-  /// Returns whether the streamline ended at a surface, at the end of the field.
+  /// Returns true if the streamline reached a surface at the boundary of the field.
   bool ArrivesAtEnd()
   {
     if (this->Result.Status == vtkFlowStatus::STAGNATED)
     {
       return this->ArrivesAtOuterFace(this->Options.ArrivalTolerance);
     }
-    return this->FaceLeft >= 0 && this->Arrives(this->FaceLeft);
+    return this->LeavingFace >= 0 && this->Arrives(this->LeavingFace);
   }
 
   bool EndWith(int status)
@@ -377,16 +382,16 @@ private:
     return Vectors::SafeLength(glm::make_vec3(world));
   }
 
-  /// Enters the cell that the streamline goes on in, and computes the rate there. Returns false
-  /// where the streamline ends.
+  /// Enters the cell in which the streamline continues, and computes the rate there. Returns false
+  /// if the streamline ends.
   bool Enter()
   {
     unsigned int closed = 0;
-    int way = -1;
+    int leavingFace = -1;
     const auto close = [&](int face)
     {
       closed |= 1U << face;
-      way = way < 0 ? face : way;
+      leavingFace = leavingFace < 0 ? face : leavingFace;
     };
     if (this->ClosedFace >= 0)
     {
@@ -409,12 +414,12 @@ private:
       {
         return this->EndWith(vtkFlowStatus::STAGNATED);
       }
-      const bool isHeld = this->Crossings >= MostCrossings;
+      const bool isHeld = this->Crossings >= MaximumCrossings;
       const int face =
         this->Exit.Approach(this->Field, this->Point, this->PointRate, isHeld, closed);
       if (face < 0)
       {
-        return way < 0 || this->Leave(way);
+        return leavingFace < 0 || this->Leave(leavingFace);
       }
       if (!this->Cross(face))
       {
@@ -422,10 +427,10 @@ private:
         continue;
       }
       closed = 0;
-      way = -1;
+      leavingFace = -1;
       if (!this->Field.IsHere())
       {
-        return this->GoElsewhere();
+        return this->LeaveToOtherProcess();
       }
       if (!this->Field.IsFinite())
       {
@@ -434,7 +439,7 @@ private:
     }
   }
 
-  /// Crosses a face into the neighbour. Returns false where there is none.
+  /// Crosses a face into the neighbor. Returns false if there is no neighbor.
   bool Cross(int face)
   {
     const vtkIdType from = this->Field.GetCell();
@@ -442,31 +447,31 @@ private:
     {
       return false;
     }
-    // Going back and forth between two cells would never end: it comes of rounding, or of a field
-    // that meets itself in the face.
+    // Alternating between two cells would never end. It results from rounding, or from velocities
+    // that point toward the face on both sides.
     this->Crossings =
-      this->Field.GetCell() == this->CellBefore ? MostCrossings : this->Crossings + 1;
+      this->Field.GetCell() == this->CellBefore ? MaximumCrossings : this->Crossings + 1;
     this->CellBefore = from;
     this->HasPointRate = false;
     ++this->Result.Cells;
-    // Where another process has the cell, that looks.
+    // A process that receives the streamline calls RecordCrossing in Resume.
     if (this->Field.IsHere())
     {
-      this->NoteCrossing();
+      this->RecordCrossing();
     }
     return true;
   }
 
-  /// Looks for a return where the streamline has come into the cell, if that is due.
-  void NoteCrossing()
+  /// Records the entry into a cell for the recurrence test if the test needs it.
+  void RecordCrossing()
   {
     if (this->Recurrence.IsDue(this->Result.Cells, this->CellBefore, this->Field.GetCell()))
     {
-      this->LookForReturn(this->CellBefore);
+      this->TestForReturn(this->CellBefore);
     }
   }
 
-  void LookForReturn(vtkIdType from)
+  void TestForReturn(vtkIdType from)
   {
     double x[3];
     this->Field.GetPosition(this->Point, x);
@@ -475,9 +480,9 @@ private:
       { static_cast<double>(this->Options.MaximumNumberOfSteps), this->Options.MaximumTime });
   }
 
-  /// Watches for a return, with the distance of the streamline from its possible ends, after a step
-  /// within the cell.
-  void WatchForReturn(double end)
+  /// Passes the step, up to \a end, to the recurrence test, with the distances to everything that
+  /// could end the streamline.
+  void WatchReturn(double end)
   {
     double p[3];
     double x[3];
@@ -486,7 +491,8 @@ private:
     double limit = std::numeric_limits<double>::infinity();
     for (int face = 0; this->Options.DomainFaces && face < this->Field.GetNumberOfFaces(); ++face)
     {
-      // A streamline that leaves the domain ends too: an orbit stays a cell away from there.
+      // With domain faces, leaving the domain also ends a streamline. Therefore an orbit must stay
+      // one cell away from the boundary.
       limit = this->Field.GetDomainFace(face) >= 0 ? 0.0 : limit;
     }
     for (int i = 0; this->Options.DomainFaces && i < 3; ++i)
@@ -494,12 +500,12 @@ private:
       const double unit[3] = { i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0 };
       limit = std::min(limit, 0.1 * this->GetWorldLength(p, unit));
     }
-    this->Recurrence.Watch(x, this->Surfaces.GetLeastDistance(x), end * this->GetReach(), limit);
+    this->Recurrence.Watch(x, this->Surfaces.GetMinimumDistance(x), end * this->GetReach(), limit);
   }
 
   bool Leave(int face)
   {
-    this->FaceLeft = face;
+    this->LeavingFace = face;
     const int domainFace = this->Options.DomainFaces ? this->Field.GetDomainFace(face) : -1;
     if (domainFace < 0)
     {
@@ -510,7 +516,7 @@ private:
     return this->EndWith(vtkFlowStatus::REACHED_SURFACE);
   }
 
-  bool TakeStep()
+  bool MakeStep()
   {
     if (this->Recurrence.IsClosed())
     {
@@ -524,7 +530,7 @@ private:
     {
       double x[3];
       this->Field.GetPosition(this->Point, x);
-      if (this->Stagnation.Look(x, this->Time, this->Options.MaximumError))
+      if (this->Stagnation.CompleteWindow(x, this->Time, this->Options.MaximumError))
       {
         return this->EndWith(vtkFlowStatus::STAGNATED);
       }
@@ -532,18 +538,18 @@ private:
     switch (this->Options.Integrator)
     {
       case vtkFlowSettings::DORMAND_PRINCE:
-        return this->TakeStepBy(this->DormandPrince);
+        return this->MakeStepBy(this->DormandPrince);
       case vtkFlowSettings::RUNGE_KUTTA_4:
-        return this->TakeStepBy(this->RungeKutta4);
+        return this->MakeStepBy(this->RungeKutta4);
       case vtkFlowSettings::ROSENBROCK:
-        return this->TakeStepBy(this->Rosenbrock);
+        return this->MakeStepBy(this->Rosenbrock);
       default:
-        return this->Stiffness.IsStiff() ? this->TakeStepBy(this->Rosenbrock)
-                                         : this->TakeStepBy(this->DormandPrince);
+        return this->Stiffness.IsStiff() ? this->MakeStepBy(this->Rosenbrock)
+                                         : this->MakeStepBy(this->DormandPrince);
     }
   }
 
-  /// Guesses the length of the first step.
+  /// Estimates the length of the first step.
   double GuessStep(double largestError, int order)
   {
     const double fastest = Vectors::InfinityNorm(glm::make_vec3(this->PointRate));
@@ -564,14 +570,13 @@ private:
     {
       change[i] -= this->PointRate[i];
     }
-    // The relative change of the rate per unit of time, taken as if the error were made of its
-    // powers.
-    // At a speed of about 1, so that none of the quotients overflows.
+    // Relative change of the rate per unit of time. The error is modeled as a power of this change.
+    // The speed is scaled to about 1, such that no quotient overflows.
     const double scale = MultilinearCell::GetScale(this->Speed);
-    const double bend =
+    const double curvature =
       scale * this->GetWorldLength(this->Point, change) / probe / (scale * this->Speed);
     const double scaled = std::pow(largestError / this->Speed, 1.0 / order);
-    return bend * step > scaled ? scaled / bend : (bend >= 0.0 ? step : probe);
+    return curvature * step > scaled ? scaled / curvature : (curvature >= 0.0 ? step : probe);
   }
 
   template <typename Method>
@@ -592,9 +597,9 @@ private:
     }
   }
 
-  /// Takes one step, accepted or not. Returns false where the streamline ends.
+  /// Tries one step, which may be rejected. Returns false if the streamline ends.
   template <typename Method>
-  bool TakeStepBy(Method& method)
+  bool MakeStepBy(Method& method)
   {
     constexpr bool isStiff = std::is_same_v<Method, RosenbrockStep>;
     const double largestError = std::max(this->Options.MaximumError, 64.0 * Epsilon * this->Speed);
@@ -612,10 +617,11 @@ private:
     this->PrefetchAhead(1);
     const double ratio = isTaken ? this->GetLastingError(method, h) / h / largestError
                                  : std::numeric_limits<double>::infinity();
-    // A step whose way is nearly lost in rounding does not get better when it is shorter.
-    const double way = h * Vectors::InfinityNorm(glm::make_vec3(this->PointRate));
-    const bool isTiny = way <= 4.0 * Epsilon * Vectors::InfinityNorm(glm::make_vec3(this->Point)) ||
-      way < 1.0 / std::numeric_limits<double>::max();
+    // If the step is so short that rounding dominates, a shorter step does not reduce the error.
+    const double distance = h * Vectors::InfinityNorm(glm::make_vec3(this->PointRate));
+    const bool isTiny =
+      distance <= 4.0 * Epsilon * Vectors::InfinityNorm(glm::make_vec3(this->Point)) ||
+      distance < 1.0 / std::numeric_limits<double>::max();
     if (!(ratio <= 1.0) && !(isTaken && isTiny))
     {
       ++(isStiff ? this->Result.RejectedStiffSteps : this->Result.RejectedSteps);
@@ -654,7 +660,7 @@ private:
     }
     if (this->Recurrence.IsWatching())
     {
-      this->WatchForReturn(end);
+      this->WatchReturn(end);
     }
     this->Stagnation.Add(this->Speed * end * h);
     if (end * h * this->Exit.GetFastest() > CellExit<Walker>::Tolerance)
@@ -667,13 +673,13 @@ private:
       this->Time += end * h;
       this->Dense.GetPoint(end, this->Point);
       this->HasPointRate = false;
-      return this->GoThrough(face);
+      return this->CrossExitFace(face);
     }
-    return this->GoOn(method, h, isLast);
+    return this->MoveToEnd(method, h, isLast);
   }
 
-  /// Returns how far the step can go: no part of it goes farther than its share of this, whatever
-  /// the rounding.
+  /// Returns a bound on the distance that the step covers. Any fraction of the step covers at most
+  /// that fraction of the bound, even with rounding.
   double GetReach() const
   {
     if (this->Field.IsAffine())
@@ -695,7 +701,7 @@ private:
     return Measures::ReachMargin * this->Field.GetLongestWorldVector(largest);
   }
 
-  /// Cuts the step at the first surface that it meets, if it meets one.
+  /// Cuts the step at the first surface that it reaches, if any.
   template <typename Method>
   bool MeetsSurface(Method& method, double end, double h)
   {
@@ -703,26 +709,26 @@ private:
     {
       return false;
     }
-    auto place = [this](double theta, double x[3])
+    auto getPosition = [this](double theta, double x[3])
     {
       double p[3];
       this->Dense.GetPoint(theta, p);
       this->Field.GetPosition(p, x);
     };
     int surface = -1;
-    double theta = this->Surfaces.Find(place, end, this->GetReach(), surface);
+    double theta = this->Surfaces.Find(getPosition, end, this->GetReach(), surface);
     if (surface < 0)
     {
       return false;
     }
-    // A step that ends at the surface has the error that is controlled, which a dense output need
-    // not have.
+    // The error control applies only to the end of a step, not to its dense output. Therefore the
+    // step is repeated to end at the surface.
     const DenseOutput<double> found = this->Dense;
     const double shorter = theta * h * (1.0 + SurfaceCrossing::Margin);
     if (theta < 1.0 && method.Take(this->Rate, this->Point, this->PointRate, shorter))
     {
       method.GetDenseOutput(this->Dense);
-      const double refined = this->Surfaces.Refine(place, surface);
+      const double refined = this->Surfaces.Refine(getPosition, surface);
       theta = refined <= 1.0 ? refined : theta;
       h = refined <= 1.0 ? shorter : h;
       this->Dense = refined <= 1.0 ? this->Dense : found;
@@ -739,24 +745,24 @@ private:
     return true;
   }
 
-  bool GoThrough(int face)
+  bool CrossExitFace(int face)
   {
     if (!this->Cross(face))
     {
-      // At an edge another face may lead on.
+      // The point may be on an edge. The streamline may then continue through another face.
       this->ClosedFace = face;
       return true;
     }
     if (!this->Field.IsHere())
     {
-      return this->GoElsewhere();
+      return this->LeaveToOtherProcess();
     }
     return this->Field.IsFinite() || this->EndWith(vtkFlowStatus::NOT_FINITE);
   }
 
-  /// Goes to the end of a step within the cell.
+  /// Moves to the end of a step within the cell.
   template <typename Method>
-  bool GoOn(const Method& method, double h, bool isLast)
+  bool MoveToEnd(const Method& method, double h, bool isLast)
   {
     std::copy(method.End, method.End + 3, this->Point);
     this->HasPointRate = Method::HasEndRate;
@@ -765,7 +771,7 @@ private:
     return !isLast || this->EndWith(vtkFlowStatus::OUT_OF_TIME);
   }
 
-  // The walker comes first, since it is aligned.
+  // Declared first because of its alignment.
   Walker Field;
   const AdvectionOptions& Options;
   AdvectionRate<Walker> Rate;
@@ -776,18 +782,18 @@ private:
   RungeKutta4Step RungeKutta4;
   RosenbrockStep Rosenbrock;
   DenseOutput<double> Dense;
-  /// The control points of Dense, while Dense is the whole step.
+  /// Control points of Dense, valid until Dense is cut at a surface.
   double Controls[DenseOutput<double>::MaximumDegree + 1][3];
 
   double PointRate[3];
   double Speed = 0.0;
   int ClosedFace = -1;
-  /// The face by which the streamline left the field.
-  int FaceLeft = -1;
+  /// Exit face if the streamline left the field, or -1.
+  int LeavingFace = -1;
   bool HasPointRate = false;
   bool HasIntegrals;
-  /// Whether another process has to go on.
-  bool Elsewhere = false;
+  /// True if the streamline continues on another process.
+  bool IsLeaving = false;
 };
 
 }

@@ -15,7 +15,9 @@ namespace interlume
 
 /**
  * @class   AdvectionOptions
- * @brief   the surfaces and settings that Advection follows streamlines with, none automatic
+ * @brief   termination surfaces and resolved settings of Advection
+ *
+ * All automatic settings must have been replaced by values.
  */
 struct AdvectionOptions : vtkFlowSettings
 {
@@ -25,7 +27,7 @@ struct AdvectionOptions : vtkFlowSettings
     this->MaximumTime = VTK_DOUBLE_MAX;
     this->MaximumNumberOfSteps = 10000;
   }
-  /// Takes the settings over; what is automatic in them is left to be replaced.
+  /// Copies the settings. The caller must replace automatic values.
   explicit AdvectionOptions(const vtkFlowSettings& settings)
     : vtkFlowSettings(settings)
   {
@@ -34,20 +36,20 @@ struct AdvectionOptions : vtkFlowSettings
   bool IsBackward() const { return this->Direction == BACKWARD; }
   void SetBackward(bool isBackward) { this->Direction = isBackward ? BACKWARD : FORWARD; }
 
-  /// A surface that is up to date, and the id of its first part.
+  /// Surface on which Update has been called, and the id of its first part.
   struct Surface
   {
     const vtkTerminationSurface* Shape;
     int Id;
   };
   std::vector<Surface> Surfaces;
-  /// The numbers in the walker of the arrays that a mean is taken of.
+  /// Indices, as in CellWalker's Interpolate(), of the arrays to average along the streamline.
   std::vector<int> MeanNumbers;
 };
 
 /**
  * @class   AdvectionEnd
- * @brief   how one streamline ended, but for means
+ * @brief   end of one streamline, without the averaged arrays
  */
 struct AdvectionEnd
 {
@@ -63,17 +65,17 @@ struct AdvectionEnd
   int RejectedSteps = 0;
   int StiffSteps = 0;
   int RejectedStiffSteps = 0;
-  /// Those of Steps that LaneSteps took.
-  int LaneSteps = 0;
+  /// Number of steps counted in Steps that SimdDormandPrince took.
+  int SimdSteps = 0;
   int Evaluations = 0;
   int JacobianEvaluations = 0;
   int DistanceEvaluations = 0;
-  /// The distance from the surface, where the streamline did not meet it but ended near it at the
-  /// end of the field.
+  /// Tolerance that was applied if the streamline reached a surface at the boundary of the field. 0
+  /// if it intersected the surface.
   double Nearness = 0.0;
   int Cells = 0;
 
-  /// Returns the number of all steps, rejected ones too.
+  /// Returns the number of all steps, including rejected ones.
   int GetNumberOfSteps() const
   {
     return this->Steps + this->RejectedSteps + this->StiffSteps + this->RejectedStiffSteps;
@@ -82,7 +84,7 @@ struct AdvectionEnd
 
 /**
  * @class   AdvectionResult
- * @brief   how one streamline ended
+ * @brief   end of one streamline, with the averaged arrays
  */
 struct AdvectionResult : AdvectionEnd
 {

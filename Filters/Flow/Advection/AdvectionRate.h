@@ -9,14 +9,15 @@ namespace interlume
 
 /**
  * @class   AdvectionRate
- * @brief   the right-hand side dp/dt of a streamline in a walker's cell, with its direction,
- * counted
+ * @brief   right-hand side dp/dt of a streamline in the walker's current cell
+ *
+ * Applies the direction of integration and counts the evaluations.
  */
 template <typename Walker>
 class AdvectionRate
 {
 public:
-  /// Counts evaluations in \a counts.
+  /// Evaluations are counted in \a counts.
   AdvectionRate(const Walker& field, bool isBackward, AdvectionEnd& counts)
     : Field(field)
     , Counts(counts)

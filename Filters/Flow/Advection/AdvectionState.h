@@ -15,21 +15,22 @@ namespace interlume
 
 /**
  * @class   StreamlineState
- * @brief   the part of AdvectionState that has a fixed size, and can be copied as bytes
+ * @brief   fixed-size part of AdvectionState, which can be copied bytewise
  */
 struct StreamlineState
 {
   AdvectionEnd Result;
   vtkIdType Cell = -1;
   double Point[3] = { 0.0, 0.0, 0.0 };
-  /// If true, nothing is known except the cell of the start.
+  /// If true, only Cell and Result.Position are valid.
   bool IsAtStart = true;
-  /// The size of the first cell, in world units.
+  /// Size of the first cell in world units.
   double Size = 0.0;
   double Time = 0.0;
-  /// The time of a step that the error allows.
+  /// Duration of the next step as allowed by the error control.
   double Step = 0.0;
-  /// The cell that the last step has left, and the number of faces crossed since a step took time.
+  /// Cell that the streamline left at the last crossing, and number of faces crossed since the time
+  /// last advanced.
   vtkIdType CellBefore = -1;
   int Crossings = 0;
   StepController Controller;
@@ -40,15 +41,15 @@ struct StreamlineState
 
 /**
  * @class   AdvectionState
- * @brief   all that is known of a streamline that enters a cell, to continue it elsewhere
+ * @brief   complete state of a streamline that enters a cell
  *
- * Steps never see more than one cell. Therefore a streamline that continues from its state in the
- * cell has the bytes of one that was not interrupted.
+ * The state allows another process to continue the streamline. A step reads only one cell.
+ * Therefore a resumed streamline is bit-identical to an uninterrupted one.
  */
 struct AdvectionState
 {
   StreamlineState Values;
-  /// What is known of each surface, and the sums of further quantities.
+  /// States of the surfaces (SurfaceCrossing) and sums of the integrals (PathIntegrals).
   std::vector<double> Numbers;
 };
 

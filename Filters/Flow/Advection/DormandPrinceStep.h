@@ -12,12 +12,13 @@ namespace interlume
 
 /**
  * @class   DormandPrinceStep
- * @brief   one step of the method of Dormand and Prince, order 5(4), dense output of order 4
+ * @brief   one step of the Dormand-Prince method of order 5(4), with dense output of order 4
  *
  * J. R. Dormand and P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comp. Appl. Math.
- * 6 (1980); dense output and test for stiffness as in E. Hairer, S. P. Norsett and G. Wanner,
- * "Solving Ordinary Differential Equations I", section II.6, and II, section IV.2. The rate at the
- * end is the first of the next step. \a Number is double, or Lanes for several streamlines.
+ * 6 (1980). For the dense output and the stiffness test see E. Hairer, S. P. Norsett and G. Wanner,
+ * "Solving Ordinary Differential Equations I", section II.6, and volume II, section IV.2. The rate
+ * at the end of a step is the first rate of the next one. \a Number is double, or a SimdPack for
+ * several streamlines.
  */
 template <typename Number>
 class DormandPrinceStep
@@ -26,19 +27,19 @@ public:
   using Math = NumberMath<Number>;
   using Mask = typename Math::Mask;
 
-  /// The power of the step by which the error per unit of time falls.
+  /// Order in h of the error per unit of time.
   static constexpr int ErrorOrder = 4;
   static constexpr bool HasEndRate = true;
-  /// The rates that a step computes, without the first.
+  /// Number of rates that a step evaluates, excluding the first.
   static constexpr int NumberOfRates = 6;
 
   Number End[3];
   Number EndRate[3];
-  /// The error of the solution of order 4.
+  /// Error of the embedded solution of order 4.
   Number Error[3];
 
-  /// Takes a step. \a first is the rate at \a p. Returns a mask of where
-  /// error and end are finite.
+  /// Computes a step. \a first is the rate at \a p. Returns a mask that is true if error and end
+  /// are finite.
   template <typename Rate>
   Mask Take(Rate& rate, const Number p[3], const Number first[3], const Number& step)
   {
@@ -73,12 +74,12 @@ public:
     rate(at, this->K5);
     for (int i = 0; i < 3; ++i)
     {
-      this->SixthPlace[i] = p[i] +
+      this->SixthPoint[i] = p[i] +
         h *
           (9017.0 / 3168.0 * first[i] - 355.0 / 33.0 * k2[i] + 46732.0 / 5247.0 * this->K3[i] +
             49.0 / 176.0 * this->K4[i] - 5103.0 / 18656.0 * this->K5[i]);
     }
-    rate(this->SixthPlace, this->K6);
+    rate(this->SixthPoint, this->K6);
     for (int i = 0; i < 3; ++i)
     {
       this->End[i] = p[i] +
@@ -94,7 +95,7 @@ public:
           17253.0 / 339200.0 * this->K5[i] + 22.0 / 525.0 * this->K6[i] -
           1.0 / 40.0 * this->EndRate[i]);
     }
-    // The product with 0 is NaN unless a number is finite.
+    // The product with 0 is NaN for infinity and NaN.
     Number check = 0.0 * this->Error[0];
     for (const Number& number :
       { this->Error[1], this->Error[2], this->End[0], this->End[1], this->End[2] })
@@ -109,9 +110,9 @@ public:
     dense.Degree = 4;
     for (int i = 0; i < 3; ++i)
     {
-      const Number way = this->End[i] - this->Start[i];
-      const Number bend = this->Step * this->K1[i] - way;
-      const Number twist = way - this->Step * this->EndRate[i] - bend;
+      const Number displacement = this->End[i] - this->Start[i];
+      const Number bend = this->Step * this->K1[i] - displacement;
+      const Number twist = displacement - this->Step * this->EndRate[i] - bend;
       const Number fourth = this->Step *
         (-12715105075.0 / 11282082432.0 * this->K1[i] +
           87487479700.0 / 32700410799.0 * this->K3[i] - 10690763975.0 / 1880347072.0 * this->K4[i] +
@@ -126,23 +127,24 @@ public:
   }
 
   /**
-   * Returns the step times the largest eigenvalue's absolute value, as the last two stages see it:
-   * both are at the step's end, and differ by what a stiff field blows up.
+   * Returns an estimate of h |lambda| with the dominant eigenvalue lambda of the Jacobian. The last
+   * two stages are both at the end of the step. Their difference approximates the dominant
+   * eigenvector if the field is stiff.
    */
   double GetStiffness() const
   {
-    double places[3];
+    double points[3];
     double rates[3];
-    this->GetEndDifference(places, rates);
-    const double apart = Vectors::SafeLength(glm::make_vec3(places));
-    return apart > std::numeric_limits<double>::min()
-      ? this->Step * (Vectors::SafeLength(glm::make_vec3(rates)) / apart)
+    this->GetEndDifference(points, rates);
+    const double distance = Vectors::SafeLength(glm::make_vec3(points));
+    return distance > std::numeric_limits<double>::min()
+      ? this->Step * (Vectors::SafeLength(glm::make_vec3(rates)) / distance)
       : 0.0;
   }
 
   /**
-   * Computes a direction in which a stiff field damps, and returns by how much: the step times the
-   * rate of decay, as GetStiffness finds it; 0 or below where it does not damp.
+   * Computes a direction in which the field may damp errors. Returns the step times the decay rate
+   * in that direction, or a value <= 0 if there is no damping.
    */
   Number GetDamping(Number direction[3]) const
   {
@@ -153,12 +155,13 @@ public:
       -this->Step * (Math::Dot(direction, rates) / square), Math::Of(0.0));
   }
 
-  /// Computes the difference of the last two stages, both at the step's end, and of their rates.
-  void GetEndDifference(Number places[3], Number rates[3]) const
+  /// Computes the difference between the last two stages, which are both at the end of the step,
+  /// and the difference between their rates.
+  void GetEndDifference(Number points[3], Number rates[3]) const
   {
     for (int i = 0; i < 3; ++i)
     {
-      places[i] = this->End[i] - this->SixthPlace[i];
+      points[i] = this->End[i] - this->SixthPoint[i];
       rates[i] = this->EndRate[i] - this->K6[i];
     }
   }
@@ -171,7 +174,7 @@ private:
   Number K4[3];
   Number K5[3];
   Number K6[3];
-  Number SixthPlace[3];
+  Number SixthPoint[3];
 };
 
 }

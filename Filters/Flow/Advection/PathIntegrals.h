@@ -15,10 +15,11 @@ namespace interlume
 
 /**
  * @class   PathIntegrals
- * @brief   the further quantities of a streamline: largest speed, length, and means over time
+ * @brief   optional quantities along a streamline: maximum speed, arc length, and means over time
  *
- * Integrals are taken by Gauss's rule of four points over each step's dense output; the speed is
- * taken at its ends and middle. Means of a streamline of no time are the values at its place.
+ * Integrals use four-point Gauss quadrature on the dense output of each step. The speed is sampled
+ * at both ends and the midpoint of a step. If a streamline has zero duration, the means are the
+ * values at its point.
  */
 template <typename Walker>
 class PathIntegrals
@@ -46,7 +47,7 @@ public:
   }
 
   ///@{
-  /// Appends the sums to \a numbers, and takes them from there.
+  /// Appends the sums to \a numbers, or reads them back.
   void Save(std::vector<double>& numbers) const
   {
     numbers.insert(numbers.end(), { this->Time, this->Length, this->Speed, this->Vorticity });
@@ -62,7 +63,7 @@ public:
   }
   ///@}
 
-  /// Adds a step from theta = 0 to \a end; \a h is its time from theta = 0 to 1.
+  /// Adds the part of a step from theta = 0 to \a end. \a h is the duration from theta = 0 to 1.
   void Add(const Walker& field, const DenseOutput<double>& dense, double end, double h)
   {
     if (this->Options.ComputeMaximumSpeed)
@@ -99,7 +100,7 @@ public:
     this->Time += end * h;
   }
 
-  /// Ends the streamline at \a p.
+  /// Computes the results of the streamline, which ends at \a p.
   void End(const Walker& field, const double p[3], AdvectionResult& result)
   {
     if (this->Time == 0.0)

@@ -15,67 +15,69 @@ namespace interlume
 
 /**
  * @class   RecurrenceTest
- * @brief   whether a streamline goes round and round, and cannot reach a surface before its steps
- * are used up
+ * @brief   detects closed orbits that cannot reach a surface within the remaining steps
  *
- * A face that the streamline crosses is kept, a new one each time that it has entered twice as many
- * cells, unless it comes back to it. At each return its place on the face tells how far it has got
- * in k turns, and after 2 k turns how much farther in as many again, by coordinates. What it gets
- * in all turns that are left is then at most the sum of a series, each block of k turns a quarter
- * more than these two say of the next. A closed orbit is one of which this sum is less than the
- * least distance of the streamline from the surfaces in the turns after the first, and less than a
- * twentieth of its extent. So a spiral is none as long as it could come to a surface in time,
- * inward or outward. k is 1, 2, 4, ...: the fewer turns are left, the surer what they can do.
+ * The test stores one face that the streamline crossed. A new face replaces it whenever the
+ * number of cells entered has doubled, unless the streamline returns to the face.
  *
- * Where the time is used up before the steps a streamline is to end by it, and is let go on.
+ * Each return completes one revolution. The crossing points yield the displacement over the first k
+ * revolutions and over the next k, per coordinate. Their ratio, increased by a quarter, bounds the
+ * growth from each block of k revolutions to the next. A geometric series then bounds the total
+ * drift over all remaining revolutions. The orbit is closed if this bound is less than the minimum
+ * distance to the surfaces after the first revolution, and less than a twentieth of the extent of
+ * the orbit. Therefore a spiral that could still reach a surface, inward or outward, is not a
+ * closed orbit. The bound is computed for k = 1, 2, 4, ... and becomes sharper because fewer
+ * revolutions are left each time.
  *
- * Nothing is measured before the first return. An orbit within one cell crosses no face and is not
- * found.
+ * If the streamline would run out of time before it runs out of steps, the test is switched off and
+ * the streamline ends at the time limit.
+ *
+ * Distances are not measured before the first return. An orbit within one cell crosses no face and
+ * is not detected.
  */
 class RecurrenceTest
 {
 public:
-  /// The steps and the time of a streamline, or the largest numbers of both.
+  /// Steps and time that a streamline has used, or their limits.
   struct Budget
   {
     double Steps = 0.0;
     double Time = 0.0;
   };
 
-  /// Returns whether Enter is to be called, after a face from one cell to another was crossed.
+  /// Returns true if Enter must be called after crossing the face between two cells.
   bool IsDue(vtkIdType cells, vtkIdType from, vtkIdType to) const
   {
     return cells >= this->NextFace || (to == this->To && from == this->From);
   }
 
-  /// Returns the crossings that Enter is to be called for: a number of cells, and a face that was
-  /// crossed before.
+  /// Return the values that IsDue compares: the number of entered cells from which on the stored
+  /// face is replaced, and the two cells at that face.
   vtkIdType GetNextFace() const { return this->NextFace; }
   vtkIdType GetFrom() const { return this->From; }
   vtkIdType GetTo() const { return this->To; }
 
-  /// Notes a crossing. \a cells is the number of cells that were entered, \a x the place on the
-  /// face.
+  /// Records a crossing. \a cells is the number of cells entered, \a x the point on the face.
   void Enter(vtkIdType cells, vtkIdType from, vtkIdType to, const double x[3], const Budget& used,
-    const Budget& most)
+    const Budget& limits)
   {
     if (to == this->To && from == this->From)
     {
       ++this->Returns;
       this->LastReturn = cells;
       if (this->Returns == 1 &&
-        GetTurns(used.Time - this->UsedBefore.Time, most.Time - used.Time) <=
-          GetTurns(used.Steps - this->UsedBefore.Steps, most.Steps - used.Steps))
+        GetRevolutions(used.Time - this->UsedBefore.Time, limits.Time - used.Time) <=
+          GetRevolutions(used.Steps - this->UsedBefore.Steps, limits.Steps - used.Steps))
       {
-        // The streamline ends by its time, as it should.
+        // The streamline will run out of time first, which is a regular end.
         *this = RecurrenceTest();
         this->NextFace = std::numeric_limits<vtkIdType>::max();
         return;
       }
       if ((this->Returns & (this->Returns - 1)) == 0)
       {
-        this->Closed = this->Returns > 1 && this->IsSame(x, used, most);
-        std::copy(x, x + 3, this->Middle);
+        this->Closed = this->Returns > 1 && this->IsSame(x, used, limits);
+        std::copy(x, x + 3, this->Halfway);
       }
     }
     if (cells < this->NextFace)
@@ -96,21 +98,23 @@ public:
     std::copy(x, x + 3, this->Start);
   }
 
-  /// Returns whether Watch is to be called, for each step.
+  /// Returns true if Watch must be called for each step.
   bool IsWatching() const { return this->Returns > 0; }
 
   /**
-   * Notes a step to \a x of at most the length \a way. \a distance is the least distance from the
-   * surfaces there, \a limit the farthest that the streamline may get because of other ends.
+   * Records a step to \a x with a path length of at most \a pathLength. \a distance is the distance
+   * from \a x to the nearest surface. \a limit is the largest drift that cannot end the streamline
+   * in another way, such as at a domain face.
    */
-  void Watch(const double x[3], double distance, double way, double limit)
+  void Watch(const double x[3], double distance, double pathLength, double limit)
   {
-    // No place of the step is further than half the way from one of its ends.
-    this->Clearance =
-      std::min({ this->Clearance, distance - 0.5 * way, this->DistanceBefore - 0.5 * way, limit });
+    // Every point of the step is within half the path length of one of its ends.
+    this->Clearance = std::min({ this->Clearance, distance - 0.5 * pathLength,
+      this->DistanceBefore - 0.5 * pathLength, limit });
     this->DistanceBefore = distance;
-    const double apart[3] = { x[0] - this->Start[0], x[1] - this->Start[1], x[2] - this->Start[2] };
-    this->Extent = std::max(this->Extent, Vectors::SafeLength(glm::make_vec3(apart)));
+    const double offset[3] = { x[0] - this->Start[0], x[1] - this->Start[1],
+      x[2] - this->Start[2] };
+    this->Extent = std::max(this->Extent, Vectors::SafeLength(glm::make_vec3(offset)));
   }
 
   bool IsClosed() const { return this->Closed; }
@@ -118,20 +122,20 @@ public:
 private:
   static constexpr vtkIdType Patience = 64;
 
-  /// Returns how often \a one is in \a left.
-  static double GetTurns(double one, double left) { return left / one; }
+  /// Returns the number of revolutions left: \a left divided by \a one.
+  static double GetRevolutions(double one, double left) { return left / one; }
 
-  bool IsSame(const double x[3], const Budget& used, const Budget& most) const
+  bool IsSame(const double x[3], const Budget& used, const Budget& limits) const
   {
     const double blocks =
-      GetTurns(0.5 * (used.Steps - this->UsedBefore.Steps), most.Steps - used.Steps);
+      GetRevolutions(0.5 * (used.Steps - this->UsedBefore.Steps), limits.Steps - used.Steps);
     double first[3];
     double second[3];
     double rounding = 0.0;
     for (int i = 0; i < 3; ++i)
     {
-      first[i] = std::abs(this->Middle[i] - this->Start[i]);
-      second[i] = std::abs(x[i] - this->Middle[i]);
+      first[i] = std::abs(this->Halfway[i] - this->Start[i]);
+      second[i] = std::abs(x[i] - this->Halfway[i]);
       rounding = std::max(rounding, 1e-12 * std::abs(x[i]));
     }
     double block = std::max({ Vectors::SafeLength(glm::make_vec3(first)),
@@ -142,15 +146,15 @@ private:
       growth = std::max(growth, second[i] / std::max({ first[i], 1e-3 * block, rounding }));
     }
     growth *= 1.25;
-    const double room = std::min(this->Clearance, 0.05 * this->Extent);
+    const double maximumDrift = std::min(this->Clearance, 0.05 * this->Extent);
     double sum = 0.0;
-    // A sum that is NaN is no orbit.
-    for (double left = blocks; left > 0.0 && sum < room; left -= 1.0)
+    // Comparisons with NaN are false, so an orbit whose values are NaN does not count as closed.
+    for (double left = blocks; left > 0.0 && sum < maximumDrift; left -= 1.0)
     {
       block *= growth;
       sum += block;
     }
-    return sum < room;
+    return sum < maximumDrift;
   }
 
   vtkIdType NextFace = Patience;
@@ -160,9 +164,9 @@ private:
   vtkIdType LastReturn = 0;
   vtkIdType Returns = 0;
   Budget UsedBefore;
-  // The places on the face: the first, and that of half the returns.
+  // Points on the face: the first crossing, and the crossing after half of the returns.
   double Start[3] = {};
-  double Middle[3] = {};
+  double Halfway[3] = {};
   double Clearance = std::numeric_limits<double>::infinity();
   double DistanceBefore = std::numeric_limits<double>::infinity();
   double Extent = 0.0;

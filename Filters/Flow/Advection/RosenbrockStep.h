@@ -15,17 +15,18 @@ namespace interlume
 
 /**
  * @class   RosenbrockStep
- * @brief   one step of RODAS: a Rosenbrock method of order 4(3), L-stable and stiffly accurate
+ * @brief   one step of RODAS, an L-stable and stiffly accurate Rosenbrock method of order 4(3)
  *
- * The method has six stages with one linear system of three unknowns, and a dense output of order
- * 3: E. Hairer and G. Wanner, "Solving Ordinary Differential Equations II", section IV.7 and IV.10;
- * the coefficients are those of their program. Stage i solves (1 / gamma - h J) u[i] = h f(p + sum
- * a[i][j] u[j]) + sum c[i][j] u[j].
+ * Each of the six stages solves a linear system with three unknowns. The dense output has order 3.
+ * See E. Hairer and G. Wanner, "Solving Ordinary Differential Equations II", sections IV.7 and
+ * IV.10; the coefficients are from their program. Stage i solves
+ *
+ *     (1 / gamma - h J) u[i] = h f(p + sum a[i][j] u[j]) + sum c[i][j] u[j]
  */
 class RosenbrockStep
 {
 public:
-  /// The power of the step by which the error per unit of time falls.
+  /// Order in h of the error per unit of time.
   static constexpr int ErrorOrder = 3;
   static constexpr bool HasEndRate = false;
 
@@ -33,7 +34,7 @@ public:
   double EndRate[3] = {};
   double Error[3];
 
-  /// Takes a step. \a first is the rate at \a p. Returns false where a rate is not finite or the
+  /// Computes a step. \a first is the rate at \a p. Returns false if a rate is not finite or the
   /// system is singular.
   template <typename Rate>
   bool Take(Rate& rate, const double p[3], const double first[3], double h)
@@ -105,7 +106,7 @@ public:
     }
   }
 
-  /// Returns the step times the Jacobian's largest sum of a row, which no eigenvalue is above.
+  /// Returns the step times the row-sum norm of the Jacobian, an upper bound of |h lambda|.
   double GetStiffness() const
   {
     double largest = 0.0;
@@ -119,8 +120,8 @@ public:
   }
 
   /**
-   * Computes the direction in which a stiff field damps the error, and returns by how much: the
-   * step times the rate of decay; 0 or below where it does not damp.
+   * Computes the direction in which a stiff field damps the error. Returns the step times the decay
+   * rate in that direction, or a value <= 0 if there is no damping.
    */
   double GetDamping(double direction[3]) const
   {
@@ -152,7 +153,7 @@ private:
     { -0.6762803392801253, 6.087714651680015, 16.43084320892478, 24.76722511418386,
       -6.594389125716872 } };
 
-  /// Multiplies the step times the Jacobian by v.
+  /// Multiplies h J by v.
   void Multiply(const double v[3], double product[3]) const
   {
     for (int i = 0; i < 3; ++i)
@@ -161,7 +162,8 @@ private:
     }
   }
 
-  /// Factors 1 / gamma - h J into LU with row exchange, with reciprocals on the diagonal.
+  /// Computes the LU factorization of 1 / gamma - h J with row pivoting. The diagonal stores
+  /// reciprocals.
   bool Factor()
   {
     for (int i = 0; i < 3; ++i)
@@ -227,7 +229,7 @@ private:
   double U[NumberOfStages][3];
   double Matrix[3][3];
   int Rows[3];
-  /// The Jacobian times the step.
+  /// Jacobian times the step, h J.
   double Jacobian[9] = {};
 };
 

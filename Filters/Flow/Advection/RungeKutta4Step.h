@@ -10,17 +10,18 @@ namespace interlume
 
 /**
  * @class   RungeKutta4Step
- * @brief   two half steps of the classical Runge-Kutta method, their error by one whole step
+ * @brief   two half steps of the classical Runge-Kutta method, with one full step as error estimate
  *
- * The adaptive method of order 4 in C. Zhang's dissertation (Ohio State 2006): Richardson's
- * estimate (E. Hairer, S. P. Norsett and G. Wanner, "Solving Ordinary Differential Equations I",
- * section II.4). The two half steps count, not extrapolated. Dense output: the polynomial of degree
- * 5 through places and rates at the start, the middle and the end.
+ * This is the adaptive fourth-order method of C. Zhang's dissertation (Ohio State University,
+ * 2006). The error is Richardson's estimate (E. Hairer, S. P. Norsett and G. Wanner, "Solving
+ * Ordinary Differential Equations I", section II.4). The result is the end of the two half steps,
+ * without extrapolation. The dense output is the polynomial of degree 5 through the points and
+ * rates at the start, midpoint and end.
  */
 class RungeKutta4Step
 {
 public:
-  /// The power of the step by which the error per unit of time falls.
+  /// Order in h of the error per unit of time.
   static constexpr int ErrorOrder = 4;
   static constexpr bool HasEndRate = true;
 
@@ -28,22 +29,22 @@ public:
   double EndRate[3];
   double Error[3];
 
-  /// Takes a step. \a first is the rate at \a p. Returns false where a rate is not finite.
+  /// Computes a step. \a first is the rate at \a p. Returns false if a rate is not finite.
   template <typename Rate>
   bool Take(Rate& rate, const double p[3], const double first[3], double h)
   {
     this->Step = h;
-    double whole[3];
-    RungeKutta4Step::TakeOne(rate, p, first, h, whole);
-    RungeKutta4Step::TakeOne(rate, p, first, 0.5 * h, this->Middle);
-    rate(this->Middle, this->MiddleRate);
-    RungeKutta4Step::TakeOne(rate, this->Middle, this->MiddleRate, 0.5 * h, this->End);
+    double fullStep[3];
+    RungeKutta4Step::ComputeStep(rate, p, first, h, fullStep);
+    RungeKutta4Step::ComputeStep(rate, p, first, 0.5 * h, this->Midpoint);
+    rate(this->Midpoint, this->MidpointRate);
+    RungeKutta4Step::ComputeStep(rate, this->Midpoint, this->MidpointRate, 0.5 * h, this->End);
     rate(this->End, this->EndRate);
     for (int i = 0; i < 3; ++i)
     {
       this->Start[i] = p[i];
       this->StartRate[i] = first[i];
-      this->Error[i] = (this->End[i] - whole[i]) / 15.0;
+      this->Error[i] = (this->End[i] - fullStep[i]) / 15.0;
     }
     return Vectors::IsFinite(glm::make_vec3(this->Error)) &&
       Vectors::IsFinite(glm::make_vec3(this->EndRate));
@@ -55,26 +56,29 @@ public:
     for (int i = 0; i < 3; ++i)
     {
       const double start = this->Step * this->StartRate[i];
-      // The places and slopes less those of the tangent at the start.
+      // Points and slopes relative to the tangent at the start.
       const double end = this->End[i] - this->Start[i] - start;
       const double endSlope = this->Step * this->EndRate[i] - start;
-      const double middle = this->Middle[i] - this->Start[i] - 0.5 * start;
-      const double middleSlope = this->Step * this->MiddleRate[i] - start;
+      const double midpoint = this->Midpoint[i] - this->Start[i] - 0.5 * start;
+      const double midpointSlope = this->Step * this->MidpointRate[i] - start;
       dense.Coefficients[0][i] = this->Start[i];
       dense.Coefficients[1][i] = start;
-      dense.Coefficients[2][i] = 7.0 * end - endSlope + 16.0 * middle - 8.0 * middleSlope;
-      dense.Coefficients[3][i] = -34.0 * end + 5.0 * endSlope - 32.0 * middle + 32.0 * middleSlope;
-      dense.Coefficients[4][i] = 52.0 * end - 8.0 * endSlope + 16.0 * middle - 40.0 * middleSlope;
-      dense.Coefficients[5][i] = -24.0 * end + 4.0 * endSlope + 16.0 * middleSlope;
+      dense.Coefficients[2][i] = 7.0 * end - endSlope + 16.0 * midpoint - 8.0 * midpointSlope;
+      dense.Coefficients[3][i] =
+        -34.0 * end + 5.0 * endSlope - 32.0 * midpoint + 32.0 * midpointSlope;
+      dense.Coefficients[4][i] =
+        52.0 * end - 8.0 * endSlope + 16.0 * midpoint - 40.0 * midpointSlope;
+      dense.Coefficients[5][i] = -24.0 * end + 4.0 * endSlope + 16.0 * midpointSlope;
     }
   }
 
-  /// Returns 0, since the damping is not known.
+  /// Returns 0: the method provides no estimate of the damping.
   double GetDamping(double*) const { return 0.0; }
 
 private:
   template <typename Rate>
-  static void TakeOne(Rate& rate, const double p[3], const double first[3], double h, double end[3])
+  static void ComputeStep(
+    Rate& rate, const double p[3], const double first[3], double h, double end[3])
   {
     double at[3];
     double k2[3];
@@ -104,8 +108,8 @@ private:
   double Step;
   double Start[3];
   double StartRate[3];
-  double Middle[3];
-  double MiddleRate[3];
+  double Midpoint[3];
+  double MidpointRate[3];
 };
 
 }

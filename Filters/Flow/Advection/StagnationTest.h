@@ -11,12 +11,13 @@ namespace interlume
 
 /**
  * @class   StagnationTest
- * @brief   whether a streamline goes on and on without getting anywhere, as at a node
+ * @brief   detects streamlines that no longer make progress, for example near a node
  *
- * An explicit method does not come to rest at a node: it goes to and fro around it by about the
- * error that it may make. Here a streamline has stagnated when in each of four windows of steps it
- * has got no further than the error of the window's time, and no twentieth of the way it made. The
- * windows are of different numbers of steps, so that no orbit closes in all of them.
+ * An explicit method does not converge to a node. It moves around the node within the error
+ * tolerance. A streamline stagnates if, in four consecutive windows of steps, its displacement is
+ * at most the permitted error for the duration of the window and at most a twentieth of the path
+ * length. The windows have different numbers of steps, so that no closed orbit returns to its start
+ * at the end of every window.
  */
 class StagnationTest
 {
@@ -27,37 +28,38 @@ public:
     std::copy(x, x + 3, this->Start);
   }
 
-  /// Notes an accepted step.
-  void Add(double way)
+  /// Records an accepted step.
+  void Add(double pathLength)
   {
-    this->Way += way;
+    this->PathLength += pathLength;
     ++this->Steps;
   }
 
-  /// Notes several accepted steps by the way that all steps of the window have made.
-  void Restore(double way, int steps)
+  /// Records several accepted steps. \a pathLength is the total path length in the window.
+  void Restore(double pathLength, int steps)
   {
-    this->Way = way;
+    this->PathLength = pathLength;
     this->Steps += steps;
   }
-  double GetWay() const { return this->Way; }
-  /// Returns the number of steps that the window still has.
+  double GetPathLength() const { return this->PathLength; }
+  /// Returns the number of steps left in the window.
   int GetStepsLeft() const { return Windows[this->Window] - this->Steps; }
 
-  /// Returns whether a window has ended, and Look is to be called.
+  /// Returns true if a window is complete and CompleteWindow must be called.
   bool IsDue() const { return this->Steps >= Windows[this->Window]; }
 
-  /// Ends a window. Returns true where the streamline has stagnated.
-  bool Look(const double x[3], double time, double largestError)
+  /// Completes a window. Returns true if the streamline has stagnated.
+  bool CompleteWindow(const double x[3], double time, double largestError)
   {
-    const double apart[3] = { x[0] - this->Start[0], x[1] - this->Start[1], x[2] - this->Start[2] };
-    const double distance = Vectors::SafeLength(glm::make_vec3(apart));
+    const double displacement[3] = { x[0] - this->Start[0], x[1] - this->Start[1],
+      x[2] - this->Start[2] };
+    const double distance = Vectors::SafeLength(glm::make_vec3(displacement));
     const bool isAtRest =
-      distance <= largestError * (time - this->StartTime) && distance <= 0.05 * this->Way;
+      distance <= largestError * (time - this->StartTime) && distance <= 0.05 * this->PathLength;
     this->Window = isAtRest ? this->Window + 1 : 0;
     std::copy(x, x + 3, this->Start);
     this->StartTime = time;
-    this->Way = 0.0;
+    this->PathLength = 0.0;
     this->Steps = 0;
     if (this->Window == NumberOfWindows)
     {
@@ -73,7 +75,7 @@ private:
 
   double Start[3] = {};
   double StartTime = 0.0;
-  double Way = 0.0;
+  double PathLength = 0.0;
   int Steps = 0;
   int Window = 0;
 };

@@ -3,7 +3,7 @@
 #define interlume_StepController_h
 
 #include "Numerics/NumberMath.h"
-#include "Numerics/Powers.h"
+#include "Numerics/SimdPowers.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,20 +14,20 @@ namespace interlume
 
 /**
  * @class   StepController
- * @brief   the next step from the error of the last
+ * @brief   computes the next step time from the error of the last step
  *
- * This is proportional-integral control with the constants of Hairer and Wanner's programs (E.
- * Hairer, S. P. Norsett and G. Wanner, "Solving Ordinary Differential Equations" I, section II.4,
- * and II, section IV.2), for an error per unit of time.
+ * The controller is proportional-integral (PI) for an error per unit of time. Its constants are
+ * from the programs of E. Hairer, S. P. Norsett and G. Wanner, "Solving Ordinary Differential
+ * Equations I", section II.4, and volume II, section IV.2.
  */
 class StepController
 {
 public:
-  /// Returns what the step is multiplied by, 0.2 to 5, after an error of \a ratio of the largest,
-  /// <= 1.
+  /// Returns the step factor after an accepted step, from 0.2 to 5. \a ratio is the error divided
+  /// by the largest permitted error (<= 1).
   double Accept(double ratio, int order)
   {
-    using Two = Lanes<2>;
+    using Two = SimdPack<2>;
     Two previous = Two::Of(this->Previous);
     const Two none = Two::Of(0.0);
     const typename Two::Mask wasRejected = this->WasRejected ? none == none : none < none;
@@ -37,8 +37,8 @@ public:
     return factor;
   }
 
-  /// Returns what the step is multiplied by, below 1, after an error above the largest; the
-  /// smallest factor for NaN and infinity.
+  /// Returns the step factor after a rejected step, which is less than 1. Returns the smallest
+  /// factor if \a ratio is NaN or infinite.
   double Reject(double ratio, int order)
   {
     this->WasRejected = true;
@@ -46,26 +46,29 @@ public:
     return factor > Smallest ? std::min(factor, Safety) : Smallest;
   }
 
-  /// Returns what steps are multiplied by after accepted errors of \a ratio. \a previous is what is
-  /// kept of the error before, and becomes that of this one.
-  template <typename Lanes>
-  [[gnu::always_inline]] static Lanes GetFactor(
-    const Lanes& ratio, int order, const typename Lanes::Mask& wasRejected, Lanes& previous)
+  /// Returns the step factors after accepted steps with the error ratios \a ratio. \a previous is
+  /// the binary logarithm of the previous error ratio on input and of \a ratio on output.
+  template <typename SimdPack>
+  [[gnu::always_inline]] static SimdPack GetFactor(const SimdPack& ratio, int order,
+    const typename SimdPack::Mask& wasRejected, SimdPack& previous)
   {
-    const Lanes one = Lanes::Of(1.0);
-    const Lanes largest = Lanes::Of(Largest);
-    // The largest factor comes of all smaller errors.
-    const Lanes error = Powers::GetLogarithm(Lanes::Max(Lanes::Of(0.5 * SmallRatio), ratio));
-    const Lanes power = (-1.0 / order + 0.75 * Integral) * error + Integral * previous;
-    const Lanes controlled = Safety * Powers::GetPower(power);
-    const Lanes limited = Lanes::Min(largest, Lanes::Max(Lanes::Of(Smallest), controlled));
-    const Lanes factor = Lanes::Select(ratio > SmallRatio, limited, largest);
-    previous = Lanes::Max(error, Lanes::Of(LeastPrevious));
-    return Lanes::Select(wasRejected, Lanes::Min(factor, one), factor);
+    const SimdPack one = SimdPack::Of(1.0);
+    const SimdPack largest = SimdPack::Of(Largest);
+    // The bound keeps the logarithm finite. Ratios of at most SmallRatio yield the largest factor
+    // anyway.
+    const SimdPack error =
+      SimdPowers::GetLogarithm(SimdPack::Max(SimdPack::Of(0.5 * SmallRatio), ratio));
+    const SimdPack power = (-1.0 / order + 0.75 * Integral) * error + Integral * previous;
+    const SimdPack controlled = Safety * SimdPowers::GetPower(power);
+    const SimdPack limited =
+      SimdPack::Min(largest, SimdPack::Max(SimdPack::Of(Smallest), controlled));
+    const SimdPack factor = SimdPack::Select(ratio > SmallRatio, limited, largest);
+    previous = SimdPack::Max(error, SimdPack::Of(MinimumPrevious));
+    return SimdPack::Select(wasRejected, SimdPack::Min(factor, one), factor);
   }
 
-  /// Returns the next step after one of \a h that was multiplied by \a factor. \a step is the step
-  /// that the error allowed: one that was short to stay in the cell says nothing against it.
+  /// Returns the next step after a step of \a h with the given \a factor. \a step is the step that
+  /// the error control allowed. If \a h was shortened to stay in the cell, \a step remains valid.
   template <typename Number>
   [[gnu::always_inline]] static Number GetNext(
     const Number& step, const Number& h, const Number& factor, const Number& ratio)
@@ -76,12 +79,13 @@ public:
   }
 
   static constexpr double Largest = 5.0;
-  /// The ratio below which the step is multiplied by the largest factor.
+  /// Error ratio up to which the step factor is Largest.
   static constexpr double SmallRatio = 1e-5;
-  /// The least binary logarithm of a ratio that is kept, that of 1e-4.
-  static constexpr double LeastPrevious = -13.287712379549449;
+  /// Lower bound of the stored binary logarithm of an error ratio: log2(1e-4).
+  static constexpr double MinimumPrevious = -13.287712379549449;
 
-  /// What is kept of the step before, a logarithm, for those who take steps in its place.
+  /// State, which is exchanged with SimdDormandPrince. GetPrevious returns the binary logarithm of
+  /// the previous error ratio.
   double GetPrevious() const { return this->Previous; }
   bool GetWasRejected() const { return this->WasRejected; }
   void Restore(double previous, bool wasRejected)
@@ -95,7 +99,7 @@ private:
   static constexpr double Integral = 0.04;
   static constexpr double Smallest = 0.2;
 
-  double Previous = LeastPrevious;
+  double Previous = MinimumPrevious;
   bool WasRejected = false;
 };
 

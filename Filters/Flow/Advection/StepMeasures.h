@@ -16,8 +16,9 @@ namespace interlume
  * @class   StepMeasures
  * @brief   computes the error and the reach of a step in world units
  *
- * Lengths of lanes are right only where no square overflows or underflows: masks named isOrdinary
- * lose the other lanes. Doubles are always right, and keep their mask.
+ * For SIMD packs a length is valid only if its square neither overflows nor underflows. Masks named
+ * isOrdinary exclude all other lanes. For double, lengths are always valid and the masks remain
+ * unchanged.
  */
 template <typename Number>
 class StepMeasures
@@ -26,17 +27,19 @@ public:
   using Math = NumberMath<Number>;
   using Mask = typename Math::Mask;
 
-  /// Returns a mask of where the root of a square is the length.
+  /// Returns a mask that is true where the square root of \a square is accurate.
   static Mask IsOrdinary(const Number& square)
   {
     return (square > 1e-280) & (square < Math::Of(1e280));
   }
 
   /**
-   * Returns the error of a step less the part that the field itself damps. In a direction in which
-   * errors decay as exp(-t / d), the errors of all steps add up to e / (1 - exp(-h / d)), not to e
-   * t / h: by 1 - exp(-z) ~ z / (1 + z), and over the time t, to (h + d) / (t + d) of that. \a time
-   * is t, the time through a cell, or since the start.
+   * Returns the error of a step without the part that the field itself damps.
+   *
+   * In a direction in which errors decay as exp(-t / d), the errors e of all steps of time h
+   * accumulate to e / (1 - exp(-h / d)) instead of e t / h. With 1 - exp(-z) ~ z / (1 + z), and
+   * limited to the time t, the sum is (h + d) / (t + d) times e t / h. \a time is t: the time to
+   * cross the cell, or the time since the start if shorter.
    */
   template <typename Walker, typename Method>
   static Number GetLastingError(const Walker& field, const Number p[3], const Method& method,
@@ -62,8 +65,9 @@ public:
     return StepMeasures::GetLength(error, isOrdinary);
   }
 
-  /// Returns how far a step in a cell of constant frame can go: no part of it goes farther than its
-  /// fraction of this, for any rounding. \a points are control points.
+  /// Returns a bound on the distance that a step covers in a cell with constant dx/dp. Any fraction
+  /// of the step covers at most that fraction of the bound, even with rounding. \a points are the
+  /// control points of \a dense.
   template <typename Walker>
   static Number GetAffineReach(const Walker& field, const Number p[3],
     const DenseOutput<Number>& dense, const Number (*points)[3], Mask& isOrdinary)
@@ -119,7 +123,8 @@ private:
     }
   }
 
-  /// Brings doubles to a length of about 1. Returns a mask of where the square has a root.
+  /// Scales a vector of doubles to a length of about 1; leaves SIMD packs unchanged. Returns a mask
+  /// that is true where the square root of the squared length is accurate.
   static Mask Scale(Number v[3])
   {
     if constexpr (IsDouble)

@@ -7,22 +7,22 @@ namespace interlume
 
 /**
  * @class   StiffnessTest
- * @brief   which of an explicit and an L-stable method follows a streamline
+ * @brief   switches a streamline between an explicit and an L-stable method
  *
- * E. Hairer and G. Wanner, "Solving Ordinary Differential Equations II", section IV.2: an explicit
- * step that stability limits has h |lambda| close to the edge of its region of stability, 3.3 for
- * Dormand and Prince's method. Fifteen such steps, with fewer than six others in a row between, are
- * stiffness. It is over after six steps in a row whose h |J| is so small that the explicit method
- * could take them.
+ * See E. Hairer and G. Wanner, "Solving Ordinary Differential Equations II", section IV.2. If
+ * stability limits an explicit step, h |lambda| is close to the boundary of the stability region,
+ * 3.3 for the Dormand-Prince method. After fifteen such steps, with fewer than six other steps in a
+ * row between them, the streamline is stiff. It stops being stiff after six consecutive steps whose
+ * h |J| is small enough for the explicit method.
  *
- * Counts go on from cell to cell.
+ * The counters continue from cell to cell.
  */
 class StiffnessTest
 {
 public:
   bool IsStiff() const { return this->Stiff; }
 
-  /// Notes an accepted step of either method.
+  /// Records an accepted step of the current method.
   void Add(double stiffness)
   {
     if (this->Stiff ? stiffness < Small : stiffness > Large)
@@ -42,7 +42,7 @@ public:
     }
   }
 
-  /// Notes several steps of which none had a value above LeastStiff.
+  /// Records several steps whose stiffness is at most MinimumStiff.
   void AddHarmless(int steps)
   {
     this->Count = this->Others < PatienceForOthers && this->Others + steps >= PatienceForOthers
@@ -51,11 +51,11 @@ public:
     this->Others += steps;
   }
 
-  /// Steps of values up to this are not stiff.
-  static constexpr double LeastStiff = 3.25;
+  /// Steps with values up to this threshold do not count as stiff.
+  static constexpr double MinimumStiff = 3.25;
 
 private:
-  static constexpr double Large = LeastStiff;
+  static constexpr double Large = MinimumStiff;
   static constexpr double Small = 2.0;
   static constexpr int StepsToChange = 15;
   static constexpr int StepsToReturn = 6;

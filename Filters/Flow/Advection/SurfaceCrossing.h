@@ -19,25 +19,28 @@ namespace interlume
 
 /**
  * @class   SurfaceCrossing
- * @brief   the first termination surface that a streamline meets, step by step
+ * @brief   finds the first termination surface that a streamline reaches, step by step
  *
- * A distance never changes by more than the way between two points. So of each surface is kept how
- * far the streamline can go before it can have come there, and its distance is evaluated only then.
- * Steps that can have come there are walked through in pieces: beyond where the distance would be 0
- * by its slope, which shows by a change of sign; where it came near and went away again within a
- * piece, by the least distance (golden section).
+ * The distance to a surface never changes by more than the path length between two points.
+ * Therefore each surface stores a clearance: the path length that the streamline can cover without
+ * reaching it. The distance is evaluated again only when the clearance is used up.
  *
- * A point within Tolerance of a surface, relative to the coordinates, is on it where a streamline
- * begins and where a step ends; FindNear is for where the field ends. Whether a streamline that
- * touches a surface to within that has reached it depends on rounding, and is the same in each run.
+ * A step that may reach a surface is searched in intervals. Each interval extends a little past the
+ * zero that the slope of the distance predicts. A sign change reveals a crossing. If the streamline
+ * approaches and recedes within one interval, a golden-section search finds the minimum distance.
+ *
+ * At the start of a streamline and at the end of a step, a point within Tolerance (relative to the
+ * coordinates) of a surface is on it. FindNear applies a larger tolerance at the boundary of the
+ * field. If a streamline touches a surface within Tolerance, rounding decides whether it reaches
+ * the surface. The decision is the same in every run.
  */
 class SurfaceCrossing
 {
 public:
   static constexpr double Tolerance = 1e-12;
-  /// The value that Find returns where no surface is met.
+  /// Value that Find returns if no surface is reached.
   static constexpr double None = 2.0;
-  /// The share of a step by which it ends after a surface.
+  /// Overshoot of the refined step past the surface, as a fraction of the step.
   static constexpr double Margin = 0.001;
 
   explicit SurfaceCrossing(const std::vector<AdvectionOptions::Surface>& surfaces)
@@ -46,7 +49,8 @@ public:
   {
   }
 
-  /// Begins a streamline in a cell of about this size. Returns the surface that \a x is on, or -1.
+  /// Starts a streamline in a cell of approximately the given size. Returns the index of the
+  /// surface that \a x is on, or -1.
   int Begin(const double x[3], double size)
   {
     this->Evaluations = 0;
@@ -67,19 +71,20 @@ public:
   }
 
   /**
-   * Finds where the step first meets a surface, and which. \a place(theta, x) computes the place at
-   * theta, \a end is the last theta that counts, \a reach is the most that the streamline can go
-   * from theta = 0 to 1.
+   * Returns the first theta at which the step reaches a surface, and the index of that surface. If
+   * no surface is reached, these are None and -1. \a getPosition(theta, x) computes the position at
+   * theta, \a end is the last valid theta, and \a reach is a bound on the path length from theta =
+   * 0 to 1.
    */
-  template <typename Place>
-  double Find(Place& place, double end, double reach, int& surface)
+  template <typename GetPositionAt>
+  double Find(GetPositionAt& getPosition, double end, double reach, int& surface)
   {
     double first = None;
     surface = -1;
     for (std::size_t i = 0; i < this->States.size(); ++i)
     {
-      const double theta = this->FindOne(place, i, std::min(end, first), reach);
-      // Crossings closer than rounding are at the same place, and the surface added first counts.
+      const double theta = this->FindOne(getPosition, i, std::min(end, first), reach);
+      // Crossings within rounding error coincide. The surface added first takes precedence.
       if (theta <= 1.0 && (first > 1.0 || (first - theta) * reach > this->LastTolerance))
       {
         first = theta;
@@ -90,23 +95,23 @@ public:
   }
 
   /**
-   * Finds the same crossing on a step that ends after it by Margin of the step. Returns None where
-   * it is not there.
+   * Finds the crossing again on a shorter step, which overshoots it by Margin. Returns None if
+   * there is no crossing.
    */
-  template <typename Place>
-  double Refine(Place& place, int surface)
+  template <typename GetPositionAt>
+  double Refine(GetPositionAt& getPosition, int surface)
   {
     const auto i = static_cast<std::size_t>(surface);
     double x[3];
     auto distance = [&](double theta)
     {
-      place(theta, x);
+      getPosition(theta, x);
       return this->Evaluate(i, x);
     };
     constexpr double from = 1.0 - 3.0 * Margin;
     const double before = distance(from);
     const double after = distance(1.0);
-    // Their product may be no number.
+    // The signs are compared because the product of the distances may be NaN.
     if (!(before < 0.0 ? after > 0.0 : before > 0.0 && after < 0.0))
     {
       return None;
@@ -116,32 +121,34 @@ public:
     return isThere && this->Surfaces[i].Shape->IsOn(x) ? root : None;
   }
 
-  /// Returns a distance that no surface is nearer than to where the streamline stands.
+  /// Returns a lower bound of the distance from the current point to any surface.
   double GetClearance() const
   {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (const State& state : this->States)
     {
-      least = std::min(least, state.Clearance);
+      minimum = std::min(minimum, state.Clearance);
     }
-    return least;
+    return minimum;
   }
 
   /**
-   * Returns the surface nearest to \a x, where a streamline going into \a direction ends at a face;
-   * -1 where none is as near as \a tolerance. Both vectors have length 1, or 0. A surface that lies
-   * across the face and along the direction is reached by no small displacement of either, and so
-   * has less of the tolerance, down to none.
+   * Returns the index of the nearest surface within \a tolerance of \a x, or -1. \a x is the end of
+   * a streamline on a face of the field. \a faceNormal and \a direction are unit vectors or zero.
+   * The tolerance is reduced, down to 0, for a surface that is perpendicular to the face and
+   * parallel to the direction, because a small displacement of the face or the streamline does not
+   * reach such a surface.
    */
   int FindNear(const double x[3], double tolerance, const double faceNormal[3],
     const double direction[3]) const
   {
     int nearest = -1;
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < this->States.size(); ++i)
     {
       const vtkTerminationSurface* shape = this->Surfaces[i].Shape;
-      // A mesh may know its own points less well than the tolerance.
+      // The points of a mesh may have single precision, which can be less accurate than the
+      // tolerance.
       if (this->States[i].Clearance > tolerance + FLT_EPSILON * this->GetSize(x))
       {
         continue;
@@ -149,12 +156,12 @@ public:
       const double gap = shape->EvaluateGap(x);
       double normal[3];
       shape->EvaluateNormal(x, normal);
-      const double part = 2.0 *
+      const double weight = 2.0 *
         std::max(
           std::abs(Vectors::Dot(normal, faceNormal)), std::abs(Vectors::Dot(normal, direction)));
-      if (gap < least && gap <= std::min(1.0, part) * tolerance)
+      if (gap < minimum && gap <= std::min(1.0, weight) * tolerance)
       {
-        least = gap;
+        minimum = gap;
         nearest = static_cast<int>(i);
       }
     }
@@ -168,41 +175,42 @@ public:
     found.Shape->EvaluateParameters(x, result.Parameters);
   }
 
-  /// Returns the least distance from any surface; infinite without one.
-  double GetLeastDistance(const double x[3])
+  /// Returns the minimum distance to any surface, or infinity without surfaces.
+  double GetMinimumDistance(const double x[3])
   {
-    double least = std::numeric_limits<double>::infinity();
+    double minimum = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < this->Surfaces.size(); ++i)
     {
-      least = std::min(least, std::abs(this->Evaluate(i, x)));
+      minimum = std::min(minimum, std::abs(this->Evaluate(i, x)));
     }
-    return least;
+    return minimum;
   }
 
   std::size_t GetNumber() const { return this->States.size(); }
-  /// Returns the distance that the streamline may still go until it can have come to a surface.
+  /// Returns the path length that the streamline can cover without reaching the surface.
   double GetClearance(std::size_t surface) const { return this->States[surface].Clearance; }
-  /// Notes what steps have left of it that cannot have come there.
+  /// Sets the clearance after steps that cannot have reached the surface.
   void RestoreClearance(std::size_t surface, double clearance)
   {
     this->States[surface].Clearance = clearance;
     this->States[surface].IsFresh = false;
   }
 
-  /// Computes how far the only surface is from \a x, where the streamline stands, as Find does
-  /// where a step may come to it. Returns false where the step of the length \a way still may.
-  bool Renew(const double x[3], double way)
+  /// Evaluates the distance from \a x to the only surface if the clearance does not exceed \a
+  /// pathLength, as Find does. Returns false if a step of length \a pathLength may still reach the
+  /// surface.
+  bool Renew(const double x[3], double pathLength)
   {
     State& state = this->States.front();
-    if (state.Clearance <= way && !state.IsFresh)
+    if (state.Clearance <= pathLength && !state.IsFresh)
     {
       state.SetDistance(this->Evaluate(0, x));
     }
-    return state.Clearance > way;
+    return state.Clearance > pathLength;
   }
 
   ///@{
-  /// Appends what is known of the streamline to \a numbers, and takes it from there.
+  /// Appends the state of the streamline to \a numbers, or reads it back.
   void Save(std::vector<double>& numbers) const
   {
     numbers.push_back(this->Size);
@@ -233,17 +241,17 @@ public:
   int GetNumberOfEvaluations() const { return this->Evaluations; }
 
 private:
-  static constexpr int MostPieces = 64;
+  static constexpr int MaximumIntervals = 64;
 
   struct State
   {
     double Distance = 0.0;
-    /// The distance that the streamline may still go.
+    /// Path length that the streamline can cover without reaching the surface.
     double Clearance = 0.0;
-    /// The side of the surface that the streamline is on; 0 while it has not left a place of no
-    /// side.
+    /// Side of the surface on which the streamline is, as the sign of the distance: -1 or 1. 0 if
+    /// the streamline started on the surface and is still on it.
     int Side = 0;
-    /// Whether Distance is that at the step's start.
+    /// If true, Distance belongs to the start of the step.
     bool IsFresh = false;
 
     void SetDistance(double distance)
@@ -252,14 +260,14 @@ private:
       this->Clearance = std::abs(distance);
       this->IsFresh = true;
     }
-    void Pass(double way)
+    void Pass(double pathLength)
     {
-      this->Clearance -= way;
+      this->Clearance -= pathLength;
       this->IsFresh = false;
     }
   };
 
-  /// Returns the largest of the coordinates and the cell's size.
+  /// Returns the largest absolute coordinate of \a x or, if larger, the size of the first cell.
   double GetSize(const double x[3]) const
   {
     return std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]), this->Size });
@@ -272,36 +280,36 @@ private:
     return this->Surfaces[surface].Shape->EvaluateDistance(x);
   }
 
-  template <typename Place>
-  double FindOne(Place& place, std::size_t i, double end, double reach)
+  template <typename GetPositionAt>
+  double FindOne(GetPositionAt& getPosition, std::size_t i, double end, double reach)
   {
     State& state = this->States[i];
-    const double way = end * reach;
-    if (state.Clearance > way)
+    const double pathLength = end * reach;
+    if (state.Clearance > pathLength)
     {
-      state.Pass(way);
+      state.Pass(pathLength);
       return None;
     }
     double x[3];
     if (!state.IsFresh)
     {
-      place(0.0, x);
+      getPosition(0.0, x);
       state.SetDistance(this->Evaluate(i, x));
-      if (state.Clearance > way)
+      if (state.Clearance > pathLength)
       {
-        state.Pass(way);
+        state.Pass(pathLength);
         return None;
       }
     }
-    place(end, x);
+    getPosition(end, x);
     this->LastTolerance = this->GetTolerance(x);
     const double before = state.Distance;
     state.SetDistance(this->Evaluate(i, x));
     const bool isClose = std::abs(state.Distance) <= this->LastTolerance;
     const bool isOnSide = state.Side != 0 && state.Side * state.Distance > 0.0;
-    if (!isOnSide || std::abs(before) + std::abs(state.Distance) <= way)
+    if (!isOnSide || std::abs(before) + std::abs(state.Distance) <= pathLength)
     {
-      const double theta = this->Walk(place, i, before, end, reach);
+      const double theta = this->Walk(getPosition, i, before, end, reach);
       if (theta <= 1.0)
       {
         return theta;
@@ -310,21 +318,22 @@ private:
     return isClose && this->Surfaces[i].Shape->IsOn(x) ? end : None;
   }
 
-  /// Finds the first crossing on the surface from theta = 0 to \a end.
-  template <typename Place>
-  double Walk(Place& place, std::size_t i, double before, double end, double reach)
+  /// Returns the first crossing of the surface between theta = 0 and \a end.
+  template <typename GetPositionAt>
+  double Walk(GetPositionAt& getPosition, std::size_t i, double before, double end, double reach)
   {
     State& state = this->States[i];
     double x[3];
     auto distance = [&](double theta)
     {
-      place(theta, x);
+      getPosition(theta, x);
       return this->Evaluate(i, x);
     };
     double from = 0.0;
     double start = before;
-    // Pieces whose widths follow the distance are few; after those the rest is one piece.
-    for (int piece = 0; from < end && piece < 2 * MostPieces; ++piece)
+    // The interval width adapts to the distance, so that few intervals are needed. After
+    // MaximumIntervals intervals, the rest of the step is a single interval.
+    for (int interval = 0; from < end && interval < 2 * MaximumIntervals; ++interval)
     {
       double width = 0.25 * end;
       bool isApproaching = false;
@@ -340,22 +349,23 @@ private:
                                 : std::min(width, std::max(2.0 * clear, end / 16.0));
         }
       }
-      const double to = piece < MostPieces && from + width < end ? from + width : end;
+      const double to = interval < MaximumIntervals && from + width < end ? from + width : end;
       const double last = to < end ? distance(to) : state.Distance;
       if (state.Side == 0)
       {
-        place(to, x);
+        getPosition(to, x);
         state.Side = std::abs(last) <= this->GetTolerance(x) ? 0 : (last < 0.0 ? -1 : 1);
       }
       else if (state.Side * last < 0.0 ||
         (isApproaching && state.Side * last > 0.0 &&
-          this->FindLeast(distance, state.Side, from, to, last, reach)))
+          this->FindNegative(distance, state.Side, from, to, last, reach)))
       {
-        const double inside = state.Side * last < 0.0 ? to : this->Least;
+        const double inside = state.Side * last < 0.0 ? to : this->NegativePosition;
         const double root = this->FindRoot(distance, state.Side, from, start, inside);
-        const double there = distance(root);
-        // A jump is no crossing, nor is a place where the surface has ended.
-        if (std::abs(there) <= this->GetTolerance(x) + 1e-12 * reach &&
+        const double rootDistance = distance(root);
+        // A discontinuity of the distance is not a crossing. Neither is a point past the edge of
+        // the surface.
+        if (std::abs(rootDistance) <= this->GetTolerance(x) + 1e-12 * reach &&
           this->Surfaces[i].Shape->IsOn(x))
         {
           return root;
@@ -365,7 +375,7 @@ private:
         start = 0.0;
         if (inside < to)
         {
-          // The streamline is out again in the same piece.
+          // The distance changes sign again between \a inside and \a to.
           from = inside;
           start = distance(inside);
         }
@@ -377,7 +387,8 @@ private:
     return None;
   }
 
-  /// Finds a root between \a from, on \a side, and \a to, on the other.
+  /// Finds the root between \a from, where the sign of the distance is \a side, and \a to, where it
+  /// is opposite.
   template <typename Distance>
   double FindRoot(Distance& distance, int side, double from, double start, double to)
   {
@@ -387,13 +398,13 @@ private:
   }
 
   /**
-   * Returns whether the distance, which falls from \a from and is \a last at \a to, changes sign in
-   * between, which it then does at Least.
+   * Returns true if the distance changes sign between \a from and \a to. The distance decreases at
+   * \a from and is \a last at \a to. If so, sets NegativePosition to a theta past the sign change.
    */
   template <typename Distance>
-  bool FindLeast(Distance& distance, int side, double from, double to, double last, double reach)
+  bool FindNegative(Distance& distance, int side, double from, double to, double last, double reach)
   {
-    // The probe is so close to the end that the distance changes sign nowhere between.
+    // The probe is so close to \a to that the distance cannot change sign between them.
     const double probe = std::min((to - from) / 64.0, 0.5 * side * last / reach);
     if (side * distance(to - probe) >= side * last)
     {
@@ -408,14 +419,14 @@ private:
     double atRight = side * distance(right);
     for (int iteration = 0; iteration < 80; ++iteration)
     {
-      const double least = std::min(atLeft, atRight);
-      if (least <= 0.0)
+      const double minimum = std::min(atLeft, atRight);
+      if (minimum <= 0.0)
       {
-        this->Least = atLeft <= atRight ? left : right;
+        this->NegativePosition = atLeft <= atRight ? left : right;
         return true;
       }
-      // No point in between is further than half the way from one of the two ends.
-      if (least > reach * (high - low) || high - low <= 1e-15 * high)
+      // Every point of the interval is within half its length of one of the two ends.
+      if (minimum > reach * (high - low) || high - low <= 1e-15 * high)
       {
         return false;
       }
@@ -442,7 +453,7 @@ private:
   const std::vector<AdvectionOptions::Surface>& Surfaces;
   std::vector<State> States;
   double Size = 0.0;
-  double Least = 0.0;
+  double NegativePosition = 0.0;
   double LastTolerance = 0.0;
   int Evaluations = 0;
 };

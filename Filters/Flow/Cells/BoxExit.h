@@ -12,10 +12,10 @@ namespace interlume
 
 /**
  * @class   BoxExit
- * @brief   finds the face by which a step leaves the cell [0,1]^3, for one streamline or several
+ * @brief   finds the exit face of a step from the cell [0,1]^3, for one streamline or several
  *
- * Results are clear for steps that cross each face at most once, from a point that is not on a face
- * to be crossed. CellExit has to find the others. Distances are in widths of the cell.
+ * The masks mark unambiguous results: the step crosses each face at most once and does not start on
+ * a face to be crossed. CellExit handles all other steps. Distances are in cell widths.
  */
 template <typename Number>
 class BoxExit
@@ -24,10 +24,11 @@ public:
   using Math = NumberMath<Number>;
   using Mask = typename Math::Mask;
 
-  /// The distance by which a streamline along a face may be outside of it.
+  /// Distance by which a streamline that runs along a face may be outside the face.
   static constexpr double Tolerance = 1e-12;
 
-  /// Looks from \a p along \a rate. Returns a mask of the points that are at no face to be crossed.
+  /// Prepares the search from \a p along \a rate. Returns a mask of the points that are not on a
+  /// face to be crossed.
   Mask Approach(const Number p[3], const Number rate[3])
   {
     const Number zero = Math::Of(0.0);
@@ -39,7 +40,7 @@ public:
       this->Distances[2 * axis] = p[axis];
       this->Distances[2 * axis + 1] = 1.0 - p[axis];
     }
-    const Number least = -1e-12 * this->Fastest;
+    const Number threshold = -1e-12 * this->Fastest;
     Mask isInside = zero == zero;
     for (int face = 0; face < 6; ++face)
     {
@@ -48,8 +49,8 @@ public:
       this->Outside = Math::Max(this->Outside, outside);
       this->Slacks[face] = 2.0 * outside + Tolerance;
       const Number away = face & 1 ? -rate[face >> 1] : rate[face >> 1];
-      isInside &=
-        Math::Not(((away < least) & (distance <= Tolerance)) | (distance < Math::Of(-MuchOutside)));
+      isInside &= Math::Not(
+        ((away < threshold) & (distance <= Tolerance)) | (distance < Math::Of(-MuchOutside)));
     }
     this->TimeLimit = Math::Of(std::numeric_limits<double>::infinity());
     this->FaceAhead = zero;
@@ -67,8 +68,9 @@ public:
   }
 
   /**
-   * Finds where steps first leave the cell, and by which face: BernsteinRoot::None and -1 where
-   * they do not. \a points are control points. Returns a mask of the clear results.
+   * Finds \a first, the theta at which a step leaves the cell, and the exit face. If the step
+   * remains inside, these are BernsteinRoot::None and -1. \a points are the control points. Returns
+   * a mask of the unambiguous results.
    */
   Mask Find(const Number (*points)[3], int degree, Number& first, Number& exitFace) const
   {
@@ -80,7 +82,7 @@ public:
     {
       return isClear;
     }
-    // The distance from the face that is left, with the slack.
+    // Coefficients of the distance from the possible exit face of each axis, plus the slack.
     Number b[3][Size];
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -102,7 +104,7 @@ public:
       Number own[Size];
       Number slack;
       Number face;
-      this->TakeNext(b, degree, sides, own, slack, face);
+      this->RemoveNext(b, degree, sides, own, slack, face);
       Number root;
       Number theta;
       isClear &= BoxExit::FindCrossing(own, degree, slack, mask, root, theta) | Math::Not(mask);
@@ -111,7 +113,8 @@ public:
       exitFace = Math::Select(isFirst, face, exitFace);
       if (round < 2 && Math::IsAny(sides.IsAnyLeft()))
       {
-        // A face that the streamline stays inside of for somewhat longer does not come first.
+        // A face that the streamline does not reach until somewhat after \a root is not the exit
+        // face.
         const Number end = root + Math::Of(Margin);
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -122,8 +125,9 @@ public:
     return isClear;
   }
 
-  /// Moves a root of a distance with slack back to where the distance is 0. A streamline that
-  /// hardly goes outward stays where it is.
+  /// Moves a root of (distance + slack) back to the root of the distance. \a slack is the tolerance
+  /// by which the point may be outside. If the streamline moves almost parallel to the face, the
+  /// root remains unchanged.
   static Number MoveBack(const Number* b, int degree, const Number& slack, const Number& root)
   {
     Number at[Size];
@@ -140,18 +144,18 @@ public:
     return Math::Select(slope < -1e4 * slack, Math::Max(Math::Of(0.0), root + slack / slope), root);
   }
 
-  /// The time until the end of a straight step is somewhat outside of the cell.
+  /// Time until a straight step ends slightly outside the cell.
   Number TimeLimit;
-  /// The face that a straight step is likely to leave by.
+  /// Likely exit face of a straight step.
   Number FaceAhead;
-  /// The largest rate at which a distance from a face changes, in widths per unit of time.
+  /// Largest rate of change of a distance to a face, in cell widths per unit of time.
   Number Fastest;
 
 protected:
   static constexpr int Size = BernsteinRoot::MaximumDegree + 1;
-  /// The distance by which a step may overshoot a face.
+  /// Maximum overshoot of a step past a face.
   static constexpr double LargestOvershoot = 0.5;
-  /// The distance from a face from which on a streamline outside of it does not come back.
+  /// A streamline this far outside a face must cross it, in whatever direction it moves.
   static constexpr double MuchOutside = 1e-6;
 
   Number Outside;
@@ -159,11 +163,11 @@ protected:
   Number Slacks[6];
 
 private:
-  /// The fraction of a step by which a root must be behind another one. Neither rounding nor the
-  /// slack then changes which is first.
+  /// Minimum difference between two roots, as a fraction of a step, so that neither rounding nor
+  /// the slack can change their order.
   static constexpr double Margin = 1e-3;
 
-  /// The faces that a step may leave by: along each axis at most one.
+  /// Possible exit faces of a step, at most one per axis.
   struct Sides
   {
     Mask IsUpper[3];
@@ -172,8 +176,8 @@ private:
     Mask IsAnyLeft() const { return this->IsLeft[0] | this->IsLeft[1] | this->IsLeft[2]; }
   };
 
-  /// Finds the faces that control points are outside of. Returns a mask of the steps that do not
-  /// end far outside, and have control points outside of one face of an axis only.
+  /// Finds the faces with control points outside. Returns a mask of the steps that do not end far
+  /// outside, and whose control points are outside at most one face of each axis.
   Mask FindSides(const Number (*points)[3], int degree, Sides& sides) const
   {
     Number end = Math::Of(std::numeric_limits<double>::infinity());
@@ -196,9 +200,9 @@ private:
     return isClear & Math::Not(end < Math::Of(-LargestOvershoot) - this->Outside);
   }
 
-  /// Takes one face of each lane out of \a sides: most often the one to which a straight way is
-  /// shortest is the one that is left.
-  void TakeNext(const Number (*b)[Size], int degree, Sides& sides, Number* own, Number& slack,
+  /// Removes from \a sides, per SIMD lane, the face that the chord of the step reaches first. This
+  /// is usually the exit face. \a own are its coefficients.
+  void RemoveNext(const Number (*b)[Size], int degree, Sides& sides, Number* own, Number& slack,
     Number& face) const
   {
     const Mask isSecond =
@@ -227,15 +231,15 @@ private:
     }
   }
 
-  /// Returns a mask of where the straight way from the first to the last of \a one falls below 0
-  /// before that of \a other.
+  /// Returns a mask that is true if the chord from the first to the last coefficient of \a one
+  /// becomes negative before that of \a other.
   static Mask IsBefore(const Number* one, const Number* other, int degree)
   {
     return one[0] * (other[0] - other[degree]) < other[0] * (one[0] - one[degree]);
   }
 
-  /// Replaces the first \a number + 1 coefficients by those of the part up to \a theta, one level
-  /// of de Casteljau's method.
+  /// Performs one level of de Casteljau's algorithm at \a theta on the first \a number + 1
+  /// coefficients.
   static void Subdivide(Number* b, int number, const Number& theta)
   {
     for (int i = 0; i <= number; ++i)
@@ -244,7 +248,8 @@ private:
     }
   }
 
-  /// Returns a mask of where a polynomial is above 0 from 0 to \a end, by its control points there.
+  /// Returns a mask that is true if the control points of the polynomial on [0, \a end] are all
+  /// positive.
   static Mask IsInside(const Number* b, int degree, const Number& end)
   {
     const Number zero = Math::Of(0.0);
@@ -262,8 +267,9 @@ private:
     return isInside;
   }
 
-  /// Finds the root of a distance that is not negative at first and changes sign at most once, 1
-  /// without one, and the same moved back. Returns a mask of where that is so.
+  /// Finds the root of a distance that starts at a value >= 0 and changes sign at most once. \a
+  /// theta is the root after MoveBack. Without a sign change, \a root is 1. Returns a mask of the
+  /// lanes that satisfy the assumptions.
   static Mask FindCrossing(
     const Number* b, int degree, const Number& slack, const Mask& mask, Number& root, Number& theta)
   {

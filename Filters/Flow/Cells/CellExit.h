@@ -14,11 +14,11 @@ namespace interlume
 
 /**
  * @class   CellExit
- * @brief   finds the face by which a step leaves a walker's cell
+ * @brief   finds the exit face of a step from the cell of a walker
  *
- * Cells that are boxes are left to BoxExit where its results are clear. A streamline may be outside
- * of a face by Tolerance of the cell's width, so that one along a face stays in one cell. The field
- * goes on smoothly there.
+ * For boxes, BoxExit handles the unambiguous cases. A streamline may be up to Tolerance cell widths
+ * outside a face, where the field continues smoothly. Therefore a streamline that runs along a face
+ * remains in one cell.
  */
 template <typename Walker>
 class CellExit : private BoxExit<double>
@@ -27,10 +27,11 @@ public:
   using BoxExit<double>::Tolerance;
 
   /**
-   * Looks from \a p along \a rate. Returns the face to cross before the next step, -1 for none: the
-   * streamline is on it or beyond and goes outward, or is beyond by much. \a closed has bits for
-   * faces that cannot be crossed. If \a isHeld, nothing is crossed at p, and faces that p is on or
-   * beyond may be left behind by a hundredth of a width, which ends going around an edge for ever.
+   * Prepares the search from \a p along \a rate. Returns the face to cross before the next step, or
+   * -1. The streamline must cross a face if it is on or outside the face and moves outward, or if
+   * it is far outside. \a closed has a bit for each face that cannot be crossed. If \a isHeld is
+   * true, no face is crossed at \a p, and the streamline may move outward by a hundredth of a cell
+   * width from faces that \a p is on or outside of. This prevents infinite loops around an edge.
    */
   int Approach(
     const Walker& field, const double p[3], const double rate[3], bool isHeld, unsigned int closed)
@@ -58,8 +59,8 @@ public:
       this->Slacks[face] = Tolerance + 2.0 * outside + (isBehind ? 0.02 : 0.0);
       if (rates[face] < 0.0)
       {
-        const double room = isBehind ? 0.01 : 1.1 * std::max(0.0, this->Distances[face]) + 0.05;
-        const double time = room / -rates[face];
+        const double distance = isBehind ? 0.01 : 1.1 * std::max(0.0, this->Distances[face]) + 0.05;
+        const double time = distance / -rates[face];
         if (time < this->TimeLimit)
         {
           this->TimeLimit = time;
@@ -70,20 +71,20 @@ public:
     return isHeld ? -1 : this->GetFaceToCross(rates, closed);
   }
 
-  /// Returns the time until the end of a straight step is somewhat outside of the cell.
+  /// Returns the time until a straight step ends slightly outside the cell.
   double GetTimeLimit() const { return this->TimeLimit; }
 
-  /// Returns the face that a straight step is likely to leave by; -1 for none.
+  /// Returns the likely exit face of a straight step, or -1.
   int GetFaceAhead() const { return static_cast<int>(this->FaceAhead); }
 
-  /// Returns the largest rate at which a distance from a face changes, in widths per unit of time.
+  /// Returns the largest rate of change of a distance to a face, in cell widths per unit of time.
   double GetFastest() const { return this->Fastest; }
 
   /**
-   * Finds where a step first leaves the cell approached last, and by which face;
-   * BernsteinRoot::None and -1 where it stays. \a isFar tells whether its end is so far outside
-   * that the field may no longer be smooth there. \a points are the control points of the step.
-   * Control points outside of a face need not mean that the curve is.
+   * Returns the theta at which a step leaves the cell passed to Approach, and finds the exit face.
+   * If the step remains inside, these are BernsteinRoot::None and -1. Sets \a isFar to true if the
+   * end is so far outside that the field may not be smooth there. \a points are the control points
+   * of the step. Control points may be outside a face even if the curve is not.
    */
   double Find(
     const Walker& field, const double (*points)[3], int degree, int& exitFace, bool& isFar) const
@@ -104,14 +105,14 @@ public:
     for (int face = 0; face < faces; ++face)
     {
       double b[Size] = {};
-      double least = std::numeric_limits<double>::infinity();
+      double minimum = std::numeric_limits<double>::infinity();
       for (int k = 0; k <= degree; ++k)
       {
         b[k] = isBox ? GetBoxDistance(face, points[k]) : field.GetFaceDistance(face, points[k]);
-        least = std::min(least, b[k]);
+        minimum = std::min(minimum, b[k]);
       }
       end = std::min(end, b[degree]);
-      const double theta = least <= -this->Slacks[face]
+      const double theta = minimum <= -this->Slacks[face]
         ? CellExit::FindCrossing(b, degree, this->Slacks[face])
         : BernsteinRoot::None;
       exitFace = theta < first ? face : exitFace;
@@ -132,7 +133,8 @@ private:
   static void FindRates(const Walker& field, const double p[3], const double rate[3], int faces,
     double* distances, double* rates)
   {
-    // Affine distances have the same slope everywhere, which is found best from a point well apart.
+    // The distance to a face is affine, so its slope can be computed accurately from a distant
+    // point.
     const double scale = 1.0 / Vectors::InfinityNorm(glm::make_vec3(rate));
     double ahead[3];
     for (int i = 0; i < 3; ++i)
@@ -164,7 +166,8 @@ private:
     return first;
   }
 
-  /// Returns where the distance falls below -slack, moved back to where it was 0.
+  /// Finds the theta at which the distance falls below -slack, and returns it moved back to where
+  /// the distance is 0.
   static double FindCrossing(double* b, int degree, double slack)
   {
     for (int i = 0; i <= degree; ++i)

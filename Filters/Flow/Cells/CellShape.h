@@ -9,18 +9,18 @@ namespace interlume
 
 /**
  * @class   CellShape
- * @brief   the cells that a streamline goes through: corners, faces and coordinates
+ * @brief   corners, faces and parametric coordinates of the cell types that streamlines traverse
  *
- * All interpolate as VTK's cells do. Their coordinates p = (x, y, z) are chosen so that position
- * and vectors are trilinear polynomials of p and faces are planes:
+ * All cells interpolate as VTK cells do. Their parametric coordinates p = (x, y, z) are chosen such
+ * that position and vectors are trilinear polynomials of p and faces are planes:
  *
- * - HEXAHEDRON: corners of [0,1]^3, x fastest; also for voxels.
+ * - HEXAHEDRON: corners of [0,1]^3, x varies fastest. Also used for voxels.
  * - TETRAHEDRON: corners (0,0,0), (1,0,0), (0,1,0), (0,0,1). Linear.
- * - WEDGE: (0,0,0), (1,0,0), (0,1,0), and the same at z = 1.
- * - PYRAMID: the base (0,0,0), (1,0,0), (1,1,0), (0,1,0), the apex (0,0,1); 0 <= x, y <= 1 - z. In
- * place of xy stands x y / (1 - z). VTK's coordinates are r = x / (1 - z), s = y / (1 - z), t = z:
- * there dx/dp vanishes at the apex. In these it stays bounded, and has a limit along each line to
- * the apex. At and beyond the apex r and s are held to -1 ... 2.
+ * - WEDGE: corners (0,0,0), (1,0,0), (0,1,0), and the same at z = 1.
+ * - PYRAMID: base (0,0,0), (1,0,0), (1,1,0), (0,1,0), apex (0,0,1); 0 <= x, y <= 1 - z. The term xy
+ *   is replaced by x y / (1 - z). VTK's coordinates are r = x / (1 - z), s = y / (1 - z), t = z,
+ *   for which dx/dp vanishes at the apex. In (x, y, z) it remains bounded and has a limit along
+ *   each line to the apex. At the apex and past it, r and s are clamped to [-1, 2].
  */
 struct CellShape
 {
@@ -33,20 +33,21 @@ struct CellShape
   };
 
   /**
-   * Corner 0 has the face's coordinates (u,v) = (0,0), corner 1 (1,0), the last one (0,1): in a
-   * triangle 1-u-v, u, v are the corners' weights, in a quadrilateral corner 2 has (1,1).
+   * Corner 0 has the face coordinates (u,v) = (0,0), corner 1 has (1,0), and the last corner has
+   * (0,1). In a triangle, 1-u-v, u and v are the weights of the corners. In a quadrilateral, corner
+   * 2 has (1,1).
    */
   struct Face
   {
     int NumberOfCorners = 0;
     int Corners[4] = { 0, 0, 0, 0 };
-    /// The distance from the face: [3] + the scalar product of the others and p.
+    /// Distance to the face as a function of p: Plane[3] plus the dot product of Plane[0..2] and p.
     double Plane[4] = { 0, 0, 0, 0 };
-    /// The place p of (u,v), which is Origin + u U + v V.
+    /// Parametric coordinates of (u,v): Origin + u U + v V.
     double Origin[3] = { 0, 0, 0 };
     double U[3] = { 0, 0, 0 };
     double V[3] = { 0, 0, 0 };
-    /// The coefficients of u and v as functions of p, as in Plane.
+    /// u and v as affine functions of p, in the same format as Plane.
     double UOf[4] = { 0, 0, 0, 0 };
     double VOf[4] = { 0, 0, 0, 0 };
 
@@ -60,7 +61,7 @@ struct CellShape
       uv[0] = Apply(this->UOf, p);
       uv[1] = Apply(this->VOf, p);
     }
-    void GetPlace(const double uv[2], double p[3]) const
+    void GetCoordinates(const double uv[2], double p[3]) const
     {
       for (int i = 0; i < 3; ++i)
       {
@@ -73,12 +74,12 @@ struct CellShape
   int NumberOfCorners = 0;
   int NumberOfFaces = 0;
   double Corners[8][3] = {};
-  double Centre[3] = { 0, 0, 0 };
+  double Center[3] = { 0, 0, 0 };
   Face Faces[6] = {};
 
   static const CellShape& Of(int kind);
 
-  /// Turns values in the corners into the polynomial's coefficients.
+  /// Converts values at the corners to the coefficients of the polynomial.
   static void Fit(int kind, Trilinear& values)
   {
     auto& c = values.C;
@@ -88,7 +89,8 @@ struct CellShape
         MoveRow(values, 3, 4);
         break;
       case WEDGE:
-        // The base is fitted as a hexahedron's whose corner (1,1) follows from the other three.
+        // The base is fitted as the base of a hexahedron whose corner (1,1) follows from the other
+        // three.
         MoveRow(values, 5, 6);
         MoveRow(values, 4, 5);
         MoveRow(values, 3, 4);
@@ -156,8 +158,8 @@ private:
     FindDual(face.Origin, face.V, face.U, face.VOf);
   }
 
-  // Computes the function that is 0 at origin, grows by 1 along one way and not along the other;
-  // for all the faces the coordinate axes serve as these.
+  // Computes the affine function that is 0 at \a origin, increases by 1 along the vector \a along
+  // and is constant along \a across. For each face, the function depends on a single coordinate.
   static constexpr void FindDual(
     const double* origin, const double* along, const double* across, double* dual)
   {
@@ -183,11 +185,11 @@ private:
     corner[2] = z;
   }
 
-  constexpr void SetCentre(double x, double y, double z)
+  constexpr void SetCenter(double x, double y, double z)
   {
-    this->Centre[0] = x;
-    this->Centre[1] = y;
-    this->Centre[2] = z;
+    this->Center[0] = x;
+    this->Center[1] = y;
+    this->Center[2] = z;
   }
 
   static constexpr CellShape MakeHexahedron();
@@ -210,7 +212,7 @@ constexpr CellShape CellShape::MakeHexahedron()
   shape.AddFace(4, { 2, 3, 7, 6 }, { 0, -1, 0, 1 });
   shape.AddFace(4, { 0, 1, 3, 2 }, { 0, 0, 1, 0 });
   shape.AddFace(4, { 4, 5, 7, 6 }, { 0, 0, -1, 1 });
-  shape.SetCentre(0.5, 0.5, 0.5);
+  shape.SetCenter(0.5, 0.5, 0.5);
   return shape;
 }
 
@@ -226,7 +228,7 @@ constexpr CellShape CellShape::MakeTetrahedron()
   shape.AddFace(3, { 0, 1, 3, 0 }, { 0, 1, 0, 0 });
   shape.AddFace(3, { 0, 1, 2, 0 }, { 0, 0, 1, 0 });
   shape.AddFace(3, { 1, 2, 3, 0 }, { -1, -1, -1, 1 });
-  shape.SetCentre(0.25, 0.25, 0.25);
+  shape.SetCenter(0.25, 0.25, 0.25);
   return shape;
 }
 
@@ -245,7 +247,7 @@ constexpr CellShape CellShape::MakeWedge()
   shape.AddFace(4, { 1, 2, 5, 4 }, { -1, -1, 0, 1 });
   shape.AddFace(3, { 0, 1, 2, 0 }, { 0, 0, 1, 0 });
   shape.AddFace(3, { 3, 4, 5, 0 }, { 0, 0, -1, 1 });
-  shape.SetCentre(1.0 / 3.0, 1.0 / 3.0, 0.5);
+  shape.SetCenter(1.0 / 3.0, 1.0 / 3.0, 0.5);
   return shape;
 }
 
@@ -263,7 +265,7 @@ constexpr CellShape CellShape::MakePyramid()
   shape.AddFace(3, { 1, 2, 4, 0 }, { -1, 0, -1, 1 });
   shape.AddFace(3, { 3, 2, 4, 0 }, { 0, -1, -1, 1 });
   shape.AddFace(4, { 0, 1, 2, 3 }, { 0, 0, 1, 0 });
-  shape.SetCentre(0.4, 0.4, 0.2);
+  shape.SetCenter(0.4, 0.4, 0.2);
   return shape;
 }
 

@@ -14,7 +14,7 @@ namespace interlume
 namespace
 {
 
-// The bits of a number below 2^21, each followed by two zeros.
+// Inserts two zeros after each bit of a number below 2^21.
 std::uint64_t Spread(std::uint64_t bits)
 {
   bits = (bits | bits << 32) & 0x1f00000000ffffULL;
@@ -31,8 +31,8 @@ std::uint64_t GetCode(const double box[6], const double all[6])
   for (int axis = 0; axis < 3; ++axis)
   {
     const double width = all[2 * axis + 1] - all[2 * axis];
-    const double centre = 0.5 * box[2 * axis] + 0.5 * box[2 * axis + 1];
-    const double part = width > 0.0 ? (centre - all[2 * axis]) / width : 0.0;
+    const double center = 0.5 * box[2 * axis] + 0.5 * box[2 * axis + 1];
+    const double part = width > 0.0 ? (center - all[2 * axis]) / width : 0.0;
     const double step = std::min(std::max(part, 0.0), 1.0) * steps;
     code |= Spread(static_cast<std::uint64_t>(step)) << axis;
   }
@@ -84,7 +84,8 @@ void CellTree::Build(vtkIdType numberOfCells, const CellBox& getBox, const Unite
 {
   this->Cells.clear();
   this->Levels.clear();
-  // Boxes are united by parts, one result for each, so that no thread waits for another.
+  // Each task combines the boxes of one block and writes a separate result. Therefore no thread
+  // waits for another.
   constexpr vtkIdType part = 4096;
   const vtkIdType parts = (numberOfCells + part - 1) / part;
   std::vector<Box> boxes(numberOfCells);

@@ -15,37 +15,37 @@ namespace interlume
 
 /**
  * @class   CellTree
- * @brief   which cells' boxes hold a point
+ * @brief   finds the cells whose bounding boxes contain a point
  *
- * The tree is a bounding volume hierarchy over cells in Morton order of their boxes' centres:
- * leaves of eight cells, four children to a node. All threads build it, any number may read it, and
- * it is always the same. Cells whose boxes have the same place in that order come by their numbers.
+ * The tree is a bounding volume hierarchy over the cells, which are sorted by the Morton codes of
+ * their box centers. Leaves have up to eight cells, inner nodes up to four children. The tree is
+ * built in parallel, does not depend on the number of threads, and can be read by any number of
+ * threads. Cells with equal codes are sorted by id.
  */
 class CellTree
 {
 public:
-  /// A function that gives lower and upper of x, y, z of a cell; false for a cell to leave out.
+  /// Computes the bounds (xmin, xmax, ymin, ...) of a cell. Returns false to exclude the cell.
   using CellBox = std::function<bool(vtkIdType cell, double box[6])>;
 
-  /// A function that unites bounds, lower and upper of x, y, z, with those of other trees whose
-  /// cells are to be in the same order.
+  /// Combines the bounds with the bounds of other trees that must use the same order of cells.
   using Unite = std::function<void(double bounds[6])>;
 
   void Build(vtkIdType numberOfCells, const CellBox& getBox, const Unite& unite = {});
 
-  /// Returns the place of a box in the order, before the number of its cell.
+  /// Returns the Morton code of a cell's box, by which the tree sorts its cells.
   std::uint64_t GetOrder(const double box[6]) const;
-  /// Returns bounds beyond which Visit finds no cell; null without cells.
+  /// Returns slightly enlarged bounds of the cells in this tree, or null if there are none.
   const double* GetBounds() const
   {
     return this->Levels.empty() ? nullptr : this->Levels.back().front().Bounds;
   }
 
   /**
-   * Calls visit(cell) for the cells of leaves whose box holds \a x, a superset of the cells that
-   * hold it, in an order of the tree's, until it returns true. Returns whether it did. Boxes are a
-   * little larger than their cells, by more than those of InterpolatedCell::IsInBox: which cells
-   * share a leaf decides nothing.
+   * Calls visit(cell) for a superset of the cells that contain \a x, namely all cells of the leaves
+   * whose boxes contain \a x, in a fixed order, until a call returns true. Returns whether this
+   * happened. The boxes are inflated by more than in InterpolatedCell::IsInBox. Therefore the
+   * assignment of cells to leaves does not affect the result.
    */
   template <typename Visitor>
   bool Visit(const double x[3], Visitor&& visit) const;
@@ -53,7 +53,7 @@ public:
 private:
   static constexpr int LeafSize = 8;
   static constexpr int Arity = 4;
-  // The height of a tree over all 2^63 cells.
+  // Height of a tree with 2^63 cells.
   static constexpr int MaximumHeight = 32;
 
   struct Box
@@ -70,10 +70,10 @@ private:
     }
   };
 
-  // The bounds of all cells, here and in trees of the same order.
+  // Bounds of all cells, including cells of other trees that use the same order.
   Box All;
   std::vector<vtkIdType> Cells;
-  // The levels of boxes, the leaves first, the root last.
+  // Boxes of each level, from the leaves to the root.
   std::vector<std::vector<Box>> Levels;
 };
 

@@ -13,23 +13,24 @@ namespace interlume
 
 /**
  * @class   FaceExtent
- * @brief   how wide a cell is at one of its faces, how far the face is from flat, where it looks to
+ * @brief   width of a cell at one of its faces, deviation of the face from a plane, and its normal
  *
- * Nearness to a face is measured in the cell's width there: the narrow side of the face, which is a
- * triangle's least height or a quadrilateral's area over its longest edge, or the height of the
- * cell above the face, whichever is less. A quadrilateral's bilinear form is nowhere further than
- * Bend from the triangles that either diagonal cuts it into.
+ * The distance to a face is measured relative to Width. Width is the smaller of two lengths: the
+ * narrow extent of the face and the height of the cell above the face. The narrow extent is the
+ * smallest height of a triangle, or the area of a quadrilateral divided by its longest edge. The
+ * bilinear surface of a quadrilateral deviates by at most Bend from its triangulation along either
+ * diagonal.
  */
 struct FaceExtent
 {
   double Width = 0.0;
   double Bend = 0.0;
-  /// The normal of length 1, to either side; 0 for a face without an area.
+  /// Unit normal with arbitrary orientation, or 0 if the face has no area.
   double Normal[3] = { 0.0, 0.0, 0.0 };
 
   /**
-   * Computes the extent from the three or four corners of a face in cyclic order, and any number of
-   * corners of its cell.
+   * Computes the extent from the \a number corners of a face (three or four, in cyclic order) and
+   * the \a size corners of its cell.
    */
   static FaceExtent Of(const double (*corners)[3], int number, const double (*cell)[3], int size)
   {
@@ -40,8 +41,8 @@ struct FaceExtent
       longest = std::max(
         longest, Vectors::SafeLength(Vectors::Difference(corners[i], corners[(i + 1) % number])));
     }
-    // The diagonals of a quadrilateral, two edges of a triangle, at a length of about 1, so that
-    // the square of their product is a number.
+    // Cross product of the two diagonals of a quadrilateral or two edges of a triangle. They
+    // are scaled to a length of about 1, so that the product neither overflows nor underflows.
     const double scale = MultilinearCell::GetScale(longest);
     const glm::dvec3 product = glm::cross(scale * Vectors::Difference(corners[2], corners[0]),
       scale * Vectors::Difference(corners[number - 1], corners[1]));

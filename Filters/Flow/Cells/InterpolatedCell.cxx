@@ -10,15 +10,15 @@ bool InterpolatedCell::IsInBox(int shape, const double x[3]) const
   const int corners = CellShape::Of(shape).NumberOfCorners;
   for (int i = 0; i < 3; ++i)
   {
-    double least = c[0][i];
+    double minimum = c[0][i];
     double largest = c[0][i];
     for (int corner = 1; corner < corners; ++corner)
     {
-      least = std::min(least, c[corner][i]);
+      minimum = std::min(minimum, c[corner][i]);
       largest = std::max(largest, c[corner][i]);
     }
-    const double slack = 1e-6 * (largest - least) + 32.0 * DBL_EPSILON * std::abs(x[i]);
-    if (!(x[i] >= least - slack && x[i] <= largest + slack))
+    const double slack = 1e-6 * (largest - minimum) + 32.0 * DBL_EPSILON * std::abs(x[i]);
+    if (!(x[i] >= minimum - slack && x[i] <= largest + slack))
     {
       return false;
     }
@@ -30,8 +30,8 @@ void InterpolatedCell::EvaluateSecondDerivatives(
   const Trilinear& polynomial, const double p[3], double second[3][3][3]) const
 {
   double mixed[3][4];
-  // The second derivatives of the pyramid's x y / (1 - z), which has more of them than other terms,
-  // as factors of its coefficient.
+  // Second derivatives of x y / (1 - z), the only nonlinear term of a pyramid, as factors of its
+  // coefficient.
   double factors[3][3] = {};
   const bool isPyramid = this->Shape == CellShape::PYRAMID;
   if (isPyramid)
@@ -93,8 +93,8 @@ void InterpolatedCell::GetJacobian(const double p[3], double jacobian[9]) const
   }
 }
 
-// A column of dx/dp is bilinear in the other coordinates, in a pyramid in VTK's, so that it is
-// longest at corners.
+// A column of dx/dp is bilinear in the other coordinates (for a pyramid, in VTK's coordinates).
+// Therefore its length is largest at a corner.
 double InterpolatedCell::GetLongestWorldVector(const double d[3]) const
 {
   const auto& c = this->Points.C;
@@ -110,7 +110,7 @@ double InterpolatedCell::GetLongestWorldVector(const double d[3]) const
     {
       const double u = corner & 1;
       const double v = corner >> 1;
-      // The sum of the components bounds the length without square roots.
+      // The 1-norm bounds the length without square roots.
       double length = 0.0;
       for (int i = 0; i < 3; ++i)
       {
@@ -148,42 +148,43 @@ void InterpolatedCell::GetVelocityGradient(const double p[3], double gradient[9]
   }
 }
 
-bool InterpolatedCell::FindPlace(const double x[3], bool fromSeveral, double p[3]) const
+bool InterpolatedCell::FindCellCoordinates(const double x[3], bool fromSeveral, double p[3]) const
 {
   const CellShape& shape = CellShape::Of(this->Shape);
   if (!fromSeveral)
   {
-    return this->FindPlaceFrom(shape.Centre, x, p);
+    return this->FindCellCoordinatesFrom(shape.Center, x, p);
   }
-  // Newton's method starts between each corner and the centre; the answer that is farthest inside
-  // counts.
-  bool hasPlace = false;
+  // Starts Newton's method at a point between each corner and the center. Returns the solution
+  // deepest inside the cell.
+  bool hasCoordinates = false;
   for (int corner = 0; corner < shape.NumberOfCorners; ++corner)
   {
     double start[3];
     double found[3];
     for (int i = 0; i < 3; ++i)
     {
-      start[i] = 0.75 * shape.Corners[corner][i] + 0.25 * shape.Centre[i];
+      start[i] = 0.75 * shape.Corners[corner][i] + 0.25 * shape.Center[i];
     }
-    if (this->FindPlaceFrom(start, x, found) &&
-      (!hasPlace || this->GetDistance(found) > this->GetDistance(p)))
+    if (this->FindCellCoordinatesFrom(start, x, found) &&
+      (!hasCoordinates || this->GetDistance(found) > this->GetDistance(p)))
     {
-      hasPlace = true;
+      hasCoordinates = true;
       std::copy(found, found + 3, p);
     }
   }
-  return hasPlace;
+  return hasCoordinates;
 }
 
-bool InterpolatedCell::FindPlaceFrom(const double start[3], const double x[3], double p[3]) const
+bool InterpolatedCell::FindCellCoordinatesFrom(
+  const double start[3], const double x[3], double p[3]) const
 {
   constexpr int maximumIterations = 40;
-  // Farther away than this a curved cell's polynomial says nothing.
+  // At larger parametric coordinates, the polynomial of a curved cell is meaningless.
   constexpr double farthest = 100.0;
-  // Below this size, steps shrink by the square, until rounding holds them.
+  // Below this length, Newton steps decrease quadratically until they reach rounding error.
   constexpr double nearby = 1e-5;
-  constexpr double leastStep = 1e-15;
+  constexpr double minimumStep = 1e-15;
   std::copy(start, start + 3, p);
   double previous = 1.0;
   for (int iteration = 0; iteration < maximumIterations; ++iteration)
@@ -203,7 +204,7 @@ bool InterpolatedCell::FindPlaceFrom(const double start[3], const double x[3], d
     {
       return false;
     }
-    if (length <= leastStep || (previous < nearby && length >= 0.5 * previous))
+    if (length <= minimumStep || (previous < nearby && length >= 0.5 * previous))
     {
       return true;
     }
@@ -241,12 +242,12 @@ FaceExtent InterpolatedCell::GetFaceExtent(int face) const
 
 double InterpolatedCell::GetDistance(const double p[3]) const
 {
-  double least = this->GetFace(0).GetDistance(p);
+  double minimum = this->GetFace(0).GetDistance(p);
   for (int face = 1; face < this->GetNumberOfFaces(); ++face)
   {
-    least = std::min(least, this->GetFace(face).GetDistance(p));
+    minimum = std::min(minimum, this->GetFace(face).GetDistance(p));
   }
-  return least;
+  return minimum;
 }
 
 void InterpolatedCell::Clamp(double p[3]) const

@@ -15,31 +15,31 @@ namespace interlume
 
 /**
  * @class   InterpolatedCell
- * @brief   position, velocity and their derivatives in a cell of any shape of CellShape
+ * @brief   evaluates position, velocity and their derivatives in a cell of any CellShape
  *
- * With x(p) and v(p) the cell's interpolation, dp/dt = (dx/dp)^-1 v. Where x(p) is linear up to the
- * rounding of the corners, as in tetrahedra, voxels and parallelepipeds, the inverse is applied to
- * the coefficients of v once; elsewhere at each p.
+ * With the interpolants x(p) and v(p) of the cell, dp/dt = (dx/dp)^-1 v. If x(p) is affine up to
+ * rounding error, as in tetrahedra, voxels and parallelepipeds, the inverse is applied once to the
+ * coefficients of v. Otherwise it is computed at each p.
  */
 class InterpolatedCell
 {
 public:
   ///@{
-  /// The values in the shape's corners, which the caller fills and then declares set, positions
-  /// first.
+  /// Values at the corners. Fill the points and call SetPoints, then fill the vectors and call
+  /// SetVectors.
   Trilinear& GetPoints() { return this->Points; }
   Trilinear& GetVectors() { return this->Vectors; }
   void SetPoints(int shape);
   void SetVectors();
   ///@}
 
-  /// Returns whether \a x is in the box, a little larger, of positions in corners not yet declared
-  /// set.
+  /// Returns true if \a x is in the slightly enlarged bounding box of the corners. Call it before
+  /// SetPoints.
   bool IsInBox(int shape, const double x[3]) const;
 
   int GetShape() const { return this->Shape; }
   const CellShape::Face& GetFace(int face) const { return CellShape::Of(this->Shape).Faces[face]; }
-  /// Returns the face's extent in world units.
+  /// Returns the extent of a face in world units.
   FaceExtent GetFaceExtent(int face) const;
   int GetNumberOfFaces() const { return CellShape::Of(this->Shape).NumberOfFaces; }
   bool IsFinite() const { return this->HasFiniteVectors; }
@@ -74,14 +74,14 @@ public:
     InverseJacobian::Combine(columns, d, w);
   }
 
-  /// Whether the world vector of a change of p is the same throughout the cell; else a bound of its
-  /// length anywhere in the cell, for changes by -d to d.
+  /// IsAffine returns true if dx/dp is constant in the cell. GetLongestWorldVector returns a bound
+  /// on the world length of any change of p between -d and d, anywhere in the cell.
   bool IsAffine() const { return this->Form != CURVED; }
   double GetLongestWorldVector(const double d[3]) const;
 
   void GetVelocityGradient(const double p[3], double gradient[9]) const;
 
-  /// Computes the value at p of a polynomial that Fit has made for the cell's shape.
+  /// Evaluates at p a polynomial that Fit computed for the shape of the cell.
   void Evaluate(const Trilinear& polynomial, const double p[3], double value[3]) const
   {
     if (this->Shape == CellShape::PYRAMID)
@@ -101,14 +101,15 @@ public:
   }
 
   /**
-   * Finds p of x by Newton's method from the cell's centre, or, slower, from several starts.
-   * Returns false where none converges. p may be outside of the cell.
+   * Finds the coordinates p of \a x by Newton's method, starting at the center of the cell or, more
+   * slowly, from several points. Returns false if the method does not converge. p may be outside
+   * the cell.
    */
-  bool FindPlace(const double x[3], bool fromSeveral, double p[3]) const;
+  bool FindCellCoordinates(const double x[3], bool fromSeveral, double p[3]) const;
 
-  /// Returns the least of all faces' distances.
+  /// Returns the smallest of the distances to the faces.
   double GetDistance(const double p[3]) const;
-  /// Moves p from slightly beyond faces onto them.
+  /// Projects a point that is slightly outside some faces onto these faces.
   void Clamp(double p[3]) const;
 
 private:
@@ -119,7 +120,7 @@ private:
     CURVED
   };
 
-  // Returns 1 - z, and computes VTK's coordinates of a pyramid.
+  // Returns 1 - z and computes VTK's coordinates r and s of a pyramid.
   static double GetPyramidRatios(const double p[3], double& r, double& s)
   {
     const double w = 1.0 - p[2];
@@ -158,13 +159,13 @@ private:
 
   void EvaluateSecondDerivatives(
     const Trilinear& polynomial, const double p[3], double second[3][3][3]) const;
-  bool FindPlaceFrom(const double start[3], const double x[3], double p[3]) const;
+  bool FindCellCoordinatesFrom(const double start[3], const double x[3], double p[3]) const;
 
   int Shape = CellShape::HEXAHEDRON;
   Forms Form = CURVED;
   bool HasFiniteVectors = false;
   Trilinear Points = {};
-  // The coefficients of v, or of dp/dt where x(p) is linear.
+  // Coefficients of v, or of dp/dt if x(p) is affine.
   Trilinear Vectors = {};
 };
 
@@ -209,7 +210,7 @@ inline void InterpolatedCell::SetVectors()
   const int corners = CellShape::Of(this->Shape).NumberOfCorners;
   for (int corner = 0; corner < corners; ++corner)
   {
-    // The sum becomes NaN where a number is not finite.
+    // The sum becomes NaN if a component is not finite.
     check += 0.0 * c[corner][0] + 0.0 * c[corner][1] + 0.0 * c[corner][2];
   }
   this->HasFiniteVectors = check == 0.0;

@@ -9,7 +9,7 @@
 namespace interlume
 {
 
-// Each column is brought to a length of about 1 by a power of 2, which changes no digit.
+// Scales each column to a length of about 1. The scale is a power of 2, so no digit is lost.
 void InverseJacobian::InvertOther(const double columns[3][4], double inverse[3][3])
 {
   double scaled[3][4];
@@ -37,12 +37,13 @@ void InverseJacobian::InvertOther(const double columns[3][4], double inverse[3][
   }
 }
 
-// Gram and Schmidt's method on columns of length 1, the most independent first; R of Q R is then
-// solved backward.
+// Gram-Schmidt orthogonalization of unit columns with column pivoting, then back substitution with
+// R of the factorization Q R.
 void InverseJacobian::InvertSingular(const double columns[3][4], double inverse[3][3])
 {
-  // The share of a column's length that the others must leave for the column to count.
-  constexpr double leastPart = 1e-10;
+  // A column is independent if at least this fraction of its length remains after
+  // orthogonalization.
+  constexpr double minimumFraction = 1e-10;
   int order[3] = { 0, 1, 2 };
   double rest[3][3];
   double length[3];
@@ -74,7 +75,7 @@ void InverseJacobian::InvertSingular(const double columns[3][4], double inverse[
     }
     const double* pivot = rest[order[rank]];
     const double size = std::sqrt(Vectors::Dot(pivot, pivot));
-    if (!(size > leastPart))
+    if (!(size > minimumFraction))
     {
       break;
     }

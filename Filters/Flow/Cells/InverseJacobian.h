@@ -9,11 +9,12 @@ namespace interlume
 
 /**
  * @class   InverseJacobian
- * @brief   the inverse of the Jacobian dx/dp of a cell
+ * @brief   computes the inverse of the Jacobian dx/dp of a cell
  *
- * \a columns[j] is dx/dp_j; of the result, row i is dp_i/dx. Where columns are dependent, as on a
- * collapsed edge, no such inverse exists: then the coordinates that the others can do without get
- * rows of 0, so that p stays along them, and the other rows are those of the least squares.
+ * \a columns[j] is dx/dp_j. Row i of the result is dp_i/dx. If the columns are linearly dependent,
+ * for example on a collapsed edge, the inverse does not exist. Redundant coordinates then get zero
+ * rows, so that they do not change along a streamline. The other rows are the least-squares
+ * solution.
  */
 class InverseJacobian
 {
@@ -46,8 +47,8 @@ public:
   }
 
 private:
-  /// Returns false where columns are dependent, or so long or short that their squares are no
-  /// numbers.
+  /// Returns false if the columns are linearly dependent, or if their squares overflow or
+  /// underflow.
   static bool InvertRegular(const double columns[3][4], double inverse[3][3])
   {
     const glm::dvec3 a = glm::make_vec3(columns[0]);
@@ -55,8 +56,8 @@ private:
     const glm::dvec3 c = glm::make_vec3(columns[2]);
     const glm::dvec3 rows[3] = { glm::cross(b, c), glm::cross(c, a), glm::cross(a, b) };
     const double determinant = glm::dot(a, rows[0]);
-    // The scale is made of the lengths of the columns: cells may be flat and small as long as they
-    // are not sheared into a plane.
+    // The scale is the product of the squared column lengths. Therefore flat or small cells are
+    // accepted, but not cells that are sheared almost into a plane.
     const double scale = glm::dot(a, a) * glm::dot(b, b) * glm::dot(c, c);
     if (!(determinant * determinant > 1e-18 * scale && scale < 1e300))
     {

@@ -19,7 +19,8 @@ namespace interlume
 
 namespace
 {
-// Corners of the cube in the order of the cell's points; a voxel's are in the cube's.
+// Cube corners of the cell's points, in VTK's point order. Voxels need no table: their points are
+// in the order of the cube corners.
 constexpr int HexahedronCorners[8] = { 0, 1, 3, 2, 4, 5, 7, 6 };
 constexpr int WedgeCorners[6] = { 0, 1, 2, 4, 5, 6 };
 constexpr int PyramidCorners[5] = { 0, 1, 3, 2, 4 };
@@ -34,7 +35,7 @@ constexpr int PyramidEdges[8][2] = { { 0, 1 }, { 1, 3 }, { 3, 2 }, { 2, 0 }, { 0
 constexpr int TetrahedronEdges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 4 }, { 1, 2 }, { 1, 4 },
   { 2, 4 } };
 
-// Gives the corners that are no points of the cell their values.
+// Computes the values of the cube corners that are not points of the cell.
 void Extrapolate(MultilinearCell::Shapes shape, MultilinearCell::Values& values)
 {
   for (int i = 0; i < 3; ++i)
@@ -62,7 +63,7 @@ void Extrapolate(MultilinearCell::Shapes shape, MultilinearCell::Values& values)
   }
 }
 
-// Gauss's two points in 0 ... 1.
+// Points of two-point Gauss quadrature in [0, 1].
 constexpr double GaussPoints[2] = { 0.2113248654051871, 0.7886751345948129 };
 }
 
@@ -194,7 +195,8 @@ void MultilinearCell::Load(vtkDataSet* data, vtkDataArray* vectors, vtkIdType ce
   {
     const vtkIdType id = ids->GetId(point);
     const int corner = type == VTK_VOXEL ? point : corners[point];
-    // A voxel's points are taken as a hexahedron's, so that there is one order of weights.
+    // The point ids of a voxel are stored in the order of a hexahedron, because GetWeights uses
+    // that order for both.
     this->PointIds[type == VTK_VOXEL ? corners[point] : point] = id;
     data->GetPoint(id, this->Positions[corner]);
     vectors->GetTuple(id, this->Vectors[corner]);
@@ -258,16 +260,16 @@ void MultilinearCell::GetWeights(const double p[3], double weights[8]) const
 
 bool MultilinearCell::GetGradient(const double p[3], double gradient[9]) const
 {
-  // At the apex the gradient depends on the direction, and is the same along each line to it: that
-  // of the middle line stands for all.
-  const double middle[3] = { 0.5, 0.5, 0.5 };
+  // At the apex of a pyramid, the gradient depends on the direction of approach, but is constant
+  // along each line to the apex. The gradient on the center line is used.
+  const double center[3] = { 0.5, 0.5, 0.5 };
   const bool isApex = this->Shape == PYRAMID && p[2] > 1.0 - 1e-7;
   double byParameters[9];
   double positions[9];
-  Derive(this->Vectors, isApex ? middle : p, byParameters);
-  Derive(this->Positions, isApex ? middle : p, positions);
-  // Rows: dv[i]/dp = (dx/dp)^T dv[i]/dx, by the vectors that are dual to dx/dp.
-  // The cell is first brought to a size of about 1, since its volume may be no number.
+  Derive(this->Vectors, isApex ? center : p, byParameters);
+  Derive(this->Positions, isApex ? center : p, positions);
+  // Solves dv[i]/dp = (dx/dp)^T dv[i]/dx with the dual vectors of dx/dp. The cell is first scaled
+  // to a size of about 1 because its volume may overflow or underflow.
   const double scale = GetScale(this->GetDiagonal());
   for (double& component : positions)
   {
@@ -303,7 +305,7 @@ bool MultilinearCell::GetGradient(const double p[3], double gradient[9]) const
 
 double MultilinearCell::GetScale(double length)
 {
-  // The inverse of each of these powers of 2 is a number too.
+  // The exponent is limited so that the inverse of the power is also finite.
   return length > 0.0 && std::isfinite(length)
     ? std::ldexp(1.0, -std::clamp(std::ilogb(length), -1000, 1000))
     : 1.0;
@@ -328,8 +330,8 @@ double MultilinearCell::GetVolume(double scale) const
     }
     return vtkMath::Determinant3x3(d[0], d[1], d[2], d[3], d[4], d[5], d[6], d[7], d[8]);
   };
-  // The rule is exact: the determinant is of degree 2 in each parameter, on wedges of degree 1 in
-  // both of the triangle's, on tetrahedra constant.
+  // The quadrature is exact: the determinant has degree 2 in each parameter. On wedges it is linear
+  // in the two parameters of the triangle, and on tetrahedra it is constant.
   double volume = 0.0;
   if (this->Shape == TETRAHEDRON)
   {

@@ -13,13 +13,13 @@ namespace interlume
 
 /**
  * @class   MultilinearCell
- * @brief   a cell and its vectors as trilinear functions on the unit cube
+ * @brief   represents a cell and its vectors as trilinear functions on the unit cube
  *
- * The interpolation of VTK's tetrahedra, voxels, hexahedra, wedges and pyramids is trilinear in the
- * cell's parameters p: each is given by values at the eight corners of the cube 0 <= p <= 1, corner
- * i + 2 j + 4 k at p = (i,j,k). Wedges and tetrahedra are the part of the cube with p0 + p1 <= 1 or
- * p0 + p1 + p2 <= 1, with values extrapolated to the other corners; of a pyramid the four corners
- * of p2 = 1 are the apex.
+ * VTK's interpolation of tetrahedra, voxels, hexahedra, wedges and pyramids is trilinear in the
+ * parametric coordinates p. The values at the eight corners of the cube 0 <= p <= 1 define it;
+ * corner i + 2 j + 4 k is at p = (i,j,k). A wedge is the subset of the cube with p0 + p1 <= 1, and
+ * a tetrahedron the subset with p0 + p1 + p2 <= 1. Their values are extrapolated to the other
+ * corners of the cube. In a pyramid, the apex is at all four corners with p2 = 1.
  */
 class MultilinearCell
 {
@@ -35,24 +35,26 @@ public:
 
   using Values = double[8][3];
 
-  /// Returns the shape of a type of cell, NONE for other types.
+  /// Returns the shape of a VTK cell type. Unsupported types have the shape NONE.
   static Shapes GetShape(int cellType);
-  /// Returns whether cells of the type have no volume, as triangles, or are no cells.
+  /// Returns true if cells of the type have no volume, such as triangles, or if the type is
+  /// invalid.
   static bool IsFlat(int cellType);
 
-  /// Compute the values at p, and their derivatives, d value[i] / d p[j] at [3 i + j].
+  /// Computes the value at p, or its derivatives: derivatives[3 i + j] is d value[i] / d p[j].
   static void Interpolate(const Values& values, const double p[3], double value[3]);
   static void Derive(const Values& values, const double p[3], double derivatives[9]);
 
-  /// Returns by how much p is outside of the cell, in parameters; below 0 inside.
+  /// Returns the parametric distance by which p is outside the cell. It is negative inside.
   static double GetExcess(Shapes shape, const double p[3]);
 
-  /// Gives the corners of the cube that are points of a cell, in VTK's order; returns their number.
+  /// Returns the number of points of a cell. \a corners receives the cube corner of each point, in
+  /// VTK's point order.
   static int GetCorners(Shapes shape, const int*& corners);
-  /// Gives the edges of the cell as pairs of corners of the cube; returns their number.
+  /// Returns the number of edges of the cell. \a edges receives them as pairs of cube corners.
   static int GetEdges(Shapes shape, const int (*&edges)[2]);
 
-  /// Loads a cell; \a ids is room to work in.
+  /// Loads a cell. \a ids is working memory.
   void Load(vtkDataSet* data, vtkDataArray* vectors, vtkIdType cell, vtkIdList* ids);
 
   Shapes GetShape() const { return this->Shape; }
@@ -62,31 +64,32 @@ public:
   int GetNumberOfPoints() const { return this->NumberOfPoints; }
   vtkIdType GetPointId(int i) const { return this->PointIds[i]; }
 
-  /// Returns whether positions and vectors are finite.
+  /// Returns true if all positions and vectors are finite.
   bool IsFinite() const;
 
   /// Returns the largest speed at a point of the cell.
   double GetLargestSpeed() const;
 
-  /// Computes the weights of the points at p.
+  /// Computes the interpolation weights of the points at p.
   void GetWeights(const double p[3], double weights[8]) const;
 
-  /// Computes dv[i]/dx[j] at [3 i + j]. Returns false, and gives 0, where the cell is flat.
+  /// Computes gradient[3 i + j] = dv[i]/dx[j]. Returns false, with a zero gradient, if the cell is
+  /// degenerate.
   bool GetGradient(const double p[3], double gradient[9]) const;
 
   /**
-   * Returns the volume of the cell enlarged by \a scale, by which the volumes of very large and
-   * very small cells are numbers.
+   * Returns the volume of the cell scaled by \a scale. The scale prevents overflow for very large
+   * cells and underflow for very small cells.
    */
   double GetVolume(double scale = 1.0) const;
 
-  /// Returns the cube root of the volume, of cells of any size.
+  /// Returns the cube root of the volume, for cells of any size.
   double GetLength() const;
 
   /// Returns the length of the diagonal of the cell's bounds.
   double GetDiagonal() const;
 
-  /// Returns a power of 2 by which a length becomes about 1.
+  /// Returns a power of 2 that scales a length to about 1.
   static double GetScale(double length);
 
 private:

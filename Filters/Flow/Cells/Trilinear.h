@@ -7,17 +7,17 @@ namespace interlume
 
 /**
  * @class   Trilinear
- * @brief   three trilinear polynomials of p = (x, y, z), as coefficients
+ * @brief   coefficients of three trilinear polynomials of p = (x, y, z)
  *
- * Row m of \a C belongs to the product of those coordinates whose bits are set in m: 1, x, y, xy,
- * z, xz, yz, xyz. Rows are four wide so that compilers use vectors; the last column is 0 or of no
- * meaning.
+ * Row m of C is the coefficient of the product of the coordinates whose bits are set in m: 1, x, y,
+ * xy, z, xz, yz, xyz. Rows have four elements so that compilers can vectorize. The last column is
+ * unused.
  */
 struct Trilinear
 {
   alignas(32) double C[8][4];
 
-  /// Turns values in the corners of [0,1]^3, x fastest, into coefficients.
+  /// Converts values at the corners of [0,1]^3, x fastest, to coefficients.
   void Fit()
   {
     for (int bit = 1; bit < 8; bit *= 2)
@@ -63,7 +63,7 @@ struct Trilinear
     Copy(v, value);
   }
 
-  /// Computes the value where the coefficients of xy, xz, yz and xyz are 0.
+  /// Evaluates a polynomial whose xy, xz, yz and xyz coefficients are 0.
   void EvaluateLinear(const double p[3], double value[3]) const
   {
     const auto& c = this->C;
@@ -75,7 +75,7 @@ struct Trilinear
     Copy(v, value);
   }
 
-  /// Computes the derivatives, that along axis j in row j.
+  /// Computes the first derivatives: row j is the derivative along axis j.
   void EvaluateDerivatives(const double p[3], double d[3][4]) const
   {
     const double x = p[0];
@@ -90,7 +90,7 @@ struct Trilinear
     }
   }
 
-  /// Computes the second derivatives that are not 0: by x and y, x and z, y and z.
+  /// Computes the nonzero second derivatives: xy, xz and yz.
   void EvaluateMixedDerivatives(const double p[3], double d[3][4]) const
   {
     const auto& c = this->C;

@@ -15,17 +15,17 @@ namespace interlume
 
 namespace
 {
-/// Returns a digest of where streamlines start, and in which direction.
+/// Returns a digest of the start positions and the direction of integration.
 std::string GetDigest(
   const AdvectionOptions& options, vtkIdType number, const Streamlines::GetPosition& start)
 {
   DataDigest digest;
   digest.Add(&options.Direction, sizeof(options.Direction));
   std::vector<double> positions;
-  constexpr vtkIdType most = 4096;
-  for (vtkIdType first = 0; first < number; first += most)
+  constexpr vtkIdType blockSize = 4096;
+  for (vtkIdType first = 0; first < number; first += blockSize)
   {
-    const vtkIdType last = std::min(number, first + most);
+    const vtkIdType last = std::min(number, first + blockSize);
     positions.resize(static_cast<std::size_t>(3 * (last - first)));
     for (vtkIdType i = first; i < last; ++i)
     {
@@ -49,11 +49,11 @@ bool CheckpointedStreamlines::Follow(const AdvectionOptions& options, vtkIdType 
   const GetPosition& start, const Take& take, double begin, double end)
 {
   StreamlineRecord& record = this->Checkpoint.GetRecord();
-  bool isOther = false;
-  vtkIdType done = record.BeginGroup(number, GetDigest(options, number, start), isOther);
-  if (isOther)
+  bool isDifferent = false;
+  vtkIdType done = record.BeginGroup(number, GetDigest(options, number, start), isDifferent);
+  if (isDifferent)
   {
-    this->Checkpoint.WarnOfOther();
+    this->Checkpoint.WarnOfMismatch();
   }
   vtkSMPTools::For(0, done,
     [&](vtkIdType first, vtkIdType last)
@@ -71,57 +71,57 @@ bool CheckpointedStreamlines::Follow(const AdvectionOptions& options, vtkIdType 
     const bool isHere = done < number;
     return this->Exchange ? this->Exchange->IsAnywhere(isHere) : isHere;
   };
-  bool goesOn = true;
+  bool isActive = true;
   do
   {
-    goesOn = this->FollowPart(options, number, start, take, begin, end, done);
+    isActive = this->FollowBatch(options, number, start, take, begin, end, done);
     record.SetFinished(done);
-    if (!goesOn || this->Checkpoint.IsDue())
+    if (!isActive || this->Checkpoint.IsDue())
     {
       this->Checkpoint.Write();
     }
-  } while (goesOn && isLeft());
-  return goesOn;
+  } while (isActive && isLeft());
+  return isActive;
 }
 
-bool CheckpointedStreamlines::FollowPart(const AdvectionOptions& options, vtkIdType number,
+bool CheckpointedStreamlines::FollowBatch(const AdvectionOptions& options, vtkIdType number,
   const GetPosition& start, const Take& take, double begin, double end, vtkIdType& done)
 {
   using Clock = std::chrono::steady_clock;
   constexpr double shortest = 0.5;
   constexpr double longest = 2.0;
-  constexpr vtkIdType least = 256;
+  constexpr vtkIdType minimumBatch = 256;
   const Clock::time_point before = Clock::now();
   const vtkIdType first = done;
-  const vtkIdType part = std::min(this->Part, number - first);
+  const vtkIdType batch = std::min(this->BatchSize, number - first);
   const auto getProgress = [&](vtkIdType i)
   {
-    const double share = number > 0 ? static_cast<double>(i) / static_cast<double>(number) : 1.0;
-    return begin + share * (end - begin);
+    const double fraction = number > 0 ? static_cast<double>(i) / static_cast<double>(number) : 1.0;
+    return begin + fraction * (end - begin);
   };
-  // Those of the part that have ended, when it is aborted.
-  std::vector<unsigned char> hasEnded(static_cast<std::size_t>(part), 0);
+  // 1 for each finished streamline. After an abort, some streamlines are not finished.
+  std::vector<unsigned char> hasEnded(static_cast<std::size_t>(batch), 0);
   StreamlineRecord& record = this->Checkpoint.GetRecord();
-  const bool goesOn = this->Inner.Follow(
-    options, part, [&](vtkIdType i, double x[3]) { start(first + i, x); },
+  const bool isActive = this->Inner.Follow(
+    options, batch, [&](vtkIdType i, double x[3]) { start(first + i, x); },
     [&](vtkIdType i, const AdvectionResult& result)
     {
       record.Set(first + i, result);
       take(first + i, result);
       hasEnded[static_cast<std::size_t>(i)] = 1;
     },
-    getProgress(first), getProgress(first + part));
+    getProgress(first), getProgress(first + batch));
   done = first + (std::find(hasEnded.begin(), hasEnded.end(), 0) - hasEnded.begin());
   const std::chrono::duration<double> seconds = Clock::now() - before;
-  if (part == this->Part && seconds.count() < shortest)
+  if (batch == this->BatchSize && seconds.count() < shortest)
   {
-    this->Part *= 2;
+    this->BatchSize *= 2;
   }
   else if (seconds.count() > longest)
   {
-    this->Part = std::max(least, this->Part / 2);
+    this->BatchSize = std::max(minimumBatch, this->BatchSize / 2);
   }
-  return goesOn;
+  return isActive;
 }
 
 }

@@ -12,16 +12,17 @@ class RankExchange;
 
 /**
  * @class   CheckpointedStreamlines
- * @brief   follows the streamlines that a checkpoint does not have, and takes the others from there
+ * @brief   reads finished streamlines from a checkpoint and computes the missing ones
  *
- * Streamlines are followed in parts that take about a second; between them nothing is on its way,
- * and the checkpoint is written when it is due. After an abort it is written at once.
+ * Streamlines are computed in batches of about one second. Between batches, no streamline is in
+ * transit between processes, and the checkpoint is written if it is due. After an abort, it is
+ * written immediately.
  */
 class CheckpointedStreamlines : public Streamlines
 {
 public:
-  /// \a exchange is that of the processes that have parts of the field, null where this one has
-  /// all.
+  /// \a exchange connects the processes that hold partitions of the field. It is null if this
+  /// process holds the entire field.
   CheckpointedStreamlines(
     Streamlines& streamlines, FlowCheckpoint& checkpoint, RankExchange* exchange);
 
@@ -35,16 +36,16 @@ public:
   const FlowField& GetField() const override { return this->Inner.GetField(); }
 
 private:
-  /// Follows streamlines of the group from \a done on, as many as a part has, and adds them to \a
-  /// done. Returns false when the execution was aborted.
-  bool FollowPart(const AdvectionOptions& options, vtkIdType number, const GetPosition& start,
+  /// Computes a batch of streamlines from number \a done on, and increases \a done by the number of
+  /// leading streamlines that are finished. Returns false if the execution was aborted.
+  bool FollowBatch(const AdvectionOptions& options, vtkIdType number, const GetPosition& start,
     const Take& take, double begin, double end, vtkIdType& done);
 
   Streamlines& Inner;
   FlowCheckpoint& Checkpoint;
   RankExchange* Exchange;
-  /// The number of streamlines of a part.
-  vtkIdType Part = 1024;
+  /// Number of streamlines per batch.
+  vtkIdType BatchSize = 1024;
 };
 
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checkpoint/FlowCheckpoint.h"
 
-#include "Common/WholeFiles.h"
+#include "Common/AtomicFiles.h"
 #include "Streams/RankExchange.h"
 
 #include "vtkFieldData.h"
@@ -20,7 +20,7 @@ namespace interlume
 
 namespace
 {
-// It is the first word of the file's field data, and means that streamlines are missing.
+// Name of the first field array of the file. The array marks an incomplete set of streamlines.
 constexpr const char* MarkArray = "PartialImplicitFlow";
 
 double GetSeconds(std::chrono::steady_clock::duration duration)
@@ -28,10 +28,10 @@ double GetSeconds(std::chrono::steady_clock::duration duration)
   return std::chrono::duration<double>(duration).count();
 }
 
-/// Returns whether a file begins as those that are written here, whole or not.
+/// Returns true if the file starts like a checkpoint. The rest of the file may be damaged.
 bool IsCheckpoint(const std::string& fileName)
 {
-  std::ifstream file(WholeFiles::GetPath(fileName), std::ios::in | std::ios::binary);
+  std::ifstream file(AtomicFiles::GetPath(fileName), std::ios::in | std::ios::binary);
   std::string head(1024, '\0');
   file.read(&head[0], static_cast<std::streamsize>(head.size()));
   return head.find(std::string("Name=\"") + MarkArray + "\"") != std::string::npos;
@@ -42,9 +42,9 @@ FlowCheckpoint::FlowCheckpoint(const std::string& fileName, double interval,
   FlowFingerprint&& fingerprint, int means, Warn&& warn)
   : FileName(fileName)
   , Interval(interval)
-  , Own(std::move(fingerprint))
+  , CurrentFingerprint(std::move(fingerprint))
   , Record(means)
-  , Tell(std::move(warn))
+  , WarnUser(std::move(warn))
 {
 }
 
@@ -54,7 +54,7 @@ std::string FlowCheckpoint::GetPieceName(const std::string& fileName, int piece,
   {
     return fileName;
   }
-  const std::string extension = WholeFiles::GetPath(fileName).extension().u8string();
+  const std::string extension = AtomicFiles::GetPath(fileName).extension().u8string();
   return fileName.substr(0, fileName.size() - extension.size()) + "_" + std::to_string(piece) +
     extension;
 }
@@ -63,19 +63,19 @@ Error FlowCheckpoint::Read()
 {
   if (!IsCheckpoint(this->FileName))
   {
-    this->IsBarred = true;
-    return { "it is no checkpoint of an implicit flow field. It is left as it is, and none is "
-             "written",
+    this->IsWritingDisabled = true;
+    return { "it is not a checkpoint of vtkImplicitFlowField. The file remains unchanged and no "
+             "checkpoint is written; set another CheckpointFileName",
       ErrorCode::File };
   }
   vtkNew<vtkXMLTableReader> reader;
-  const bool isRead = WholeFiles::Read(reader, this->FileName);
+  const bool isRead = AtomicFiles::Read(reader, this->FileName);
   vtkTable* table = reader->GetOutput();
   if (!isRead || !table->GetFieldData()->GetArray(MarkArray))
   {
-    return { "it is damaged or not whole", ErrorCode::File };
+    return { "it is damaged or incomplete", ErrorCode::File };
   }
-  const std::string different = this->Own.Compare(table->GetFieldData());
+  const std::string different = this->CurrentFingerprint.Compare(table->GetFieldData());
   if (!different.empty())
   {
     return "these differ: " + different;
@@ -85,45 +85,48 @@ Error FlowCheckpoint::Read()
 
 void FlowCheckpoint::Open(RankExchange* exchange)
 {
-  const bool isThere = WholeFiles::IsThere(this->FileName);
-  const Error error = (isThere ? this->Read() : Error())
+  const bool exists = AtomicFiles::IsThere(this->FileName);
+  const Error error = (exists ? this->Read() : Error())
                         .Within("The checkpoint " + this->FileName + " is not used: ",
-                          ". All streamlines are followed anew.");
+                          ". All streamlines are computed again.");
   const Error anywhere = exchange ? exchange->FindFirst(error) : error;
   if (anywhere)
   {
     this->Record.Clear();
-    this->Tell((error ? error : anywhere).GetMessage());
+    this->WarnUser((error ? error : anywhere).GetMessage());
   }
-  this->IsOwn = isThere && !anywhere;
+  this->IsOwn = exists && !anywhere;
   this->RowsInFile = this->Record.GetNumberOfRows();
-  // Hours later would be late to learn that there is no such folder.
-  if (!this->IsBarred && !WholeFiles::CanWrite(this->FileName))
+  // Checks now whether files can be written, so that the user need not wait until the first write
+  // is due.
+  if (!this->IsWritingDisabled && !AtomicFiles::CanWrite(this->FileName))
   {
-    this->IsBarred = true;
-    this->Tell("No checkpoint is written: the file " +
-      WholeFiles::GetTemporaryName(this->FileName) + " cannot be made.");
+    this->IsWritingDisabled = true;
+    this->WarnUser("No checkpoint is written: the file " +
+      AtomicFiles::GetTemporaryName(this->FileName) +
+      " cannot be created. Check that the directory exists and is writable.");
   }
   this->Last = Clock::now();
 }
 
-void FlowCheckpoint::WarnOfOther()
+void FlowCheckpoint::WarnOfMismatch()
 {
-  this->Tell("A part of the checkpoint " + this->FileName +
-    " is not used: the streamlines there begin elsewhere. They are followed anew.");
+  this->WarnUser("Some results in the checkpoint " + this->FileName +
+    " are not used because their streamlines have other start positions. These streamlines are "
+    "computed again.");
 }
 
 bool FlowCheckpoint::IsDue() const
 {
-  constexpr double share = 10.0;
+  constexpr double factor = 10.0;
   const double interval =
-    this->Interval > 0.0 ? std::max(this->Interval, share * this->WritingSeconds) : 0.0;
+    this->Interval > 0.0 ? std::max(this->Interval, factor * this->WritingSeconds) : 0.0;
   return GetSeconds(Clock::now() - this->Last) >= interval;
 }
 
 void FlowCheckpoint::Write()
 {
-  if (this->IsBarred || this->Record.GetNumberOfRows() == this->RowsInFile)
+  if (this->IsWritingDisabled || this->Record.GetNumberOfRows() == this->RowsInFile)
   {
     return;
   }
@@ -133,11 +136,11 @@ void FlowCheckpoint::Write()
   mark->SetName(MarkArray);
   mark->InsertNextValue(1);
   table->GetFieldData()->AddArray(mark);
-  this->Own.Write(table->GetFieldData());
+  this->CurrentFingerprint.Write(table->GetFieldData());
   this->Record.Write(table);
   vtkNew<vtkXMLTableWriter> writer;
   writer->SetInputData(table);
-  const bool isWritten = WholeFiles::Write(writer, this->FileName);
+  const bool isWritten = AtomicFiles::Write(writer, this->FileName);
   this->IsOwn = this->IsOwn || isWritten;
   if (isWritten)
   {
@@ -147,8 +150,9 @@ void FlowCheckpoint::Write()
   if (!isWritten && !this->HasFailed)
   {
     this->HasFailed = true;
-    this->Tell("The checkpoint " + this->FileName +
-      " could not be written. One that was there before is as it was.");
+    this->WarnUser("The checkpoint " + this->FileName +
+      " could not be written. An earlier checkpoint file remains unchanged. Check the free disk "
+      "space and the permissions.");
   }
   this->Last = Clock::now();
   this->WritingSeconds = GetSeconds(this->Last - start);
@@ -158,7 +162,7 @@ void FlowCheckpoint::Remove()
 {
   if (this->IsOwn)
   {
-    WholeFiles::Remove(this->FileName);
+    AtomicFiles::Remove(this->FileName);
   }
 }
 

@@ -18,67 +18,67 @@ class RankExchange;
 
 /**
  * @class   FlowCheckpoint
- * @brief   the file that has the finished streamlines of an execution of vtkImplicitFlowField
+ * @brief   checkpoint file with the finished streamlines of an execution of vtkImplicitFlowField
  *
- * A vtkTable of VTK's XML format: the columns of StreamlineRecord, and in the field data the
- * FlowFingerprint, the mark Partial and digests. It is written beside itself and then renamed, so
- * that there is a whole one at any time.
+ * The file is a vtkTable in VTK's XML format. StreamlineRecord defines its columns. Its field
+ * data contain the FlowFingerprint, a mark (PartialImplicitFlow) and digests. A new file is written
+ * under a temporary name and then renamed. Therefore an interrupted write never damages the
+ * previous file.
  */
 class FlowCheckpoint
 {
 public:
   using Warn = std::function<void(const std::string&)>;
 
-  /// \a interval is the least number of seconds between two files; \a warn takes warnings about a
-  /// file.
+  /// \a interval is the minimum number of seconds between two writes. \a means is the number of
+  /// averaged arrays. \a warn is called with each warning.
   FlowCheckpoint(const std::string& fileName, double interval, FlowFingerprint&& fingerprint,
     int means, Warn&& warn);
 
-  /// Returns the name of the file of one of several pieces.
+  /// Returns the name of the file for one of \a pieces pieces.
   static std::string GetPieceName(const std::string& fileName, int piece, int pieces);
 
-  /// Reads the file, if there is one. Collective where processes have parts of the field, \a
-  /// exchange then is theirs: what any of them refuses, all do.
+  /// Reads the file if it exists. If processes hold partitions of the field, pass their \a
+  /// exchange; the call is then collective. If one process rejects its file, all processes do.
   void Open(RankExchange* exchange);
 
   StreamlineRecord& GetRecord() { return this->Record; }
 
   ///@{
-  /// Returns the number of streamlines that were not followed since the file has them, and of files
-  /// that were written.
+  /// Returns the number of streamlines read from the file, and the number of files written.
   vtkIdType GetNumberOfResumed() const { return this->Resumed; }
   void AddResumed(vtkIdType number) { this->Resumed += number; }
   vtkIdType GetNumberOfFiles() const { return this->Files; }
   ///@}
 
-  /// Warns that what is recorded from a group of streamlines on is of others.
-  void WarnOfOther();
+  /// Warns that, from the current group on, the recorded results belong to other streamlines.
+  void WarnOfMismatch();
 
-  /// Returns whether the interval is over. After a file that took long to write it is ten times as
-  /// long as that.
+  /// Returns true if the interval has elapsed. The interval is at least ten times the duration of
+  /// the last write.
   bool IsDue() const;
-  /// Writes the file, if it does not have what is recorded.
+  /// Writes the file if there are new results.
   void Write();
-  /// Removes the file, if it is this execution's.
+  /// Removes the file if this execution wrote it or resumed from it.
   void Remove();
 
 private:
   using Clock = std::chrono::steady_clock;
 
-  /// Reads the file. Returns an error, whose message is a part of a sentence, if the file cannot be
-  /// used.
+  /// Reads the file. If the file cannot be used, returns the reason as a part of a sentence.
   Error Read();
 
   std::string FileName;
   double Interval;
-  /// What this execution depends on.
-  FlowFingerprint Own;
+  /// Fingerprint of this execution.
+  FlowFingerprint CurrentFingerprint;
   StreamlineRecord Record;
-  Warn Tell;
-  /// Whether there may be a file that was written here, or resumed from.
+  Warn WarnUser;
+  /// True if this execution wrote the file or resumed from it.
   bool IsOwn = false;
-  /// Whether no file may be written, since another one has the name or there is no such place.
-  bool IsBarred = false;
+  /// True if no file may be written: a file that is not a checkpoint has the name, or the directory
+  /// is not writable.
+  bool IsWritingDisabled = false;
   bool HasFailed = false;
   vtkIdType RowsInFile = 0;
   vtkIdType Resumed = 0;

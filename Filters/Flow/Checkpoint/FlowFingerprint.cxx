@@ -34,8 +34,8 @@ std::string GetGridDigest(vtkDataSet* grid)
   return digest.Take();
 }
 
-/// Returns what a surface prints of itself but what all objects print, and addresses, which are
-/// others in each process.
+/// Returns the settings that a surface prints in PrintSelf. Excludes the output of vtkObject and
+/// pointers, which differ between processes.
 std::string GetSettings(vtkTerminationSurface* surface)
 {
   std::ostringstream ofObject;
@@ -53,7 +53,7 @@ std::string GetSettings(vtkTerminationSurface* surface)
 
 std::string Describe(const AdvectionOptions::Surface& surface)
 {
-  // Its getters and PrintSelf are not const, as VTK has them.
+  // The getters and PrintSelf of VTK objects are not const.
   auto* shape = const_cast<vtkTerminationSurface*>(surface.Shape);
   std::string text = GetSettings(shape) + "; id " + std::to_string(surface.Id);
   if (auto* mesh = vtkTerminationMesh::SafeDownCast(shape))
@@ -102,7 +102,8 @@ FlowFingerprint::FlowFingerprint(
       { "ComputeMaximumSpeed", options.ComputeMaximumSpeed },
       { "ComputeArcLength", options.ComputeArcLength },
       { "ComputeMeanVorticity", options.ComputeMeanVorticity },
-      { "MeanArrays", options.MeanArrays }, { "ShareStreamlines", options.ShareStreamlines },
+      { "MeanArrays", options.MeanArrays },
+      { "InterpolateStreamlines", options.InterpolateStreamlines },
       { "RefinementLevels", options.RefinementLevels },
       { "SamplingChecks", options.SamplingChecks } });
   this->AddLines(settings.str());

@@ -14,16 +14,16 @@ struct AdvectionOptions;
 
 /**
  * @class   FlowFingerprint
- * @brief   all that the streamlines of an execution of vtkImplicitFlowField depend on
+ * @brief   fingerprint of everything that determines the streamlines of a vtkImplicitFlowField
  *
- * Settings are written out, data are digests: the field, its vectors, the arrays that means are
- * taken of, the samples, and the termination surfaces, by what they print of themselves and by the
- * meshes and lines that they have.
+ * Settings are stored as text, data as digests. The data are the grid, its vectors, the averaged
+ * arrays and the samples. Termination surfaces are described by their PrintSelf output and by
+ * digests of their meshes and lines.
  */
 class FlowFingerprint : public Fingerprint
 {
 public:
-  /// Makes that of an execution; an array that a mean is to be taken of may be missing.
+  /// Computes the fingerprint of an execution. Averaged arrays may be missing in \a field.
   FlowFingerprint(
     const AdvectionOptions& options, vtkDataSet* field, vtkDataArray* vectors, vtkDataSet* samples);
 };

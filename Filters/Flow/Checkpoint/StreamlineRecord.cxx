@@ -31,7 +31,7 @@ constexpr Member<int> IntMembers[] = { { "Status", &AdvectionEnd::Status },
   { "Id", &AdvectionEnd::Id }, { "Steps", &AdvectionEnd::Steps },
   { "RejectedSteps", &AdvectionEnd::RejectedSteps }, { "StiffSteps", &AdvectionEnd::StiffSteps },
   { "RejectedStiffSteps", &AdvectionEnd::RejectedStiffSteps },
-  { "LaneSteps", &AdvectionEnd::LaneSteps }, { "Evaluations", &AdvectionEnd::Evaluations },
+  { "SimdSteps", &AdvectionEnd::SimdSteps }, { "Evaluations", &AdvectionEnd::Evaluations },
   { "JacobianEvaluations", &AdvectionEnd::JacobianEvaluations },
   { "DistanceEvaluations", &AdvectionEnd::DistanceEvaluations },
   { "Cells", &AdvectionEnd::Cells } };
@@ -41,7 +41,7 @@ constexpr Member<double> DoubleMembers[] = { { "Time", &AdvectionEnd::Time },
   { "MeanVorticity", &AdvectionEnd::MeanVorticity }, { "Nearness", &AdvectionEnd::Nearness } };
 
 static_assert(sizeof(AdvectionEnd) <= 11 * sizeof(int) + 10 * sizeof(double) + 4,
-  "each number of AdvectionEnd has a column");
+  "each member of AdvectionEnd needs a column");
 
 std::string GetDigest(const std::vector<vtkDataArray*>& columns)
 {
@@ -57,8 +57,8 @@ std::string GetDigest(const std::vector<vtkDataArray*>& columns)
 StreamlineRecord::StreamlineRecord(int means)
   : NumberOfMeans(means)
 {
-  static_assert(std::size(IntMembers) == NumberOfInts, "a column for each");
-  static_assert(std::size(DoubleMembers) == NumberOfDoubles, "a column for each");
+  static_assert(std::size(IntMembers) == NumberOfInts, "one column per member");
+  static_assert(std::size(DoubleMembers) == NumberOfDoubles, "one column per member");
   for (std::size_t i = 0; i < NumberOfInts; ++i)
   {
     this->Ints[i]->SetName(IntMembers[i].first);
@@ -93,13 +93,14 @@ void StreamlineRecord::SetCapacity(vtkIdType rows)
 {
   for (vtkDataArray* column : this->GetColumns())
   {
-    // Keeps what is there, which SetNumberOfTuples alone does not.
+    // Resize preserves the values, unlike SetNumberOfTuples.
     column->Resize(rows);
     column->SetNumberOfTuples(rows);
   }
 }
 
-vtkIdType StreamlineRecord::BeginGroup(vtkIdType number, const std::string& digest, bool& isOther)
+vtkIdType StreamlineRecord::BeginGroup(
+  vtkIdType number, const std::string& digest, bool& isDifferent)
 {
   if (this->HasBegun)
   {
@@ -107,21 +108,21 @@ vtkIdType StreamlineRecord::BeginGroup(vtkIdType number, const std::string& dige
     ++this->Current;
   }
   this->HasBegun = true;
-  const bool isThere = this->Current < this->Groups.size();
-  isOther = isThere &&
+  const bool exists = this->Current < this->Groups.size();
+  isDifferent = exists &&
     (this->Groups[this->Current].Number != number || this->Groups[this->Current].Digest != digest);
-  if (!isThere || isOther)
+  if (!exists || isDifferent)
   {
     this->Groups.resize(this->Current);
     this->Groups.push_back({ number, digest });
     this->Rows = std::min(this->Rows, this->First);
   }
-  const vtkIdType known = std::clamp<vtkIdType>(this->Rows - this->First, 0, number);
-  if (known < number)
+  const vtkIdType recorded = std::clamp<vtkIdType>(this->Rows - this->First, 0, number);
+  if (recorded < number)
   {
     this->SetCapacity(this->First + number);
   }
-  return known;
+  return recorded;
 }
 
 void StreamlineRecord::Get(vtkIdType i, AdvectionResult& result) const
@@ -183,7 +184,7 @@ void StreamlineRecord::Write(vtkTable* table) const
     auto view = vtk::TakeSmartPointer(column->NewInstance());
     view->SetName(column->GetName());
     view->SetNumberOfComponents(column->GetNumberOfComponents());
-    // The table reads the rows that are recorded where they are.
+    // The view shares the memory of the column.
     view->SetVoidArray(column->GetVoidPointer(0), this->Rows * column->GetNumberOfComponents(), 1);
     table->AddColumn(view);
     columns.push_back(view);
@@ -210,17 +211,17 @@ void StreamlineRecord::Write(vtkTable* table) const
 
 Error StreamlineRecord::Read(vtkTable* table)
 {
-  std::vector<vtkDataArray*> there;
+  std::vector<vtkDataArray*> fileColumns;
   for (vtkDataArray* column : this->GetColumns())
   {
     auto* same = vtkDataArray::SafeDownCast(table->GetColumnByName(column->GetName()));
     if (!same || same->GetDataType() != column->GetDataType() ||
       same->GetNumberOfComponents() != column->GetNumberOfComponents())
     {
-      return { std::string("it has no column ") + column->GetName() + " as it should be",
+      return { std::string("the column ") + column->GetName() + " is missing or has another type",
         ErrorCode::File };
     }
-    there.push_back(same);
+    fileColumns.push_back(same);
   }
   vtkFieldData* data = table->GetFieldData();
   vtkDataArray* numbers = data->GetArray(NumbersArray);
@@ -228,9 +229,9 @@ Error StreamlineRecord::Read(vtkTable* table)
   auto* digest = vtkStringArray::SafeDownCast(data->GetAbstractArray(DigestArray));
   const vtkIdType groups = numbers ? numbers->GetNumberOfTuples() : -1;
   if (groups < 0 || !digests || digests->GetNumberOfValues() != groups || !digest ||
-    digest->GetNumberOfValues() != 1 || digest->GetValue(0) != GetDigest(there))
+    digest->GetNumberOfValues() != 1 || digest->GetValue(0) != GetDigest(fileColumns))
   {
-    return { "its numbers are not those that were written", ErrorCode::File };
+    return { "its values do not match its digest", ErrorCode::File };
   }
   this->Rows = table->GetNumberOfRows();
   this->Groups.clear();
@@ -242,7 +243,7 @@ Error StreamlineRecord::Read(vtkTable* table)
   const std::vector<vtkDataArray*> columns = this->GetColumns();
   for (std::size_t i = 0; i < columns.size(); ++i)
   {
-    columns[i]->ShallowCopy(there[i]);
+    columns[i]->ShallowCopy(fileColumns[i]);
   }
   return {};
 }

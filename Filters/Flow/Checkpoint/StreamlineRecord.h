@@ -23,43 +23,46 @@ namespace interlume
 
 /**
  * @class   StreamlineRecord
- * @brief   the results of streamlines in the order in which an execution asks for them
+ * @brief   results of streamlines in the order in which an execution requests them
  *
- * An execution asks for streamlines group by group: the samples, those of each level of refinement,
- * what lies beyond surfaces. Each group is a number of streamlines with a digest of their starts; a
- * result is a row of columns of numbers, 124 bytes and 8 for each mean. Whatever else an execution
- * computes follows from these results, so that one with the same record has the same bytes.
+ * An execution requests streamlines in groups: the samples, the samples of each refinement level,
+ * and samples on the far side of surfaces. A group has a number of streamlines and a digest of
+ * their start positions and direction. Each result is a row of numbers: 124 bytes plus 8 bytes per
+ * mean. All other output follows from these results. Therefore an execution that resumes from the
+ * record has bit-identical output.
  */
 class StreamlineRecord
 {
 public:
-  /// \a means is the number of arrays that means are taken of.
+  /// \a means is the number of averaged arrays.
   explicit StreamlineRecord(int means);
   ~StreamlineRecord();
 
   ///@{
   /**
-   * Begins the next group. Returns how many of its streamlines, from the first on, are recorded;
-   * what was recorded of another group in its place, and after it, is dropped: \a isOther then is
-   * true.
+   * Begins the next group. Returns how many of its leading streamlines are recorded. If the
+   * recorded group has another digest or number of streamlines, discards it and all later groups
+   * and sets \a isDifferent to true.
    */
-  vtkIdType BeginGroup(vtkIdType number, const std::string& digest, bool& isOther);
-  /// Reads and writes results of the group, which threads do at once for different ones.
+  vtkIdType BeginGroup(vtkIdType number, const std::string& digest, bool& isDifferent);
+  /// Reads or writes the result of streamline \a i of the group. Threads may call these
+  /// concurrently for different \a i.
   void Get(vtkIdType i, AdvectionResult& result) const;
   void Set(vtkIdType i, const AdvectionResult& result);
-  /// Tells how many streamlines of the group are recorded now, from the first on.
+  /// Sets how many leading streamlines of the group are recorded.
   void SetFinished(vtkIdType number);
   ///@}
 
-  /// Returns the number of streamlines that are recorded, of all groups.
+  /// Returns the number of recorded streamlines of all groups.
   vtkIdType GetNumberOfRows() const { return this->Rows; }
 
-  /// Forgets all that is recorded.
+  /// Deletes all records.
   void Clear();
 
-  /// Adds all that is recorded to a table, without copies, which must not outlive this.
+  /// Adds all records to a table. The table shares this object's memory and must not outlive it.
   void Write(vtkTable* table) const;
-  /// Takes over what a table of a file has. Returns an error if the file is damaged.
+  /// Reads the records from the table of a checkpoint file. Returns an error if the file is
+  /// damaged.
   Error Read(vtkTable* table);
 
 private:
@@ -82,7 +85,7 @@ private:
     std::string Digest;
   };
   std::vector<Group> Groups;
-  /// The group that was begun last, and its first row.
+  /// Index of the current group, and its first row.
   std::size_t Current = 0;
   vtkIdType First = 0;
   bool HasBegun = false;

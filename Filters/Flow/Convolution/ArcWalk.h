@@ -15,11 +15,11 @@ namespace interlume
 
 /**
  * @class   ArcWalk
- * @brief   follows a streamline by arc length, in fixed steps of the classical Runge-Kutta method
+ * @brief   traces a streamline by arc length, with fixed steps of the classical Runge-Kutta method
  *
- * It solves dx/ds = +-v / |v|, in world space. A walk ends where a step would leave the field, or
- * need a velocity that is not finite or not above MinimumSpeed, or where the direction turns by
- * more than a right angle in a step, as at a sink.
+ * It solves dx/ds = +-v / |v| in world space. Tracing stops if a step would leave the field, if the
+ * velocity is not finite or not faster than MinimumSpeed, or if the direction changes by more than
+ * 90 degrees in a step, as at a sink.
  */
 template <typename Walker>
 class ArcWalk
@@ -31,23 +31,24 @@ public:
   {
   }
 
-  /// Returns whether \a x is in the field.
+  /// Returns whether \a x is inside the field.
   bool IsInside(const double x[3])
   {
     double p[3];
     return this->Field.Locate(x, p);
   }
 
-  /// Begins a walk at \a x.
+  /// Starts a line at \a x.
   void Begin(const double x[3])
   {
     std::copy_n(x, 3, this->Position);
     this->HasDirection = this->GetDirection(x, this->Direction);
   }
-  /// Returns whether there is a way to go.
+  /// Returns whether the line can be continued.
   bool CanGo() const { return this->HasDirection; }
 
-  /// Goes by \a step, against the flow where it is negative. At the end it stays and returns false.
+  /// Advances by \a step, upstream if \a step is negative. At the end of the line, returns false
+  /// without moving.
   bool Go(double step)
   {
     if (!this->HasDirection)
@@ -58,16 +59,16 @@ public:
     double rate[3];
     std::copy_n(this->Direction, 3, rate);
     std::copy_n(this->Direction, 3, sum);
-    constexpr double places[3] = { 0.5, 0.5, 1.0 };
+    constexpr double nodes[3] = { 0.5, 0.5, 1.0 };
     constexpr double weights[3] = { 2.0, 2.0, 1.0 };
     for (int stage = 0; stage < 3; ++stage)
     {
       double x[3];
       for (int i = 0; i < 3; ++i)
       {
-        x[i] = this->Position[i] + places[stage] * step * rate[i];
+        x[i] = this->Position[i] + nodes[stage] * step * rate[i];
       }
-      if (!this->GoesOn(x, rate))
+      if (!this->CanContinue(x, rate))
       {
         return false;
       }
@@ -81,7 +82,7 @@ public:
     {
       end[i] = this->Position[i] + step * sum[i] / 6.0;
     }
-    if (!this->GoesOn(end, rate))
+    if (!this->CanContinue(end, rate))
     {
       return false;
     }
@@ -93,7 +94,7 @@ public:
   const double* GetPosition() const { return this->Position; }
 
 private:
-  bool GoesOn(const double x[3], double direction[3])
+  bool CanContinue(const double x[3], double direction[3])
   {
     return this->GetDirection(x, direction) && vtkMath::Dot(direction, this->Direction) >= 0.0;
   }
@@ -108,7 +109,7 @@ private:
     double rate[3];
     this->Field.GetVelocity(p, rate);
     this->Field.GetWorldVector(p, rate, direction);
-    // Speeds of any size: their squares may overflow or underflow.
+    // Squares of very large or small speeds would overflow or underflow.
     const double speed = Vectors::SafeLength(glm::make_vec3(direction));
     if (!(speed > this->MinimumSpeed && std::isfinite(speed)))
     {

@@ -14,17 +14,18 @@ namespace interlume
 
 namespace
 {
-/// The autocorrelation of a lattice point's weight, by distance in units of the lattice.
+/// Autocorrelation of a lattice point's interpolation weight, tabulated by offset in lattice units.
 class Correlation
 {
 public:
   Correlation()
   {
-    for (int i = 0; i <= Most; ++i)
+    for (int i = 0; i <= TableSize; ++i)
     {
-      const double d = 2.0 * i / Most;
+      const double d = 2.0 * i / TableSize;
       double sum = 0.0;
-      // The weight is 0 with three derivatives at both ends: the rule has nothing to correct.
+      // The trapezoidal rule is accurate, because the weight and its first two derivatives are 0 at
+      // both ends.
       for (int k = -Samples; k <= Samples; ++k)
       {
         const double t = static_cast<double>(k) / Samples;
@@ -35,27 +36,27 @@ public:
   }
   double Get(double d) const
   {
-    const double place = std::min(0.5 * std::abs(d) * Most, static_cast<double>(Most));
-    const int lower = std::min(static_cast<int>(place), Most - 1);
-    return this->Table[lower] + (place - lower) * (this->Table[lower + 1] - this->Table[lower]);
+    const double position = std::min(0.5 * std::abs(d) * TableSize, static_cast<double>(TableSize));
+    const int lower = std::min(static_cast<int>(position), TableSize - 1);
+    return this->Table[lower] + (position - lower) * (this->Table[lower + 1] - this->Table[lower]);
   }
 
 private:
-  static constexpr int Most = 512;
+  static constexpr int TableSize = 512;
   static constexpr int Samples = 128;
   static double Weight(double t)
   {
     return std::abs(t) < 1.0 ? 1.0 - LatticeNoise::Fade(std::abs(t)) : 0.0;
   }
-  std::array<double, Most + 1> Table;
+  std::array<double, TableSize + 1> Table;
 };
 
-/// The covariance of the noise at distance \a d in units of the lattice, the mean over directions.
+/// Returns the covariance of the noise at distance \a d in lattice units, averaged over directions.
 double GetCovariance(const Correlation& correlation, double d)
 {
   constexpr int rings = 16;
   double sum = 0.0;
-  // The mean is taken over an octant: heights and angles at the middles of equal parts.
+  // Averages over the directions of an octant, with the midpoint rule in height and angle.
   for (int i = 0; i < rings; ++i)
   {
     const double z = (i + 0.5) / rings;

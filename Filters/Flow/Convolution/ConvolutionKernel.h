@@ -9,21 +9,24 @@ namespace interlume
 
 /**
  * @class   ConvolutionKernel
- * @brief   weights of noise along a streamline, and how much their mean varies
+ * @brief   weights of noise samples along a streamline, and the standard deviation of their mean
  *
- * Samples j = -n ... n lie at arc lengths j h; they are weighted by the trapezoidal rule, k(0) = 1.
- * A streamline may end after \a back samples and \a front samples; its mean is over those.
+ * Sample j = -n ... n is at arc length j h, where n is the number of steps and h the step length.
+ * Samples are weighted by the kernel k, with k(0) = 1, and the trapezoidal rule. If a streamline
+ * ends after \a back samples upstream and \a front samples downstream, the mean is taken over these
+ * samples.
  *
- * The standard deviation of that mean is that on straight lines of all directions and places: the
- * covariance of LatticeNoise at two points apart by d, the mean over places, is its lattice's
- * variance times C(d_x) C(d_y) C(d_z), C the autocorrelation of the interpolation's weight of one
- * lattice point; its mean over directions is a function of |d|, 0 beyond 2 sqrt(3) lattice lengths.
+ * The standard deviation is computed for straight lines, averaged over directions and positions. At
+ * offset d, the covariance of LatticeNoise, averaged over positions, is the variance of a lattice
+ * value times C(d_x) C(d_y) C(d_z). C is the autocorrelation of the interpolation weight of a
+ * lattice point. The average over directions is a function of |d| that is 0 for distances above 2
+ * sqrt(3) lattice units.
  */
 class ConvolutionKernel
 {
 public:
-  /// Makes the kernel k(s) = (1 + cos(pi s / L)) / 2 if \a isHann, else 1. \a scale is that of the
-  /// noise.
+  /// Creates a kernel of length L = steps * step: k(s) = (1 + cos(pi s / L)) / 2 if \a isHann is
+  /// true, otherwise k(s) = 1. \a scale is the scale of the noise.
   ConvolutionKernel(bool isHann, int steps, double step, double scale);
 
   double GetWeight(int j) const { return this->Weights[j]; }
@@ -31,15 +34,15 @@ public:
   double GetDeviation(int back, int front) const;
 
 private:
-  // The weights, and their sums, of samples 0 ... j of one side.
+  // Weight of sample j, and sum of the weights of samples 0 ... j on one side.
   std::vector<double> Weights;
   std::vector<double> Sums;
-  // The sums over pairs of those samples, both ways, less the pairs with sample 0 for the other
-  // side.
+  // Weighted sums of the covariances of all pairs of samples on one side. Pairs with sample 0 count
+  // only in FrontPairs.
   std::vector<double> FrontPairs;
   std::vector<double> BackPairs;
-  // The sums over pairs on different sides, at [back * (Reach + 1) + front]; beyond Reach there are
-  // no more.
+  // The same sums for pairs of samples on different sides, at [back * (Reach + 1) + front]. Samples
+  // past Reach are not correlated with samples on the other side.
   int Reach;
   std::vector<double> CrossPairs;
 };

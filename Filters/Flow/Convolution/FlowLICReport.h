@@ -9,7 +9,7 @@ namespace interlume
 
 /**
  * @class   FlowLICReport
- * @brief   holds the values of the report of vtkFlowLIC, which documents them
+ * @brief   values of the report of vtkFlowLIC, which documents them
  */
 struct FlowLICReport
 {

@@ -10,12 +10,12 @@ namespace interlume
 
 /**
  * @class   LatticeNoise
- * @brief   smooth value noise in space, 0 to 1
+ * @brief   smooth value noise in space, in [0,1]
  *
- * Independent values, uniform in 0 ... 1, at the points of a lattice, interpolated in each axis by
- * 6 t^5 - 15 t^4 + 10 t^3. A lattice value is a hash of its three indices and the seed, each added
- * in turn and mixed by the finaliser of SplitMix64 (Steele, Lea and Flood, OOPSLA 2014). The noise
- * is the same on every machine.
+ * Independent uniform values at the points of an integer lattice are interpolated along each axis
+ * with the weight 6 t^5 - 15 t^4 + 10 t^3. A lattice value is a hash of the three indices and the
+ * seed. The finalizer of SplitMix64 mixes the hash after adding the seed and after adding each
+ * index (Steele, Lea and Flood, OOPSLA 2014). The noise is identical on all machines.
  */
 class LatticeNoise
 {
@@ -32,11 +32,12 @@ public:
     double weights[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double place = x[axis] / this->Scale;
-      const double floor = std::floor(place);
-      // Far away there are no digits left to tell places apart.
+      const double position = x[axis] / this->Scale;
+      const double floor = std::floor(position);
+      // Replaces indices that would overflow. So far from the origin, positions have no fractional
+      // digits anyway.
       lower[axis] = std::abs(floor) < 4e18 ? static_cast<std::int64_t>(floor) : 0;
-      weights[axis] = Fade(place - floor);
+      weights[axis] = Fade(position - floor);
     }
     double value = 0.0;
     for (int i = 0; i < 2; ++i)
@@ -55,7 +56,7 @@ public:
     return value;
   }
 
-  /// The variance of a lattice value.
+  /// Variance of a lattice value.
   static constexpr double Variance = 1.0 / 12.0;
   static double Fade(double t) { return t * t * t * (t * (6.0 * t - 15.0) + 10.0); }
 

@@ -20,7 +20,7 @@ namespace interlume
 
 namespace
 {
-/// An edge of a face, and the direction in which the face goes along it.
+/// An edge of a face, and whether the face traverses it in descending order of the point ids.
 struct Side
 {
   vtkIdType Points[2];
@@ -83,15 +83,15 @@ void BoundaryPatches::Build(
   vtkSMPTools::Sort(sides.begin(), sides.end());
   std::vector<int> firsts(faces.size());
   std::iota(firsts.begin(), firsts.end(), 0);
-  const double least = std::cos(vtkMath::RadiansFromDegrees(FeatureAngle));
+  const double minimumCosine = std::cos(vtkMath::RadiansFromDegrees(FeatureAngle));
   for (std::size_t i = 0; i + 1 < sides.size(); ++i)
   {
     const Side& one = sides[i];
     const Side& other = sides[i + 1];
     const bool isPair = one.IsSame(other) && !(i > 0 && sides[i - 1].IsSame(one)) &&
       !(i + 2 < sides.size() && sides[i + 2].IsSame(one));
-    const double turn = one.IsReversed == other.IsReversed ? -1.0 : 1.0;
-    if (isPair && turn * glm::dot(normals[one.Face], normals[other.Face]) >= least)
+    const double sign = one.IsReversed == other.IsReversed ? -1.0 : 1.0;
+    if (isPair && sign * glm::dot(normals[one.Face], normals[other.Face]) >= minimumCosine)
     {
       const auto ends = std::minmax({ FindFirst(firsts, one.Face), FindFirst(firsts, other.Face) });
       firsts[ends.second] = ends.first;

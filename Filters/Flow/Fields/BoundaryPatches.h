@@ -16,30 +16,30 @@ namespace interlume
 
 /**
  * @class   BoundaryPatches
- * @brief   the outer faces of a grid in patches, as the sides, inlets and walls of a domain
+ * @brief   patches of a grid's boundary faces, such as sides, inlets and walls
  *
- * Faces that share an edge, with no third one there, are of one patch where they bend there by no
- * more than FeatureAngle. Patches are numbered by their first face.
+ * Two faces that share an edge belong to the same patch if no third face has the edge and the angle
+ * between them is at most FeatureAngle. Patches are numbered in the order of their first faces.
  */
 class BoundaryPatches
 {
 public:
-  /// The angle between faces beyond which an edge parts patches, in degrees.
+  /// Largest angle between adjacent faces of a patch, in degrees.
   static constexpr double FeatureAngle = 30.0;
 
-  /// A function that gives the points of a face in cyclic order, and returns how many, three or
+  /// Callback that computes the points of a face in cyclic order and returns their number, three or
   /// four.
   using FacePoints = std::function<int(vtkIdType face, vtkIdType* points)>;
 
-  /// Takes faces by ascending numbers.
+  /// Builds the patches from faces in ascending order.
   void Build(
     const std::vector<vtkIdType>& faces, const FacePoints& getPoints, const ArrayRows& positions);
 
   int GetNumberOfPatches() const { return static_cast<int>(this->Patches.size()); }
-  /// Returns the patch of a face; -1 for a face that is none of those.
+  /// Returns the patch of a face, or -1 if the face is not a boundary face.
   int Find(vtkIdType face) const;
-  /// Computes the two coordinates other than that which the patch looks along most, in parts of its
-  /// bounds.
+  /// Computes the parameters (u,v): the coordinates along the two axes most nearly parallel to the
+  /// patch, scaled to its bounds.
   void GetParameters(int patch, const double x[3], double uv[2]) const;
 
 private:
@@ -47,13 +47,13 @@ private:
   {
     glm::dvec3 Lower;
     glm::dvec3 Upper;
-    /// The sum of the absolute components of all faces' areas.
+    /// Sum of the absolute components of the faces' area vectors.
     glm::dvec3 Area;
   };
 
-  /// Numbers the patches in the order of each one's first face.
+  /// Numbers the patches in the order of their first faces.
   void Number(const std::vector<int>& firsts);
-  /// Adds the face at this index to its patch.
+  /// Adds the face with the given index to its patch.
   void Add(std::size_t index, const double (*corners)[3], int number);
 
   std::vector<vtkIdType> Faces;

@@ -35,24 +35,24 @@ vtkIdType CellPositions::FindPoint(vtkIdType cell) const
 
 Error CellPositions::FindError(vtkIdType numberOfCells) const
 {
-  std::atomic<vtkIdType> worst(numberOfCells);
+  std::atomic<vtkIdType> firstInvalid(numberOfCells);
   vtkSMPTools::For(0, numberOfCells,
     [&](vtkIdType first, vtkIdType last)
     {
-      for (vtkIdType cell = first; cell < last && cell < worst; ++cell)
+      for (vtkIdType cell = first; cell < last && cell < firstInvalid; ++cell)
       {
         if (this->FindPoint(cell) >= 0)
         {
-          vtkIdType known = worst;
-          while (cell < known && !worst.compare_exchange_weak(known, cell))
+          vtkIdType known = firstInvalid;
+          while (cell < known && !firstInvalid.compare_exchange_weak(known, cell))
           {
           }
         }
       }
     });
-  return worst == numberOfCells
+  return firstInvalid == numberOfCells
     ? Error()
-    : "point " + std::to_string(this->FindPoint(worst)) + " is not finite";
+    : "point " + std::to_string(this->FindPoint(firstInvalid)) + " is not finite";
 }
 
 void CellPositions::Build(

@@ -13,21 +13,22 @@ namespace interlume
 
 /**
  * @class   CellPositions
- * @brief   the positions of cells' points: whether they are finite, and a tree of the cells' boxes
+ * @brief   checks point positions of cells, and builds a tree of the cells' bounding boxes
  *
  * \a positions must outlive this object.
  */
 class CellPositions
 {
 public:
-  /// A function that gives the points of a cell, at most eight, and returns their number; 0 for a
-  /// cell to leave out.
+  /// Callback that computes the points of a cell, at most eight, and returns their number, or 0 to
+  /// exclude the cell.
   using CellPoints = std::function<int(vtkIdType cell, vtkIdType* points)>;
 
   CellPositions(const ArrayRows& positions, CellPoints getPoints);
 
-  /// Returns an error that names the first point of the first cell that is not finite, if any.
+  /// Returns an error that names the first non-finite point of the first cell that has one.
   Error FindError(vtkIdType numberOfCells) const;
+  /// Builds the tree.
   void Build(vtkIdType numberOfCells, CellTree& tree, const CellTree::Unite& unite = {}) const;
 
 private:

@@ -3,7 +3,7 @@
 
 #include "Cells/FaceExtent.h"
 #include "Common/Vectors.h"
-#include "Fields/FaceTurn.h"
+#include "Fields/FaceRotation.h"
 
 #include "vtkSMPTools.h"
 
@@ -22,13 +22,13 @@ using FillBlock = FaceLinks::FillBlock;
 using CellPoints = FaceLinks::CellPoints;
 using SetLink = FaceLinks::SetLink;
 
-// The entry of a face at its least point: the points after it, which all that are the same face
-// have in the same order, the face, and how its own order is to that order.
+// A face, its rotation relative to canonical order, and the points that follow the first in that
+// order.
 template <typename Id>
 struct Entry
 {
   std::array<Id, 3> Points;
-  FaceTurn Turn;
+  FaceRotation Rotation;
   vtkIdType Face;
   bool operator<(const Entry& other) const { return this->Points < other.Points; }
 };
@@ -69,14 +69,14 @@ void SetLinks(Entry<Id>* begin, Entry<Id>* end, const SetLink& setLink)
     if (next == entry + 2)
     {
       const Entry<Id>& other = entry[1];
-      setLink(entry->Face, FaceTurn::GetLink(entry->Turn, other.Turn, other.Face));
-      setLink(other.Face, FaceTurn::GetLink(other.Turn, entry->Turn, entry->Face));
+      setLink(entry->Face, FaceRotation::GetLink(entry->Rotation, other.Rotation, other.Face));
+      setLink(other.Face, FaceRotation::GetLink(other.Rotation, entry->Rotation, entry->Face));
     }
     entry = next;
   }
 }
 
-// Faces are gathered at the least of their points, and compared there.
+// Faces are grouped by their smallest point id and compared within each group.
 template <typename Id>
 void Match(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
   vtkIdType numberOfPoints, const SetLink& setLink)
@@ -85,21 +85,21 @@ void Match(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
   ForEachFace(numberOfBlocks, facesPerBlock, fill,
     [&](vtkIdType, const vtkIdType* points, int corners)
     {
-      const vtkIdType least = *std::min_element(points, points + corners);
-      ends[least + 1].fetch_add(1, std::memory_order_relaxed);
+      const vtkIdType smallest = *std::min_element(points, points + corners);
+      ends[smallest + 1].fetch_add(1, std::memory_order_relaxed);
     });
   for (vtkIdType point = 0; point < numberOfPoints; ++point)
   {
     ends[point + 1] += ends[point];
   }
-  // Filling moves each point's begin to its end.
+  // Before the groups are filled, ends[point] is where a group starts; afterward, where it ends.
   std::vector<Entry<Id>> entries(ends[numberOfPoints]);
   ForEachFace(numberOfBlocks, facesPerBlock, fill,
     [&](vtkIdType face, const vtkIdType* points, int corners)
     {
       Entry<Id> entry;
       vtkIdType ordered[4];
-      entry.Turn = FaceTurn::Order(points, corners, ordered);
+      entry.Rotation = FaceRotation::Order(points, corners, ordered);
       entry.Face = face;
       for (int i = 0; i < 3; ++i)
       {
@@ -118,18 +118,18 @@ void Match(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
     });
 }
 
-/// The place of a face, by its coordinates.
-struct Place
+/// Location of a face.
+struct FaceLocation
 {
-  /// The position along a line that is askew to grids, on which faces in the same place are beside
-  /// each other.
+  /// Position along a line that is not aligned with typical grids. Coincident faces are adjacent in
+  /// this order.
   double Along;
-  double Middle[3];
+  double Center[3];
   double Width;
   double Tolerance;
   vtkIdType Face;
 
-  bool operator<(const Place& other) const
+  bool operator<(const FaceLocation& other) const
   {
     return this->Along < other.Along || (this->Along == other.Along && this->Face < other.Face);
   }
@@ -138,12 +138,12 @@ struct Place
 /// Another face with the same corners.
 struct Partner
 {
-  vtkIdType Place = -1;
+  vtkIdType Index = -1;
   FaceLinks::Link Link = { -1, 0, false };
   double Gap = 0.0;
 };
 
-/// Matches faces, one to a block, by the coordinates of their corners.
+/// Matches faces by the coordinates of their corners.
 class CoordinateMatch
 {
 public:
@@ -152,22 +152,22 @@ public:
     : Fill(fill)
     , Cells(cells)
     , Positions(positions)
-    , Places(number)
+    , Locations(number)
   {
     vtkSMPTools::For(0, number,
       [this](vtkIdType first, vtkIdType last)
       {
         for (vtkIdType face = first; face < last; ++face)
         {
-          this->SetPlace(face);
+          this->SetLocation(face);
         }
       });
-    vtkSMPTools::Sort(this->Places.begin(), this->Places.end());
+    vtkSMPTools::Sort(this->Locations.begin(), this->Locations.end());
   }
 
   FaceLinks::Joins SetLinks(const SetLink& setLink) const
   {
-    const auto number = static_cast<vtkIdType>(this->Places.size());
+    const auto number = static_cast<vtkIdType>(this->Locations.size());
     std::vector<Partner> partners(number);
     vtkSMPTools::For(0, number,
       [&](vtkIdType first, vtkIdType last)
@@ -181,17 +181,17 @@ public:
     for (vtkIdType i = 0; i < number; ++i)
     {
       const Partner& partner = partners[i];
-      if (partner.Place >= 0 && partners[partner.Place].Place == i)
+      if (partner.Index >= 0 && partners[partner.Index].Index == i)
       {
         FaceLinks::Link link = partner.Link;
         if (partner.Gap > 0.0)
         {
           link.Gap =
-            partner.Gap / std::min(this->Places[i].Width, this->Places[partner.Place].Width);
-          joins.Number += partner.Place > i ? 1 : 0;
+            partner.Gap / std::min(this->Locations[i].Width, this->Locations[partner.Index].Width);
+          joins.Number += partner.Index > i ? 1 : 0;
           joins.LargestGap = std::max(joins.LargestGap, link.Gap);
         }
-        setLink(this->Places[i].Face, link);
+        setLink(this->Locations[i].Face, link);
       }
     }
     return joins;
@@ -209,14 +209,14 @@ private:
     return block.Corners[0];
   }
 
-  void SetPlace(vtkIdType face)
+  void SetLocation(vtkIdType face)
   {
     constexpr double line[3] = { 0.5345224838248488, 0.6480740698407860, 0.5424859237103562 };
     double corners[4][3];
     const int number = this->GetCorners(face, corners);
-    Place& place = this->Places[face];
-    place.Face = face;
-    place.Along = 0.0;
+    FaceLocation& location = this->Locations[face];
+    location.Face = face;
+    location.Along = 0.0;
     vtkIdType points[8];
     double cell[8][3];
     const int size = this->Cells(face, points);
@@ -224,7 +224,7 @@ private:
     {
       this->Positions.Get<3>(points[i], cell[i]);
     }
-    place.Width = FaceExtent::Of(corners, number, cell, size).Width;
+    location.Width = FaceExtent::Of(corners, number, cell, size).Width;
     double largest = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -236,40 +236,40 @@ private:
         upper = std::max(upper, corners[i][axis]);
       }
       largest = std::max({ largest, -lower, upper });
-      // The middle is the same for the same corners in any order.
-      place.Middle[axis] = 0.5 * lower + 0.5 * upper;
-      place.Along += line[axis] * place.Middle[axis];
+      // The midpoint of the bounds does not depend on the order of the corners.
+      location.Center[axis] = 0.5 * lower + 0.5 * upper;
+      location.Along += line[axis] * location.Center[axis];
     }
-    place.Tolerance =
-      FaceLinks::GetTolerance(place.Width, largest, this->Positions.GetRounding(largest));
+    location.Tolerance =
+      FaceLinks::GetTolerance(location.Width, largest, this->Positions.GetRounding(largest));
   }
 
-  /// Finds the only other face with the same corners.
+  /// Finds the other face with the same corners, if there is only one.
   Partner FindPartner(vtkIdType i) const
   {
     double own[4][3];
-    const int number = this->GetCorners(this->Places[i].Face, own);
+    const int number = this->GetCorners(this->Locations[i].Face, own);
     Partner found;
     bool isOnly = true;
-    const auto look = [&](vtkIdType j)
+    const auto compare = [&](vtkIdType j)
     {
-      const Place& place = this->Places[i];
-      const Place& other = this->Places[j];
-      const double tolerance = std::min(place.Tolerance, other.Tolerance);
+      const FaceLocation& location = this->Locations[i];
+      const FaceLocation& other = this->Locations[j];
+      const double tolerance = std::min(location.Tolerance, other.Tolerance);
       for (int axis = 0; axis < 3; ++axis)
       {
-        if (std::abs(place.Middle[axis] - other.Middle[axis]) > tolerance)
+        if (std::abs(location.Center[axis] - other.Center[axis]) > tolerance)
         {
           return;
         }
       }
       double corners[4][3];
       Partner candidate;
-      candidate.Place = j;
+      candidate.Index = j;
       if (this->GetCorners(other.Face, corners) == number)
       {
         candidate.Gap = std::numeric_limits<double>::infinity();
-        // Neighbors have their corners in opposite order, but for cells turned inside out.
+        // Neighbors have opposite corner orders unless a cell is inverted.
         for (const bool isReversed : { true, false })
         {
           for (int start = 0; start < number; ++start)
@@ -284,21 +284,22 @@ private:
         }
         if (candidate.Gap <= tolerance)
         {
-          isOnly = found.Place < 0;
+          isOnly = found.Index < 0;
           found = candidate;
         }
       }
     };
-    const auto last = static_cast<vtkIdType>(this->Places.size());
-    const double reach = 2.0 * this->Places[i].Tolerance;
-    for (vtkIdType j = i + 1; j < last && this->Places[j].Along - this->Places[i].Along <= reach;
-         ++j)
+    const auto last = static_cast<vtkIdType>(this->Locations.size());
+    const double reach = 2.0 * this->Locations[i].Tolerance;
+    for (vtkIdType j = i + 1;
+         j < last && this->Locations[j].Along - this->Locations[i].Along <= reach; ++j)
     {
-      look(j);
+      compare(j);
     }
-    for (vtkIdType j = i - 1; j >= 0 && this->Places[i].Along - this->Places[j].Along <= reach; --j)
+    for (vtkIdType j = i - 1;
+         j >= 0 && this->Locations[i].Along - this->Locations[j].Along <= reach; --j)
     {
-      look(j);
+      compare(j);
     }
     return isOnly ? found : Partner();
   }
@@ -318,7 +319,7 @@ private:
   const FillBlock& Fill;
   const CellPoints& Cells;
   const ArrayRows& Positions;
-  std::vector<Place> Places;
+  std::vector<FaceLocation> Locations;
 };
 
 }
@@ -326,8 +327,8 @@ private:
 void FaceLinks::FindByPoints(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
   vtkIdType numberOfPoints, const SetLink& setLink)
 {
-  constexpr vtkIdType most = 0x7fffffff;
-  auto* match = numberOfPoints < most ? &Match<unsigned int> : &Match<vtkIdType>;
+  constexpr vtkIdType maximumNumber = 0x7fffffff;
+  auto* match = numberOfPoints < maximumNumber ? &Match<unsigned int> : &Match<vtkIdType>;
   match(numberOfBlocks, facesPerBlock, fill, numberOfPoints, setLink);
 }
 
@@ -341,7 +342,7 @@ FaceLinks::Joins FaceLinks::Find(vtkIdType numberOfBlocks, int facesPerBlock, co
       isLinked[face] = 1;
       setLink(face, link);
     });
-  // By parts, so that the faces come in their order.
+  // Process in blocks to preserve the order of the faces.
   constexpr vtkIdType part = 4096;
   std::vector<std::vector<vtkIdType>> singles((numberOfBlocks + part - 1) / part);
   vtkSMPTools::For(0, static_cast<vtkIdType>(singles.size()),

@@ -16,17 +16,17 @@ namespace interlume
 
 /**
  * @class   FaceLinks
- * @brief   which faces of cells are the same, and how the coordinates of one are in the other's
+ * @brief   finds pairs of equal cell faces and the mapping between their face coordinates
  *
- * Faces are the same that have the same points, or points at the same coordinates, in the same
- * cyclic order: a grid that is closed on itself, or put together of blocks, goes on over the seam.
- * Coordinates are the same within Tolerance of the narrower cell's width (FaceExtent) and what
- * rounding may have done to them, of which no more than a tenth of the width counts: the last angle
- * of a closed grid is rarely the first one to the last bit. They are compared of the faces that
- * match none by their points' ids. Faces of three or more cells match none. A quadrilateral does
- * not match two triangles.
+ * Two faces are equal if they have the same points, or points at equal positions, in the same
+ * cyclic order. Therefore periodic and multi-block grids are continuous across their seams.
+ * Positions are equal if their distance is at most Tolerance times the width of the narrower cell
+ * (FaceExtent) plus rounding error, and at most a tenth of the width. The tolerance is needed
+ * because the first and last points of a closed grid rarely coincide exactly. Positions are only
+ * compared for faces without a match by point ids. If three or more cells share a face, none of
+ * their faces match. A quadrilateral does not match two triangles.
  *
- * Coordinates (u,v) are those of CellShape::Face.
+ * CellShape::Face defines the face coordinates (u,v).
  */
 class FaceLinks
 {
@@ -34,28 +34,28 @@ public:
   static constexpr int MaximumPerBlock = 6;
   static constexpr double Tolerance = 1e-3;
 
-  /// The number of pairs of faces whose coordinates are not the same to the last bit, and the
-  /// largest distance between corners of such faces, in widths of the cell.
+  /// Number of matched face pairs whose positions differ, and the largest distance between their
+  /// corners, in cell widths.
   struct Joins
   {
     vtkIdType Number = 0;
     double LargestGap = 0.0;
   };
 
-  /// Faces that are asked for together, such as those of a cell; a face with 0 corners is none.
+  /// Faces processed together, such as the faces of a cell. A face with 0 corners is unused.
   struct Block
   {
     int Corners[MaximumPerBlock];
     vtkIdType Points[MaximumPerBlock][4];
   };
-  /// A function that fills a block, called by several threads.
+  /// Callback that fills a block. It may run in several threads.
   using FillBlock = std::function<void(vtkIdType number, Block& block)>;
 
-  /// A function that gives the points of a face's cell, and returns how many.
+  /// Callback that computes the points of the cell of a face and returns their number.
   using CellPoints = std::function<int(vtkIdType face, vtkIdType* points)>;
 
-  /// A link to another face, and how its corners lie: corner i is corner \a Start + i, or \a Start
-  /// - i, of this one. Gap is the largest distance between corners, in widths of the cell.
+  /// Link to another face. Corner i of the other face is corner \a Start + i of this face, or \a
+  /// Start - i if \a IsReversed. \a Gap is the largest distance between corners, in cell widths.
   struct Link
   {
     vtkIdType Face;
@@ -63,37 +63,36 @@ public:
     bool IsReversed;
     double Gap = 0.0;
   };
-  /// A function that is called once for each face that has another, by several threads, but never
-  /// twice for one face.
+  /// Callback for each matched face. It may run in several threads, but only once per face.
   using SetLink = std::function<void(vtkIdType face, const Link& link)>;
 
   /**
-   * Finds the links. \a cells gives at most eight points of the cell of a face, by which its width
-   * is known; several threads ask it, for those faces only that match none by their points' ids.
+   * Finds the links. \a cells computes at most eight points of the cell of a face, which determine
+   * the cell's width. Several threads call it, only for faces without a match by point ids.
    *
-   * Face i of block b has the number b times \a facesPerBlock + i. \a positions are the positions
+   * Face i of block b has the index b times \a facesPerBlock + i. \a positions holds the positions
    * of the points.
    */
   static Joins Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
     const CellPoints& cells, const ArrayRows& positions, const SetLink& setLink);
 
-  /// Finds the links between faces that have the same points, by their ids, alone.
+  /// Finds only the links between faces with equal point ids.
   static void FindByPoints(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
     vtkIdType numberOfPoints, const SetLink& setLink);
 
-  /// Returns the largest distance at which corners are the same, for the width of a cell, the
-  /// largest coordinate, and what rounding may have done to it.
+  /// Returns the distance up to which corners count as equal. \a largest is the largest coordinate,
+  /// and \a rounding the rounding error of float coordinates.
   static double GetTolerance(double width, double largest, double rounding)
   {
     return std::min(Tolerance * width + 64.0 * DBL_EPSILON * largest + 4.0 * rounding, 0.1 * width);
   }
 
-  /// Maps (u,v) in a face of three or four corners to (u,v) in the linked one.
+  /// Maps (u,v) in a face with three or four corners to (u,v) in the linked face.
   static void Map(int corners, int start, bool isReversed, double uv[2])
   {
-    const int way = isReversed ? corners - 1 : 1;
-    const int second = (start + way) % corners;
-    const int last = (start + (corners - 1) * way) % corners;
+    const int step = isReversed ? corners - 1 : 1;
+    const int second = (start + step) % corners;
+    const int last = (start + (corners - 1) * step) % corners;
     const double u = uv[0];
     const double v = uv[1];
     if (corners == 3)
@@ -108,7 +107,7 @@ public:
   }
 
 private:
-  // Returns the coordinate that is 0 at one corner of [0,1]^2 and 1 at the next.
+  // Returns the coordinate that is 0 at one corner of [0,1]^2 and 1 at the next corner.
   static double GetAlong(int from, int to, double u, double v)
   {
     constexpr int us[4] = { 0, 1, 1, 0 };

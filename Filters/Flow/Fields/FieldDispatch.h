@@ -26,17 +26,16 @@ namespace interlume
 class FieldDispatch
 {
 public:
-  /// The part of the progress of an algorithm that follows streamlines which building the field
-  /// takes.
+  /// Fraction of an algorithm's progress used for building the field, if the algorithm traces
+  /// streamlines.
   static constexpr double BuildingPart = 0.1;
 
   /**
-   * Calls function(walker), where \a walker, of the kind that \a data needs, stands nowhere yet.
-   * Each thread works with a copy. walker.GetField() has the speed, the bounds and what else is
-   * known of the field, which lasts until the function returns. \a arrays are point arrays of one
-   * component, by number for Interpolate. Returns an error, without calling the function, if the
-   * field cannot be used. Nor is it called when the owner of \a progress, which is that of building
-   * the field, was aborted before.
+   * Builds the field and calls function(walker). The type of \a walker depends on the type of \a
+   * data; the walker is in no cell yet, and each thread must use a copy. walker.GetField() is valid
+   * until the function returns. \a arrays are one-component point arrays, which Interpolate()
+   * identifies by index. Returns an error, without calling the function, if the field is invalid.
+   * If the owner of \a progress was aborted, the function is not called either.
    */
   template <typename Function>
   static Error Execute(vtkDataSet* data, vtkDataArray* vectors,
@@ -59,7 +58,11 @@ public:
     {
       return Run<UnstructuredWalker>(unstructured, vectors, arrays, progress, function);
     }
-    return data ? std::string("a field is no ") + data->GetClassName() : "there is no dataset";
+    return data
+      ? std::string(
+          "the field must be an image or a rectilinear, structured or unstructured grid, not a ") +
+        data->GetClassName()
+      : "there is no dataset";
   }
 
 private:

@@ -31,7 +31,7 @@ bool HasVolume(vtkDataSet* data)
 }
 
 FieldInput::FieldInput(vtkDataObject* input)
-  : Whole(vtkDataSet::SafeDownCast(input))
+  : DataSet(vtkDataSet::SafeDownCast(input))
 {
   if (auto* composite = vtkCompositeDataSet::SafeDownCast(input))
   {
@@ -44,7 +44,8 @@ FieldInput::FieldInput(vtkDataObject* input)
         this->Blocks.push_back({ leaf, leaves->GetCurrentFlatIndex() });
       }
     }
-    // Flat blocks are patches of a boundary, beside the blocks that they belong to.
+    // If there are three-dimensional blocks, flat blocks are assumed to be patches of their
+    // boundary.
     const auto firstFlat = std::stable_partition(this->Blocks.begin(), this->Blocks.end(),
       [](const Block& block) { return HasVolume(block.Data); });
     if (firstFlat != this->Blocks.begin())
@@ -63,7 +64,7 @@ vtkSmartPointer<vtkDataSet> FieldInput::MakeField() const
 {
   if (this->Blocks.empty())
   {
-    return this->Whole;
+    return this->DataSet;
   }
   if (this->Blocks.size() == 1)
   {
@@ -75,9 +76,9 @@ vtkSmartPointer<vtkDataSet> FieldInput::MakeField() const
 bool FieldInput::HasHidden() const
 {
   std::vector<vtkDataSet*> parts = this->GetData();
-  if (this->Whole)
+  if (this->DataSet)
   {
-    parts.push_back(this->Whole);
+    parts.push_back(this->DataSet);
   }
   return std::any_of(parts.begin(), parts.end(),
     [](vtkDataSet* data)
@@ -104,9 +105,9 @@ bool FieldInput::HasFlatBlocks() const
 
 vtkSmartPointer<vtkDataSet> FieldInput::MakePart() const
 {
-  if (this->Whole)
+  if (this->DataSet)
   {
-    return this->Whole;
+    return this->DataSet;
   }
   if (this->Blocks.empty() || this->HasFlatBlocks())
   {

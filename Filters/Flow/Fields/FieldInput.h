@@ -14,11 +14,11 @@ namespace interlume
 
 /**
  * @class   FieldInput
- * @brief   the field that a dataset, or a composite dataset, is
+ * @brief   field defined by a dataset or by the blocks of a composite dataset
  *
- * A dataset is the field itself, and so is the only block of a composite one; several blocks are
- * one grid by MergedDataSets. A block is a leaf with cells; leaves without cells of three
- * dimensions are none where others have some.
+ * The field is the dataset itself or the only block of a composite dataset. Several blocks are
+ * merged by MergedDataSets. A block is a leaf with cells. Leaves without three-dimensional cells
+ * are ignored if other leaves have three-dimensional cells.
  */
 class FieldInput
 {
@@ -26,40 +26,42 @@ public:
   struct Block
   {
     vtkDataSet* Data;
-    /// The index of the block as vtkCompositeDataIterator counts.
+    /// Flat index of the block (vtkCompositeDataIterator).
     unsigned int FlatIndex;
   };
 
   explicit FieldInput(vtkDataObject* input);
 
-  /// Returns the blocks; empty for a dataset, which has none.
+  /// Returns the blocks, or an empty list if the input is a dataset.
   const std::vector<Block>& GetBlocks() const { return this->Blocks; }
 
-  /// Returns whether there are blocks, and all of them are flat.
+  /// Returns whether there are blocks but none of them has three-dimensional cells.
   bool HasFlatBlocks() const;
 
-  /// Returns whether cells or points are hidden, of the dataset or a block.
+  /// Returns whether the dataset or a block has hidden cells or points.
   bool HasHidden() const;
 
-  /// Makes the field, merging blocks; null without an input, or without a block.
+  /// Returns the field, or null if there is no input or the composite dataset has no block.
   vtkSmartPointer<vtkDataSet> MakeField() const;
-  /// Makes this process's part of the field, where others have other blocks: one grid of its
-  /// blocks, without cells where they are none or flat. A dataset is the part itself.
+  /// Returns this process's partition of a distributed field: the dataset, or a grid of the merged
+  /// blocks. The grid is empty if there are no blocks or only blocks without three-dimensional
+  /// cells.
   vtkSmartPointer<vtkDataSet> MakePart() const;
   /**
-   * Makes the dataset whose points are the samples: \a field, or for composite input, whose type is
-   * not known before it is there, a vtkUnstructuredGrid of its points and cells.
+   * Returns the dataset with the sample points. It is \a field, or for composite input a
+   * vtkUnstructuredGrid of its points and cells, because the output type must not depend on the
+   * blocks.
    */
   vtkSmartPointer<vtkDataSet> MakeSamples(vtkDataSet* field) const;
 
-  /// Returns whether samples will be a vtkUnstructuredGrid, whatever the blocks are.
+  /// Returns whether the input is composite, so that the samples are always a vtkUnstructuredGrid.
   static bool IsComposite(vtkDataObject* input);
 
 private:
-  /// Returns the blocks' data.
+  /// Returns the datasets of the blocks.
   std::vector<vtkDataSet*> GetData() const;
 
-  vtkDataSet* Whole;
+  vtkDataSet* DataSet;
   std::vector<Block> Blocks;
 };
 

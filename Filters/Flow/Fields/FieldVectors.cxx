@@ -24,7 +24,7 @@ namespace interlume
 
 namespace
 {
-// Describes the point arrays that could be taken.
+// Describes the point arrays that could be used.
 std::string DescribeVectors(vtkDataSet* data)
 {
   std::string names;
@@ -34,12 +34,11 @@ std::string DescribeVectors(vtkDataSet* data)
     if (array && array->GetNumberOfComponents() == 3)
     {
       names += names.empty() ? "" : ", ";
-      names +=
-        array->GetName() ? "\"" + std::string(array->GetName()) + "\"" : "one without a name";
+      names += array->GetName() ? "\"" + std::string(array->GetName()) + "\"" : "an unnamed array";
     }
   }
-  return names.empty() ? "It has no point array of three components."
-                       : "Its point arrays of three components: " + names + ".";
+  return names.empty() ? "It has no point array with three components."
+                       : "Its point arrays with three components: " + names + ".";
 }
 }
 
@@ -54,19 +53,20 @@ void FieldVectors::FillPortInformation(vtkInformation* info)
 }
 
 Error FieldVectors::Check(
-  vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked)
+  vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* request)
 {
-  return CheckVectors(data, vectors, association, asked).Then([&] { return CheckCells(data); });
+  return CheckVectors(data, vectors, association, request).Then([&] { return CheckCells(data); });
 }
 
 Error FieldVectors::CheckVectors(
-  vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked)
+  vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* request)
 {
   using namespace ArrayCheck;
   if (!vectors)
   {
-    const char* name =
-      asked->Has(vtkDataObject::FIELD_NAME()) ? asked->Get(vtkDataObject::FIELD_NAME()) : nullptr;
+    const char* name = request->Has(vtkDataObject::FIELD_NAME())
+      ? request->Get(vtkDataObject::FIELD_NAME())
+      : nullptr;
     vectors = name ? data->GetCellData()->GetArray(name) : data->GetCellData()->GetVectors();
     if (!vectors)
     {
@@ -87,7 +87,7 @@ Error FieldVectors::CompareNames(vtkDataArray* first, vtkDataArray* other)
   { return "\"" + std::string(array->GetName() ? array->GetName() : "") + "\""; };
   return describe(first) == describe(other)
     ? Error()
-    : "The vectors are " + describe(other) + ", in the first block " + describe(first) + ".";
+    : "The vectors are " + describe(other) + ", but " + describe(first) + " in the first block.";
 }
 
 Error FieldVectors::CheckCells(vtkDataSet* data)
@@ -97,7 +97,7 @@ Error FieldVectors::CheckCells(vtkDataSet* data)
   bool isFlat = data->GetNumberOfCells() > 0;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
-    // Datasets give hidden cells the empty type.
+    // Hidden cells have type VTK_EMPTY_CELL.
     const int type = data->GetCellType(cell);
     const bool isKnown = MultilinearCell::GetShape(type) != MultilinearCell::NONE;
     isFlat = isFlat && !isKnown && type != VTK_EMPTY_CELL;
@@ -105,7 +105,7 @@ Error FieldVectors::CheckCells(vtkDataSet* data)
     {
       std::ostringstream what;
       what << "Cell " << cell << " is a " << GridCells::GetClassName(type)
-           << "; tetrahedra, voxels, hexahedra, wedges and pyramids are needed.";
+           << "; only tetrahedra, voxels, hexahedra, wedges and pyramids are supported.";
       return what.str();
     }
   }

@@ -13,27 +13,27 @@ namespace interlume
 
 /**
  * @class   FieldVectors
- * @brief   checks the vectors and cells of a flow filter's field
+ * @brief   checks the vectors and cells of the input field of a flow filter
  */
 class FieldVectors
 {
 public:
-  /// Sets the types of datasets that are taken.
+  /// Sets the supported dataset types.
   static void FillPortInformation(vtkInformation* info);
 
   /**
-   * Returns an error unless the array to process, null without one, has three components in the
-   * points, and the cells are of MultilinearCell's types; cells that are left out may be others.
-   * \a asked says which array it should be.
+   * Returns an error unless the array to process is a point array with three components, and the
+   * cell types are supported by MultilinearCell. Excluded cells may have any type. \a vectors may
+   * be null; \a request describes the requested array.
    */
   static Error Check(
-    vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked);
+    vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* request);
 
   /// Checks only the array.
   static Error CheckVectors(
-    vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* asked);
+    vtkDataSet* data, vtkDataArray* vectors, int association, vtkInformation* request);
 
-  /// Returns an error if two arrays of blocks cannot be one, by their names.
+  /// Returns an error if the vectors of two blocks have different names.
   static Error CompareNames(vtkDataArray* first, vtkDataArray* other);
 
 private:

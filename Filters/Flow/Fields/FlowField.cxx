@@ -92,7 +92,7 @@ void FlowField::Measure(const CellPoints& cells, bool hasOtherPoints)
 SpeedCount FlowField::CountSpeeds(const CellPoints& cells, bool hasOtherPoints,
   const std::function<bool(vtkIdType)>& isCounted) const
 {
-  // Points that do not count may have any vectors.
+  // Points outside the field's cells may have any vectors.
   const bool isPart = hasOtherPoints || !this->Excluded.empty();
   std::vector<std::atomic<bool>> isUsed(isPart ? this->Vectors.GetNumber() : 0);
   if (isPart)

@@ -22,21 +22,20 @@ namespace interlume
 
 /**
  * @class   FlowField
- * @brief   the data that walkers share: the vectors, further point arrays, and which cells are the
- * field's
+ * @brief   data shared by walkers: the vectors, other point arrays, and the cells of the field
  *
- * A field is constant once it is built, and read by any number of threads. A class for each kind of
- * dataset adds the geometry, and `Error Build(dataset, vectors, arrays, progress)`, which returns
- * an error if there can be no such field. An aborted progress is no error, but the field must not
- * be used then. The arrays may be of any type; they are kept for as long as the field.
+ * A field is constant after it is built, and any number of threads may read it. Subclasses for the
+ * dataset types add the geometry and `Error Build(dataset, vectors, arrays, progress)`, which
+ * returns an error if the field is invalid. An abort is not an error, but the field must not be
+ * used afterward. Arrays may have any type and live as long as the field.
  *
- * Cells that are hidden or refined, or that have a hidden point, are not part of the field.
- * Duplicates of another piece's cells are.
+ * Cells that are hidden or refined, or that have a hidden point, are excluded. Duplicate cells,
+ * whose originals are in another piece, are included.
  */
 class FlowField
 {
 public:
-  /// Returns the error of a field of flat cells, whose message is a part of a sentence.
+  /// Returns the error, part of a sentence, for a field without three-dimensional cells.
   static Error GetErrorWithoutCells()
   {
     return "the field has no three-dimensional cells. Flow in a plane needs two layers of points: "
@@ -51,7 +50,7 @@ public:
   void GetVector(vtkIdType point, double vector[3]) const { this->Vectors.Get<3>(point, vector); }
   const ArrayRows& GetVectorRows() const { return this->Vectors; }
   void PrefetchVector(vtkIdType point) const { this->Vectors.Prefetch<3>(point); }
-  /// Returns a value of the point array with this number.
+  /// Returns the value of a point array, by the index of the array.
   double GetValue(int array, vtkIdType point) const
   {
     double value;
@@ -60,14 +59,15 @@ public:
   }
   int GetNumberOfArrays() const { return static_cast<int>(this->Arrays.size()); }
 
-  /// Returns the largest length of a finite vector in a point of the field's cells; 0 without one.
+  /// Returns the largest finite vector length at a point of the field's cells, or 0 if there is
+  /// none.
   double GetMaximumSpeed() const { return this->MaximumSpeed; }
-  /// Returns the largest length without fill values, and these values (SpeedScale).
+  /// Returns the largest vector length, ignoring fill values.
   double GetSpeedScale() const { return this->Fill.Scale; }
   const FillValues& GetFillValues() const { return this->Fill; }
-  /// Returns the number of points of the field's cells whose vector is not finite.
+  /// Returns how many of the points of the field's cells have a non-finite vector.
   vtkIdType GetNumberOfNonFiniteVectors() const { return this->NumberOfNonFiniteVectors; }
-  /// Returns the lower and upper bounds of x, y, z of the dataset.
+  /// Returns the bounds of the dataset as xmin, xmax, ymin, ymax, zmin, zmax.
   const double* GetBounds() const { return this->Bounds; }
   double GetLargestCoordinate() const
   {
@@ -79,7 +79,7 @@ public:
     return largest;
   }
   vtkIdType GetNumberOfCells() const { return this->NumberOfCells; }
-  /// Returns the number of cells of fewer than three dimensions, which are not part of the field.
+  /// Returns the number of cells with fewer than three dimensions, which are excluded.
   vtkIdType GetNumberOfFlatCells() const { return this->NumberOfFlatCells; }
 
 protected:
@@ -88,26 +88,26 @@ protected:
 
   bool HasExcludedCells() const { return !this->Excluded.empty(); }
 
-  /// A function that gives the points of a cell, at most eight, and returns how many.
+  /// Callback that computes the points of a cell, at most eight, and returns their number.
   using CellPoints = std::function<int(vtkIdType cell, vtkIdType* points)>;
 
-  /// Returns an error if the arrays cannot be used.
+  /// Returns an error if the arrays are invalid.
   Error SetArrays(
     vtkDataSet* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays);
-  /// Finds the excluded cells.
+  /// Excludes cells by the ghost arrays of a dataset.
   void SetBlanking(vtkDataSet* data, const CellPoints& cells);
-  /// Replaces the number of flat cells by that of a whole that the dataset is a part of.
+  /// Sets the number of flat cells to the number in the full grid of all processes.
   void SetNumberOfFlatCells(vtkIdType number) { this->NumberOfFlatCells = number; }
-  /// Leaves out a cell of fewer dimensions.
+  /// Excludes a cell with fewer than three dimensions.
   void ExcludeFlat(vtkIdType cell);
-  /// Finds the largest speed and the vectors that are not finite. \a hasOtherPoints tells whether
-  /// there are points that no cell of the field has.
+  /// Computes the maximum speed and finds non-finite vectors. Set \a hasOtherPoints if some points
+  /// may not belong to a cell of the field.
   void Measure(const CellPoints& cells, bool hasOtherPoints);
-  /// Counts the speeds in those points of the field's cells that \a isCounted is true of.
+  /// Counts the speeds at the points of the field's cells for which \a isCounted returns true.
   SpeedCount CountSpeeds(const CellPoints& cells, bool hasOtherPoints,
     const std::function<bool(vtkIdType)>& isCounted = {}) const;
   void SetSpeeds(const SpeedCount& count);
-  /// Replaces the bounds by those of a whole that the dataset is a part of.
+  /// Sets the bounds to the bounds of the full grid of all processes.
   void SetBounds(const double bounds[6]) { std::copy_n(bounds, 6, this->Bounds); }
 
 private:
@@ -116,7 +116,7 @@ private:
 
   ArrayRows Vectors;
   std::vector<ArrayRows> Arrays;
-  // A mark for each cell that is left out; empty where none is.
+  // A flag per cell; empty if no cell is excluded.
   std::vector<unsigned char> Excluded;
   double Bounds[6] = { 0.0, 0.0, 0.0, 0.0, 0.0, 0.0 };
   vtkIdType NumberOfCells = 0;

@@ -14,7 +14,8 @@ namespace interlume
 {
 
 Error ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
-  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress, const FieldPart* part)
+  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
+  const FieldPartition* part)
 {
   int points[3];
   image->GetDimensions(points);
@@ -22,9 +23,9 @@ Error ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
   {
     return error;
   }
-  vtkImageData* whole = part ? vtkImageData::SafeDownCast(part->Whole) : image;
-  vtkMatrix4x4* matrix = whole->GetIndexToPhysicalMatrix();
-  const int* extent = whole->GetExtent();
+  vtkImageData* fullImage = part ? vtkImageData::SafeDownCast(part->FullGrid) : image;
+  vtkMatrix4x4* matrix = fullImage->GetIndexToPhysicalMatrix();
+  const int* extent = fullImage->GetExtent();
   glm::dmat3 columns;
   for (int i = 0; i < 3; ++i)
   {
@@ -36,8 +37,8 @@ Error ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
       this->Origin[i] += this->Axes[i][j] * extent[2 * j];
     }
   }
-  // The cross products of columns give the inverse. They are first brought to a size of about 1, so
-  // that spacings of any size have one.
+  // The inverse is computed from cross products of the columns. Scaling the columns to about 1
+  // avoids overflow for any spacing.
   double scales[3];
   for (int j = 0; j < 3; ++j)
   {
@@ -75,11 +76,11 @@ void ImageFlowField::GetIndexPosition(const double x[3], double q[3]) const
   }
 }
 
-bool ImageFlowField::Locate(const double x[3], Place& place, double p[3]) const
+bool ImageFlowField::Locate(const double x[3], CellLocation& location, double p[3]) const
 {
   double q[3];
   this->GetIndexPosition(x, q);
-  return this->Find(q, this->Slack, place, p);
+  return this->Find(q, this->Slack, location, p);
 }
 
 bool ImageFlowField::LocateIndex(const double x[3], int index[3], double p[3]) const

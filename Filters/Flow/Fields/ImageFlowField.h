@@ -11,30 +11,31 @@ namespace interlume
 
 /**
  * @class   ImageFlowField
- * @brief   a field on an image, turned or not
+ * @brief   field on an image, with any direction matrix
  *
- * Errors of Build: those of the arrays; an image without cells of dimension 3; a spacing or
- * direction matrix that has no inverse.
+ * Build() returns an error if an array is invalid, if the image has no three-dimensional cells, or
+ * if the direction matrix times the spacing is singular.
  */
 class ImageFlowField : public IndexedFlowField
 {
 public:
-  /// Whether all cells have the same frame.
+  /// True if dx/dp is the same in all cells.
   static constexpr bool HasOneFrame = true;
 
   ImageFlowField() = default;
 
   Error Build(vtkImageData* image, vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {},
-    const FieldPart* part = nullptr);
+    const FieldPartition* part = nullptr);
 
-  bool Locate(const double x[3], Place& place, double p[3]) const;
-  /// Finds the cell that \a x is in, part of the field or not, and the place there.
+  bool Locate(const double x[3], CellLocation& location, double p[3]) const;
+  /// Finds the cell that contains \a x, even if it is excluded, and the local position.
   bool LocateIndex(const double x[3], int index[3], double p[3]) const;
 
-  void GetPosition(const Place& place, const double p[3], double x[3]) const
+  void GetPosition(const CellLocation& location, const double p[3], double x[3]) const
   {
-    const double q[3] = { place.Index[0] + p[0], place.Index[1] + p[1], place.Index[2] + p[2] };
+    const double q[3] = { location.Index[0] + p[0], location.Index[1] + p[1],
+      location.Index[2] + p[2] };
     for (int i = 0; i < 3; ++i)
     {
       const double* row = this->Axes[i];
@@ -42,12 +43,12 @@ public:
     }
   }
 
-  /// Computes dx[i]/dp[j], at [3 i + j].
-  void GetFrame(const Place&, double frame[9]) const { Copy(this->Axes, frame); }
-  void GetInverse(const Place&, double inverse[9]) const { Copy(this->Inverse, inverse); }
+  /// Computes dx[i]/dp[j] at [3 i + j].
+  void GetFrame(const CellLocation&, double frame[9]) const { Copy(this->Axes, frame); }
+  void GetInverse(const CellLocation&, double inverse[9]) const { Copy(this->Inverse, inverse); }
 
 private:
-  /// Computes the place in cells along each axis.
+  /// Computes the position in units of cells along each axis.
   void GetIndexPosition(const double x[3], double q[3]) const;
 
   static void Copy(const double from[3][3], double to[9])
@@ -58,7 +59,7 @@ private:
     }
   }
 
-  // The position of the first point; the frame; the numbers of cells along x, y, z.
+  // Position of the first point, dx/dp and its inverse, and the tolerance at the boundary in cells.
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double Axes[3][3] = {};
   double Inverse[3][3] = {};

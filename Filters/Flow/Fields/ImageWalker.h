@@ -3,15 +3,15 @@
 #define interlume_ImageWalker_h
 
 #include "Fields/ImageFlowField.h"
-#include "Fields/LatticeWalker.h"
+#include "Fields/BoxWalker.h"
 #include "Fields/RectilinearFlowField.h"
 
 namespace interlume
 {
 
-/// The walkers of images and of rectilinear grids.
-using ImageWalker = LatticeWalker<ImageFlowField>;
-using RectilinearWalker = LatticeWalker<RectilinearFlowField>;
+/// Walkers of images and rectilinear grids.
+using ImageWalker = BoxWalker<ImageFlowField>;
+using RectilinearWalker = BoxWalker<RectilinearFlowField>;
 
 }
 

@@ -7,9 +7,10 @@ namespace interlume
 {
 
 Error IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3], vtkDataArray* vectors,
-  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress, const FieldPart* part)
+  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
+  const FieldPartition* part)
 {
-  const bool isEmpty = part && !FieldPart::HasCells(part->Own);
+  const bool isEmpty = part && !FieldPartition::HasCells(part->Own);
   if (!isEmpty && (points[0] < 2 || points[1] < 2 || points[2] < 2))
   {
     return GetErrorWithoutCells();
@@ -17,8 +18,8 @@ Error IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3], vtkD
   const vtkIdType number = static_cast<vtkIdType>(points[0]) * points[1] * points[2];
   if (data->GetNumberOfPoints() != number)
   {
-    return "the grid has " + std::to_string(data->GetNumberOfPoints()) + " points of " +
-      std::to_string(number);
+    return "the grid has " + std::to_string(data->GetNumberOfPoints()) +
+      " points; its dimensions require " + std::to_string(number);
   }
   if (Error error = this->SetArrays(data, vectors, arrays))
   {
@@ -40,7 +41,7 @@ Error IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3], vtkD
   }
   if (part)
   {
-    this->SetBounds(part->Whole->GetBounds());
+    this->SetBounds(part->FullGrid->GetBounds());
   }
   for (int corner = 0; corner < 8; ++corner)
   {
@@ -50,13 +51,13 @@ Error IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3], vtkD
   for (int face = 0; face < 6; ++face)
   {
     const int axis = face >> 1;
-    const int way = face & 1;
-    vtkIdType* beyond = this->OffsetsBeyond[face];
+    const int side = face & 1;
+    vtkIdType* offset = this->NeighborOffsets[face];
     for (int corner = 0; corner < 8; ++corner)
     {
-      if ((corner >> axis & 1) == way)
+      if ((corner >> axis & 1) == side)
       {
-        *beyond++ = (way ? 1 : -1) * this->PointStrides[axis] + this->CornerOffsets[corner];
+        *offset++ = (side ? 1 : -1) * this->PointStrides[axis] + this->CornerOffsets[corner];
       }
     }
   }
@@ -70,11 +71,11 @@ Error IndexedFlowField::BuildIndices(vtkDataSet* data, const int points[3], vtkD
   return {};
 }
 
-vtkIdType IndexedFlowField::GetHeldCell(const Place& place) const
+vtkIdType IndexedFlowField::GetHeldCell(const CellLocation& location) const
 {
-  const vtkIdType i = place.Index[0] - this->HeldFirst[0];
-  const vtkIdType j = place.Index[1] - this->HeldFirst[1];
-  const vtkIdType k = place.Index[2] - this->HeldFirst[2];
+  const vtkIdType i = location.Index[0] - this->HeldFirst[0];
+  const vtkIdType j = location.Index[1] - this->HeldFirst[1];
+  const vtkIdType k = location.Index[2] - this->HeldFirst[2];
   return i + this->HeldCells[0] * (j + this->HeldCells[1] * k);
 }
 
@@ -123,20 +124,21 @@ bool IndexedFlowField::FindIndex(
 }
 
 bool IndexedFlowField::Find(
-  const double q[3], const double slack[3], Place& place, double p[3]) const
+  const double q[3], const double slack[3], CellLocation& location, double p[3]) const
 {
   int index[3];
   if (!this->FindIndex(q, slack, index, p))
   {
     return false;
   }
-  place = this->GetPlace(index);
-  return this->IsCellIncluded(place.Cell) || this->Settle(slack, place, p);
+  location = this->GetCellLocation(index);
+  return this->IsCellIncluded(location.Cell) || this->FindIncludedNeighbor(slack, location, p);
 }
 
-bool IndexedFlowField::Settle(const double slack[3], Place& place, double p[3]) const
+bool IndexedFlowField::FindIncludedNeighbor(
+  const double slack[3], CellLocation& location, double p[3]) const
 {
-  // The combinations of faces to cross: one face before two, and two before three.
+  // Combinations of faces to cross: single faces first, then two, then three.
   constexpr int combinations[7] = { 1, 2, 4, 3, 5, 6, 7 };
   for (const int axes : combinations)
   {
@@ -145,7 +147,7 @@ bool IndexedFlowField::Settle(const double slack[3], Place& place, double p[3]) 
     bool exists = true;
     for (int axis = 0; axis < 3; ++axis)
     {
-      index[axis] = place.Index[axis];
+      index[axis] = location.Index[axis];
       moved[axis] = p[axis];
       if (axes >> axis & 1)
       {
@@ -156,10 +158,10 @@ bool IndexedFlowField::Settle(const double slack[3], Place& place, double p[3]) 
         exists = exists && index[axis] >= 0 && index[axis] < this->Cells[axis];
       }
     }
-    const Place neighbor = exists ? this->GetPlace(index) : place;
+    const CellLocation neighbor = exists ? this->GetCellLocation(index) : location;
     if (exists && this->IsCellIncluded(neighbor.Cell))
     {
-      place = neighbor;
+      location = neighbor;
       std::copy(moved, moved + 3, p);
       return true;
     }

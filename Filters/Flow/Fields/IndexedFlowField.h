@@ -3,7 +3,7 @@
 #define interlume_IndexedFlowField_h
 
 #include "Cells/Trilinear.h"
-#include "Fields/FieldPart.h"
+#include "Fields/FieldPartition.h"
 #include "Fields/FlowField.h"
 
 #include <algorithm>
@@ -13,19 +13,19 @@ namespace interlume
 
 /**
  * @class   IndexedFlowField
- * @brief   fields whose cells have the indices (i, j, k): images, rectilinear and structured grids
+ * @brief   field whose cells have indices (i, j, k): images, rectilinear and structured grids
  *
- * p of a cell is in [0,1]^3 along i, j and k. Faces 0 to 5 are -i, +i, -j, +j, -k, +k. Indices
- * count from 0, whatever the extent.
+ * The local coordinates p are in [0,1]^3 along i, j and k. Faces 0 to 5 are -i, +i, -j, +j, -k, +k.
+ * Indices start at 0 for any extent.
  *
- * Where a part of the grid is held, cells and indices are those of the whole, points those of the
- * part, and only cells that are held may be asked for.
+ * If only a partition of the grid is available, cell ids and indices refer to the full grid, and
+ * point ids to the partition. Only available cells may be accessed.
  */
 class IndexedFlowField : public FlowField
 {
 public:
-  /// A cell, and its first corner.
-  struct Place
+  /// A cell and its first corner point.
+  struct CellLocation
   {
     vtkIdType Cell = 0;
     vtkIdType Point = 0;
@@ -37,116 +37,116 @@ public:
     return !this->HasExcludedCells() || FlowField::IsCellIncluded(this->GetHeldCell(cell));
   }
 
-  Place GetPlace(const int index[3]) const
+  CellLocation GetCellLocation(const int index[3]) const
   {
-    Place place;
-    place.Point = this->FirstPoint;
+    CellLocation location;
+    location.Point = this->FirstPoint;
     for (int axis = 0; axis < 3; ++axis)
     {
-      place.Index[axis] = index[axis];
-      place.Cell += index[axis] * this->CellStrides[axis];
-      place.Point += index[axis] * this->PointStrides[axis];
+      location.Index[axis] = index[axis];
+      location.Cell += index[axis] * this->CellStrides[axis];
+      location.Point += index[axis] * this->PointStrides[axis];
     }
-    return place;
+    return location;
   }
 
-  Place GetPlace(vtkIdType cell) const
+  CellLocation GetCellLocation(vtkIdType cell) const
   {
     const int index[3] = { static_cast<int>(cell % this->Cells[0]),
       static_cast<int>(cell / this->CellStrides[1] % this->Cells[1]),
       static_cast<int>(cell / this->CellStrides[2]) };
-    return this->GetPlace(index);
+    return this->GetCellLocation(index);
   }
 
-  /// Returns the cell with a number among those that are held.
-  Place GetHeldPlace(vtkIdType cell) const
+  /// Returns the location of a cell from its id in the partition.
+  CellLocation GetHeldCellLocation(vtkIdType cell) const
   {
     const int index[3] = { this->HeldFirst[0] + static_cast<int>(cell % this->HeldCells[0]),
       this->HeldFirst[1] + static_cast<int>(cell / this->HeldCells[0] % this->HeldCells[1]),
       this->HeldFirst[2] + static_cast<int>(cell / this->HeldCells[0] / this->HeldCells[1]) };
-    return this->GetPlace(index);
+    return this->GetCellLocation(index);
   }
 
-  /// Returns whether a face is on the outside of the grid.
-  bool IsOutside(const Place& place, int face) const
+  /// Returns whether a face is on the boundary of the grid.
+  bool IsOutside(const CellLocation& location, int face) const
   {
     const int axis = face >> 1;
-    return place.Index[axis] == (face & 1 ? this->Cells[axis] - 1 : 0);
+    return location.Index[axis] == (face & 1 ? this->Cells[axis] - 1 : 0);
   }
 
-  /// Returns whether streamlines may go on in a cell.
-  static constexpr bool IsHere(const Place&) { return true; }
+  /// Returns whether this process traces streamlines in a cell.
+  static constexpr bool IsHere(const CellLocation&) { return true; }
 
-  /// Goes to the cell beyond a face, if streamlines may go on there, as Step does.
-  bool StepHere(Place& place, int face) const { return this->Step(place, face); }
+  /// Moves to the cell across a face as Step() does, if this process traces streamlines there.
+  bool StepHere(CellLocation& location, int face) const { return this->Step(location, face); }
 
-  /// Goes to the cell beyond a face. Returns false, and changes nothing, where no cell there is
-  /// part of the field.
-  bool Step(Place& place, int face) const
+  /// Moves to the cell across a face. Returns false, without changes, if that cell does not exist
+  /// or is excluded.
+  bool Step(CellLocation& location, int face) const
   {
-    if (this->IsOutside(place, face))
+    if (this->IsOutside(location, face))
     {
       return false;
     }
     const int axis = face >> 1;
-    const int way = face & 1 ? 1 : -1;
-    const vtkIdType cell = place.Cell + way * this->CellStrides[axis];
+    const int step = face & 1 ? 1 : -1;
+    const vtkIdType cell = location.Cell + step * this->CellStrides[axis];
     if (!this->IsCellIncluded(cell))
     {
       return false;
     }
-    place.Cell = cell;
-    place.Point += way * this->PointStrides[axis];
-    place.Index[axis] += way;
+    location.Cell = cell;
+    location.Point += step * this->PointStrides[axis];
+    location.Index[axis] += step;
     return true;
   }
 
   /**
-   * Finds the cell that \a q, in cells along each axis, is in, part of the field or not, and the
-   * place there. A place up to \a slack beyond the grid's faces counts as on them. Returns false
-   * beyond that.
+   * Finds the cell at \a q, a position in units of cells along each axis, even if it is excluded,
+   * and the local position. Positions up to \a slack outside the grid are moved to its boundary.
+   * Returns false for positions farther outside.
    */
   bool FindIndex(const double q[3], const double slack[3], int index[3], double p[3]) const;
 
-  /// Prefetches the vectors that the neighbour has and the cell has not.
-  void Prefetch(const Place& place, int face) const
+  /// Prefetches the vectors at the neighbor's corners that are not on the face.
+  void Prefetch(const CellLocation& location, int face) const
   {
-    this->ForEachCornerBeyond(
-      place, face, [this](vtkIdType point) { this->PrefetchVector(point); });
+    this->ForEachNeighborCorner(
+      location, face, [this](vtkIdType point) { this->PrefetchVector(point); });
   }
 
-  /// Returns a point of the cell by its corner of [0,1]^3, x fastest.
-  vtkIdType GetCorner(const Place& place, int corner) const
+  /// Returns the point at a corner of [0,1]^3, x varying fastest.
+  vtkIdType GetCorner(const CellLocation& location, int corner) const
   {
-    return place.Point + this->CornerOffsets[corner];
+    return location.Point + this->CornerOffsets[corner];
   }
-  void GetVectors(const Place& place, Trilinear& vectors) const
+  void GetVectors(const CellLocation& location, Trilinear& vectors) const
   {
     for (int corner = 0; corner < 8; ++corner)
     {
-      this->GetVector(this->GetCorner(place, corner), vectors.C[corner]);
+      this->GetVector(this->GetCorner(location, corner), vectors.C[corner]);
       vectors.C[corner][3] = 0.0;
     }
   }
-  /// Copies the corners' values to the first column; the others become 0.
-  void GetValues(int array, const Place& place, Trilinear& values) const
+  /// Copies the values at the corners to the first column and clears the other columns.
+  void GetValues(int array, const CellLocation& location, Trilinear& values) const
   {
     for (int corner = 0; corner < 8; ++corner)
     {
       values.Clear(corner);
-      values.C[corner][0] = this->GetValue(array, this->GetCorner(place, corner));
+      values.C[corner][0] = this->GetValue(array, this->GetCorner(location, corner));
     }
   }
 
-  /// Computes the place on a face in parts of the grid.
-  void GetParameters(const Place& place, int face, const double p[3], double uv[2]) const
+  /// Computes the position on a face as fractions of the grid's extent along the two other axes.
+  void GetParameters(const CellLocation& location, int face, const double p[3], double uv[2]) const
   {
     int direction = 0;
     for (int axis = 0; axis < 3; ++axis)
     {
       if (axis != face >> 1)
       {
-        const double part = (place.Index[axis] + p[axis]) / this->Cells[axis];
+        const double part = (location.Index[axis] + p[axis]) / this->Cells[axis];
         uv[direction++] = std::min(std::max(part, 0.0), 1.0);
       }
     }
@@ -156,33 +156,33 @@ protected:
   IndexedFlowField() = default;
   ~IndexedFlowField() = default;
 
-  /// Takes the numbers of points, the arrays and the blanking, all but the geometry. Returns an
-  /// error as Build does.
+  /// Sets the dimensions, the arrays and the blanking, but not the geometry. Returns an error as
+  /// Build() does.
   Error BuildIndices(vtkDataSet* data, const int points[3], vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
-    const FieldPart* part = nullptr);
+    const FieldPartition* part = nullptr);
 
-  /// Counts the speeds in those points of the cells that \a isCounted is true of, by index.
+  /// Counts the speeds at the points of the cells for whose indices \a isCounted returns true.
   SpeedCount CountHeldSpeeds(const std::function<bool(const int index[3])>& isCounted) const;
 
-  /// Finds the cell as FindIndex does. Where it is not part of the field, one that is and that
-  /// shares the place is taken.
-  bool Find(const double q[3], const double slack[3], Place& place, double p[3]) const;
+  /// Finds the cell as FindIndex() does. If that cell is excluded, finds an included cell with the
+  /// same position on its boundary.
+  bool Find(const double q[3], const double slack[3], CellLocation& location, double p[3]) const;
 
-  /// Calls visit(point) for those corners of a face's neighbour that are not on the face.
+  /// Calls visit(point) for the corners of the neighbor across a face that are not on the face.
   template <typename Visitor>
-  void ForEachCornerBeyond(const Place& place, int face, Visitor&& visit) const
+  void ForEachNeighborCorner(const CellLocation& location, int face, Visitor&& visit) const
   {
-    if (!this->IsOutside(place, face))
+    if (!this->IsOutside(location, face))
     {
-      for (const vtkIdType offset : this->OffsetsBeyond[face])
+      for (const vtkIdType offset : this->NeighborOffsets[face])
       {
-        visit(place.Point + offset);
+        visit(location.Point + offset);
       }
     }
   }
 
-  /// Gives the points of a cell by its number among those that are held.
+  /// Computes the points of a cell from its id in the partition.
   int GetHeldPoints(vtkIdType cell, vtkIdType* points) const;
 
   int Cells[3] = { 0, 0, 0 };
@@ -195,23 +195,23 @@ private:
     return this->FirstPoint != 0 || this->Cells[0] != this->HeldCells[0] ||
       this->Cells[1] != this->HeldCells[1] || this->Cells[2] != this->HeldCells[2];
   }
-  /// Returns the number of a cell among those that are held, which are the rows of the dataset.
+  /// Returns the id of a cell in the partition, which is its index in the dataset.
   vtkIdType GetHeldCell(vtkIdType cell) const
   {
-    return this->IsPart() ? this->GetHeldCell(this->GetPlace(cell)) : cell;
+    return this->IsPart() ? this->GetHeldCell(this->GetCellLocation(cell)) : cell;
   }
-  vtkIdType GetHeldCell(const Place& place) const;
+  vtkIdType GetHeldCell(const CellLocation& location) const;
 
-  bool Settle(const double slack[3], Place& place, double p[3]) const;
+  bool FindIncludedNeighbor(const double slack[3], CellLocation& location, double p[3]) const;
 
-  // The index of the first point that is held, the number of cells that are, and where the first
-  // point of the whole grid would be among the points.
+  // (i, j, k) of the first available point, number of available cells along each axis, and point id
+  // that the full grid's first point would have in the partition (0 or negative).
   int HeldFirst[3] = { 0, 0, 0 };
   int HeldCells[3] = { 0, 0, 0 };
   vtkIdType FirstPoint = 0;
   vtkIdType CornerOffsets[8] = { 0, 0, 0, 0, 0, 0, 0, 0 };
-  /// Those of the corners that the neighbour beyond a face has and the cell has not.
-  vtkIdType OffsetsBeyond[6][4] = {};
+  /// For each face, offsets of the corners of the neighbor that are not on the face.
+  vtkIdType NeighborOffsets[6][4] = {};
 };
 
 }

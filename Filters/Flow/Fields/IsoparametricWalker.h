@@ -2,7 +2,7 @@
 #ifndef interlume_IsoparametricWalker_h
 #define interlume_IsoparametricWalker_h
 
-#include "Cells/CellFinding.h"
+#include "Cells/CellSearchResult.h"
 #include "Cells/InterpolatedCell.h"
 #include "Fields/CellWalker.h"
 
@@ -15,17 +15,16 @@ namespace interlume
 
 /**
  * @class   IsoparametricWalker
- * @brief   the walker of cells of any form: structured and unstructured grids
+ * @brief   walker for cells of any shape, in structured and unstructured grids
  *
- * Position and vectors are interpolated by the same functions of p (InterpolatedCell), so that
- * nothing is inverted on the way. Only Locate needs Newton's method, in the cells that CellTree
- * finds. The cell that counts is the first one in the tree's order whose faces p is inside of;
- * without one it is the cell that p is the least outside of, where that is no more than rounding
- * (CellFinding).
+ * Position and vectors are interpolated by the same functions of p (InterpolatedCell), so tracing
+ * needs no inversion. Only Locate() uses Newton's method, in the cells found by CellTree. It enters
+ * the first cell, in the order of the tree, that contains the point. If no cell does, it enters the
+ * cell nearest to the point if the distance is within rounding error (CellSearchResult).
  *
- * A cell that is folded, where dx/dp has no inverse, or that is turned inside out beside its
- * neighbour, may send a streamline to and fro over a face without time passing: who walks counts
- * the crossings.
+ * Folded cells, where dx/dp is singular, and cells that are inverted relative to their neighbors
+ * can cause endless crossings without progress in time. Therefore callers limit the number of
+ * crossings.
  */
 template <typename FieldType>
 class IsoparametricWalker : public CellWalker
@@ -42,7 +41,7 @@ public:
 
   bool Locate(const double x[3], double p[3])
   {
-    CellFinding found;
+    CellSearchResult found;
     if (!this->Search(x, found))
     {
       return false;
@@ -52,22 +51,22 @@ public:
     return true;
   }
 
-  /// Finds the cell as Locate does, among those that are here, all but the order. The walker then
-  /// stands nowhere.
-  bool Search(const double x[3], CellFinding& found)
+  /// Finds the cell as Locate() does, among the cells in this process, but does not enter it. The
+  /// walker is then in no cell.
+  bool Search(const double x[3], CellSearchResult& found)
   {
     return this->SearchFrom(x, false, found) || this->SearchFrom(x, true, found);
   }
-  /// Stands in a cell of the field, wherever it stood before.
+  /// Enters a cell of the field, which need not be a neighbor of the current cell.
   void GoTo(vtkIdType cell)
   {
-    this->Stand = this->Shared->GetPlace(cell);
+    this->Stand = this->Shared->GetCellLocation(cell);
     this->EnterPoints();
     this->EnterVectors();
   }
 
   bool IsHere() const { return this->Shared->IsHere(this->Stand); }
-  const typename Field::Place& GetPlace() const { return this->Stand; }
+  const typename Field::CellLocation& GetCellLocation() const { return this->Stand; }
   vtkIdType GetCell() const { return this->Stand.Cell; }
   bool IsFinite() const { return this->Cell.IsFinite(); }
 
@@ -104,7 +103,7 @@ public:
     {
       return false;
     }
-    // Another process may have what is there.
+    // The cell may belong to another process, whose data is not available.
     if (this->IsHere())
     {
       this->EnterPoints();
@@ -115,9 +114,9 @@ public:
 
   bool HasNeighbor(int face) const
   {
-    typename Field::Place place = this->Stand;
+    typename Field::CellLocation location = this->Stand;
     double p[3] = { 0.0, 0.0, 0.0 };
-    return this->Shared->Cross(place, face, p);
+    return this->Shared->Cross(location, face, p);
   }
   FaceExtent GetFaceExtent(int face) const
   {
@@ -148,15 +147,15 @@ protected:
     this->Cell.SetVectors();
   }
 
-  // Looks for x with one start of Newton's method, or with several.
-  bool SearchFrom(const double x[3], bool fromSeveral, CellFinding& found)
+  // Searches for x with one or several starting points of Newton's method.
+  bool SearchFrom(const double x[3], bool fromSeveral, CellSearchResult& found)
   {
-    double leastOutside = VTK_DOUBLE_MAX;
-    typename Field::Place best;
+    double smallestOutside = VTK_DOUBLE_MAX;
+    typename Field::CellLocation best;
     this->Shared->GetTree().Visit(x,
       [&](vtkIdType cell)
       {
-        this->Stand = this->Shared->GetHeldPlace(cell);
+        this->Stand = this->Shared->GetHeldCellLocation(cell);
         const int shape = this->Shared->GetShape(this->Stand);
         this->Shared->GetPoints(this->Stand, this->Cell.GetPoints());
         if (!this->Cell.IsInBox(shape, x))
@@ -165,20 +164,20 @@ protected:
         }
         this->Cell.SetPoints(shape);
         double p[3];
-        if (!this->Cell.FindPlace(x, fromSeveral, p))
+        if (!this->Cell.FindCellCoordinates(x, fromSeveral, p))
         {
           return false;
         }
         const double outside = -this->Cell.GetDistance(p);
-        if (outside < leastOutside && outside <= this->GetSlack(x, p))
+        if (outside < smallestOutside && outside <= this->GetSlack(x, p))
         {
-          leastOutside = outside;
+          smallestOutside = outside;
           best = this->Stand;
           std::copy(p, p + 3, found.P);
         }
-        return leastOutside <= 0.0;
+        return smallestOutside <= 0.0;
       });
-    if (leastOutside == VTK_DOUBLE_MAX)
+    if (smallestOutside == VTK_DOUBLE_MAX)
     {
       return false;
     }
@@ -187,12 +186,12 @@ protected:
     this->Cell.Clamp(found.P);
     found.IsFound = true;
     found.IsFromSeveral = fromSeveral;
-    found.Outside = std::max(leastOutside, 0.0);
+    found.Outside = std::max(smallestOutside, 0.0);
     found.Cell = best.Cell;
     return true;
   }
 
-  // Returns how far outside of the cell rounding may put a point of it.
+  // Returns the distance outside the cell, in local coordinates, that rounding may cause.
   double GetSlack(const double x[3], const double p[3]) const
   {
     const double largest = std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
@@ -210,7 +209,7 @@ protected:
   }
 
   const Field* Shared;
-  typename Field::Place Stand;
+  typename Field::CellLocation Stand;
   InterpolatedCell Cell;
 };
 

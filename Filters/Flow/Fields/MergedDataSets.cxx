@@ -25,14 +25,13 @@ namespace interlume
 
 namespace
 {
-/// The cells of a part that count, the points that they have, and the merged points' ids of those
-/// points.
+/// The included cells of a part, their points, and the merged ids of these points.
 struct Part
 {
   vtkDataSet* Data = nullptr;
   std::vector<vtkIdType> Cells;
   std::vector<vtkIdType> Points;
-  /// The merged ids by the part's point ids; -1 for a point of no such cell.
+  /// Merged ids by point id of the part; -1 for a point of no included cell.
   std::vector<vtkIdType> Merged;
 };
 
@@ -69,56 +68,58 @@ Part MakePart(vtkDataSet* data)
   return part;
 }
 
-/// A point of a part, by the bits of its coordinates, which order NaN too.
-struct Place
+/// A point of a part. Keys are ordered by the bits of coordinates, because comparisons with NaN
+/// give no order.
+struct PointKey
 {
   std::array<std::uint64_t, 3> Bits;
   std::size_t Part;
   vtkIdType Point;
 
-  Place(std::size_t part, vtkIdType point, const double x[3])
+  PointKey(std::size_t part, vtkIdType point, const double x[3])
     : Part(part)
     , Point(point)
   {
-    // Adding 0 turns -0 into 0.
+    // Adding 0 converts -0 to 0.
     const double sums[3] = { x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 };
     std::memcpy(this->Bits.data(), sums, sizeof(sums));
   }
-  bool operator<(const Place& other) const
+  bool operator<(const PointKey& other) const
   {
     return std::tie(this->Bits, this->Part, this->Point) <
       std::tie(other.Bits, other.Part, other.Point);
   }
 };
 
-/// Makes each point the first one in its place, and numbers these. Returns how many they are.
+/// Assigns merged ids: points with equal coordinates get the id of the first. Returns the number of
+/// merged points.
 vtkIdType NumberPoints(std::vector<Part>& parts)
 {
-  std::vector<Place> places;
+  std::vector<PointKey> keys;
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     for (const vtkIdType point : parts[i].Points)
     {
       double x[3];
       parts[i].Data->GetPoint(point, x);
-      places.emplace_back(i, point, x);
+      keys.emplace_back(i, point, x);
     }
   }
-  vtkSMPTools::Sort(places.begin(), places.end());
-  const auto getMerged = [&](const Place& place) -> vtkIdType&
-  { return parts[place.Part].Merged[static_cast<std::size_t>(place.Point)]; };
-  std::vector<std::pair<const Place*, const Place*>> repeated;
-  const Place* first = nullptr;
-  for (const Place& place : places)
+  vtkSMPTools::Sort(keys.begin(), keys.end());
+  const auto getMerged = [&](const PointKey& key) -> vtkIdType&
+  { return parts[key.Part].Merged[static_cast<std::size_t>(key.Point)]; };
+  std::vector<std::pair<const PointKey*, const PointKey*>> repeated;
+  const PointKey* first = nullptr;
+  for (const PointKey& key : keys)
   {
-    if (first && first->Bits == place.Bits)
+    if (first && first->Bits == key.Bits)
     {
-      getMerged(place) = -1;
-      repeated.emplace_back(&place, first);
+      getMerged(key) = -1;
+      repeated.emplace_back(&key, first);
     }
     else
     {
-      first = &place;
+      first = &key;
     }
   }
   vtkIdType number = 0;
@@ -150,7 +151,7 @@ bool HasFloats(vtkDataSet* data)
   return points && points->GetPoints() && points->GetPoints()->GetDataType() == VTK_FLOAT;
 }
 
-/// Turns arrays that all parts have, but with different types of numbers, into doubles.
+/// Converts arrays that exist in all parts, but with different types, to double.
 void UniteTypes(std::vector<vtkSmartPointer<vtkDataSet>>& parts, int attributes)
 {
   vtkDataSetAttributes* first = parts[0]->GetAttributes(attributes);
@@ -180,7 +181,7 @@ void UniteTypes(std::vector<vtkSmartPointer<vtkDataSet>>& parts, int attributes)
   }
 }
 
-/// Copies the tuples of \a ids, of each part, one after another.
+/// Concatenates the tuples of all parts. \a ids selects them: Part::Points or Part::Cells.
 void CopyArrays(const std::vector<Part>& parts, int attributes, std::vector<vtkIdType> Part::*ids,
   vtkIdType number, vtkDataSetAttributes* to)
 {

@@ -14,17 +14,18 @@ namespace interlume
 
 /**
  * @class   MergedDataSets
- * @brief   datasets that meet in points of the same coordinates, as one unstructured grid
+ * @brief   merges datasets that share point coordinates into an unstructured grid
  */
 namespace MergedDataSets
 {
 /**
- * Merges the cells that count (Blanking: not hidden, not refined, without hidden points, not
- * duplicates, whose originals are in another part) and their points, part by part in their order.
- * Points with the same coordinates, to the last bit, are one, with the values of the first. The
- * point and cell arrays are those that all parts have, by name, type and components; there are no
- * ghost arrays, since nothing is left that they would mark. Coordinates are float where all parts'
- * are.
+ * Merges the included cells and their points, in the order of the parts. Hidden and refined cells,
+ * cells with hidden points, and duplicates, whose originals are in another part, are excluded
+ * (Blanking). Points with identical coordinates become one point, with the values of the first of
+ * them.
+ * Point and cell arrays are kept if all parts have an array of the same name and number of
+ * components; arrays of different types become double. Ghost arrays are removed. Coordinates are
+ * float if all parts have float coordinates.
  */
 vtkSmartPointer<vtkUnstructuredGrid> Merge(const std::vector<vtkDataSet*>& parts);
 }

@@ -19,28 +19,27 @@ namespace interlume
 
 /**
  * @class   MeshLinks
- * @brief   what is found of the cells of an unstructured grid, whatever its vectors are: the tree
- * of their boxes, and which of their faces are the same
+ * @brief   cell tree and face links of an unstructured grid, independent of its vectors
  *
- * It is found once, and used again by any filter for as long as one of them keeps it. A mesh is the
- * same when its grid, points, cells, types of cells and marks of blanking are the same objects,
- * none of them modified since; a filter that changes numbers in memory has to call Modified of
- * what it has changed, as everywhere in VTK.
+ * The links are computed once and reused by all filters as long as one filter holds a reference.
+ * Two meshes are the same if the grid, points, cells, cell types and ghost arrays are the same
+ * objects with unchanged modification times. Code that changes values in memory must therefore call
+ * Modified(), as everywhere in VTK.
  */
 class MeshLinks
 {
 public:
-  /// The objects that a mesh is made of, and when each was modified, which no two changes share.
+  /// Objects of a mesh and their modification times. No time occurs twice in a process.
   using Key = std::vector<std::pair<const void*, vtkMTimeType>>;
   static Key GetKey(vtkUnstructuredGrid* grid);
 
-  /// Returns what is kept of a mesh; null without.
+  /// Returns the links of a mesh, or null if there are none.
   static std::shared_ptr<const MeshLinks> Find(const Key& key);
-  /// Lets Find know what was found, as long as somebody keeps it.
+  /// Makes the links available to Find() as long as a reference to them exists.
   static void Add(const Key& key, const std::shared_ptr<const MeshLinks>& links);
 
-  /// Returns the number of outer faces that have a cell beyond them, and the first of their cells.
-  /// compute() does that, once.
+  /// Returns the number of outer faces with a cell on the far side (NonconformingInterfaces), and
+  /// the cell of the first such face. Only the first call computes them, by compute().
   template <typename Compute>
   const std::pair<vtkIdType, vtkIdType>& GetOpenInterfaces(Compute&& compute) const
   {
@@ -50,12 +49,11 @@ public:
 
   CellTree Tree;
   int FacesPerCell = 0;
-  /// For each face of each cell -1, or 64 times the neighbour, 8 times its face, twice the start
-  /// and whether it is reversed.
+  /// For each face of each cell: -1 if there is no neighbor, otherwise the code from GetLink().
   std::vector<vtkIdType> Links;
   FaceLinks::Joins Joins;
 
-  /// Returns that number, for face \a face of a cell.
+  /// Returns the code of a link to face \a face of a cell: 64 cell + 8 face + 2 start + reversed.
   static vtkIdType GetLink(vtkIdType cell, int face, const FaceLinks::Link& link)
   {
     return 64 * cell + 8 * face + 2 * link.Start + (link.IsReversed ? 1 : 0);

@@ -14,13 +14,12 @@ namespace interlume
 {
 
 /**
- * Points and their arrays with copies of some of them.
+ * Appends copies of points and their attributes.
  */
 namespace PointCopies
 {
 /**
- * Fills \a points and \a data, both empty, with those of \a input and, after them, copies of the
- * points \a sources.
+ * Fills the empty \a points and \a data from \a input, followed by copies of the points \a sources.
  */
 void Append(
   vtkPointSet* input, const std::vector<vtkIdType>& sources, vtkPoints* points, vtkPointData* data);

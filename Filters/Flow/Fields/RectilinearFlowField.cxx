@@ -13,7 +13,8 @@ namespace interlume
 {
 
 Error RectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
-  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress, const FieldPart* part)
+  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
+  const FieldPartition* part)
 {
   int points[3];
   grid->GetDimensions(points);
@@ -21,10 +22,10 @@ Error RectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* vector
   {
     return error;
   }
-  vtkRectilinearGrid* whole = part ? vtkRectilinearGrid::SafeDownCast(part->Whole) : grid;
-  whole->GetDimensions(points);
-  vtkDataArray* const coordinates[3] = { whole->GetXCoordinates(), whole->GetYCoordinates(),
-    whole->GetZCoordinates() };
+  vtkRectilinearGrid* fullGrid = part ? vtkRectilinearGrid::SafeDownCast(part->FullGrid) : grid;
+  fullGrid->GetDimensions(points);
+  vtkDataArray* const coordinates[3] = { fullGrid->GetXCoordinates(), fullGrid->GetYCoordinates(),
+    fullGrid->GetZCoordinates() };
   for (int axis = 0; axis < 3; ++axis)
   {
     if (!coordinates[axis] || coordinates[axis]->GetNumberOfTuples() < points[axis])
@@ -38,8 +39,7 @@ Error RectilinearFlowField::Build(vtkRectilinearGrid* grid, vtkDataArray* vector
       values[i] = coordinates[axis]->GetTuple1(i);
       if (!std::isfinite(values[i]))
       {
-        return std::string("the coordinate along ") + "xyz"[axis] + " of number " +
-          std::to_string(i) + " is not finite";
+        return "coordinate " + std::to_string(i) + " along " + "xyz"[axis] + " is not finite";
       }
     }
     const AxisCheck turns = AxisCheck::Find(coordinates[axis], points[axis]);
@@ -66,12 +66,12 @@ void RectilinearFlowField::GetIndexPosition(const double x[3], double q[3], doub
   }
 }
 
-bool RectilinearFlowField::Locate(const double x[3], Place& place, double p[3]) const
+bool RectilinearFlowField::Locate(const double x[3], CellLocation& location, double p[3]) const
 {
   double q[3];
   double slack[3];
   this->GetIndexPosition(x, q, slack);
-  return this->Find(q, slack, place, p);
+  return this->Find(q, slack, location, p);
 }
 
 bool RectilinearFlowField::LocateIndex(const double x[3], int index[3], double p[3]) const

@@ -11,10 +11,10 @@ namespace interlume
 
 /**
  * @class   RectilinearFlowField
- * @brief   a field on a rectilinear grid
+ * @brief   field on a rectilinear grid
  *
- * Errors of Build: those of the arrays; a grid without cells of dimension 3; coordinates that turn
- * back, repeat or are not finite.
+ * Build() returns an error if an array is invalid, if the grid has no three-dimensional cells, or
+ * if coordinates are not strictly monotonic or not finite.
  */
 class RectilinearFlowField : public IndexedFlowField
 {
@@ -25,54 +25,55 @@ public:
 
   Error Build(vtkRectilinearGrid* grid, vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {},
-    const FieldPart* part = nullptr);
+    const FieldPartition* part = nullptr);
 
-  bool Locate(const double x[3], Place& place, double p[3]) const;
-  /// Finds the cell that \a x is in, part of the field or not, and the place there.
+  bool Locate(const double x[3], CellLocation& location, double p[3]) const;
+  /// Finds the cell that contains \a x, even if it is excluded, and the local position.
   bool LocateIndex(const double x[3], int index[3], double p[3]) const;
 
-  void GetPosition(const Place& place, const double p[3], double x[3]) const
+  void GetPosition(const CellLocation& location, const double p[3], double x[3]) const
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Both ends of an edge come out exactly, so that neighbours agree.
-      const double* ends = this->GetEnds(place, axis);
+      // This formula is exact at both ends, so neighbors agree on the position of their face.
+      const double* ends = this->GetEnds(location, axis);
       x[axis] = (1.0 - p[axis]) * ends[0] + p[axis] * ends[1];
     }
   }
 
-  /// Computes dx[i]/dp[j], at [3 i + j].
-  void GetFrame(const Place& place, double frame[9]) const
+  /// Computes dx[i]/dp[j] at [3 i + j].
+  void GetFrame(const CellLocation& location, double frame[9]) const
   {
     for (int i = 0; i < 9; ++i)
     {
-      frame[i] = i % 4 ? 0.0 : this->GetWidth(place, i / 4);
+      frame[i] = i % 4 ? 0.0 : this->GetWidth(location, i / 4);
     }
   }
-  void GetInverse(const Place& place, double inverse[9]) const
+  void GetInverse(const CellLocation& location, double inverse[9]) const
   {
     for (int i = 0; i < 9; ++i)
     {
-      inverse[i] = i % 4 ? 0.0 : 1.0 / this->GetWidth(place, i / 4);
+      inverse[i] = i % 4 ? 0.0 : 1.0 / this->GetWidth(location, i / 4);
     }
   }
 
 private:
-  /// Computes the place in cells along each axis, and what counts as on the grid's faces.
+  /// Computes the position in units of cells along each axis, and the tolerance at the boundary of
+  /// the grid.
   void GetIndexPosition(const double x[3], double q[3], double slack[3]) const;
 
-  const double* GetEnds(const Place& place, int axis) const
+  const double* GetEnds(const CellLocation& location, int axis) const
   {
-    return this->Coordinates[axis].data() + place.Index[axis];
+    return this->Coordinates[axis].data() + location.Index[axis];
   }
-  double GetWidth(const Place& place, int axis) const
+  double GetWidth(const CellLocation& location, int axis) const
   {
-    const double* ends = this->GetEnds(place, axis);
+    const double* ends = this->GetEnds(location, axis);
     return ends[1] - ends[0];
   }
 
   std::vector<double> Coordinates[3];
-  // The largest coordinates, which x is rounded relative to.
+  // Largest absolute coordinates, which determine the rounding error.
   double Magnitude[3] = { 0.0, 0.0, 0.0 };
 };
 

@@ -8,7 +8,8 @@ namespace interlume
 {
 
 Error StructuredFlowField::Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
-  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress, const FieldPart* part)
+  const std::vector<vtkDataArray*>& arrays, const StageProgress& progress,
+  const FieldPartition* part)
 {
   int points[3];
   grid->GetDimensions(points);
@@ -31,19 +32,19 @@ Error StructuredFlowField::Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
 }
 
 CellPositions StructuredFlowField::GetCellPositions(
-  const std::function<bool(const Place&)>& isCounted) const
+  const std::function<bool(const CellLocation&)>& isCounted) const
 {
   return CellPositions(this->Positions,
     [this, isCounted](vtkIdType cell, vtkIdType* ids)
     {
-      const bool isPart =
-        FlowField::IsCellIncluded(cell) && (!isCounted || isCounted(this->GetHeldPlace(cell)));
+      const bool isPart = FlowField::IsCellIncluded(cell) &&
+        (!isCounted || isCounted(this->GetHeldCellLocation(cell)));
       return isPart ? this->GetHeldPoints(cell, ids) : 0;
     });
 }
 
 void StructuredFlowField::BuildTree(
-  const std::function<bool(const Place&)>& isCounted, const CellTree::Unite& unite)
+  const std::function<bool(const CellLocation&)>& isCounted, const CellTree::Unite& unite)
 {
   this->GetCellPositions(isCounted).Build(this->GetNumberOfCells(), this->Tree, unite);
 }
@@ -68,7 +69,7 @@ std::vector<vtkIdType> StructuredFlowField::GetOutsideFaces(
       for (index[across[0]] = first[across[0]]; index[across[0]] <= last[across[0]];
            ++index[across[0]])
       {
-        const vtkIdType cell = this->GetPlace(index).Cell;
+        const vtkIdType cell = this->GetCellLocation(index).Cell;
         if (this->IsCellIncluded(cell))
         {
           faces.push_back(8 * cell + face);
@@ -97,11 +98,11 @@ std::vector<vtkIdType> StructuredFlowField::WithoutSeams(std::vector<vtkIdType> 
 
 int StructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) const
 {
-  const Place place = this->GetPlace(face / 8);
+  const CellLocation location = this->GetCellLocation(face / 8);
   const int* corners = CellShape::Of(CellShape::HEXAHEDRON).Faces[face % 8].Corners;
   for (int i = 0; i < 4; ++i)
   {
-    points[i] = this->GetCorner(place, corners[i]);
+    points[i] = this->GetCorner(location, corners[i]);
   }
   return 4;
 }
@@ -116,10 +117,10 @@ void StructuredFlowField::FindSeams()
     { block.Corners[0] = this->GetFacePoints(faces[i], block.Points[0]); },
     [&](vtkIdType i, vtkIdType* points)
     {
-      const Place place = this->GetPlace(faces[i] / 8);
+      const CellLocation location = this->GetCellLocation(faces[i] / 8);
       for (int corner = 0; corner < 8; ++corner)
       {
-        points[corner] = this->GetCorner(place, corner);
+        points[corner] = this->GetCorner(location, corner);
       }
       return 8;
     },
@@ -145,15 +146,15 @@ std::vector<StructuredFlowField::Seam> StructuredFlowField::GetSeams(
 
 const StructuredFlowField::Seam* StructuredFlowField::FindSeam(vtkIdType cell, int face) const
 {
-  const vtkIdType wanted = 8 * cell + face;
-  const auto found = std::lower_bound(this->Seams.begin(), this->Seams.end(), wanted,
+  const vtkIdType key = 8 * cell + face;
+  const auto found = std::lower_bound(this->Seams.begin(), this->Seams.end(), key,
     [](const Seam& seam, vtkIdType value) { return seam.Face < value; });
-  return found != this->Seams.end() && found->Face == wanted ? &*found : nullptr;
+  return found != this->Seams.end() && found->Face == key ? &*found : nullptr;
 }
 
-bool StructuredFlowField::CrossSeam(Place& place, int face, double p[3]) const
+bool StructuredFlowField::CrossSeam(CellLocation& location, int face, double p[3]) const
 {
-  const Seam* seam = this->FindSeam(place.Cell, face);
+  const Seam* seam = this->FindSeam(location.Cell, face);
   if (!seam)
   {
     return false;
@@ -162,8 +163,8 @@ bool StructuredFlowField::CrossSeam(Place& place, int face, double p[3]) const
   double uv[2];
   faces[face].GetParameters(p, uv);
   FaceLinks::Map(4, seam->Link.Start, seam->Link.IsReversed, uv);
-  faces[seam->Link.Face % 8].GetPlace(uv, p);
-  place = this->GetPlace(seam->Link.Face / 8);
+  faces[seam->Link.Face % 8].GetCoordinates(uv, p);
+  location = this->GetCellLocation(seam->Link.Face / 8);
   return true;
 }
 

@@ -15,45 +15,45 @@ namespace interlume
 
 /**
  * @class   StructuredFlowField
- * @brief   a field on a structured grid of hexahedra
+ * @brief   field on a structured grid of hexahedra
  *
- * Where faces on the outside have the same coordinates (FaceLinks), as along the cut of an O- or
- * C-grid, the grid goes on from one to the other.
+ * If outer faces coincide (FaceLinks), as along the cut of an O- or C-grid, streamlines continue
+ * across the seam.
  *
- * Of a part of a grid Build takes the points and the arrays alone: the tree and the seams are to be
- * made by BuildTree and SetSeams.
+ * For a partition, Build() only sets the points and arrays. The caller must call BuildTree() and
+ * SetSeams().
  *
- * Errors of Build: those of the arrays; a grid without cells of dimension 3; a point of the field
- * that is not finite.
+ * Build() returns an error if an array is invalid, if the grid has no three-dimensional cells, or
+ * if a point of the field is not finite.
  */
 class StructuredFlowField : public IndexedFlowField
 {
 public:
   StructuredFlowField() = default;
 
-  using IndexedFlowField::GetPlace;
+  using IndexedFlowField::GetCellLocation;
 
   Error Build(vtkStructuredGrid* grid, vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {},
-    const FieldPart* part = nullptr);
+    const FieldPartition* part = nullptr);
 
-  int GetShape(const Place&) const { return CellShape::HEXAHEDRON; }
-  void GetPoints(const Place& place, Trilinear& points) const
+  int GetShape(const CellLocation&) const { return CellShape::HEXAHEDRON; }
+  void GetPoints(const CellLocation& location, Trilinear& points) const
   {
     for (int corner = 0; corner < 8; ++corner)
     {
-      this->Positions.Get<3>(this->GetCorner(place, corner), points.C[corner]);
+      this->Positions.Get<3>(this->GetCorner(location, corner), points.C[corner]);
       points.C[corner][3] = 0.0;
     }
   }
   const CellTree& GetTree() const { return this->Tree; }
-  /// Returns the error that rounding to floats may have made in positions; 0 for doubles.
+  /// Returns the rounding error of float positions, or 0 for double positions.
   double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
 
-  /// Prefetches the positions and vectors that the neighbour has and the cell has not.
-  void Prefetch(const Place& place, int face) const
+  /// Prefetches the positions and vectors at the neighbor's corners that are not on the face.
+  void Prefetch(const CellLocation& location, int face) const
   {
-    this->ForEachCornerBeyond(place, face,
+    this->ForEachNeighborCorner(location, face,
       [this](vtkIdType point)
       {
         this->Positions.Prefetch<3>(point);
@@ -61,51 +61,53 @@ public:
       });
   }
 
-  /// Crosses a face into the neighbour. Returns false, and changes nothing, where there is none.
-  bool Cross(Place& place, int face, double p[3]) const
+  /// Crosses a face into the neighbor. Returns false, without changes, if there is no neighbor.
+  bool Cross(CellLocation& location, int face, double p[3]) const
   {
-    if (this->Step(place, face))
+    if (this->Step(location, face))
     {
       p[face >> 1] = face & 1 ? 0.0 : 1.0;
       return true;
     }
-    return !this->Seams.empty() && this->IsOutside(place, face) && this->CrossSeam(place, face, p);
+    return !this->Seams.empty() && this->IsOutside(location, face) &&
+      this->CrossSeam(location, face, p);
   }
-  /// Returns the faces on the outside that are no seam, as eight times their cell and their number
-  /// there, ascending.
+  /// Returns the outer faces that are not on a seam, as 8 cell + face, in ascending order.
   std::vector<vtkIdType> GetOuterFaces() const
   {
     return this->WithoutSeams(this->GetOutsideFaces());
   }
-  /// Returns the joins of the seams, each pair once.
+  /// Returns how many linked face pairs have different positions, and by how much.
   const FaceLinks::Joins& GetJoins() const { return this->Joins; }
 
-  /// Returns whether a streamline leaves the grid there.
-  bool IsDomainFace(const Place& place, int face) const
+  /// Returns whether a streamline leaves the grid through a face.
+  bool IsDomainFace(const CellLocation& location, int face) const
   {
-    return this->IsOutside(place, face) &&
-      (this->Seams.empty() || !this->FindSeam(place.Cell, face));
+    return this->IsOutside(location, face) &&
+      (this->Seams.empty() || !this->FindSeam(location.Cell, face));
   }
 
 protected:
-  /// A seam. A face is eight times its cell, and its number there.
+  /// A linked face on a seam, as 8 cell + face.
   struct Seam
   {
     vtkIdType Face;
     FaceLinks::Link Link;
   };
 
-  /// Makes the tree of those cells that \a isCounted is true of.
-  void BuildTree(
-    const std::function<bool(const Place&)>& isCounted = {}, const CellTree::Unite& unite = {});
-  /// Returns the faces on the outside of the cells with indices from first to last, ascending.
+  /// Builds a tree of the cells for which \a isCounted returns true, or of all cells if it is
+  /// empty.
+  void BuildTree(const std::function<bool(const CellLocation&)>& isCounted = {},
+    const CellTree::Unite& unite = {});
+  /// Returns the outer faces of the cells with indices from \a first to \a last, in ascending
+  /// order.
   std::vector<vtkIdType> GetOutsideFaces(const int first[3], const int last[3]) const;
   std::vector<vtkIdType> WithoutSeams(std::vector<vtkIdType> faces) const;
-  /// Returns the seams among the faces \a own: link i is of the i-th, and to one of \a all by its
-  /// index there.
+  /// Returns the seams among the faces \a own. links[i] belongs to own[i], and its Face is an index
+  /// into \a all, or -1 for no link.
   static std::vector<Seam> GetSeams(const std::vector<vtkIdType>& own,
     const std::vector<vtkIdType>& all, const std::vector<FaceLinks::Link>& links);
-  /// Takes the seams, by ascending face.
+  /// Sets the seams, in ascending order of faces.
   void SetSeams(std::vector<Seam>&& seams, const FaceLinks::Joins& joins)
   {
     this->Seams = std::move(seams);
@@ -115,15 +117,16 @@ protected:
 
 private:
   std::vector<vtkIdType> GetOutsideFaces() const;
-  CellPositions GetCellPositions(const std::function<bool(const Place&)>& isCounted = {}) const;
+  CellPositions GetCellPositions(
+    const std::function<bool(const CellLocation&)>& isCounted = {}) const;
   int GetFacePoints(vtkIdType face, vtkIdType* points) const;
   void FindSeams();
   const Seam* FindSeam(vtkIdType cell, int face) const;
-  bool CrossSeam(Place& place, int face, double p[3]) const;
+  bool CrossSeam(CellLocation& location, int face, double p[3]) const;
 
   ArrayRows Positions;
   CellTree Tree;
-  // The seams by ascending face.
+  // Seams in ascending order of faces.
   std::vector<Seam> Seams;
   FaceLinks::Joins Joins;
 };

@@ -10,9 +10,10 @@ namespace interlume
 
 /**
  * @class   StructuredWalkerOf
- * @brief   the walker of structured grids: neighbours by index, and over the cut of O- and C-grids
+ * @brief   walker for structured grids, which finds neighbors by index and across the cuts of O-
+ * and C-grids
  *
- * \a FieldType is StructuredFlowField, or derived from it.
+ * \a FieldType is StructuredFlowField or a derived class.
  */
 template <typename FieldType>
 class StructuredWalkerOf : public IsoparametricWalker<FieldType>

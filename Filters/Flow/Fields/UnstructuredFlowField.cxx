@@ -29,14 +29,14 @@ Error UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray* vect
   {
     return error;
   }
-  // What is kept of a mesh was found without an error.
+  // If the links are cached, the cells were already found valid.
   const MeshLinks::Key key = MeshLinks::GetKey(grid);
-  const std::shared_ptr<const MeshLinks> kept = MeshLinks::Find(key);
+  const std::shared_ptr<const MeshLinks> cached = MeshLinks::Find(key);
   if (this->GetNumberOfFlatCells() == this->GetNumberOfCells())
   {
     return GetErrorWithoutCells();
   }
-  Error error = kept ? Error() : this->FindCellError(0);
+  Error error = cached ? Error() : this->FindCellError(0);
   if (error || !progress.Reach(0.1))
   {
     return error;
@@ -48,11 +48,11 @@ Error UnstructuredFlowField::Build(vtkUnstructuredGrid* grid, vtkDataArray* vect
   {
     return {};
   }
-  if (kept)
+  if (cached)
   {
-    this->Use(kept);
-    this->NumberOfKeptFaces = static_cast<vtkIdType>(kept->Links.size());
-    // An owner is told of, and may be aborted at, the same places as the first time.
+    this->Use(cached);
+    this->NumberOfReusedFaceMatches = static_cast<vtkIdType>(cached->Links.size());
+    // Report progress, and check for abort, at the same steps as if nothing were cached.
     if (progress.Reach(0.3))
     {
       progress.Reach(0.6);
@@ -142,17 +142,18 @@ Error UnstructuredFlowField::FindCellError(vtkIdType first) const
 {
   for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
   {
-    const int wanted = GetCorners(this->Types[cell]).Number;
+    const int expected = GetCorners(this->Types[cell]).Number;
     const vtkIdType found = this->Offsets.Get(cell + 1) - this->Offsets.Get(cell);
-    if (!this->IsCellIncluded(cell) || (wanted > 0 && found == wanted))
+    if (!this->IsCellIncluded(cell) || (expected > 0 && found == expected))
     {
       continue;
     }
     const std::string which = "cell " + std::to_string(first + cell) + " is a " +
       GridCells::GetClassName(this->Types[cell]) + " (type " + std::to_string(this->Types[cell]) +
       ")";
-    return wanted == 0 ? which + "; a field has tetrahedra, voxels, hexahedra, wedges and pyramids"
-                       : which + " of " + std::to_string(found) + " points";
+    return expected == 0
+      ? which + "; only tetrahedra, voxels, hexahedra, wedges and pyramids are supported"
+      : which + " with " + std::to_string(found) + " points";
   }
   return {};
 }
@@ -163,9 +164,9 @@ int UnstructuredFlowField::GetCellPoints(vtkIdType cell, vtkIdType* points) cons
   {
     return 0;
   }
-  const Place place = this->GetPlace(cell);
-  this->ForEachCorner(place, [points](int corner, vtkIdType point) { points[corner] = point; });
-  return GetCorners(place.Type).Number;
+  const CellLocation location = this->GetCellLocation(cell);
+  this->ForEachCorner(location, [points](int corner, vtkIdType point) { points[corner] = point; });
+  return GetCorners(location.Type).Number;
 }
 
 void UnstructuredFlowField::Use(const std::shared_ptr<const MeshLinks>& mesh)
@@ -221,16 +222,16 @@ int UnstructuredFlowField::GetFacePoints(vtkIdType face, vtkIdType* points) cons
 
 int UnstructuredFlowField::FindFacesPerCell() const
 {
-  int most = 4;
+  int maximum = 4;
   for (vtkIdType cell = 0; cell < this->GetNumberOfCells(); ++cell)
   {
     if (this->IsCellIncluded(cell))
     {
       const int shape = GetCorners(this->Types[cell]).Shape;
-      most = std::max(most, CellShape::Of(shape).NumberOfFaces);
+      maximum = std::max(maximum, CellShape::Of(shape).NumberOfFaces);
     }
   }
-  return most;
+  return maximum;
 }
 
 void UnstructuredFlowField::FindLinks(MeshLinks& mesh, bool byCoordinates) const

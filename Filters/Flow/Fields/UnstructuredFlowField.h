@@ -21,22 +21,22 @@ namespace interlume
 
 /**
  * @class   UnstructuredFlowField
- * @brief   a field on tetrahedra, voxels, hexahedra, wedges and pyramids
+ * @brief   field on tetrahedra, voxels, hexahedra, wedges and pyramids
  *
- * Streamlines go from face to face by FaceLinks. A face without a link, as between a
- * quadrilateral and two triangles, is where the field ends. Memory: a number for each face, beside
- * the grid; it is used again for the same mesh while somebody keeps it (MeshLinks).
+ * Streamlines cross faces that FaceLinks matches. They end at a face without a link, for example
+ * between a quadrilateral and two triangles. The links need memory for one id per face. Fields of
+ * the same mesh share them (MeshLinks).
  *
- * Cells of fewer dimensions are not part of the field.
+ * Cells with fewer than three dimensions are excluded.
  *
- * Errors of Build: those of the arrays; a grid without cells; a cell of another type, or with
- * another number of points; a point of a cell that is not finite.
+ * Build() returns an error if an array is invalid, if the grid has no cells, if a cell has an
+ * unsupported type or a wrong number of points, or if a point of a cell is not finite.
  */
 class UnstructuredFlowField : public FlowField
 {
 public:
-  /// A cell, its first point in the list of points, and its VTK type.
-  struct Place
+  /// A cell, the index of its first point in the connectivity array, and its VTK type.
+  struct CellLocation
   {
     vtkIdType Cell = 0;
     vtkIdType First = 0;
@@ -48,42 +48,42 @@ public:
   Error Build(vtkUnstructuredGrid* grid, vtkDataArray* vectors,
     const std::vector<vtkDataArray*>& arrays = {}, const StageProgress& progress = {});
 
-  Place GetPlace(vtkIdType cell) const
+  CellLocation GetCellLocation(vtkIdType cell) const
   {
-    Place place;
-    place.Cell = cell;
-    place.First = this->OnlyType ? cell * this->OnlySize : this->Offsets.Get(cell);
-    place.Type = this->OnlyType ? this->OnlyType : this->Types[cell];
-    return place;
+    CellLocation location;
+    location.Cell = cell;
+    location.First = this->OnlyType ? cell * this->OnlySize : this->Offsets.Get(cell);
+    location.Type = this->OnlyType ? this->OnlyType : this->Types[cell];
+    return location;
   }
-  /// The same, as all cells are held.
-  Place GetHeldPlace(vtkIdType cell) const { return this->GetPlace(cell); }
-  /// Returns whether streamlines may go on in a cell.
-  static constexpr bool IsHere(const Place&) { return true; }
-  int GetShape(const Place& place) const { return GetCorners(place.Type).Shape; }
+  /// Returns the same as GetCellLocation(), because all cells are available.
+  CellLocation GetHeldCellLocation(vtkIdType cell) const { return this->GetCellLocation(cell); }
+  /// Returns whether this process traces streamlines in a cell.
+  static constexpr bool IsHere(const CellLocation&) { return true; }
+  int GetShape(const CellLocation& location) const { return GetCorners(location.Type).Shape; }
 
-  void GetPoints(const Place& place, Trilinear& points) const
+  void GetPoints(const CellLocation& location, Trilinear& points) const
   {
-    this->ForEachCorner(place,
+    this->ForEachCorner(location,
       [&](int corner, vtkIdType point)
       {
         this->Positions.Get<3>(point, points.C[corner]);
         points.C[corner][3] = 0.0;
       });
   }
-  void GetVectors(const Place& place, Trilinear& vectors) const
+  void GetVectors(const CellLocation& location, Trilinear& vectors) const
   {
-    this->ForEachCorner(place,
+    this->ForEachCorner(location,
       [&](int corner, vtkIdType point)
       {
         this->GetVector(point, vectors.C[corner]);
         vectors.C[corner][3] = 0.0;
       });
   }
-  /// Copies the corners' values to the first column; the others become 0.
-  void GetValues(int array, const Place& place, Trilinear& values) const
+  /// Copies the values at the corners to the first column and clears the other columns.
+  void GetValues(int array, const CellLocation& location, Trilinear& values) const
   {
-    this->ForEachCorner(place,
+    this->ForEachCorner(location,
       [&](int corner, vtkIdType point)
       {
         values.Clear(corner);
@@ -91,66 +91,66 @@ public:
       });
   }
   const CellTree& GetTree() const { return this->Mesh->Tree; }
-  /// Returns the error that rounding to floats may have made in positions; 0 for doubles.
+  /// Returns the rounding error of float positions, or 0 for double positions.
   double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
 
-  /// The faces without a neighbour, as eight times their cell and their number there, ascending;
-  /// and the points of one such face in cyclic order, with their number.
+  /// Return the faces without a neighbor, as 8 cell + face, in ascending order, and the number and
+  /// ids of the points of a face in cyclic order.
   std::vector<vtkIdType> GetOuterFaces() const;
   int GetFacePoints(vtkIdType face, vtkIdType* points) const;
-  /// Returns the joins of the links.
+  /// Returns how many linked faces have different positions, and by how much.
   const FaceLinks::Joins& GetJoins() const { return this->Mesh->Joins; }
-  /// Returns what was found of the mesh, and the number of faces of cells whose links were known
-  /// before.
+  /// Return the links of the mesh and the number of cell faces whose links were reused.
   const std::shared_ptr<const MeshLinks>& GetMesh() const { return this->Mesh; }
-  vtkIdType GetNumberOfKeptFaces() const { return this->NumberOfKeptFaces; }
+  vtkIdType GetNumberOfReusedFaceMatches() const { return this->NumberOfReusedFaceMatches; }
   const ArrayRows& GetPositions() const { return this->Positions; }
 
-  /// Prefetches the neighbour's list of points in round 0, their positions and vectors in round 1.
-  void Prefetch(const Place& place, int face, int round) const
+  /// Prefetches the point ids of the neighbor in round 0, and their positions and vectors in round
+  /// 1.
+  void Prefetch(const CellLocation& location, int face, int round) const
   {
-    const vtkIdType link = this->GetLink(place.Cell, face);
+    const vtkIdType link = this->GetLink(location.Cell, face);
     if (link >= 0)
     {
-      this->PrefetchCell(this->GetPlace(link >> 6), round);
+      this->PrefetchCell(this->GetCellLocation(link >> 6), round);
     }
   }
 
-  /// Crosses a face into the neighbour. Returns false, and changes nothing, where there is none.
-  bool Cross(Place& place, int face, double p[3]) const
+  /// Crosses a face into the neighbor. Returns false, without changes, if there is no neighbor.
+  bool Cross(CellLocation& location, int face, double p[3]) const
   {
-    const vtkIdType link = this->GetLink(place.Cell, face);
+    const vtkIdType link = this->GetLink(location.Cell, face);
     if (link < 0)
     {
       return false;
     }
-    this->CrossTo(this->GetPlace(link >> 6), link, place, face, p);
+    this->CrossTo(this->GetCellLocation(link >> 6), link, location, face, p);
     return true;
   }
 
 protected:
-  /// Takes the arrays, the cells and what is hidden. Returns an error if the arrays cannot be used.
+  /// Sets the arrays, cells and blanking. Returns an error if the arrays are invalid.
   Error BuildCells(
     vtkUnstructuredGrid* grid, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays);
-  /// Returns an error for the first cell that cannot be used; \a first is the number of cell 0.
+  /// Returns an error for the first invalid cell. \a first is the global id of cell 0.
   Error FindCellError(vtkIdType first) const;
   void FindOnlyType();
   CellPositions GetCellPositions() const;
-  /// Gives at most eight points of a cell in the order of its type, and returns how many.
+  /// Computes at most eight points of a cell in VTK's order, and returns their number.
   int GetStoredPoints(vtkIdType cell, vtkIdType* points) const;
-  /// Finds the links between faces of the same points and, where asked for, of the same
-  /// coordinates.
+  /// Finds the links between faces with the same points, and if \a byCoordinates is true, also
+  /// between faces with the same coordinates.
   void FindLinks(MeshLinks& mesh, bool byCoordinates) const;
-  /// Refers to what was found of the mesh.
+  /// Uses the links of a mesh.
   void Use(const std::shared_ptr<const MeshLinks>& mesh);
 
-  /// Returns what MeshLinks has of a face.
+  /// Returns the code of a face's link, see MeshLinks::GetLink().
   vtkIdType GetLink(vtkIdType cell, int face) const
   {
     return this->Links[cell * this->FacesPerCell + face];
   }
-  /// Prefetches what is in a cell, which has its place among all that are held.
-  void PrefetchCell(const Place& cell, int round) const
+  /// Prefetches the data of an available cell.
+  void PrefetchCell(const CellLocation& cell, int round) const
   {
     if (round == 0)
     {
@@ -165,26 +165,27 @@ protected:
       });
     interlume::Prefetch::Read(this->Links + cell.Cell * this->FacesPerCell);
   }
-  /// Goes over a face to the cell that a link leads to, of which its type is known.
-  void CrossTo(const Place& next, vtkIdType link, Place& place, int face, double p[3]) const
+  /// Moves across a face to the linked cell \a next, whose type must be set.
+  void CrossTo(
+    const CellLocation& next, vtkIdType link, CellLocation& location, int face, double p[3]) const
   {
-    const CellShape::Face& from = CellShape::Of(this->GetShape(place)).Faces[face];
+    const CellShape::Face& from = CellShape::Of(this->GetShape(location)).Faces[face];
     double uv[2];
     from.GetParameters(p, uv);
     FaceLinks::Map(from.NumberOfCorners, link >> 1 & 3, link & 1, uv);
-    place = next;
-    CellShape::Of(this->GetShape(place)).Faces[link >> 3 & 7].GetPlace(uv, p);
+    location = next;
+    CellShape::Of(this->GetShape(location)).Faces[link >> 3 & 7].GetCoordinates(uv, p);
   }
 
 private:
-  // The corners of VTK's types in the order of the shape's corners.
+  // For a VTK cell type: the CellShape, its number of corners, and the VTK index of each corner.
   struct TypeCorners
   {
     int Shape;
     int Number;
     int Order[8];
   };
-  // Returns the corners of a type; without corners for other types.
+  // Returns the corners of a VTK cell type. Unsupported types have 0 corners.
   static const TypeCorners& GetCorners(int type)
   {
     static constexpr TypeCorners none = { CellShape::TETRAHEDRON, 0, {} };
@@ -194,16 +195,16 @@ private:
       { CellShape::WEDGE, 6, { 0, 1, 2, 3, 4, 5 } }, { CellShape::PYRAMID, 5, { 0, 1, 2, 3, 4 } } };
     return type >= FirstType && type < FirstType + 5 ? known[type - FirstType] : none;
   }
-  // VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID follow each other.
+  // VTK_TETRA, VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE and VTK_PYRAMID are consecutive.
   static constexpr int FirstType = 10;
 
   template <typename Visitor>
-  void ForEachCorner(const Place& place, Visitor&& visit) const
+  void ForEachCorner(const CellLocation& location, Visitor&& visit) const
   {
-    const TypeCorners& corners = GetCorners(place.Type);
+    const TypeCorners& corners = GetCorners(location.Type);
     for (int corner = 0; corner < corners.Number; ++corner)
     {
-      visit(corner, this->PointIds.Get(place.First + corners.Order[corner]));
+      visit(corner, this->PointIds.Get(location.First + corners.Order[corner]));
     }
   }
 
@@ -216,13 +217,13 @@ private:
   StoredIds Offsets;
   StoredIds PointIds;
   const unsigned char* Types = nullptr;
-  // The type of all cells where they are of one type, and how many points each has; else 0.
+  // Type and number of points of all cells if they are the same, otherwise 0.
   int OnlyType = 0;
   int OnlySize = 0;
   vtkSmartPointer<GridCells::Types> TypeArray;
   std::shared_ptr<const MeshLinks> Mesh;
-  vtkIdType NumberOfKeptFaces = 0;
-  // Those of Mesh.
+  vtkIdType NumberOfReusedFaceMatches = 0;
+  // Copied from Mesh.
   int FacesPerCell = 0;
   const vtkIdType* Links = nullptr;
 };

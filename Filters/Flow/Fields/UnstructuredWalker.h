@@ -11,12 +11,12 @@ namespace interlume
 
 /**
  * @class   UnstructuredWalkerOf
- * @brief   the walker of unstructured grids: neighbours by the points that faces share
+ * @brief   walker for unstructured grids, which finds neighbors by face links
  *
- * The place on a face is carried over exactly, by the face's own coordinates. Domain faces are the
- * patches of the boundary.
+ * A position on a face is transferred exactly, in face coordinates. The patches of the boundary are
+ * the domain faces.
  *
- * \a FieldType is UnstructuredFlowField, or derived from it.
+ * \a FieldType is UnstructuredFlowField or a derived class.
  */
 template <typename FieldType>
 class UnstructuredWalkerOf : public IsoparametricWalker<FieldType>
@@ -26,7 +26,7 @@ public:
 
   void Prefetch(int face, int round) const { this->Shared->Prefetch(this->Stand, face, round); }
 
-  /// Sets patches that stay where they are; without them there are no domain faces.
+  /// Sets the patches, which must outlive this object. Without patches there are no domain faces.
   void SetPatches(const BoundaryPatches* patches) { this->Patches = patches; }
   int GetDomainFace(int face) const
   {

@@ -10,29 +10,31 @@ namespace interlume
 
 /**
  * @class   BernsteinRoot
- * @brief   where a polynomial in Bernstein's form first falls below 0 in [0, 1]
+ * @brief   finds where a polynomial in Bernstein form first becomes negative in [0, 1]
  *
- * The polynomial is cut in halves until its coefficients change sign once, which is one root
- * (Descartes' rule), or not at all, which is none (J. M. Lane and R. F. Riesenfeld, "Bounds on a
- * polynomial", BIT 21, 1981). So no pair of roots is missed, unless it is closer than rounding
- * tells apart.
+ * The polynomial is bisected until its coefficients change sign once, which means one root
+ * (Descartes' rule of signs), or not at all, which means no root. See J. M. Lane and R. F.
+ * Riesenfeld, "Bounds on a polynomial", BIT 21 (1981). Therefore no pair of roots is missed, unless
+ * the roots are too close to separate in double precision.
  */
 class BernsteinRoot
 {
 public:
   static constexpr int MaximumDegree = Binomials::MaximumDegree;
-  /// The value that Find returns where the polynomial does not fall below 0.
+  /// Value that Find returns if the polynomial does not become negative.
   static constexpr double None = 2.0;
 
-  /// Returns the first place in [0, 1] at which the polynomial falls below 0, from 0 or above at 0.
+  /// Returns the first position in [0, 1] at which the polynomial becomes negative. Its value at 0
+  /// must be >= 0.
   static double Find(const double* coefficients, int degree)
   {
     return BernsteinRoot::FindIn(coefficients, degree, 0.0, 1.0, 44);
   }
 
   /**
-   * Returns the only root of a polynomial that is above 0 at 0 and below at 1, by Newton's method
-   * in a bracket, with powers of theta. Lanes outside of \a mask return any number.
+   * Returns the only root of a polynomial that is positive at 0 and negative at 1. Uses Newton's
+   * method in the power basis, with a bracket as a safeguard. Lanes outside \a mask return
+   * arbitrary values.
    */
   template <typename Number>
   static Number FindOnly(const Number* b, int degree, const typename NumberMath<Number>::Mask& mask)
@@ -40,7 +42,7 @@ public:
     using Math = NumberMath<Number>;
     Number powers[MaximumDegree + 1];
     BernsteinRoot::GetPowers(b, degree, powers);
-    // A bound of half the second derivative.
+    // Upper bound of half the second derivative.
     Number bend = Math::Of(0.0);
     for (int k = 2; k <= degree; ++k)
     {
@@ -68,11 +70,11 @@ public:
       const typename Math::Mask isNewton = (low < next) & (next < high);
       const Number halved = Math::Select(value == zero, theta, 0.5 * (low + high));
       next = Math::Select(isNewton, next, halved);
-      // The error that Newton's method leaves is at most bend / slope times the square of its way.
-      const Number way = next - theta;
+      // After a Newton step, the error is at most bend / slope times the square of the step.
+      const Number change = next - theta;
       const typename Math::Mask isDone =
-        (isNewton & (bend * (way * way) <= 1e-14 * Math::Abs(slope))) | (Math::Abs(way) <= 2e-16) |
-        (next == low) | (next == high);
+        (isNewton & (bend * (change * change) <= 1e-14 * Math::Abs(slope))) |
+        (Math::Abs(change) <= 2e-16) | (next == low) | (next == high);
       root = Math::Select(isOpen, next, root);
       isOpen &= Math::Not(isDone);
       theta = next;
@@ -83,7 +85,7 @@ public:
 private:
   static double FindIn(const double* b, int degree, double from, double width, int depth);
 
-  /// Returns the root of the parabola with this value and slope at 0, and this value at 1.
+  /// Returns the root of the parabola with the given value and slope at 0 and the given value at 1.
   template <typename Number>
   static Number GuessOnly(const Number& start, const Number& slope, const Number& end)
   {

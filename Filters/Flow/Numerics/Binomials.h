@@ -7,10 +7,11 @@ namespace interlume
 
 /**
  * @class   Binomials
- * @brief   coefficients that lead from powers to Bernstein's form and back, up to degree 5
+ * @brief   coefficients for conversion between the power basis and the Bernstein basis, up to
+ * degree 5
  *
- * Choose[n][k] is n over k; Elevation[n][j][k] is (j over k) / (n over k), the part that the
- * coefficient of theta^k has in control point j of n.
+ * Choose[n][k] is the binomial coefficient n over k. Elevation[n][j][k] is (j over k) / (n over k),
+ * the weight of the coefficient of theta^k in control point j of a curve of degree n.
  */
 struct Binomials
 {
@@ -24,13 +25,13 @@ struct Binomials
 private:
   static constexpr Binomials Make()
   {
-    Binomials made;
+    Binomials result;
     for (int n = 0; n <= MaximumDegree; ++n)
     {
-      made.Choose[n][0] = 1.0;
+      result.Choose[n][0] = 1.0;
       for (int k = 1; k <= n; ++k)
       {
-        made.Choose[n][k] = made.Choose[n][k - 1] * (n - k + 1) / k;
+        result.Choose[n][k] = result.Choose[n][k - 1] * (n - k + 1) / k;
       }
     }
     for (int n = 0; n <= MaximumDegree; ++n)
@@ -39,11 +40,11 @@ private:
       {
         for (int k = 0; k <= j; ++k)
         {
-          made.Elevation[n][j][k] = made.Choose[j][k] / made.Choose[n][k];
+          result.Elevation[n][j][k] = result.Choose[j][k] / result.Choose[n][k];
         }
       }
     }
-    return made;
+    return result;
   }
 };
 

@@ -10,12 +10,12 @@ namespace interlume
 
 /**
  * @class   BracketedRoot
- * @brief   a root of a function between two places where its signs differ
+ * @brief   finds a root of a function between two positions at which its signs differ
  *
- * T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm for finding the zero of a
- * nonlinear function without using derivatives", Adv. Eng. Software 28 (1997): inverse quadratic
- * interpolation where it converges, else bisection. The search ends at neighbouring numbers, or at
- * a jump.
+ * The method is from T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm for finding
+ * the zero of a nonlinear function without using derivatives", Adv. Eng. Software 28 (1997). It
+ * uses inverse quadratic interpolation where this converges, otherwise bisection. It ends at
+ * adjacent floating-point numbers or at a discontinuity.
  */
 struct BracketedRoot
 {
@@ -44,9 +44,9 @@ struct BracketedRoot
       a = x;
       fa = fx;
       const double best = std::abs(fa) < std::abs(fb) ? a : b;
-      const double least =
+      const double minimum =
         2.0 * std::numeric_limits<double>::epsilon() * std::abs(best) / std::abs(b - a);
-      if (fa == 0.0 || fb == 0.0 || !(least < 0.5))
+      if (fa == 0.0 || fb == 0.0 || !(minimum < 0.5))
       {
         return fa == 0.0 ? a : best;
       }
@@ -58,7 +58,7 @@ struct BracketedRoot
         part =
           fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb);
       }
-      part = std::fmin(1.0 - least, std::fmax(least, part));
+      part = std::fmin(1.0 - minimum, std::fmax(minimum, part));
     }
     return a;
   }

@@ -10,9 +10,9 @@ namespace interlume
 
 /**
  * @class   DenseOutput
- * @brief   the polynomial of theta, 0 to 1, that a step of an integrator follows
+ * @brief   polynomial p(theta), 0 <= theta <= 1, that interpolates a step of an integrator
  *
- * p(theta) = sum of Coefficients[k] theta^k. \a Number is double or Lanes.
+ * p(theta) = sum of Coefficients[k] theta^k. \a Number is double or a SimdPack.
  */
 template <typename Number>
 struct DenseOutput
@@ -49,7 +49,7 @@ struct DenseOutput
     }
   }
 
-  /// Computes the Degree + 1 control points of the same curve in Bernstein's form.
+  /// Computes the Degree + 1 Bernstein control points of the curve.
   void GetControlPoints(Number points[MaximumDegree + 1][3]) const
   {
     const auto& weights = Binomials::Get().Elevation[this->Degree];
@@ -67,7 +67,8 @@ struct DenseOutput
     }
   }
 
-  /// Computes control point \a j of dp/dtheta, which has Degree of them, from those of the curve.
+  /// Computes control point \a j of dp/dtheta, 0 <= j < Degree, from the control points of the
+  /// curve.
   void GetSlope(const Number points[MaximumDegree + 1][3], int j, Number slope[3]) const
   {
     for (int i = 0; i < 3; ++i)

@@ -2,14 +2,14 @@
 #ifndef interlume_NumberMath_h
 #define interlume_NumberMath_h
 
-#include "Common/Lanes.h"
+#include "Common/SimdPack.h"
 
 #include <cmath>
 
 namespace interlume
 {
 
-/// The scalar product of vectors of doubles, or of Lanes.
+/// Scalar product of vectors of doubles or SIMD packs.
 template <typename Number>
 struct ScalarProduct
 {
@@ -21,9 +21,9 @@ struct ScalarProduct
 
 /**
  * @class   NumberMath
- * @brief   provides the operations of templates over the number type: double, or Lanes
+ * @brief   provides the operations of templates whose number type is double or a SimdPack
  *
- * The mask of a double is a bool. Use Not for masks: ~ of a bool is never false.
+ * The mask type of double is bool. Negate masks with Not, because ~ of a bool is always true.
  */
 template <typename Number>
 struct NumberMath

@@ -15,8 +15,9 @@ namespace
 {
 using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-// A diagonal similarity by powers of 2 that makes rows and columns alike in size, which Eigen
-// lacks: without it, gradients by coordinates of different units lose digits.
+// Balances a matrix by a diagonal similarity transform with powers of 2, such that rows and columns
+// have similar norms. Eigen does not do this. Without it, gradients lose digits if the coordinates
+// have different units.
 void Balance(Matrix& a)
 {
   bool isChanging = true;

@@ -6,14 +6,15 @@ namespace interlume
 {
 
 /**
- * Eigenvalues of real matrices of three rows and columns, symmetric or not.
+ * Eigenvalues of real 3x3 matrices, symmetric or not.
  */
 namespace RealEigenvalues
 {
 /**
- * Three complex numbers, real part first, by descending real part; of a pair the one with the
- * positive imaginary part first. By Eigen's QR method on the balanced matrix: the error is a few
- * roundings of the matrix's norm. NaN for a matrix that is not finite.
+ * Computes three complex numbers (real part, imaginary part), sorted by descending real part. In a
+ * conjugate pair, the eigenvalue with positive imaginary part is first. Eigen's QR method is
+ * applied to the balanced matrix, with an error of a few times the rounding error of the matrix
+ * norm. The results are NaN if the matrix is not finite.
  */
 void Compute(const double matrix[9], double eigenvalues[6]);
 }

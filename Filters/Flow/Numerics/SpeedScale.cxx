@@ -12,19 +12,20 @@ namespace interlume
 
 namespace
 {
-// The offset of the powers of 2, with those of numbers that are not normal among them.
+// Added to binary exponents, so that even the exponents of subnormal numbers are valid bin indices.
 constexpr int Offset = 1080;
-// The least number of vectors; among fewer, none is a fill value.
-constexpr vtkIdType LeastNumber = 8;
-// The numbers of powers of 2 between fill values and the next speed, by what is known of them.
+// With fewer vectors than this, no fill values are detected.
+constexpr vtkIdType MinimumNumber = 8;
+// Minimum gap, in powers of 2, between fill values and the next lower speed: for few vectors, for
+// vectors that repeat a component, and for huge components.
 constexpr std::size_t GapOfFew = 10;
 constexpr std::size_t GapOfRepeated = 3;
 constexpr std::size_t GapOfHuge = 30;
-// The least component that is a fill value by its size alone.
+// Minimum magnitude of a huge component.
 constexpr double Huge = 1e10;
 
-// Returns the largest component of a vector. \a isRepeated becomes true if it is there twice and
-// the third one is the same or small.
+// Returns the component of a vector with the largest magnitude. Sets \a isRepeated to true if two
+// components have this value and the third one has it too or is much smaller.
 double FindLargest(const double vector[3], bool& isRepeated)
 {
   double v[3] = { vector[0], vector[1], vector[2] };
@@ -33,18 +34,19 @@ double FindLargest(const double vector[3], bool& isRepeated)
   return v[0];
 }
 
-// Returns the beginning of a warning of vectors at some points.
+// Returns the start of a warning about vectors at some points.
 std::string DescribePoints(vtkIdType number, const char* array)
 {
   return "The vectors" + (array ? std::string(" \"") + array + "\"" : "") + " at " +
     std::to_string(number) + " points ";
 }
 
-// Returns the remedy of such a warning. \a where is empty or tells which points are meant.
+// Returns the end of a warning: how to exclude the points. \a where is empty or describes the
+// points.
 std::string DescribeRemedy(const std::string& where)
 {
-  return " Hide these points: set HIDDENPOINT for them in the point array vtkGhostType" + where +
-    "; or remove their cells, by vtkThreshold for example.";
+  return " To exclude these points, set HIDDENPOINT in the point array vtkGhostType" + where +
+    ", or remove their cells, for example with vtkThreshold.";
 }
 }
 
@@ -63,12 +65,12 @@ std::string FillValues::Describe(const char* array, const std::string& effect) c
   {
     text << "their component is " << this->Value << ", and ";
   }
-  text << "their speeds, up to " << this->LargestSpeed << ", are far above all others, up to "
-       << this->Scale << ". " << effect;
+  text << "their speeds (up to " << this->LargestSpeed << ") are far above all other speeds (up to "
+       << this->Scale << "). " << effect;
   std::ostringstream where;
   if (this->Value != 0.0)
   {
-    where << ", wherever a component is " << this->Value;
+    where << " wherever a component is " << this->Value;
   }
   return text.str() + DescribeRemedy(where.str());
 }
@@ -121,7 +123,7 @@ bool SpeedScale::AreFillValues(const Bin& top, vtkIdType above, vtkIdType number
   const bool isRepeated =
     gap > GapOfRepeated && 2 * top.Repeated >= top.Number && 2 * above <= number;
   const bool isHuge = gap > GapOfHuge && std::abs(top.Lower) >= Huge &&
-    number - above >= std::max(number / 100, LeastNumber);
+    number - above >= std::max(number / 100, MinimumNumber);
   return top.HasOneValue() && (isRepeated || isHuge);
 }
 
@@ -135,13 +137,13 @@ FillValues SpeedScale::FindFillValues() const
   {
     number += bin.Number;
   }
-  if (number < LeastNumber)
+  if (number < MinimumNumber)
   {
     return fill;
   }
-  // The vectors since the last gap below fill values.
+  // Vectors below the last gap that separates fill values.
   Bin top;
-  vtkIdType mostOfValue = 0;
+  vtkIdType largestCount = 0;
   vtkIdType above = 0;
   std::size_t last = Powers;
   for (std::size_t power = Powers; power-- > 0;)
@@ -155,9 +157,9 @@ FillValues SpeedScale::FindFillValues() const
     {
       fill.Number = above;
       fill.Scale = bin.Largest;
-      if (top.Number > mostOfValue)
+      if (top.Number > largestCount)
       {
-        mostOfValue = top.Number;
+        largestCount = top.Number;
         fill.Value = top.HasOneValue() ? top.Lower : 0.0;
       }
       top = Bin();

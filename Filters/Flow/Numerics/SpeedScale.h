@@ -13,48 +13,52 @@
 namespace interlume
 {
 
-/// The vectors that are presumably fill values.
+/// Vectors that are presumably fill values.
 struct FillValues
 {
   vtkIdType Number = 0;
-  /// The component that all vectors of the most frequent kind have; 0 if they differ.
+  /// Component that all vectors of the most frequent kind of fill value contain, or 0 if these
+  /// vectors have no component in common.
   double Value = 0.0;
-  /// The largest speed of these vectors, and of all others.
+  /// Largest speed of the presumed fill values, and largest speed of all other vectors.
   double LargestSpeed = 0.0;
   double Scale = 0.0;
 
-  /// Returns a warning, ending with the remedy. \a array is the name of the vectors and may be
-  /// null, \a effect is a sentence on the treatment of fill values.
+  /// Returns a warning that ends with a remedy. \a array is the name of the vectors and may be
+  /// null. \a effect is a sentence about the treatment of fill values.
   std::string Describe(const char* array, const std::string& effect) const;
 };
 
-/// Returns a warning of \a number points whose vectors are NaN or infinite, or an empty string if
-/// there are none. \a array and \a effect are those of FillValues::Describe.
+/// Returns a warning about \a number points with NaN or infinite vectors, or an empty string if \a
+/// number is 0. For \a array and \a effect see FillValues::Describe.
 std::string DescribeNonFinite(vtkIdType number, const char* array, const std::string& effect);
 
 /**
  * @class   SpeedScale
- * @brief   finds the largest of many speeds, and the largest one that belongs to no fill value
+ * @brief   finds the largest of many speeds and the largest speed that is not a fill value
  *
- * Fill values, such as 1e20 on land, have the largest speeds, apart from all others. Vectors are
- * taken for fill values if one of these is true:
- * - They are at most one in a hundred, and at least about a thousand times as fast as all others.
- * - They are at most half of all, about ten times as fast as all others, their largest component is
- *   the same number, and most have it in two components or three.
- * - Their largest component is the same number, at least 1e10, they are 1e9 times as fast as all
- *   others, and these are at least one in a hundred.
- * Among fewer than eight vectors there are none. Vectors of length 0 do not count. The result does
+ * Fill values, such as 1e20 on land, have the largest speeds, separate from all others. Vectors
+ * count as fill values if one of these conditions holds:
+ * - At most 1% of all vectors have these speeds, and they are at least about 1000 times as fast as
+ *   the others.
+ * - At most half of all vectors have these speeds, they are about 10 times as fast as the others,
+ *   their largest components are the same number, and at least half of them contain it two or three
+ *   times.
+ * - Their largest components are the same number, at least 1e10 in magnitude, they are about 1e9
+ *   times as fast as the others, and the others are at least 1% of all vectors.
+ *
+ * Sets of fewer than eight vectors have no fill values. Zero vectors are ignored. The result does
  * not depend on the order of the vectors.
  */
 class SpeedScale
 {
 public:
-  /// Adds a vector, which is finite.
+  /// Adds a vector, which must be finite.
   void Add(const double vector[3]);
   void Add(const SpeedScale& other);
 
-  /// Adds the speeds of all processes: add and maximize replace the numbers of a vector by their
-  /// sums, and their largest, over processes.
+  /// Combines the speeds of all processes. \a add and \a maximize replace the elements of a vector
+  /// by their sums and maxima over all processes.
   template <typename AddAll, typename MaximizeAll>
   void Unite(AddAll&& add, MaximizeAll&& maximize)
   {
@@ -75,22 +79,22 @@ public:
     }
   }
 
-  /// Returns the largest of all speeds; 0 without one.
+  /// Returns the largest speed, or 0 if there are no vectors.
   double GetLargest() const;
 
-  /// Finds the fill values, and the largest other speed.
+  /// Finds the fill values and the largest other speed.
   FillValues FindFillValues() const;
 
 private:
-  /// The vectors whose speeds have one power of 2.
+  /// Vectors whose speeds have the same binary exponent.
   struct Bin
   {
     vtkIdType Number = 0;
-    /// The number of vectors that have their largest component twice, with a third one that is the
-    /// same or small.
+    /// Number of vectors that contain their largest component twice, with a third component that is
+    /// equal or much smaller.
     vtkIdType Repeated = 0;
     double Largest = 0.0;
-    /// The range of the vectors' largest components.
+    /// Range of the components with the largest magnitude in each vector.
     double Lower = std::numeric_limits<double>::infinity();
     double Upper = -std::numeric_limits<double>::infinity();
 
@@ -100,15 +104,15 @@ private:
 
   static constexpr std::size_t Powers = 2112;
 
-  /// Returns whether the vectors of \a top are fill values. \a above and \a number are the numbers
-  /// of vectors from those on and of all vectors, \a gap is the number of powers down to the next
-  /// speed.
+  /// Returns true if the vectors of \a top are fill values. \a above is the number of vectors from
+  /// \a top upward, \a number the number of all vectors, and \a gap the number of powers of 2 down
+  /// to the next lower speed.
   static bool AreFillValues(const Bin& top, vtkIdType above, vtkIdType number, std::size_t gap);
 
   std::array<Bin, Powers> Bins{};
 };
 
-/// The speeds in the points of a field, and the number of vectors that are not finite.
+/// Speeds at the points of a field, and the number of vectors that are not finite.
 struct SpeedCount
 {
   SpeedScale Speeds;

@@ -3,7 +3,7 @@
 
 #include "Cells/CellShape.h"
 #include "Common/Blanking.h"
-#include "Samples/BeyondSamples.h"
+#include "Samples/FarSideSamples.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Samples/MarkedBisection.h"
 #include "Samples/MarkedEdges.h"
@@ -33,7 +33,7 @@ namespace interlume
 
 namespace
 {
-// The corners of a cell in the order of its shape; null for a cell that stays as it is.
+// A cell's corners in the order of its CellShape, which is null if the cell remains unchanged.
 struct Cell
 {
   const CellShape* Shape = nullptr;
@@ -109,21 +109,21 @@ public:
   {
   }
 
-  // Marks the edges of mixed cells, and returns the number of these.
+  // Marks the edges of mixed cells. Returns the number of mixed cells.
   vtkIdType Mark(const ImplicitFlowArrays& arrays)
   {
-    const BeyondSamples beyond(this->Grid);
+    const FarSideSamples farSide(this->Grid);
     const std::vector<unsigned char> mixed = this->FindCells(
       [&](const Cell& cell)
       {
-        // A flow volume cuts these at their surface.
-        if (!beyond.IsEmpty() &&
-          beyond.GetParts(arrays, cell.Begin(), cell.End() - cell.Begin()).IsResolved)
+        // vtkFlowVolume cuts these cells at their surface.
+        if (!farSide.IsEmpty() &&
+          farSide.GetParts(arrays, cell.Begin(), cell.End() - cell.Begin()).IsResolved)
         {
           return false;
         }
         const auto isOther = [&](vtkIdType corner)
-        { return !arrays.AreAlike(corner, *cell.Begin()); };
+        { return !arrays.HaveSameEnd(corner, *cell.Begin()); };
         return std::any_of(cell.Begin(), cell.End(), isOther) ||
           (arrays.IsReached(*cell.Begin()) && arrays.HasSides() &&
             arrays.IsAcrossSurface(cell.Begin(), cell.End() - cell.Begin()));
@@ -147,7 +147,7 @@ public:
 
   vtkSmartPointer<vtkUnstructuredGrid> Cut()
   {
-    this->FindMiddles();
+    this->FindCenters();
     vtkNew<vtkUnstructuredGrid> cut;
     this->AddPoints(cut);
     this->AddCells(cut);
@@ -156,7 +156,7 @@ public:
   }
 
 private:
-  // Sets 1 for each cell for which \a test says so; by threads.
+  // Returns an array that contains 1 for each cell that satisfies \a test. Runs in parallel.
   template <typename Test>
   std::vector<unsigned char> FindCells(const Test& test) const
   {
@@ -206,8 +206,8 @@ private:
     return false;
   }
 
-  // Finds which cells are cut, and the middles of quadrilaterals and cells that are needed.
-  void FindMiddles()
+  // Finds the cells to cut, and the quadrilaterals and cells that need a center.
+  void FindCenters()
   {
     std::vector<unsigned char> isEnd(static_cast<std::size_t>(this->Before), 0);
     for (vtkIdType edge = 0; edge < this->Edges.GetNumber(); ++edge)
@@ -236,7 +236,7 @@ private:
         {
           return;
         }
-        this->Centres.push_back(id);
+        this->Centers.push_back(id);
         cell.ForEachFace(
           [&](Face corners, std::size_t number)
           {
@@ -252,12 +252,12 @@ private:
   }
 
   vtkIdType GetFirstFace() const { return this->Before + this->Edges.GetNumber(); }
-  vtkIdType GetFirstCentre() const
+  vtkIdType GetFirstCenter() const
   {
     return this->GetFirstFace() + static_cast<vtkIdType>(this->Faces.size());
   }
 
-  // Returns the middle of a quadrilateral, -1 where it has none.
+  // Returns the center of a quadrilateral; -1 if it does not have one.
   vtkIdType FindFace(Face corners) const
   {
     std::sort(corners.begin(), corners.end());
@@ -269,7 +269,7 @@ private:
 
   void AddPoints(vtkUnstructuredGrid* cut)
   {
-    const vtkIdType after = this->GetFirstCentre() + static_cast<vtkIdType>(this->Centres.size());
+    const vtkIdType after = this->GetFirstCenter() + static_cast<vtkIdType>(this->Centers.size());
     vtkNew<vtkPoints> points;
     points->SetDataType(this->Grid->GetPoints()->GetDataType());
     points->SetNumberOfPoints(after);
@@ -281,27 +281,27 @@ private:
     vtkIdType next = this->Before;
     for (vtkIdType edge = 0; edge < this->Edges.GetNumber(); ++edge)
     {
-      this->AddMiddle(this->Edges.Get(edge).data(), 2, next++, cut);
+      this->AddMidpoint(this->Edges.Get(edge).data(), 2, next++, cut);
     }
     for (const Face& face : this->Faces)
     {
-      this->AddMiddle(face.data(), 4, next++, cut);
+      this->AddMidpoint(face.data(), 4, next++, cut);
     }
     Cell cell;
-    for (const vtkIdType id : this->Centres)
+    for (const vtkIdType id : this->Centers)
     {
       cell.Load(this->Grid, id, this->Ids);
-      this->AddMiddle(cell.Begin(), cell.Shape->NumberOfCorners, next++, cut);
+      this->AddMidpoint(cell.Begin(), cell.Shape->NumberOfCorners, next++, cut);
     }
   }
 
-  void AddMiddle(const vtkIdType* corners, int number, vtkIdType place, vtkUnstructuredGrid* cut)
+  void AddMidpoint(const vtkIdType* corners, int number, vtkIdType index, vtkUnstructuredGrid* cut)
   {
     std::array<double, 8> weights{};
     weights.fill(1.0 / number);
-    double middle[3] = { 0.0, 0.0, 0.0 };
+    double midpoint[3] = { 0.0, 0.0, 0.0 };
     this->Ids->SetNumberOfIds(number);
-    int shared = 255;
+    int commonGhosts = 255;
     vtkUnsignedCharArray* ghosts = this->Grid->GetPointGhostArray();
     for (int i = 0; i < number; ++i)
     {
@@ -309,17 +309,17 @@ private:
       this->Grid->GetPoint(corners[i], x);
       for (int axis = 0; axis < 3; ++axis)
       {
-        middle[axis] += x[axis] / number;
+        midpoint[axis] += x[axis] / number;
       }
       this->Ids->SetId(i, corners[i]);
-      shared &= ghosts ? ghosts->GetValue(corners[i]) : 0;
+      commonGhosts &= ghosts ? ghosts->GetValue(corners[i]) : 0;
     }
-    cut->GetPoints()->SetPoint(place, middle);
+    cut->GetPoints()->SetPoint(index, midpoint);
     cut->GetPointData()->InterpolatePoint(
-      this->Grid->GetPointData(), place, this->Ids, weights.data());
+      this->Grid->GetPointData(), index, this->Ids, weights.data());
     if (ghosts)
     {
-      cut->GetPointGhostArray()->SetValue(place, static_cast<unsigned char>(shared));
+      cut->GetPointGhostArray()->SetValue(index, static_cast<unsigned char>(commonGhosts));
     }
   }
 
@@ -328,12 +328,12 @@ private:
     cut->AllocateEstimate(this->Grid->GetNumberOfCells(), 8);
     std::vector<vtkIdType> parents;
     Cell cell;
-    vtkIdType centre = this->GetFirstCentre();
+    vtkIdType center = this->GetFirstCenter();
     for (vtkIdType id = 0; id < this->Grid->GetNumberOfCells(); ++id)
     {
       if (!this->IsCut[static_cast<std::size_t>(id)])
       {
-        this->Keep(id, cut);
+        this->CopyCell(id, cut);
       }
       else
       {
@@ -346,8 +346,8 @@ private:
         else
         {
           cell.ForEachFace([&](const Face& corners, std::size_t number)
-            { this->AddFan(corners, number, centre, cut); });
-          ++centre;
+            { this->AddFan(corners, number, center, cut); });
+          ++center;
         }
       }
       parents.resize(static_cast<std::size_t>(cut->GetNumberOfCells()), id);
@@ -362,7 +362,7 @@ private:
     cut->GetCellData()->CopyData(this->Grid->GetCellData(), from, to);
   }
 
-  void Keep(vtkIdType id, vtkUnstructuredGrid* cut)
+  void CopyCell(vtkIdType id, vtkUnstructuredGrid* cut)
   {
     const int type = this->Grid->GetCellType(id);
     if (type == VTK_POLYHEDRON)
@@ -376,43 +376,43 @@ private:
     cut->InsertNextCell(type, this->Ids);
   }
 
-  void Bisect(const MarkedBisection::Tetrahedron& whole, vtkUnstructuredGrid* cut) const
+  void Bisect(const MarkedBisection::Tetrahedron& tetrahedron, vtkUnstructuredGrid* cut) const
   {
     MarkedBisection(this->Edges, this->Before)
-      .Split(whole,
-        [cut](const MarkedBisection::Tetrahedron& part)
-        { cut->InsertNextCell(VTK_TETRA, 4, part.data()); });
+      .Split(tetrahedron,
+        [cut](const MarkedBisection::Tetrahedron& piece)
+        { cut->InsertNextCell(VTK_TETRA, 4, piece.data()); });
   }
 
-  // Adds the cells between a face and the middle of its cell.
-  void AddFan(Face corners, std::size_t number, vtkIdType centre, vtkUnstructuredGrid* cut) const
+  // Adds the cells between a face and the center of its cell.
+  void AddFan(Face corners, std::size_t number, vtkIdType center, vtkUnstructuredGrid* cut) const
   {
     double x[4][3];
     for (std::size_t i = 0; i < 3; ++i)
     {
       cut->GetPoint(corners[i], x[i]);
     }
-    cut->GetPoint(centre, x[3]);
-    // Orders of corners differ among the kinds of cells, and among writers of files.
+    cut->GetPoint(center, x[3]);
+    // The orientation differs between cell types, and between the programs that wrote a file.
     if (vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]) < 0.0)
     {
       std::reverse(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(number));
     }
     if (number == 3)
     {
-      this->Bisect({ { corners[0], corners[1], corners[2], centre } }, cut);
+      this->Bisect({ { corners[0], corners[1], corners[2], center } }, cut);
       return;
     }
-    const vtkIdType middle = this->FindFace(corners);
-    if (middle < 0)
+    const vtkIdType midpoint = this->FindFace(corners);
+    if (midpoint < 0)
     {
-      const vtkIdType pyramid[5] = { corners[0], corners[1], corners[2], corners[3], centre };
+      const vtkIdType pyramid[5] = { corners[0], corners[1], corners[2], corners[3], center };
       cut->InsertNextCell(VTK_PYRAMID, 5, pyramid);
       return;
     }
     for (std::size_t i = 0; i < 4; ++i)
     {
-      this->Bisect({ { corners[i], corners[(i + 1) % 4], middle, centre } }, cut);
+      this->Bisect({ { corners[i], corners[(i + 1) % 4], midpoint, center } }, cut);
     }
   }
 
@@ -421,12 +421,14 @@ private:
   vtkNew<vtkIdList> Ids;
   MarkedEdges Edges;
   std::vector<unsigned char> IsCut;
-  // The quadrilaterals with a middle, their corners ascending; the cells with one.
+  // Quadrilaterals with a new point at their center, with corners in ascending order, and cells
+  // with a new point at their center.
   std::vector<Face> Faces;
-  std::vector<vtkIdType> Centres;
+  std::vector<vtkIdType> Centers;
 };
 
-// Returns the type of a cell of a grid of rows, which gives hidden ones the empty type.
+// Returns the type of a cell of a structured grid, from its number of corners: VTK returns the
+// empty type for hidden cells.
 int GetTypeByCorners(vtkIdType corners, bool isAligned)
 {
   switch (corners)
@@ -467,14 +469,14 @@ vtkSmartPointer<vtkUnstructuredGrid> CellRefinement::MakeGrid(vtkDataSet* data)
   }
   grid->SetPoints(points);
   const bool isAligned = vtkImageData::SafeDownCast(data) || vtkRectilinearGrid::SafeDownCast(data);
-  const bool hasRows = isAligned || vtkStructuredGrid::SafeDownCast(data);
+  const bool isStructured = isAligned || vtkStructuredGrid::SafeDownCast(data);
   grid->AllocateEstimate(data->GetNumberOfCells(), 8);
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
     data->GetCellPoints(cell, corners);
-    const int type =
-      hasRows ? GetTypeByCorners(corners->GetNumberOfIds(), isAligned) : data->GetCellType(cell);
+    const int type = isStructured ? GetTypeByCorners(corners->GetNumberOfIds(), isAligned)
+                                  : data->GetCellType(cell);
     grid->InsertNextCell(type, corners);
   }
   grid->GetPointData()->ShallowCopy(data->GetPointData());

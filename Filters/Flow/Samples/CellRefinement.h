@@ -13,41 +13,41 @@ namespace interlume
 
 /**
  * @class   CellRefinement
- * @brief   cells of an implicit flow field cut where their corners cannot be interpolated between
+ * @brief   refines cells of an implicit flow field that cannot be interpolated
  *
- * Cells are mixed whose corners differ in status or id, or lie across their surface
- * (ImplicitFlowArrays::IsAcrossSurface), but for those that a surface alone is the reason for
- * (BeyondSamples): a flow volume cuts these cells there. All edges of mixed cells are marked.
- * Tetrahedra with marked edges are cut by MarkedBisection. Any other cell with a marked edge gets a
- * point in the middle of its corners, each of its quadrilaterals with a marked edge one in the
- * middle of its own. Such a quadrilateral becomes four triangles and, with the cell's point, four
- * tetrahedra; other faces make a pyramid or a tetrahedron. The tetrahedra are cut by their marked
- * edges. So cells fit face to face where they did before.
+ * A cell is mixed if its corners differ in status or id, or if time jumps within it
+ * (ImplicitFlowArrays::IsAcrossSurface). Cells that a flow volume cuts at a surface
+ * (FarSideSamples) are excluded. All edges of mixed cells are marked. Tetrahedra with marked edges
+ * are cut by MarkedBisection. Any other cell with a marked edge gets a point at its center, and
+ * each of its quadrilaterals with a marked edge gets a point at the face center. Such a
+ * quadrilateral becomes four triangles and, with the cell's center, four tetrahedra. Other faces
+ * form a pyramid or a tetrahedron with the center. The tetrahedra are then cut at their marked
+ * edges. Therefore cells conform face to face where they did before.
  *
- * New points are in the order of marked edges, of quadrilaterals by their ids, and of cells. Point
- * arrays are interpolated to them, ghost types are what all corners share; new cells have the cell
- * arrays of the one they are parts of.
+ * New points on edges come first, then points on quadrilaterals, in the order of their point ids,
+ * then points in cells. Point arrays are interpolated; the ghost type of a new point has the bits
+ * common to all corners of its edge, face or cell. New cells inherit the cell arrays of the cell
+ * that they subdivide.
  *
- * Cells of fewer dimensions, quadratic ones, polyhedra and prisms stay as they are, and so do
- * hidden and blanked cells: what is beside them need not fit. Duplicates of other pieces are cut as
- * all others are.
+ * Lower-dimensional cells, quadratic cells, polyhedra, prisms, and hidden or blanked cells remain
+ * unchanged, and their neighbors need not conform. Duplicates of other pieces' cells are refined
+ * like all other cells.
  */
 class CellRefinement
 {
 public:
-  /// Makes a grid with the points, cells and arrays of a dataset: voxels or hexahedra for a grid of
-  /// rows.
+  /// Creates a grid with the points, cells and arrays of a dataset. Structured data become voxels
+  /// or hexahedra.
   static vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(vtkDataSet* data);
 
   struct Result
   {
-    /// The refined grid, or the same grid where nothing was to be refined; null where an array is
-    /// missing.
+    /// The refined grid, or the input grid if no cell is mixed; null if an array is missing.
     vtkSmartPointer<vtkUnstructuredGrid> Grid;
-    /// The number of cells of the grid before that are mixed, and were refined.
+    /// Number of mixed cells of the input grid, which were refined.
     vtkIdType MixedCells = 0;
   };
-  /// Refines by one level. \a grid has the arrays of vtkFlowStatus.
+  /// Refines by one level. \a grid needs the arrays of vtkFlowStatus.
   static Result Refine(vtkUnstructuredGrid* grid);
 };
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Samples/FarSideStage.h"
 
-#include "Samples/BeyondCorners.h"
-#include "Samples/BeyondSamples.h"
-#include "Samples/BeyondTrace.h"
+#include "Samples/FarSideCorners.h"
+#include "Samples/FarSideSamples.h"
+#include "Samples/FarSideTracer.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Samples/ReachedBoundary.h"
 #include "Samples/SampleArrays.h"
@@ -24,19 +24,19 @@ namespace interlume
 
 namespace
 {
-/// The field arrays of far-side samples.
+/// Field arrays of far-side samples.
 class FarSideRows
 {
 public:
   FarSideRows(vtkDataSet* samples, const vtkFlowSettings& settings, vtkIdType number)
     : Samples(samples)
-    , Points(this->Add<vtkIdTypeArray>(BeyondSamples::Point, 1, number))
-    , Positions(this->Add<vtkDoubleArray>(BeyondSamples::Position, 3, number))
-    , Distances(this->Add<vtkDoubleArray>(BeyondSamples::Distance, 1, number))
-    , Normals(this->Add<vtkDoubleArray>(BeyondSamples::Normal, 3, number))
-    , Surfaces(this->Add<vtkIntArray>(BeyondSamples::Surface, 1, number))
+    , Points(this->Add<vtkIdTypeArray>(FarSideSamples::Point, 1, number))
+    , Positions(this->Add<vtkDoubleArray>(FarSideSamples::Position, 3, number))
+    , Distances(this->Add<vtkDoubleArray>(FarSideSamples::Distance, 1, number))
+    , Normals(this->Add<vtkDoubleArray>(FarSideSamples::Normal, 3, number))
+    , Surfaces(this->Add<vtkIntArray>(FarSideSamples::Surface, 1, number))
     , Arrays(SampleArrays::Make(
-        settings, samples->GetFieldData(), number, vtkFlowStatus::BeyondPrefix()))
+        settings, samples->GetFieldData(), number, vtkFlowStatus::FarSidePrefix()))
   {
   }
 
@@ -58,7 +58,7 @@ private:
   Array* Add(const char* name, int components, vtkIdType number)
   {
     vtkNew<Array> array;
-    array->SetName(BeyondSamples::GetName(name).c_str());
+    array->SetName(FarSideSamples::GetName(name).c_str());
     array->SetNumberOfComponents(components);
     array->SetNumberOfTuples(number);
     this->Samples->GetFieldData()->AddArray(array);
@@ -79,19 +79,19 @@ private:
 bool FarSideStage::Run(StageContext& context, vtkDataSet* samples, bool findsBoundary)
 {
   vtkFieldData* data = samples->GetFieldData();
-  BeyondSamples::Remove(data);
+  FarSideSamples::Remove(data);
   ImplicitFlowArrays known;
-  std::vector<BeyondCorners::Corner> corners;
-  std::vector<BeyondCorners::Pair> pairs;
+  std::vector<FarSideCorners::Corner> corners;
+  std::vector<FarSideCorners::Pair> pairs;
   if (!known.Find(samples))
   {
     corners =
-      BeyondCorners::Find(samples, known, context.Options, findsBoundary ? &pairs : nullptr);
+      FarSideCorners::Find(samples, known, context.Options, findsBoundary ? &pairs : nullptr);
   }
-  BeyondTrace trace(context, samples);
-  std::vector<BeyondTrace::Answer> answers;
-  bool isDone = trace.Find(corners, answers);
-  std::vector<ReachedBoundary::Answer> boundary;
+  FarSideTracer tracer(context, samples);
+  std::vector<FarSideTracer::SampleResult> sampleResults;
+  bool isDone = tracer.Find(corners, sampleResults);
+  std::vector<ReachedBoundary::SampleResult> boundary;
   if (isDone && findsBoundary)
   {
     const SampleArrays results = SampleArrays::Find(context.Options, samples->GetPointData());
@@ -105,18 +105,18 @@ bool FarSideStage::Run(StageContext& context, vtkDataSet* samples, bool findsBou
   FarSideRows rows(samples, context.Options, number);
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    rows.Append(corners[i].Sample, std::abs(corners[i].Distance), answers[i].Normal,
-      answers[i].IsStill ? BeyondSamples::StandsStill : corners[i].Surface, answers[i].Side,
-      answers[i].Beyond);
+    rows.Append(corners[i].Sample, std::abs(corners[i].Distance), sampleResults[i].Normal,
+      sampleResults[i].IsStagnant ? FarSideSamples::Stagnant : corners[i].Surface,
+      sampleResults[i].Side, sampleResults[i].FarSide);
   }
-  for (const ReachedBoundary::Answer& answer : boundary)
+  for (const ReachedBoundary::SampleResult& sample : boundary)
   {
     constexpr double unknown[3] = { 0.0, 0.0, 0.0 };
-    rows.Append(answer.Sample, answer.Distance, unknown, BeyondSamples::NoSurface,
-      answer.IsReached ? vtkFlowStatus::TOWARDS : -vtkFlowStatus::AWAY, answer.Beyond);
+    rows.Append(sample.Sample, sample.Distance, unknown, FarSideSamples::NoSurface,
+      sample.IsReached ? vtkFlowStatus::TOWARD : -vtkFlowStatus::AWAY, sample.FarSide);
   }
-  // The id tells whether something is reached.
-  data->RemoveArray(BeyondSamples::GetName(vtkFlowStatus::StatusArray()).c_str());
+  // The id is -1 if no surface is reached, so the status is redundant.
+  data->RemoveArray(FarSideSamples::GetName(vtkFlowStatus::StatusArray()).c_str());
   return true;
 }
 

@@ -10,13 +10,13 @@ namespace interlume
 {
 
 /**
- * The stage that finds what samples near surfaces would have on the far side, after their sides
- * were found.
+ * Stage of an execution that computes far-side values of samples near surfaces, once their sides
+ * are known.
  */
 namespace FarSideStage
 {
-/// Writes the field arrays that BeyondSamples reads. If \a findsBoundary, does the same near the
-/// boundary of what reaches a surface. Returns false if the execution was aborted.
+/// Writes the field arrays that FarSideSamples reads. With \a findsBoundary, includes samples near
+/// the boundary of the reached region. Returns false if the execution was aborted.
 bool Run(StageContext& context, vtkDataSet* samples, bool findsBoundary);
 }
 

@@ -16,7 +16,7 @@ static_assert(vtkFlowStatus::REACHED_SURFACE == 0, "IsReached compares with 0");
 
 namespace
 {
-// Finds a point array of \a data, as an Array. Returns an error as CheckArray does.
+// Finds a point array of \a data with type Array. Returns an error as CheckArray does.
 template <typename Array>
 Error FindArray(vtkDataSet* data, const char* name, int components, vtkSmartPointer<Array>& typed)
 {
@@ -33,8 +33,9 @@ Error ImplicitFlowArrays::CheckArray(vtkDataSet* data, const char* name, int com
 {
   const Error error =
     ArrayCheck::MakeSentence(ArrayCheck::FindPointError(data, "input", name, components));
-  return data->GetPointData()->HasArray(name) ? error
-                                              : error.Within("", " It is no implicit flow field.");
+  return data->GetPointData()->HasArray(name)
+    ? error
+    : error.Within("", " Pass the output of vtkImplicitFlowField.");
 }
 
 std::map<int, std::array<bool, 2>> ImplicitFlowArrays::ReadFlags(vtkDataSet* data, const char* name)
@@ -70,7 +71,7 @@ Error ImplicitFlowArrays::Find(vtkDataSet* data)
   if (!surfaces || surfaces->GetNumberOfComponents() != 3)
   {
     return std::string("The input has no field array \"") + vtkFlowStatus::SurfacesArray() +
-      "\" of 3 components. It is no implicit flow field.";
+      "\" with 3 components. Pass the output of vtkImplicitFlowField.";
   }
   this->Surfaces = ReadFlags(data, vtkFlowStatus::SurfacesArray());
   return {};

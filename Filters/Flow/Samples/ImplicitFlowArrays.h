@@ -19,24 +19,24 @@ namespace interlume
 
 /**
  * @class   ImplicitFlowArrays
- * @brief   the arrays of vtkFlowStatus of a dataset, in the types they are defined with
+ * @brief   provides typed access to the arrays of vtkFlowStatus
  *
- * An array of another type, as an extraction leaves it, is copied.
+ * Arrays of other types, such as those that extraction filters produce, are copied and converted.
  */
 class ImplicitFlowArrays
 {
 public:
-  /// Finds the arrays. Returns an error if an array is missing or of the wrong shape.
-  /// TerminationSide may be missing, and AdvectionTime too.
+  /// Finds the arrays. Returns an error if a required array is missing or has the wrong number of
+  /// components. TerminationSide and AdvectionTime are optional.
   Error Find(vtkDataSet* data);
-  /// Returns an error if a point array is missing or of the wrong shape.
+  /// Returns an error if a point array is missing or has the wrong number of components.
   static Error CheckArray(vtkDataSet* data, const char* name, int components);
 
   bool IsReached(vtkIdType point) const { return this->Statuses->GetValue(point) == 0; }
   int GetStatus(vtkIdType point) const { return this->Statuses->GetValue(point); }
   int GetId(vtkIdType point) const { return this->Ids->GetValue(point); }
-  /// Returns whether two samples ended in the same way, on the same surface if on one.
-  bool AreAlike(vtkIdType a, vtkIdType b) const
+  /// Returns true if two samples have the same status and id.
+  bool HaveSameEnd(vtkIdType a, vtkIdType b) const
   {
     return this->Statuses->GetValue(a) == this->Statuses->GetValue(b) &&
       this->GetId(a) == this->GetId(b);
@@ -48,14 +48,13 @@ public:
 
   double GetTime(vtkIdType point) const { return this->Times->GetValue(point); }
 
-  /// Returns whether there are TerminationSide and AdvectionTime, which the following two functions
-  /// need.
+  /// Returns true if TerminationSide and AdvectionTime exist. The next two functions need them.
   bool HasSides() const { return this->Sides && this->Times; }
   /**
-   * Returns whether time jumps on the surface of the one id of all these samples, the corners of a
-   * cell: it is 0 in the limit on a side that streamlines leave towards the surface, or is 0 at a
-   * corner on the surface, and some streamlines of the other side leave away from it, to come back.
-   * Where they all leave towards it, time is 0 from both sides and does not jump.
+   * Returns true if time jumps within a cell whose corners all have the same id. On one side of the
+   * surface the time approaches 0: streamlines start toward the surface, or a corner lies on it. On
+   * the other side some streamlines start away from the surface and return later. If all start
+   * toward the surface, time approaches 0 on both sides and does not jump.
    */
   template <typename Ids>
   bool IsAcrossSurface(const Ids* corners, vtkIdType number) const
@@ -73,7 +72,7 @@ public:
     }
     return (isOn[0] && isAway[1]) || (isOn[1] && isAway[0]);
   }
-  /// Returns by how much AdvectionTime differs among samples.
+  /// Returns the difference between the largest and the smallest AdvectionTime of the corners.
   template <typename Ids>
   double GetTimeJump(const Ids* corners, vtkIdType number) const
   {
@@ -87,14 +86,14 @@ public:
     return highest - lowest;
   }
 
-  /// Returns the ids in use, and whether u and v are periodic there.
+  /// Returns the ids in use, and whether u and v are periodic for each.
   const std::map<int, std::array<bool, 2>>& GetSurfaces() const { return this->Surfaces; }
-  /// Returns whether u and v are periodic for an id; false twice for one that is not in use.
+  /// Returns whether u and v are periodic for an id; false for both if the id is not in use.
   std::array<bool, 2> GetPeriodicity(int id) const;
 
   /**
-   * Reads the tuples of a field array of three integers, an id and a flag for u and v:
-   * TerminationSurfaces, InflowPeriodic. Empty where \a data has none.
+   * Reads a field array whose tuples are an id, a flag for u and a flag for v: TerminationSurfaces
+   * or InflowPeriodic. The result is empty if \a data has no such array.
    */
   static std::map<int, std::array<bool, 2>> ReadFlags(vtkDataSet* data, const char* name);
 

@@ -8,15 +8,15 @@
 #include "Common/Vectors.h"
 #include "Fields/BoundaryPatches.h"
 #include "Fields/FieldDispatch.h"
-#include "Fields/OpenInterfaces.h"
+#include "Fields/NonconformingInterfaces.h"
 #include "Samples/CellRefinement.h"
 #include "Samples/FarSideStage.h"
 #include "Samples/SampleArrays.h"
 #include "Samples/SampleIntegration.h"
 #include "Samples/SamplingCheck.h"
 #include "Streams/LocalStreamlines.h"
-#include "Streams/RankField.h"
-#include "Streams/RankStreamlines.h"
+#include "Streams/DistributedField.h"
+#include "Streams/DistributedStreamlines.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkFieldData.h"
@@ -44,8 +44,8 @@ constexpr double AutomaticSpeed = 1e-9;
 
 int GetAutomaticSteps(vtkIdType cells)
 {
-  constexpr double least = 2000.0;
-  return static_cast<int>(std::max(least, 20.0 * std::cbrt(static_cast<double>(cells))));
+  constexpr double minimum = 2000.0;
+  return static_cast<int>(std::max(minimum, 20.0 * std::cbrt(static_cast<double>(cells))));
 }
 }
 
@@ -59,20 +59,20 @@ ImplicitFlowRun::ImplicitFlowRun(
 {
 }
 
-void ImplicitFlowRun::SetRanks(RankField* ranks)
+void ImplicitFlowRun::SetRanks(DistributedField* ranks)
 {
   this->Ranks = ranks;
-  this->Field = ranks->GetWhole();
+  this->Field = ranks->GetFullGrid();
   this->Data = ranks->GetData();
 }
 
 void ImplicitFlowRun::ReplaceAutomatic(double speed)
 {
   const auto replace = [](auto& value, auto automatic) { value = value > 0 ? value : automatic; };
-  // A field that is 0 throughout has no error.
-  constexpr double least = std::numeric_limits<double>::min();
-  replace(this->Options.MaximumError, std::max(AutomaticError * speed, least));
-  replace(this->Options.MinimumSpeed, std::max(AutomaticSpeed * speed, least));
+  // Values must be above 0 even if all vectors are 0.
+  constexpr double minimum = std::numeric_limits<double>::min();
+  replace(this->Options.MaximumError, std::max(AutomaticError * speed, minimum));
+  replace(this->Options.MinimumSpeed, std::max(AutomaticSpeed * speed, minimum));
   replace(this->Options.MaximumTime, VTK_DOUBLE_MAX);
   const vtkIdType cells =
     this->Ranks ? this->Ranks->GetNumberOfCells() : this->Field->GetNumberOfCells();
@@ -87,7 +87,7 @@ Error ImplicitFlowRun::FindArrays(std::vector<vtkDataArray*>& means) const
   {
     if (Error error = ArrayCheck::FindPointError(this->Data, "field", mean, 1))
     {
-      return error.Within("There is no mean: ", ".");
+      return error.Within("Cannot compute a mean along streamlines: ", ".");
     }
     means.push_back(this->Data->GetPointData()->GetArray(mean.c_str()));
   }
@@ -116,10 +116,11 @@ Error ImplicitFlowRun::Execute(vtkDataSet* samples)
     std::for_each(means.begin(), means.end(), count);
   }
   SampleArrays::Make(this->Options, samples->GetPointData(), samples->GetNumberOfPoints());
-  return this->Ranks ? this->ExecuteInRanks(means, samples) : this->ExecuteAlone(means, samples);
+  return this->Ranks ? this->ExecuteDistributed(means, samples)
+                     : this->ExecuteLocal(means, samples);
 }
 
-Error ImplicitFlowRun::ExecuteAlone(const std::vector<vtkDataArray*>& means, vtkDataSet* samples)
+Error ImplicitFlowRun::ExecuteLocal(const std::vector<vtkDataArray*>& means, vtkDataSet* samples)
 {
   return FieldDispatch::Execute(
     this->Field, this->Vectors, means,
@@ -150,11 +151,12 @@ Error ImplicitFlowRun::ExecuteAlone(const std::vector<vtkDataArray*>& means, vtk
     StageProgress(this->Owner, 0.0, FieldDispatch::BuildingPart));
 }
 
-Error ImplicitFlowRun::ExecuteInRanks(const std::vector<vtkDataArray*>& means, vtkDataSet* samples)
+Error ImplicitFlowRun::ExecuteDistributed(
+  const std::vector<vtkDataArray*>& means, vtkDataSet* samples)
 {
   Error error;
-  const std::unique_ptr<RankStreamlines> streamlines =
-    RankStreamlines::Make(*this->Ranks, this->Vectors, means, this->Owner, error);
+  const std::unique_ptr<DistributedStreamlines> streamlines =
+    DistributedStreamlines::Make(*this->Ranks, this->Vectors, means, this->Owner, error);
   if (!streamlines)
   {
     return error;
@@ -168,10 +170,10 @@ Error ImplicitFlowRun::ExecuteInRanks(const std::vector<vtkDataArray*>& means, v
   std::vector<vtkIdType> steps(static_cast<std::size_t>(exchange.GetNumberOfRanks()), 0);
   steps[static_cast<std::size_t>(exchange.GetRank())] = streamlines->GetNumberOfSteps();
   exchange.Add(steps);
-  std::vector<vtkIdType> handedOn{ streamlines->GetNumberOfHandedOn() };
-  exchange.Add(handedOn);
+  std::vector<vtkIdType> transfers{ streamlines->GetNumberOfTransfers() };
+  exchange.Add(transfers);
   this->Report.StepsPerProcess = steps;
-  this->Report.StreamlineTransfers = handedOn[0];
+  this->Report.StreamlineTransfers = transfers[0];
   return {};
 }
 
@@ -196,29 +198,29 @@ void ImplicitFlowRun::RunStages(Streamlines& streamlines, vtkDataSet* samples, i
   StageContext context{ streamlines, this->Options, this->Report, this->GetFieldLength(),
     FieldDispatch::BuildingPart };
   SampleIntegration integration(context, samples);
-  bool goesOn = integration.Run(samples, 0, 0);
+  bool isActive = integration.Run(samples, 0, 0);
   const bool isRefined = this->Options.RefinementLevels > 0;
   vtkSmartPointer<vtkUnstructuredGrid> grid;
-  if (goesOn && isRefined)
+  if (isActive && isRefined)
   {
     grid = CellRefinement::MakeGrid(samples);
     samples = grid;
   }
-  for (int level = 1; goesOn && level <= this->Options.RefinementLevels; ++level)
+  for (int level = 1; isActive && level <= this->Options.RefinementLevels; ++level)
   {
-    goesOn = FarSideStage::Run(context, grid, false);
-    if (goesOn)
+    isActive = FarSideStage::Run(context, grid, false);
+    if (isActive)
     {
       const vtkIdType before = grid->GetNumberOfPoints();
       grid = this->Refine(grid);
       samples = grid;
-      goesOn = integration.Run(grid, before, level);
+      isActive = integration.Run(grid, before, level);
     }
   }
-  goesOn = goesOn && FarSideStage::Run(context, samples, this->HasObstacles) &&
+  isActive = isActive && FarSideStage::Run(context, samples, this->HasObstacles) &&
     (isRefined || SamplingCheck::Run(context, samples));
-  this->Refined = goesOn ? grid : nullptr;
-  this->Aborted = !goesOn;
+  this->Refined = isActive ? grid : nullptr;
+  this->Aborted = !isActive;
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> ImplicitFlowRun::Refine(vtkUnstructuredGrid* grid)
@@ -247,12 +249,13 @@ void ImplicitFlowRun::Describe(const FieldType& field)
     this->Report.LargestFaceGap = field.GetJoins().LargestGap;
     const auto find = [&field]() -> std::pair<vtkIdType, vtkIdType>
     {
-      const interlume::OpenInterfaces open = interlume::OpenInterfaces::Find(field);
+      const interlume::NonconformingInterfaces open =
+        interlume::NonconformingInterfaces::Find(field);
       return { open.Number, open.FirstCell };
     };
     if constexpr (std::is_same_v<FieldType, UnstructuredFlowField>)
     {
-      this->Report.ReusedFaceMatches = field.GetNumberOfKeptFaces();
+      this->Report.ReusedFaceMatches = field.GetNumberOfReusedFaceMatches();
       std::tie(this->Report.NonconformingFaces, this->Report.FirstNonconformingCell) =
         field.GetMesh()->GetOpenInterfaces(find);
     }

@@ -21,67 +21,67 @@ namespace interlume
 
 class FlowCheckpoint;
 class MeshLinks;
-class RankField;
+class DistributedField;
 class Streamlines;
 
 /**
  * @class   ImplicitFlowRun
- * @brief   one execution of vtkImplicitFlowField: all samples, by threads, and their arrays
+ * @brief   executes vtkImplicitFlowField: advects all samples in parallel and fills their arrays
  */
 class ImplicitFlowRun
 {
 public:
-  /// The options' error, speed, time and number of steps are automatic where they are 0.
+  /// An error, speed, time or number of steps of 0 in the options is replaced by its automatic
+  /// value.
   ImplicitFlowRun(
     vtkAlgorithm* owner, const AdvectionOptions& options, vtkDataSet* field, vtkDataArray* vectors);
 
-  /// Sets the processes' parts of the field, of which this one has the vectors' and no more. Every
-  /// process is to execute.
-  void SetRanks(RankField* ranks);
+  /// Sets the distributed field. The field and the vectors then belong to the partition of this
+  /// process, and every process must execute.
+  void SetRanks(DistributedField* ranks);
 
-  /// Sets whether the input has hidden cells or points. Streamlines end there, and cells of samples
-  /// beside the boundary of what reaches a surface get what they are cut by.
+  /// Sets whether the input has hidden cells or points. Streamlines end there, and samples near the
+  /// boundary of the reached region get far-side values.
   void SetHidden(bool hasHidden) { this->HasObstacles = hasHidden; }
 
-  /// Sets where finished streamlines are kept, and taken from; null: nowhere.
+  /// Sets the checkpoint for finished streamlines; null for none.
   void SetCheckpoint(FlowCheckpoint* checkpoint) { this->Checkpoint = checkpoint; }
 
   /**
-   * Adds the arrays to \a samples. Returns an error if the field or the arrays of means cannot be
-   * used; an abort is no error. The first part of the progress is building the field.
+   * Adds the arrays to \a samples. Returns an error if the field or an array of MeanArrays cannot
+   * be used; an abort is not an error. Progress includes building the field.
    */
   Error Execute(vtkDataSet* samples);
 
-  /// Returns the samples with those of all levels; null without levels, and after an error or an
+  /// Returns the samples of all refinement levels; null without refinement and after an error or an
   /// abort.
   vtkUnstructuredGrid* GetRefined() const { return this->Refined; }
 
   const FlowReport& GetReport() const { return this->Report; }
 
-  /// Returns whether the execution was aborted, in this or any process.
+  /// Returns true if the execution was aborted in this or any other process.
   bool WasAborted() const { return this->Aborted; }
 
-  /// Returns what was found of the mesh of an unstructured grid, to be kept until the next
-  /// execution; null for others.
+  /// Returns the mesh topology of an unstructured grid, which the caller caches for the next
+  /// execution; null for other grids.
   const std::shared_ptr<const MeshLinks>& GetMesh() const { return this->Mesh; }
 
 private:
-  /// Replaces what is automatic in the options; error and speed are parts of the field's speed
+  /// Replaces automatic values in the options. Error and minimum speed are fractions of \a speed
   /// (SpeedScale).
   void ReplaceAutomatic(double speed);
   ///@{
-  /// Builds the field and follows all samples: where the process has all of the field, and where
-  /// processes have parts.
-  Error ExecuteAlone(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
-  Error ExecuteInRanks(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
+  /// Build the field and advect all samples. ExecuteLocal requires that this process holds the
+  /// complete field; ExecuteDistributed is for a distributed field.
+  Error ExecuteLocal(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
+  Error ExecuteDistributed(const std::vector<vtkDataArray*>& means, vtkDataSet* samples);
   ///@}
-  /// Follows all samples, and those of the levels of refinement, with the checkpoint if there is
-  /// one.
+  /// Runs all stages, with the checkpoint if there is one.
   void FollowAll(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
-  /// Runs the stages of StageContext in their order.
+  /// Runs the stages of StageContext in order.
   void RunStages(Streamlines& streamlines, vtkDataSet* samples, int domainFaces);
   vtkSmartPointer<vtkUnstructuredGrid> Refine(vtkUnstructuredGrid* grid);
-  /// Fills the part of the report that describes the field.
+  /// Sets the values of the report that describe the field.
   template <typename FieldType>
   void Describe(const FieldType& field);
   /// Returns the diagonal of the field's bounds.
@@ -91,16 +91,16 @@ private:
 
   vtkAlgorithm* Owner;
   AdvectionOptions Options;
-  // The whole field, perhaps without arrays, and the data that the process has of it.
+  // The whole field, possibly without arrays, and the data that this process holds.
   vtkDataSet* Field;
   vtkDataSet* Data;
   vtkDataArray* Vectors;
-  RankField* Ranks = nullptr;
+  DistributedField* Ranks = nullptr;
   FlowCheckpoint* Checkpoint = nullptr;
   vtkSmartPointer<vtkUnstructuredGrid> Refined;
   FlowReport Report;
   bool Aborted = false;
-  /// Whether streamlines end within the field at hidden cells, or at vectors that are not finite.
+  /// True if streamlines end inside the field, at hidden cells or at vectors that are not finite.
   bool HasObstacles = false;
   std::shared_ptr<const MeshLinks> Mesh;
 };

@@ -21,7 +21,7 @@ namespace
 {
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// The places of the variables in a parser.
+// Indices of the variables in a parser.
 enum Variables
 {
   VARIABLE_U,
@@ -29,8 +29,8 @@ enum Variables
   VARIABLE_F
 };
 
-// Keeps the first error of a parser, without the place in VTK's source that reports it.
-void KeepError(vtkObject*, unsigned long, void* client, void* data)
+// Stores the first error of a parser, without its position in VTK's source.
+void StoreError(vtkObject*, unsigned long, void* client, void* data)
 {
   auto& error = *static_cast<Error*>(client);
   if (error)
@@ -78,7 +78,7 @@ Error InflowFunction::CheckFormula() const
   const auto parser = MakeParser(this->Formula);
   Error error;
   vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(KeepError);
+  command->SetCallback(StoreError);
   command->SetClientData(&error);
   parser->AddObserver(vtkCommand::ErrorEvent, command);
   const bool isScalar = parser->IsScalarResult();
@@ -87,7 +87,7 @@ Error InflowFunction::CheckFormula() const
   {
     return error.Within(start + "cannot be read: ");
   }
-  return isScalar ? Error() : start + "gives a vector, not a number.";
+  return isScalar ? Error() : start + "is a vector. Use a scalar formula.";
 }
 
 Error InflowFunction::ReadImage()
@@ -102,14 +102,15 @@ Error InflowFunction::ReadImage()
   if (std::count_if(dimensions, dimensions + 3, [](int size) { return size > 1; }) > 2)
   {
     return "The image has three dimensions, " + std::to_string(dimensions[0]) + " x " +
-      std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) + "; two are needed.";
+      std::to_string(dimensions[1]) + " x " + std::to_string(dimensions[2]) +
+      ". Use a two-dimensional image.";
   }
   if (Error error = array ? ArrayCheck::FindPointError(this->Image, array, 0)
                           : "the image has no active point scalars")
   {
     return ArrayCheck::MakeSentence(error);
   }
-  // The image is a plane of any two axes; rows of length 1 are left out by their size.
+  // The image may lie in any plane; axes with one point are skipped.
   this->Size[0] = dimensions[0] > 1 || dimensions[2] == 1 ? dimensions[0] : dimensions[1];
   this->Size[1] = static_cast<int>(this->Image->GetNumberOfPoints() / this->Size[0]);
   const vtkIdType number = array->GetNumberOfTuples();
@@ -151,7 +152,7 @@ double InflowEvaluator::Evaluate(double u, double v)
   double uv[2] = { u, v };
   for (int direction = 0; direction < 2; ++direction)
   {
-    // A parameter of 1 stays 1: a mapping may have another value there than at 0.
+    // A parameter of 1 is not wrapped: the mapping may be discontinuous at the seam.
     if (this->IsPeriodic[direction] && !(uv[direction] >= 0.0 && uv[direction] <= 1.0))
     {
       uv[direction] -= std::floor(uv[direction]);
@@ -187,14 +188,14 @@ double InflowEvaluator::EvaluateRings(const double uv[2]) const
   double sum = 0.0;
   for (const InflowFunction::Ring& ring : this->Function->Rings)
   {
-    double way[2];
+    double offset[2];
     for (int direction = 0; direction < 2; ++direction)
     {
-      way[direction] = uv[direction] - ring.Center[direction];
-      way[direction] -= this->IsPeriodic[direction] ? std::round(way[direction]) : 0.0;
+      offset[direction] = uv[direction] - ring.Center[direction];
+      offset[direction] -= this->IsPeriodic[direction] ? std::round(offset[direction]) : 0.0;
     }
-    const double place = (std::hypot(way[0], way[1]) - ring.Radius) / ring.Width;
-    sum += ring.Amplitude * std::exp(-place * place);
+    const double distance = (std::hypot(offset[0], offset[1]) - ring.Radius) / ring.Width;
+    sum += ring.Amplitude * std::exp(-distance * distance);
   }
   return sum;
 }
@@ -211,10 +212,10 @@ double InflowEvaluator::EvaluateImage(const double uv[2]) const
     {
       return NotANumber;
     }
-    const double place = std::max(0.0, std::min(uv[direction], 1.0)) * (size[direction] - 1);
-    first[direction] = static_cast<int>(place);
+    const double position = std::max(0.0, std::min(uv[direction], 1.0)) * (size[direction] - 1);
+    first[direction] = static_cast<int>(position);
     second[direction] = std::min(first[direction] + 1, size[direction] - 1);
-    weight[direction] = place - first[direction];
+    weight[direction] = position - first[direction];
   }
   const auto row = [&](int j)
   {

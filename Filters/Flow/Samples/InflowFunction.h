@@ -17,7 +17,7 @@ namespace interlume
 
 /**
  * @class   InflowFunction
- * @brief   the mapping of one id of vtkInflowMapping
+ * @brief   function of u and v that vtkInflowMapping uses for one surface id
  */
 class InflowFunction
 {
@@ -36,7 +36,7 @@ public:
   std::vector<Ring> Rings;
   vtkSmartPointer<vtkImageData> Image;
 
-  /// Prepares the data that evaluators need. Returns an error if the function cannot be used.
+  /// Prepares the data of the evaluators. Returns an error if the function cannot be used.
   Error Prepare();
 
 private:
@@ -44,28 +44,28 @@ private:
   Error ReadImage();
 
   friend class InflowEvaluator;
-  // The values of the image by rows, and how many there are along u and v.
+  // Values of the image, row by row, and the number of values along u and v.
   std::vector<double> Values;
   int Size[2] = { 0, 0 };
 };
 
 /**
  * @class   InflowEvaluator
- * @brief   values of a prepared InflowFunction, for one thread
+ * @brief   evaluates a prepared InflowFunction in one thread
  */
 class InflowEvaluator
 {
 public:
-  /// Makes an evaluator. \a function is kept by the caller; with null, values are NaN everywhere.
+  /// \a function must outlive the evaluator. If it is null, all values are NaN.
   explicit InflowEvaluator(const InflowFunction* function);
   ~InflowEvaluator();
   InflowEvaluator(const InflowEvaluator&) = delete;
   void operator=(const InflowEvaluator&) = delete;
 
-  /// Sets the surface whose values are asked for from now on.
+  /// Sets the surface for the following calls of Evaluate.
   void SetSurface(int id, bool isPeriodicU, bool isPeriodicV);
-  /// Returns the value at (u,v), NaN where it is not finite. A periodic parameter beyond 0 to 1 is
-  /// taken around.
+  /// Returns the value at (u,v), or NaN if it is not finite. Periodic parameters outside [0, 1] are
+  /// wrapped.
   double Evaluate(double u, double v);
 
 private:

@@ -11,27 +11,27 @@ namespace interlume
 
 /**
  * @class   MarkedBisection
- * @brief   tetrahedra cut at the middles of marked edges
+ * @brief   cuts tetrahedra at the midpoints of marked edges
  *
- * A tetrahedron is cut in two at its first marked edge, and both halves go on with the marked edges
- * that they have left. A face is cut as it would be cut alone in the same order: the cuts of a face
- * depend on its own edges, and neighbours agree.
+ * A tetrahedron is cut in two at its first marked edge, and both halves are cut at their remaining
+ * marked edges in turn. The cuts on a face depend only on the order of the face's own edges.
+ * Therefore neighbors agree.
  */
 class MarkedBisection
 {
 public:
   using Tetrahedron = std::array<vtkIdType, 4>;
 
-  /// Takes the edges, which the caller keeps. The middle of edge e is point \a firstMiddle + e.
-  MarkedBisection(const MarkedEdges& edges, vtkIdType firstMiddle)
+  /// \a edges must outlive this object. The midpoint of edge e is point \a firstMidpoint + e.
+  MarkedBisection(const MarkedEdges& edges, vtkIdType firstMidpoint)
     : Edges(edges)
-    , FirstMiddle(firstMiddle)
+    , FirstMidpoint(firstMidpoint)
   {
   }
 
-  /// Calls \a visit for each part, oriented as \a whole is.
+  /// Calls \a visit for each piece of \a tetrahedron, with the same orientation.
   template <typename Visit>
-  void Split(const Tetrahedron& whole, Visit&& visit) const
+  void Split(const Tetrahedron& tetrahedron, Visit&& visit) const
   {
     vtkIdType cut = -1;
     std::array<std::size_t, 2> ends{};
@@ -39,7 +39,7 @@ public:
     {
       for (std::size_t b = a + 1; b < 4; ++b)
       {
-        const vtkIdType edge = this->Edges.Find(whole[a], whole[b]);
+        const vtkIdType edge = this->Edges.Find(tetrahedron[a], tetrahedron[b]);
         if (edge >= 0 && (cut < 0 || this->Edges.GetRank(edge) < this->Edges.GetRank(cut)))
         {
           cut = edge;
@@ -49,20 +49,20 @@ public:
     }
     if (cut < 0)
     {
-      visit(whole);
+      visit(tetrahedron);
       return;
     }
     for (const std::size_t end : ends)
     {
-      Tetrahedron half = whole;
-      half[end] = this->FirstMiddle + cut;
+      Tetrahedron half = tetrahedron;
+      half[end] = this->FirstMidpoint + cut;
       this->Split(half, visit);
     }
   }
 
 private:
   const MarkedEdges& Edges;
-  vtkIdType FirstMiddle;
+  vtkIdType FirstMidpoint;
 };
 
 }

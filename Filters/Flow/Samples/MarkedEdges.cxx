@@ -32,9 +32,9 @@ void MarkedEdges::Build(std::vector<Edge> edges, vtkPoints* points)
     double b[3];
     points->GetPoint(edge[0], a);
     points->GetPoint(edge[1], b);
-    // Squares at a size of about 1 are numbers, and NaN has no place in an order.
-    const glm::dvec3 way = scale * Vectors::Difference(b, a);
-    const double length = glm::dot(way, way);
+    // Scaling avoids overflow and underflow of squares. NaN would violate the strict order.
+    const glm::dvec3 offset = scale * Vectors::Difference(b, a);
+    const double length = glm::dot(offset, offset);
     lengths.push_back(length > 0.0 ? length : 0.0);
   }
   std::partial_sum(this->Starts.begin(), this->Starts.end(), this->Starts.begin());
@@ -57,9 +57,9 @@ vtkIdType MarkedEdges::Find(vtkIdType a, vtkIdType b) const
   {
     return -1;
   }
-  const auto place = static_cast<std::size_t>(edge[0]);
-  const auto first = this->Edges.begin() + this->Starts[place];
-  const auto last = this->Edges.begin() + this->Starts[place + 1];
+  const auto index = static_cast<std::size_t>(edge[0]);
+  const auto first = this->Edges.begin() + this->Starts[index];
+  const auto last = this->Edges.begin() + this->Starts[index + 1];
   const auto found = std::lower_bound(first, last, edge);
   return found != last && *found == edge ? found - this->Edges.begin() : -1;
 }

@@ -19,7 +19,7 @@ namespace interlume
 void OutputPiece::Extract(vtkInformation* info, vtkUnstructuredGrid* grid)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (IsWhole(info))
+  if (IsEntireOutput(info))
   {
     return;
   }
@@ -28,49 +28,50 @@ void OutputPiece::Extract(vtkInformation* info, vtkUnstructuredGrid* grid)
   const vtkIdType first = grid->GetNumberOfCells() * piece / pieces;
   const vtkIdType last = grid->GetNumberOfCells() * (piece + 1) / pieces;
   vtkNew<vtkIdList> corners;
-  std::vector<vtkIdType> places(static_cast<std::size_t>(grid->GetNumberOfPoints()), -1);
+  std::vector<vtkIdType> indices(static_cast<std::size_t>(grid->GetNumberOfPoints()), -1);
   for (vtkIdType cell = first; cell < last; ++cell)
   {
     grid->GetCellPoints(cell, corners);
     for (const vtkIdType corner : *corners)
     {
-      places[static_cast<std::size_t>(corner)] = 0;
+      indices[static_cast<std::size_t>(corner)] = 0;
     }
   }
-  vtkNew<vtkIdList> kept;
+  vtkNew<vtkIdList> usedPoints;
   vtkNew<vtkIdList> rows;
   for (vtkIdType point = 0; point < grid->GetNumberOfPoints(); ++point)
   {
-    vtkIdType& place = places[static_cast<std::size_t>(point)];
-    place = place == 0 ? rows->InsertNextId(kept->InsertNextId(point)) : -1;
+    vtkIdType& index = indices[static_cast<std::size_t>(point)];
+    index = index == 0 ? rows->InsertNextId(usedPoints->InsertNextId(point)) : -1;
   }
   vtkNew<vtkUnstructuredGrid> part;
   vtkNew<vtkPoints> points;
   points->SetDataType(grid->GetPoints()->GetDataType());
-  grid->GetPoints()->GetPoints(kept, points);
+  grid->GetPoints()->GetPoints(usedPoints, points);
   part->SetPoints(points);
   part->GetPointData()->CopyAllOn();
-  part->GetPointData()->CopyAllocate(grid->GetPointData(), kept->GetNumberOfIds());
-  part->GetPointData()->CopyData(grid->GetPointData(), kept, rows);
+  part->GetPointData()->CopyAllocate(grid->GetPointData(), usedPoints->GetNumberOfIds());
+  part->GetPointData()->CopyData(grid->GetPointData(), usedPoints, rows);
   part->AllocateEstimate(last - first, 8);
   for (vtkIdType cell = first; cell < last; ++cell)
   {
     grid->GetCellPoints(cell, corners);
     for (vtkIdType& corner : *corners)
     {
-      corner = places[static_cast<std::size_t>(corner)];
+      corner = indices[static_cast<std::size_t>(corner)];
     }
     part->InsertNextCell(grid->GetCellType(cell), corners);
   }
   part->GetCellData()->CopyAllOn();
   part->GetCellData()->CopyAllocate(grid->GetCellData(), last - first);
   part->GetCellData()->CopyData(grid->GetCellData(), 0, last - first, first);
-  // The object must not be the same: the grid, copying its field data from itself, would clear it.
+  // The field data must not be the same object: ShallowCopy of the grid's own field data would
+  // clear it.
   part->GetFieldData()->ShallowCopy(grid->GetFieldData());
   grid->ShallowCopy(part);
 }
 
-bool OutputPiece::IsWhole(vtkInformation* info)
+bool OutputPiece::IsEntireOutput(vtkInformation* info)
 {
   return info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()) <= 1;
 }

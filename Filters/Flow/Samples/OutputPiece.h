@@ -10,17 +10,17 @@ namespace interlume
 
 /**
  * @class   OutputPiece
- * @brief   the part of a whole grid that a piece of the output is
+ * @brief   reduces a complete grid to the requested piece
  */
 namespace OutputPiece
 {
-/// Reduces the grid to the cells of the piece that \a info asks for, as many in each, and their
-/// points, in their order. The grid stays whole, with points of no cell, where one piece is asked
-/// for.
+/// Reduces the grid to the cells of the piece requested by \a info and to the points of these
+/// cells, in their original order. All pieces have about the same number of cells. If there is only
+/// one piece, the grid keeps all its points, including unused ones.
 void Extract(vtkInformation* info, vtkUnstructuredGrid* grid);
 
-/// Returns whether \a info asks for the whole output, not for one piece of several.
-bool IsWhole(vtkInformation* info);
+/// Returns true if \a info requests the complete output, not one piece of several.
+bool IsEntireOutput(vtkInformation* info);
 }
 
 }

@@ -16,9 +16,9 @@ namespace interlume
 
 namespace
 {
-// The number of bisections of each line.
+// Number of bisections of each line.
 constexpr int Bisections = 6;
-// The number of passes over all lines until distances fit them; they need not fit exactly.
+// Number of relaxation passes over all lines. The distances need not converge exactly.
 constexpr int Passes = 32;
 
 // Calls visit(value) for each number of a result that is extrapolated.
@@ -43,29 +43,29 @@ std::vector<double> GetNumbers(AdvectionResult result)
   return numbers;
 }
 
-// Adds a period to a parameter, or several, so that it is within half a period of another one.
+// Shifts a parameter by whole periods to within half a period of another one.
 void Unwrap(double& parameter, double other)
 {
   parameter += std::round(other - parameter);
 }
 }
 
-bool ReachedBoundary::Find(const std::vector<BeyondCorners::Pair>& pairs,
-  const SampleArrays& results, std::vector<Answer>& answers)
+bool ReachedBoundary::Find(const std::vector<FarSideCorners::Pair>& pairs,
+  const SampleArrays& results, std::vector<SampleResult>& sampleResults)
 {
   std::vector<vtkIdType> samples;
-  for (const BeyondCorners::Pair& pair : pairs)
+  for (const FarSideCorners::Pair& pair : pairs)
   {
     samples.insert(samples.end(), { pair.Reached, pair.Other });
   }
   std::sort(samples.begin(), samples.end());
   samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
-  answers.assign(samples.size(), Answer());
+  sampleResults.assign(samples.size(), SampleResult());
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    answers[i].Sample = samples[i];
-    answers[i].IsReached = this->Arrays.IsReached(samples[i]);
-    answers[i].Beyond.Means.assign(this->Context.Options.MeanNumbers.size(), 0.0);
+    sampleResults[i].Sample = samples[i];
+    sampleResults[i].IsReached = this->Arrays.IsReached(samples[i]);
+    sampleResults[i].FarSide.Means.assign(this->Context.Options.MeanNumbers.size(), 0.0);
   }
   const auto find = [&samples](vtkIdType sample)
   {
@@ -73,26 +73,26 @@ bool ReachedBoundary::Find(const std::vector<BeyondCorners::Pair>& pairs,
       std::lower_bound(samples.begin(), samples.end(), sample) - samples.begin());
   };
   this->Lines.clear();
-  for (const BeyondCorners::Pair& pair : pairs)
+  for (const FarSideCorners::Pair& pair : pairs)
   {
     this->Lines.push_back({ find(pair.Reached), find(pair.Other), this->Arrays.GetId(pair.Reached),
       0.0, 1.0, results.Get(pair.Reached) });
   }
-  if (!this->Bisect(answers))
+  if (!this->Bisect(sampleResults))
   {
     return false;
   }
-  this->SetDistances(answers);
-  this->Extrapolate(results, answers);
+  this->SetDistances(sampleResults);
+  this->Extrapolate(results, sampleResults);
   return true;
 }
 
 double ReachedBoundary::GetPosition(
-  const Answers& answers, const Line& line, double fraction, double x[3]) const
+  const SampleResults& sampleResults, const Line& line, double fraction, double x[3]) const
 {
   double other[3];
-  this->Samples->GetPoint(answers[line.Reached].Sample, x);
-  this->Samples->GetPoint(answers[line.Other].Sample, other);
+  this->Samples->GetPoint(sampleResults[line.Reached].Sample, x);
+  this->Samples->GetPoint(sampleResults[line.Other].Sample, other);
   const glm::dvec3 offset = Vectors::Difference(other, x);
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -101,17 +101,17 @@ double ReachedBoundary::GetPosition(
   return Vectors::SafeLength(offset);
 }
 
-bool ReachedBoundary::Bisect(const Answers& answers)
+bool ReachedBoundary::Bisect(const SampleResults& sampleResults)
 {
-  bool goesOn = true;
-  for (int i = 0; i < Bisections && goesOn; ++i)
+  bool isActive = true;
+  for (int i = 0; i < Bisections && isActive; ++i)
   {
-    goesOn = this->Context.Field.Follow(
+    isActive = this->Context.Field.Follow(
       this->Context.Options, static_cast<vtkIdType>(this->Lines.size()),
       [&](vtkIdType number, double x[3])
       {
         const Line& line = this->Lines[static_cast<std::size_t>(number)];
-        this->GetPosition(answers, line, line.GetFraction(), x);
+        this->GetPosition(sampleResults, line, line.GetFraction(), x);
       },
       [this](vtkIdType number, const AdvectionResult& result)
       {
@@ -127,28 +127,28 @@ bool ReachedBoundary::Bisect(const Answers& answers)
       },
       this->Context.Progress, this->Context.Progress);
   }
-  return goesOn;
+  return isActive;
 }
 
-void ReachedBoundary::SetDistances(Answers& answers) const
+void ReachedBoundary::SetDistances(SampleResults& sampleResults) const
 {
   constexpr double unknown = VTK_DOUBLE_MAX;
-  std::vector<double> logs(answers.size(), unknown);
+  std::vector<double> logs(sampleResults.size(), unknown);
   for (const Line& line : this->Lines)
   {
     double x[3];
-    const double length = this->GetPosition(answers, line, 0.0, x);
+    const double length = this->GetPosition(sampleResults, line, 0.0, x);
     for (const bool isReached : { true, false })
     {
       double& log = logs[isReached ? line.Reached : line.Other];
-      const double part = isReached ? line.GetFraction() : 1.0 - line.GetFraction();
-      log = std::min(log, std::log(part * length));
+      const double fraction = isReached ? line.GetFraction() : 1.0 - line.GetFraction();
+      log = std::min(log, std::log(fraction * length));
     }
   }
-  // Least squares of the logarithms of ratios, by relaxation of one kind of samples after the
-  // other.
-  std::vector<double> sums(answers.size());
-  std::vector<int> numbers(answers.size());
+  // Least-squares fit of the logarithms of the distance ratios, relaxing samples that reach the
+  // surface and other samples in turn.
+  std::vector<double> sums(sampleResults.size());
+  std::vector<int> numbers(sampleResults.size());
   for (int pass = 0; pass < Passes; ++pass)
   {
     const bool setsReached = pass % 2 == 0;
@@ -161,28 +161,29 @@ void ReachedBoundary::SetDistances(Answers& answers) const
       sums[to] += setsReached ? logs[line.Other] + ratio : logs[line.Reached] - ratio;
       ++numbers[to];
     }
-    for (std::size_t i = 0; i < answers.size(); ++i)
+    for (std::size_t i = 0; i < sampleResults.size(); ++i)
     {
       logs[i] = numbers[i] > 0 ? sums[i] / numbers[i] : logs[i];
     }
   }
-  for (std::size_t i = 0; i < answers.size(); ++i)
+  for (std::size_t i = 0; i < sampleResults.size(); ++i)
   {
-    answers[i].Distance = std::exp(logs[i]);
+    sampleResults[i].Distance = std::exp(logs[i]);
   }
 }
 
-void ReachedBoundary::Extrapolate(const SampleArrays& results, Answers& answers) const
+void ReachedBoundary::Extrapolate(const SampleArrays& results, SampleResults& sampleResults) const
 {
-  // The line of each sample that comes closest to it, whose surface counts.
-  std::vector<const Line*> closest(answers.size(), nullptr);
+  // For each sample, the line whose bracket comes closest to the sample. The surface of that line
+  // is used.
+  std::vector<const Line*> closest(sampleResults.size(), nullptr);
   for (const Line& line : this->Lines)
   {
     const Line*& best = closest[line.Other];
     best = !best || line.First > best->First ? &line : best;
   }
-  std::vector<double> weights(answers.size(), 0.0);
-  std::vector<std::vector<double>> sums(answers.size());
+  std::vector<double> weights(sampleResults.size(), 0.0);
+  std::vector<std::vector<double>> sums(sampleResults.size());
   for (const Line& line : this->Lines)
   {
     const Line& best = *closest[line.Other];
@@ -191,7 +192,7 @@ void ReachedBoundary::Extrapolate(const SampleArrays& results, Answers& answers)
       continue;
     }
     const std::array<bool, 2> periodicity = this->Arrays.GetPeriodicity(line.Id);
-    std::vector<double> start = GetNumbers(results.Get(answers[line.Reached].Sample));
+    std::vector<double> start = GetNumbers(results.Get(sampleResults[line.Reached].Sample));
     std::vector<double> end = GetNumbers(line.Result);
     for (std::size_t direction = 0; direction < 2; ++direction)
     {
@@ -203,7 +204,8 @@ void ReachedBoundary::Extrapolate(const SampleArrays& results, Answers& answers)
     }
     std::vector<double>& sum = sums[line.Other];
     sum.resize(start.size(), 0.0);
-    // What is extrapolated over a short distance counts little. A single value is not extrapolated.
+    // Extrapolation from a short distance gets a small weight. For a single line, the weight
+    // cancels.
     const double weight = std::max(line.First, 1e-9);
     for (std::size_t i = 0; i < sum.size(); ++i)
     {
@@ -211,20 +213,20 @@ void ReachedBoundary::Extrapolate(const SampleArrays& results, Answers& answers)
     }
     weights[line.Other] += weight;
   }
-  for (std::size_t i = 0; i < answers.size(); ++i)
+  for (std::size_t i = 0; i < sampleResults.size(); ++i)
   {
     if (!closest[i])
     {
       continue;
     }
-    AdvectionResult& beyond = answers[i].Beyond;
-    beyond = closest[i]->Result;
+    AdvectionResult& farSide = sampleResults[i].FarSide;
+    farSide = closest[i]->Result;
     std::size_t next = 0;
-    ForEachNumber(beyond, [&](double& number) { number = sums[i][next++] / weights[i]; });
-    const std::array<bool, 2> periodicity = this->Arrays.GetPeriodicity(beyond.Id);
+    ForEachNumber(farSide, [&](double& number) { number = sums[i][next++] / weights[i]; });
+    const std::array<bool, 2> periodicity = this->Arrays.GetPeriodicity(farSide.Id);
     for (std::size_t direction = 0; direction < 2; ++direction)
     {
-      double& parameter = beyond.Parameters[direction];
+      double& parameter = farSide.Parameters[direction];
       parameter -= periodicity[direction] ? std::floor(parameter) : 0.0;
     }
   }

@@ -3,7 +3,7 @@
 #define interlume_ReachedBoundary_h
 
 #include "Advection/AdvectionOptions.h"
-#include "Samples/BeyondCorners.h"
+#include "Samples/FarSideCorners.h"
 #include "Streams/StageContext.h"
 
 #include "vtkType.h"
@@ -20,26 +20,27 @@ class SampleArrays;
 
 /**
  * @class   ReachedBoundary
- * @brief   locates the boundary between samples that reach a surface and samples that do not
+ * @brief   locates the boundary of the reached region, between samples that reach a surface and
+ * samples that do not
  *
- * For each pair of such corners of a cell, bisection by streamlines finds the last position on the
- * line between them that reaches the surface as well. Each sample gets a distance. The ratios of
- * the distances of pairs are those of the positions, as far as one distance for each sample allows.
- * Samples that do not reach the surface get values that are extrapolated linearly.
+ * For each pair of such samples in a cell, bisection finds the last position between them whose
+ * streamline reaches the same surface. Each sample then gets one distance. The distances are fitted
+ * so that their ratios match the positions found. Samples that do not reach the surface get
+ * linearly extrapolated values.
  */
 class ReachedBoundary
 {
 public:
-  struct Answer
+  struct SampleResult
   {
     vtkIdType Sample = -1;
     bool IsReached = false;
     double Distance = 0.0;
-    /// The extrapolated values; for samples that reach the surface, no result.
-    AdvectionResult Beyond;
+    /// Extrapolated values; not set for samples that reach the surface.
+    AdvectionResult FarSide;
   };
 
-  /// The arguments must not change while this is used. The progress stays the same.
+  /// The arguments must outlive this object and not change. No progress is reported.
   ReachedBoundary(
     const StageContext& context, vtkDataSet* samples, const ImplicitFlowArrays& arrays)
     : Context(context)
@@ -48,14 +49,14 @@ public:
   {
   }
 
-  /// Computes the answers of all samples of the pairs, ascending by sample, whose \a results are
-  /// known. If processes have parts of the field, all of them call this. Returns false if the
-  /// execution was aborted.
-  bool Find(const std::vector<BeyondCorners::Pair>& pairs, const SampleArrays& results,
-    std::vector<Answer>& answers);
+  /// Computes the results of all samples in \a pairs, ascending by sample, from their known \a
+  /// results. Collective if the field is distributed. Returns false if the execution was aborted.
+  bool Find(const std::vector<FarSideCorners::Pair>& pairs, const SampleArrays& results,
+    std::vector<SampleResult>& sampleResults);
 
 private:
-  /// A pair, as numbers of answers, and the fractions of its line between which the boundary is.
+  /// The line between the samples of a pair, which are indices of sample results. First and Last
+  /// are the fractions of the line that bracket the boundary.
   struct Line
   {
     std::size_t Reached;
@@ -63,19 +64,20 @@ private:
     int Id;
     double First = 0.0;
     double Last = 1.0;
-    /// The result at First; that of the sample itself if First is 0.
+    /// Advection result at First; the result of the sample itself if First is 0.
     AdvectionResult Result;
 
-    /// Returns the fraction of the boundary, which is neither 0 nor 1.
+    /// Returns the fraction at which the boundary lies, strictly between 0 and 1.
     double GetFraction() const { return 0.5 * (this->First + this->Last); }
   };
-  using Answers = std::vector<Answer>;
+  using SampleResults = std::vector<SampleResult>;
 
   /// Computes the position at a fraction of a line. Returns the length of the line.
-  double GetPosition(const Answers& answers, const Line& line, double fraction, double x[3]) const;
-  bool Bisect(const Answers& answers);
-  void SetDistances(Answers& answers) const;
-  void Extrapolate(const SampleArrays& results, Answers& answers) const;
+  double GetPosition(
+    const SampleResults& sampleResults, const Line& line, double fraction, double x[3]) const;
+  bool Bisect(const SampleResults& sampleResults);
+  void SetDistances(SampleResults& sampleResults) const;
+  void Extrapolate(const SampleArrays& results, SampleResults& sampleResults) const;
 
   const StageContext& Context;
   vtkDataSet* Samples;

@@ -22,9 +22,9 @@ void SampleArrays::ForEach(const vtkFlowSettings& settings, Visit&& visit)
   visit(this->Parameters, vtkFlowStatus::ParametersArray(), 2);
   visit(this->Time, vtkFlowStatus::TimeArray(), 1);
   visit(this->Side, vtkFlowStatus::SideArray(), 1);
-  const auto visitIf = [&visit](bool isKept, auto& array, const char* name)
+  const auto visitIf = [&visit](bool isStored, auto& array, const char* name)
   {
-    if (isKept)
+    if (isStored)
     {
       visit(array, name, 1);
     }
@@ -37,8 +37,8 @@ void SampleArrays::ForEach(const vtkFlowSettings& settings, Visit&& visit)
   {
     visit(this->Means[i], "Mean" + settings.MeanArrays[i], 1);
   }
-  visitIf(settings.KeepSteps, this->Steps, "AdvectionSteps");
-  visitIf(settings.KeepSteps, this->StiffSteps, "StiffSteps");
+  visitIf(settings.StoreStepCounts, this->Steps, "AdvectionSteps");
+  visitIf(settings.StoreStepCounts, this->StiffSteps, "StiffSteps");
 }
 
 SampleArrays SampleArrays::Make(

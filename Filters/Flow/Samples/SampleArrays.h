@@ -20,13 +20,13 @@ namespace interlume
 
 /**
  * @class   SampleArrays
- * @brief   writes the results of samples into arrays of vtkFlowStatus, and reads them
+ * @brief   writes and reads advection results in the arrays of vtkFlowStatus
  */
 class SampleArrays
 {
 public:
-  /// Adds the arrays that the settings need to point data of samples, or to field data of far-side
-  /// samples, with names that begin with \a prefix.
+  /// Adds the arrays that the settings require, to point data of samples, or to field data of
+  /// far-side samples with \a prefix before their names.
   static SampleArrays Make(const vtkFlowSettings& settings, vtkFieldData* data, vtkIdType number,
     const std::string& prefix = {});
   /// Finds the arrays that Make added.
@@ -42,14 +42,14 @@ public:
   vtkSignedCharArray* Side = nullptr;
 
 private:
-  /// Calls visit(array, name, components) for the arrays that the settings need.
+  /// Calls visit(array, name, components) for the arrays that the settings require.
   template <typename Visit>
   void ForEach(const vtkFlowSettings& settings, Visit&& visit);
-  /// Calls visit(array, value) for the further quantities of a result that are kept.
+  /// Calls visit(array, value) for the optional quantities that are stored.
   template <typename Result, typename Visit>
   void ForEachQuantity(Result& result, Visit&& visit) const;
 
-  // The arrays of further quantities and of numbers of steps; those that are not kept are null.
+  // Arrays of optional quantities and step counts; null if not stored.
   vtkDoubleArray* MaximumSpeed = nullptr;
   vtkDoubleArray* ArcLength = nullptr;
   vtkDoubleArray* MeanVorticity = nullptr;

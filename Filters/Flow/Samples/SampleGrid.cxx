@@ -42,7 +42,7 @@ Size GetStrides(const Size& points)
   Size strides{ { 1, 1, 1 } };
   const auto left = [&](int axis)
   { return points[axis] > 1 ? (points[axis] - 2) / strides[axis] + 2 : points[axis]; };
-  while (GetNumber({ { left(0), left(1), left(2) } }) > SampleGrid::MostPoints)
+  while (GetNumber({ { left(0), left(1), left(2) } }) > SampleGrid::MaximumPoints)
   {
     int longest = 0;
     for (int axis = 1; axis < 3; ++axis)
@@ -54,19 +54,19 @@ Size GetStrides(const Size& points)
   return strides;
 }
 
-/// The places of the samples in a row of points.
+/// Returns the indices of the samples in a row of points.
 std::vector<vtkIdType> GetRow(vtkIdType points, vtkIdType stride)
 {
-  std::vector<vtkIdType> places;
-  for (vtkIdType place = 0; place < points - 1; place += stride)
+  std::vector<vtkIdType> indices;
+  for (vtkIdType index = 0; index < points - 1; index += stride)
   {
-    places.push_back(place);
+    indices.push_back(index);
   }
-  places.push_back(points - 1);
-  return places;
+  indices.push_back(points - 1);
+  return indices;
 }
 
-vtkSmartPointer<vtkDataSet> ThinImage(vtkImageData* field, const int extent[6])
+vtkSmartPointer<vtkDataSet> SubsampleImage(vtkImageData* field, const int extent[6])
 {
   const vtkSmartPointer<vtkImageData> image = vtkSmartPointer<vtkImageData>::New();
   int before[6];
@@ -88,16 +88,16 @@ vtkSmartPointer<vtkDataSet> ThinImage(vtkImageData* field, const int extent[6])
   return image;
 }
 
-/// The ids of the points of a field that are samples.
+/// Returns the ids of the field's points that are samples.
 vtkSmartPointer<vtkIdList> GetIds(
-  const Size& points, const std::array<std::vector<vtkIdType>, 3>& places)
+  const Size& points, const std::array<std::vector<vtkIdType>, 3>& indices)
 {
   vtkSmartPointer<vtkIdList> ids = vtkSmartPointer<vtkIdList>::New();
-  for (const vtkIdType k : places[2])
+  for (const vtkIdType k : indices[2])
   {
-    for (const vtkIdType j : places[1])
+    for (const vtkIdType j : indices[1])
     {
-      for (const vtkIdType i : places[0])
+      for (const vtkIdType i : indices[0])
       {
         ids->InsertNextId(i + points[0] * (j + points[1] * k));
       }
@@ -121,31 +121,32 @@ void CopyPointData(vtkDataSet* field, vtkIdList* ids, vtkDataSet* samples)
 }
 
 vtkSmartPointer<vtkDataArray> Choose(
-  vtkDataArray* coordinates, const std::vector<vtkIdType>& places)
+  vtkDataArray* coordinates, const std::vector<vtkIdType>& indices)
 {
   auto chosen = vtk::TakeSmartPointer(coordinates->NewInstance());
-  chosen->SetNumberOfTuples(static_cast<vtkIdType>(places.size()));
-  for (std::size_t i = 0; i < places.size(); ++i)
+  chosen->SetNumberOfTuples(static_cast<vtkIdType>(indices.size()));
+  for (std::size_t i = 0; i < indices.size(); ++i)
   {
-    chosen->SetTuple(static_cast<vtkIdType>(i), places[i], coordinates);
+    chosen->SetTuple(static_cast<vtkIdType>(i), indices[i], coordinates);
   }
   return chosen;
 }
 
-vtkSmartPointer<vtkDataSet> ThinGrid(vtkDataSet* field, const int before[6], const int extent[6])
+vtkSmartPointer<vtkDataSet> SubsampleGrid(
+  vtkDataSet* field, const int before[6], const int extent[6])
 {
-  const std::array<std::vector<vtkIdType>, 3> places = SampleGrid::GetPlaces(before);
-  const vtkSmartPointer<vtkIdList> ids = GetIds(GetSize(before), places);
-  int whole[6];
-  std::copy_n(extent, 6, whole);
+  const std::array<std::vector<vtkIdType>, 3> indices = SampleGrid::GetIndices(before);
+  const vtkSmartPointer<vtkIdList> ids = GetIds(GetSize(before), indices);
+  int sampleExtent[6];
+  std::copy_n(extent, 6, sampleExtent);
   vtkSmartPointer<vtkDataSet> samples;
   if (vtkRectilinearGrid* rectilinear = vtkRectilinearGrid::SafeDownCast(field))
   {
     const vtkSmartPointer<vtkRectilinearGrid> grid = vtkSmartPointer<vtkRectilinearGrid>::New();
-    grid->SetExtent(whole);
-    grid->SetXCoordinates(Choose(rectilinear->GetXCoordinates(), places[0]));
-    grid->SetYCoordinates(Choose(rectilinear->GetYCoordinates(), places[1]));
-    grid->SetZCoordinates(Choose(rectilinear->GetZCoordinates(), places[2]));
+    grid->SetExtent(sampleExtent);
+    grid->SetXCoordinates(Choose(rectilinear->GetXCoordinates(), indices[0]));
+    grid->SetYCoordinates(Choose(rectilinear->GetYCoordinates(), indices[1]));
+    grid->SetZCoordinates(Choose(rectilinear->GetZCoordinates(), indices[2]));
     samples = grid;
   }
   else
@@ -155,7 +156,7 @@ vtkSmartPointer<vtkDataSet> ThinGrid(vtkDataSet* field, const int before[6], con
     vtkNew<vtkPoints> chosen;
     chosen->SetDataType(all->GetDataType());
     all->GetPoints(ids, chosen);
-    grid->SetExtent(whole);
+    grid->SetExtent(sampleExtent);
     grid->SetPoints(chosen);
     samples = grid;
   }
@@ -168,7 +169,7 @@ void SampleGrid::GetExtent(const int field[6], int samples[6])
 {
   std::copy_n(field, 6, samples);
   const Size points = GetSize(field);
-  if (GetNumber(points) <= MostPoints)
+  if (GetNumber(points) <= MaximumPoints)
   {
     return;
   }
@@ -180,16 +181,16 @@ void SampleGrid::GetExtent(const int field[6], int samples[6])
   }
 }
 
-std::array<std::vector<vtkIdType>, 3> SampleGrid::GetPlaces(const int field[6])
+std::array<std::vector<vtkIdType>, 3> SampleGrid::GetIndices(const int field[6])
 {
   const Size points = GetSize(field);
   const Size strides = GetStrides(points);
-  std::array<std::vector<vtkIdType>, 3> places;
+  std::array<std::vector<vtkIdType>, 3> indices;
   for (int axis = 0; axis < 3; ++axis)
   {
-    places[axis] = GetRow(points[axis], strides[axis]);
+    indices[axis] = GetRow(points[axis], strides[axis]);
   }
-  return places;
+  return indices;
 }
 
 vtkSmartPointer<vtkDataSet> SampleGrid::MakeVoxels(const double bounds[6])
@@ -199,7 +200,7 @@ vtkSmartPointer<vtkDataSet> SampleGrid::MakeVoxels(const double bounds[6])
   {
     longest = std::max(longest, bounds[2 * axis + 1] - bounds[2 * axis]);
   }
-  // Voxels are cubes but for rounding; a flat side has one layer of them.
+  // Voxels are nearly cubes. A direction in which the bounds have no extent gets one layer.
   double lengths[3];
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -216,7 +217,7 @@ vtkSmartPointer<vtkDataSet> SampleGrid::MakeVoxels(const double bounds[6])
       volume *= length;
     }
   }
-  const double edge = std::cbrt(volume / static_cast<double>(MostPoints));
+  const double edge = std::cbrt(volume / static_cast<double>(MaximumPoints));
   Size size{ { 2, 2, 2 } };
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -233,13 +234,13 @@ vtkSmartPointer<vtkDataSet> SampleGrid::MakeVoxels(const double bounds[6])
     {
       for (vtkIdType i = 0; i < size[0]; ++i)
       {
-        const vtkIdType place[3] = { i, j, k };
+        const vtkIdType index[3] = { i, j, k };
         const vtkIdType id = i + size[0] * (j + size[1] * k);
         double x[3];
         for (int axis = 0; axis < 3; ++axis)
         {
-          const double part = static_cast<double>(place[axis]) / (size[axis] - 1);
-          x[axis] = bounds[2 * axis] + part * (bounds[2 * axis + 1] - bounds[2 * axis]);
+          const double fraction = static_cast<double>(index[axis]) / (size[axis] - 1);
+          x[axis] = bounds[2 * axis] + fraction * (bounds[2 * axis + 1] - bounds[2 * axis]);
         }
         points->SetPoint(id, x);
         if (i + 1 < size[0] && j + 1 < size[1] && k + 1 < size[2])
@@ -259,7 +260,7 @@ vtkSmartPointer<vtkDataSet> SampleGrid::MakeVoxels(const double bounds[6])
 
 vtkSmartPointer<vtkDataSet> SampleGrid::Make(vtkDataSet* field)
 {
-  if (field->GetNumberOfPoints() <= MostPoints)
+  if (field->GetNumberOfPoints() <= MaximumPoints)
   {
     return field;
   }
@@ -283,7 +284,7 @@ vtkSmartPointer<vtkDataSet> SampleGrid::Make(vtkDataSet* field)
   int extent[6];
   GetExtent(before, extent);
   vtkImageData* image = vtkImageData::SafeDownCast(field);
-  return image ? ThinImage(image, extent) : ThinGrid(field, before, extent);
+  return image ? SubsampleImage(image, extent) : SubsampleGrid(field, before, extent);
 }
 
 }

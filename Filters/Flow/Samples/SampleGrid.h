@@ -15,30 +15,31 @@ namespace interlume
 
 /**
  * @class   SampleGrid
- * @brief   the samples of vtkImplicitFlowField::SAMPLES_AUTOMATIC: a field's points, or fewer
+ * @brief   creates the samples of vtkImplicitFlowField::SAMPLES_AUTOMATIC
  *
- * A field of MostPoints points or fewer is its own samples. The samples of a larger field have its
- * type: image data over the same box with fewer points, every n-th point along each direction of a
- * rectilinear or structured grid, its last one too, and the voxels of an image over the bounds of
- * an unstructured grid. n grows along the direction that has most points left, until they are few
- * enough. Point arrays are kept where samples are points of the field.
+ * If a field has at most MaximumPoints points, these are the samples. Larger fields get fewer
+ * samples, in a dataset of the same type. Image data become a coarser image over the same box.
+ * Rectilinear and structured grids keep every n-th point and the last one along each direction.
+ * Unstructured grids get the voxels of an image over their bounds. The stride n grows along the
+ * direction with the most remaining points until at most MaximumPoints samples remain. Point arrays
+ * are copied if samples are points of the field.
  */
 class SampleGrid
 {
 public:
-  static constexpr vtkIdType MostPoints = 32768;
+  static constexpr vtkIdType MaximumPoints = 32768;
 
-  /// Computes the extent of the samples of a field with an extent: itself, or another that begins
-  /// at 0.
+  /// Computes the extent of the samples from the extent of the field. It is unchanged if the field
+  /// has few points, and otherwise begins at 0.
   static void GetExtent(const int field[6], int samples[6]);
 
-  /// Returns the places of the samples in the rows of points along each direction, from 0.
-  static std::array<std::vector<vtkIdType>, 3> GetPlaces(const int field[6]);
+  /// Returns the point indices of the samples along each direction, from 0.
+  static std::array<std::vector<vtkIdType>, 3> GetIndices(const int field[6]);
 
-  /// Makes the samples of an unstructured grid of many points with these bounds.
+  /// Creates the samples for an unstructured grid with many points, from its bounds.
   static vtkSmartPointer<vtkDataSet> MakeVoxels(const double bounds[6]);
 
-  /// Makes the samples; returns \a field itself where it has few points.
+  /// Creates the samples. Returns \a field itself if it has few points.
   static vtkSmartPointer<vtkDataSet> Make(vtkDataSet* field);
 };
 

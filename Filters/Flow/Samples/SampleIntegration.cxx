@@ -4,7 +4,7 @@
 #include "Common/Vectors.h"
 #include "Fields/FlowField.h"
 #include "Samples/SampleOrder.h"
-#include "Samples/SharedLattice.h"
+#include "Samples/StreamlineSharing.h"
 
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
@@ -52,14 +52,14 @@ bool SampleIntegration::Run(vtkDataSet* samples, vtkIdType first, int level)
   this->Reports = &reports;
   if (all > 0)
   {
-    // Makes the data that the dataset makes at the first call, before threads need them.
+    // The first call builds data that the dataset caches. Make it before threads start.
     double x[3];
     samples->GetPoint(0, x);
   }
   this->Sides.SetNumberOfSamples(all);
   int dimensions[3];
-  const bool isDone = this->IsShared(dimensions) ? this->FollowShared(dimensions)
-                                                 : this->Follow(SampleOrder(samples, first));
+  const bool isDone = this->CanInterpolate(dimensions) ? this->FollowAndInterpolate(dimensions)
+                                                       : this->Follow(SampleOrder(samples, first));
   for (const FlowReport& report : reports)
   {
     this->Context.Report.Add(report);
@@ -71,21 +71,21 @@ bool SampleIntegration::Run(vtkDataSet* samples, vtkIdType first, int level)
   return isDone;
 }
 
-bool SampleIntegration::IsShared(int dimensions[3]) const
+bool SampleIntegration::CanInterpolate(int dimensions[3]) const
 {
   const AdvectionOptions& options = this->Context.Options;
   const bool hasQuantities = options.ComputeMaximumSpeed || options.ComputeArcLength ||
     options.ComputeMeanVorticity || !options.MeanNumbers.empty();
-  return options.ShareStreamlines && this->Level == 0 && !hasQuantities &&
-    SharedLattice::GetDimensions(this->Samples, dimensions);
+  return options.InterpolateStreamlines && this->Level == 0 && !hasQuantities &&
+    StreamlineSharing::GetDimensions(this->Samples, dimensions);
 }
 
 double SampleIntegration::GetProgress() const
 {
   const double part =
     (ProgressEnd - this->ProgressStart) / (this->Context.Options.RefinementLevels + 1.0);
-  const double share = static_cast<double>(this->Done) / std::max<vtkIdType>(1, this->Number);
-  return this->ProgressStart + (this->Level + share) * part;
+  const double fraction = static_cast<double>(this->Done) / std::max<vtkIdType>(1, this->Number);
+  return this->ProgressStart + (this->Level + fraction) * part;
 }
 
 bool SampleIntegration::Follow(const SampleOrder& order)
@@ -96,11 +96,11 @@ bool SampleIntegration::Follow(const SampleOrder& order)
   return this->Context.Field.Follow(
     this->Context.Options, order.GetNumber(),
     [&](vtkIdType i, double x[3]) { this->Samples->GetPoint(order[i], x); },
-    [&](vtkIdType i, const AdvectionResult& result) { this->Take(order[i], result); }, before,
+    [&](vtkIdType i, const AdvectionResult& result) { this->Store(order[i], result); }, before,
     this->Context.Progress);
 }
 
-void SampleIntegration::Take(vtkIdType id, const AdvectionResult& result)
+void SampleIntegration::Store(vtkIdType id, const AdvectionResult& result)
 {
   double x[3];
   this->Samples->GetPoint(id, x);
@@ -133,23 +133,23 @@ double SampleIntegration::GetDistance(int id, const double first[2], const doubl
       ? Vectors::SafeLength(Vectors::Difference(x, y))
       : std::numeric_limits<double>::infinity();
   }
-  // No face of the domain is wider than the field.
+  // No domain face is wider than the field.
   return this->Context.FieldLength *
     std::max(std::abs(first[0] - other[0]), std::abs(first[1] - other[1]));
 }
 
-bool SampleIntegration::FollowShared(const int dimensions[3])
+bool SampleIntegration::FollowAndInterpolate(const int dimensions[3])
 {
   const double speed = this->Context.Field.GetField().GetSpeedScale();
-  SharedLattice lattice(
+  StreamlineSharing sharing(
     dimensions,
     { this->Arrays.Status->GetPointer(0), this->Arrays.Id->GetPointer(0),
       this->Arrays.Parameters->GetPointer(0), this->Arrays.Time->GetPointer(0) },
-    [&](const SharedLattice::Answer& guess, const double* uv, double time)
+    [&](const StreamlineSharing::SampleResult& guess, const double* uv, double time)
     {
       const double error = std::max(
         this->GetDistance(guess.Id, guess.Parameters, uv), speed * std::abs(guess.Time - time));
-      // What rounding leaves of numbers as large is no error.
+      // Rounding error of positions is not an interpolation error.
       constexpr double rounding = 64.0 * std::numeric_limits<double>::epsilon();
       return error /
         (this->Context.Options.MaximumError * time + rounding * this->Context.FieldLength);
@@ -161,30 +161,30 @@ bool SampleIntegration::FollowShared(const int dimensions[3])
       return { { surface && surface->IsPeriodic(0, part),
         surface && surface->IsPeriodic(1, part) } };
     });
-  bool goesOn = this->Follow(SampleOrder(this->Samples, lattice.GetFirst()));
-  while (goesOn && lattice.Next())
+  bool isActive = this->Follow(SampleOrder(this->Samples, sharing.GetFirst()));
+  while (isActive && sharing.Next())
   {
-    goesOn = this->Follow(SampleOrder(this->Samples, lattice.GetFollowed())) &&
-      this->Follow(SampleOrder(this->Samples, lattice.CheckMiddles()));
-    if (goesOn)
+    isActive = this->Follow(SampleOrder(this->Samples, sharing.GetFollowed())) &&
+      this->Follow(SampleOrder(this->Samples, sharing.CheckCenters()));
+    if (isActive)
     {
-      lattice.Share(
-        [&](vtkIdType id, const SharedLattice::Answer& answer)
+      sharing.VisitInterpolated(
+        [&](vtkIdType id, const StreamlineSharing::SampleResult& interpolated)
         {
           AdvectionResult result;
           result.Status = vtkFlowStatus::REACHED_SURFACE;
-          result.Id = answer.Id;
-          std::copy_n(answer.Parameters, 2, result.Parameters);
-          result.Time = answer.Time;
-          this->Take(id, result);
+          result.Id = interpolated.Id;
+          std::copy_n(interpolated.Parameters, 2, result.Parameters);
+          result.Time = interpolated.Time;
+          this->Store(id, result);
           ++this->Context.Report.InterpolatedSamples;
         });
     }
   }
-  this->Context.Report.InterpolationChecks = lattice.GetNumberOfChecks();
-  this->Context.Report.LargestInterpolationError = lattice.GetLargestError();
-  this->Context.Report.MeanInterpolationError = lattice.GetMeanError();
-  return goesOn;
+  this->Context.Report.InterpolationChecks = sharing.GetNumberOfChecks();
+  this->Context.Report.LargestInterpolationError = sharing.GetLargestError();
+  this->Context.Report.MeanInterpolationError = sharing.GetMeanError();
+  return isActive;
 }
 
 void SampleIntegration::FindSides()

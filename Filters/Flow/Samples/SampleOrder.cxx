@@ -12,13 +12,13 @@ namespace interlume
 
 namespace
 {
-constexpr int MostBits = 7;
+constexpr int MaximumBits = 7;
 constexpr double SamplesInBlock = 8.0;
 
 int GetNumberOfBits(vtkIdType samples)
 {
   int bits = 0;
-  while (bits<MostBits&& static_cast<double>(samples)> SamplesInBlock * (1 << (3 * bits)))
+  while (bits<MaximumBits&& static_cast<double>(samples)> SamplesInBlock * (1 << (3 * bits)))
   {
     ++bits;
   }
@@ -32,7 +32,7 @@ std::vector<vtkIdType> MakeIds(vtkIdType first, vtkIdType end)
   return ids;
 }
 
-/// Finds the block of positions within bounds.
+/// Computes the block of a position within bounds.
 class Blocks
 {
 public:
@@ -53,7 +53,7 @@ public:
     for (int i = 0; i < 3; ++i)
     {
       const double block = this->Scale[i] * (x[i] - this->Lower[i]);
-      // NaN is below no number.
+      // The comparison is false for NaN, which therefore gets index 0.
       index[i] = block >= 1.0 ? static_cast<unsigned int>(std::min<double>(block, this->Last)) : 0U;
     }
     return SampleOrder::GetCode(index);

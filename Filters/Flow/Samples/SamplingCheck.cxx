@@ -29,7 +29,7 @@ bool SamplingCheck::Run(StageContext& context, vtkDataSet* samples)
   SamplingCheck check(samples, arrays, context.Options.SamplingChecks);
   const bool isDone = context.Field.Follow(
     context.Options, static_cast<vtkIdType>(check.Cells.size()),
-    [&](vtkIdType i, double x[3]) { check.GetMiddle(i, x); },
+    [&](vtkIdType i, double x[3]) { check.GetCenter(i, x); },
     [&](vtkIdType i, const AdvectionResult& result) { check.Set(i, result); }, context.Progress,
     1.0);
   if (isDone)
@@ -40,21 +40,23 @@ bool SamplingCheck::Run(StageContext& context, vtkDataSet* samples)
   return isDone;
 }
 
-SamplingCheck::SamplingCheck(vtkDataSet* samples, const ImplicitFlowArrays& arrays, vtkIdType most)
+SamplingCheck::SamplingCheck(
+  vtkDataSet* samples, const ImplicitFlowArrays& arrays, vtkIdType maximum)
   : Samples(samples)
   , Arrays(arrays)
 {
   const std::vector<vtkIdType> found = this->FindCells();
   const auto all = static_cast<vtkIdType>(found.size());
-  const vtkIdType number = std::min(all, most);
+  const vtkIdType number = std::min(all, maximum);
   vtkNew<vtkMinimalStandardRandomSequence> random;
   random->SetSeed(1);
   vtkNew<vtkIdList> corners;
   for (vtkIdType i = 0; i < number; ++i)
   {
     random->Next();
-    const double place = (static_cast<double>(i) + random->GetValue()) / number;
-    const auto chosen = std::min(static_cast<vtkIdType>(place * static_cast<double>(all)), all - 1);
+    const double position = (static_cast<double>(i) + random->GetValue()) / number;
+    const auto chosen =
+      std::min(static_cast<vtkIdType>(position * static_cast<double>(all)), all - 1);
     samples->GetCellPoints(found[static_cast<std::size_t>(number < all ? chosen : i)], corners);
     Cell cell;
     cell.NumberOfCorners = static_cast<int>(corners->GetNumberOfIds());
@@ -72,8 +74,8 @@ std::vector<vtkIdType> SamplingCheck::FindCells() const
     this->Samples->GetCellPoints(id, corners);
     const vtkIdType* begin = corners->GetPointer(0);
     const vtkIdType number = corners->GetNumberOfIds();
-    // A vertex has nothing between its corners.
-    if (number > 1 && number <= MostCorners &&
+    // A vertex has no interior.
+    if (number > 1 && number <= MaximumCorners &&
       std::any_of(begin, begin + number,
         [this](vtkIdType corner)
         { return this->Arrays.GetStatus(corner) != vtkFlowStatus::OUTSIDE; }))
@@ -84,7 +86,7 @@ std::vector<vtkIdType> SamplingCheck::FindCells() const
   return found;
 }
 
-void SamplingCheck::GetMiddle(vtkIdType i, double x[3]) const
+void SamplingCheck::GetCenter(vtkIdType i, double x[3]) const
 {
   const Cell& cell = this->Cells[static_cast<std::size_t>(i)];
   std::fill_n(x, 3, 0.0);
@@ -124,7 +126,7 @@ bool SamplingCheck::IsSplit(const Cell& cell) const
 {
   const auto* first = cell.Corners.begin();
   return std::any_of(first, first + cell.NumberOfCorners,
-           [&](vtkIdType corner) { return !this->Arrays.AreAlike(corner, *first); }) ||
+           [&](vtkIdType corner) { return !this->Arrays.HaveSameEnd(corner, *first); }) ||
     (this->Arrays.IsReached(*first) && this->Arrays.HasSides() &&
       this->Arrays.IsAcrossSurface(first, cell.NumberOfCorners));
 }
@@ -133,19 +135,19 @@ bool SamplingCheck::IsDifferent(const Cell& cell, const AdvectionResult& result)
 {
   const auto* first = cell.Corners.begin();
   const auto* end = first + cell.NumberOfCorners;
-  std::ptrdiff_t most = 0;
+  std::ptrdiff_t largest = 0;
   for (const auto* one = first; one != end; ++one)
   {
-    most = std::max(most,
+    largest = std::max(largest,
       std::count_if(
-        first, end, [&](vtkIdType corner) { return this->Arrays.AreAlike(corner, *one); }));
+        first, end, [&](vtkIdType corner) { return this->Arrays.HaveSameEnd(corner, *one); }));
   }
   return std::count_if(first, end,
            [&](vtkIdType corner)
            {
              return this->Arrays.GetStatus(corner) == result.Status &&
                this->Arrays.GetId(corner) == result.Id;
-           }) < most;
+           }) < largest;
 }
 
 double SamplingCheck::GetError(const Cell& cell, const AdvectionResult& result, int axis) const
@@ -154,7 +156,7 @@ double SamplingCheck::GetError(const Cell& cell, const AdvectionResult& result, 
   const double own = result.Parameters[axis];
   const auto subtract = [isPeriodic](double a, double b)
   { return isPeriodic ? a - b - std::round(a - b) : a - b; };
-  // All corners are taken on one side of a seam, as they are where they are drawn.
+  // All corners are unwrapped to one side of a seam, as in the output of vtkFlowVolume.
   const double first = this->Arrays.GetParameters(cell.Corners[0])[axis];
   double sum = 0.0;
   for (int c = 0; c < cell.NumberOfCorners; ++c)

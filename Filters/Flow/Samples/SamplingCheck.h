@@ -19,32 +19,32 @@ struct StageContext;
 
 /**
  * @class   SamplingCheck
- * @brief   compares interpolation in the middles of some cells of samples with streamlines there
+ * @brief   compares interpolation at the centers of sample cells with streamlines
  *
- * The cells are chosen at random, always the same ones, one from each of as many equal parts of the
- * list of cells with a corner in the field.
+ * The list of cells with a corner in the field is divided into equal parts, and one cell is chosen
+ * at random from each. The choice is the same in each execution.
  */
 class SamplingCheck
 {
 public:
-  /// Follows the streamlines of as many middles of cells as the options say, and adds the report
-  /// and the arrays of vtkFlowStatus. Returns false if the execution was aborted.
+  /// Advects the number of cell centers set in the options, and adds the report and the arrays of
+  /// vtkFlowStatus. Returns false if the execution was aborted.
   static bool Run(StageContext& context, vtkDataSet* samples);
 
 private:
-  /// Chooses \a most cells, or all if there are no more.
-  SamplingCheck(vtkDataSet* samples, const ImplicitFlowArrays& arrays, vtkIdType most);
+  /// Chooses \a maximum cells, or all cells if there are fewer.
+  SamplingCheck(vtkDataSet* samples, const ImplicitFlowArrays& arrays, vtkIdType maximum);
 
-  /// Computes the middle of one of the cells, the mean of its corners.
-  void GetMiddle(vtkIdType i, double x[3]) const;
-  /// Takes the streamline of a middle; threads may do so for different ones.
+  /// Computes the center of a chosen cell, the mean of its corners.
+  void GetCenter(vtkIdType i, double x[3]) const;
+  /// Stores the result of a center. Threads may call it at once for different centers.
   void Set(vtkIdType i, const AdvectionResult& result);
-  /// Returns what was found, after all middles were set.
+  /// Returns the report, once all centers are set.
   SamplingReport GetReport() const;
-  /// Adds the arrays of vtkFlowStatus that tell a report.
+  /// Adds the arrays of vtkFlowStatus for a report.
   static void AddArrays(const SamplingReport& report, vtkFieldData* data);
 
-  static constexpr int MostCorners = 8;
+  static constexpr int MaximumCorners = 8;
   enum Quantities
   {
     U,
@@ -54,7 +54,7 @@ private:
   };
   struct Cell
   {
-    std::array<vtkIdType, MostCorners> Corners{};
+    std::array<vtkIdType, MaximumCorners> Corners{};
     int NumberOfCorners = 0;
     bool IsSplit = false;
     bool IsDifferent = false;
@@ -62,12 +62,13 @@ private:
     std::array<double, NUMBER_OF_QUANTITIES> Errors{};
   };
 
-  /// Finds the cells that may be chosen.
+  /// Finds the candidate cells.
   std::vector<vtkIdType> FindCells() const;
   bool IsSplit(const Cell& cell) const;
-  /// Returns whether fewer corners ended as \a result did than in another way.
+  /// Returns true if the status and id of \a result are not the most frequent ones among the
+  /// corners.
   bool IsDifferent(const Cell& cell, const AdvectionResult& result) const;
-  /// Returns the error of the interpolation of u or v.
+  /// Returns the interpolation error of u or v.
   double GetError(const Cell& cell, const AdvectionResult& result, int axis) const;
   SamplingReport::Error GetError(Quantities quantity) const;
 

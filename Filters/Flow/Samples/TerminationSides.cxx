@@ -23,7 +23,7 @@ namespace interlume
 namespace
 {
 constexpr float None = std::numeric_limits<float>::quiet_NaN();
-// The error of distances, which are kept as floats.
+// Rounding error of distances, which are stored as floats.
 constexpr double Rounding = 1.0 + 1e-6;
 
 double GetDiagonal(vtkDataSet* data, vtkIdList* corners)
@@ -45,21 +45,21 @@ double GetDiagonal(vtkDataSet* data, vtkIdList* corners)
   return Vectors::SafeLength(Vectors::Difference(upper, lower));
 }
 
-// The least distances of a cell's corners above and below their surface.
+// Smallest distances of a cell's corners above and below their surface.
 struct Gap
 {
   float Above = std::numeric_limits<float>::infinity();
   float Below = std::numeric_limits<float>::infinity();
-  bool IsLeft = false;
+  bool IsOff = false;
 
   void Add(float distance)
   {
-    // A corner on the surface is on both sides.
+    // A corner on the surface counts for both sides.
     this->Above = distance >= 0.0F ? std::min(this->Above, distance) : this->Above;
     this->Below = distance <= 0.0F ? std::min(this->Below, -distance) : this->Below;
-    this->IsLeft = this->IsLeft || distance != 0.0F;
+    this->IsOff = this->IsOff || distance != 0.0F;
   }
-  bool IsCrossed() const { return this->IsLeft && std::isfinite(this->Above + this->Below); }
+  bool IsCrossed() const { return this->IsOff && std::isfinite(this->Above + this->Below); }
 };
 }
 
@@ -95,7 +95,8 @@ const vtkTerminationSurface* TerminationSides::FindNearest(
   for (const vtkTerminationSurface* surface : found->second)
   {
     const double own = surface->EvaluateDistance(x);
-    if ((!nearest || std::abs(own) < std::abs(distance)) && (isOne || surface->IsBeside(x)))
+    if ((!nearest || std::abs(own) < std::abs(distance)) &&
+      (isOne || surface->ProjectsOntoSurface(x)))
     {
       nearest = surface;
       distance = own;
@@ -111,11 +112,12 @@ void TerminationSides::Add(vtkIdType sample, const double x[3], const AdvectionR
   {
     return;
   }
-  const double least = std::numeric_limits<float>::min();
-  // Rounding may have put a sample on the field's skin behind the surface that is there.
+  const double smallest = std::numeric_limits<float>::min();
+  // Rounding may have moved a sample on the field's boundary behind a surface at the boundary.
   const bool isOff = result.Time > 0.0 && std::abs(distance) > result.Nearness;
   this->Distances[static_cast<std::size_t>(sample)] = isOff
-    ? static_cast<float>(std::copysign(std::max(least, this->Scale * std::abs(distance)), distance))
+    ? static_cast<float>(
+        std::copysign(std::max(smallest, this->Scale * std::abs(distance)), distance))
     : 0.0F;
 }
 
@@ -126,7 +128,7 @@ std::vector<vtkIdType> TerminationSides::FindCorners(vtkDataSet* samples, const 
   vtkSMPThreadLocal<std::vector<vtkIdType>> found;
   if (cells > 0)
   {
-    // Makes the data that the dataset makes at the first call, before threads need them.
+    // The first call builds data that the dataset caches. Make it before threads start.
     samples->GetCellPoints(0, lists.Local());
   }
   vtkSMPTools::For(0, cells,
@@ -168,7 +170,7 @@ signed char TerminationSides::GetSide(
   double distance = 0.0;
   const vtkTerminationSurface* surface = this->FindNearest(id, x, distance);
   if (!surface || this->Distances[static_cast<std::size_t>(sample)] == 0.0F ||
-    !surface->IsBeside(x))
+    !surface->ProjectsOntoSurface(x))
   {
     return 0;
   }
@@ -176,9 +178,8 @@ signed char TerminationSides::GetSide(
   surface->EvaluateNormal(x, normal);
   const double speed = vtkMath::Dot(normal, velocity);
   const int side = distance < 0.0 ? -1 : 1;
-  const bool isTowards = side * (this->IsBackward ? -speed : speed) < 0.0;
-  return static_cast<signed char>(
-    side * (isTowards ? vtkFlowStatus::TOWARDS : vtkFlowStatus::AWAY));
+  const bool isToward = side * (this->IsBackward ? -speed : speed) < 0.0;
+  return static_cast<signed char>(side * (isToward ? vtkFlowStatus::TOWARD : vtkFlowStatus::AWAY));
 }
 
 }

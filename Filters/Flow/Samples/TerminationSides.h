@@ -14,31 +14,32 @@ namespace interlume
 
 /**
  * @class   TerminationSides
- * @brief   on which side of their surface samples are that are corners of a cell it passes through
+ * @brief   determines on which side of a termination surface nearby samples lie
  *
- * A surface passes through a cell where its distance changes sign and the distances of two corners
- * on different sides are together no longer than the cell's diagonal: a distance never changes by
- * more than the way. So two layers of one mesh, with the nearer changing between them, are no
- * surface in between. Only the distance of a sample is kept.
+ * The class considers samples at corners of cells that the surface crosses. A surface crosses a
+ * cell if the signed distance from it has both signs at the corners, and the distances of two
+ * corners on different sides add up to at most the cell's diagonal. Corners between two layers of
+ * one mesh may have both signs although no layer crosses the cell, but their distances add up to
+ * more. Only the distance of each sample is stored.
  */
 class TerminationSides
 {
 public:
-  /// Takes options that must not change while this is used, and the bounds of the samples.
+  /// \a options must outlive this object and not change. \a bounds are the bounds of the samples.
   TerminationSides(const AdvectionOptions& options, const double bounds[6]);
 
-  /// Sets the number of samples; new ones have no surface.
+  /// Sets the number of samples. New samples have no surface.
   void SetNumberOfSamples(vtkIdType number);
 
-  /// Notes how a sample ended. Threads may call it at once for different samples.
+  /// Stores the result of a sample. Threads may call it at once for different samples.
   void Add(vtkIdType sample, const double x[3], const AdvectionResult& result);
 
-  /// Returns the corners of cells that their surface passes through, ascending; \a ids are the
-  /// samples' TerminationId.
+  /// Returns the samples at corners of cells that their surface crosses, in ascending order. \a ids
+  /// are the samples' TerminationIds.
   std::vector<vtkIdType> FindCorners(vtkDataSet* samples, const int* ids) const;
 
-  /// Returns the value of vtkFlowStatus::SideArray for a sample at \a x that goes with \a velocity
-  /// at first, against it when backward.
+  /// Returns the value of vtkFlowStatus::SideArray for a sample at \a x with \a velocity, which is
+  /// not negated for backward streamlines.
   signed char GetSide(vtkIdType sample, int id, const double x[3], const double velocity[3]) const;
 
 private:
@@ -46,10 +47,10 @@ private:
 
   bool IsBackward;
   std::map<int, std::vector<const vtkTerminationSurface*>> Surfaces;
-  // The power of 2 by which the samples' longest side is about 1.
+  // Power of 2 that scales the longest side of the samples' bounds to about 1.
   double Scale;
-  // The distance of each sample, multiplied by Scale, so that floats have it; NaN without a
-  // surface, 0 only on it.
+  // Scaled distance of each sample, so that it fits a float; NaN if there is no surface, 0 only on
+  // the surface.
   std::vector<float> Distances;
 };
 

@@ -88,7 +88,7 @@ void FlowReport::Add(const AdvectionResult& result)
     this->ReachedWithinTolerance += result.Nearness > 0.0 ? 1 : 0;
   }
   this->Steps += result.Steps;
-  this->SimdSteps += result.LaneSteps;
+  this->SimdSteps += result.SimdSteps;
   this->RejectedSteps += result.RejectedSteps;
   this->StiffSteps += result.StiffSteps;
   this->RejectedStiffSteps += result.RejectedStiffSteps;

@@ -2,7 +2,7 @@
 #ifndef interlume_LocalStreamlines_h
 #define interlume_LocalStreamlines_h
 
-#include "Streams/SampleStreams.h"
+#include "Streams/SampleQueue.h"
 #include "Streams/StreamlineIntegrator.h"
 #include "Streams/Streamlines.h"
 
@@ -13,7 +13,7 @@ namespace interlume
 
 /**
  * @class   LocalStreamlines
- * @brief   streamlines of a field that the process has all of, by threads
+ * @brief   traces streamlines in parallel in a field that this process holds entirely
  */
 template <typename Walker>
 class LocalStreamlines : public Streamlines
@@ -28,20 +28,20 @@ public:
   bool Follow(const AdvectionOptions& options, vtkIdType number, const GetPosition& start,
     const Take& take, double begin, double end) override
   {
-    return SampleStreams::Run(number, this->Owner, begin, end,
+    return SampleQueue::Run(number, this->Owner, begin, end,
       [&](auto&& next)
       {
         AdvectionResult result;
         StreamlineIntegrator<Walker>::Follow(
           this->Field, options,
-          [&](Advection<Walker>& advection, bool& goesOn)
+          [&](Advection<Walker>& advection, bool& isActive)
           {
             const vtkIdType i = next();
             double x[3];
             if (i >= 0)
             {
               start(i, x);
-              goesOn = advection.Start(x);
+              isActive = advection.Start(x);
             }
             return i;
           },
@@ -77,7 +77,7 @@ public:
     double p[3];
     return walker.Locate(x, p) ? GetVelocityAt(walker, p) : Velocity();
   }
-  /// Returns the velocity at a place in the cell that the walker stands in.
+  /// Returns the velocity at parametric coordinates in the current cell of the walker.
   static Velocity GetVelocityAt(const Walker& walker, const double p[3])
   {
     Velocity velocity;

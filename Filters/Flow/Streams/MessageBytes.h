@@ -11,13 +11,14 @@
 namespace interlume
 {
 
-/// Messages as bytes, of values that can be copied as bytes, between processes of one machine type.
+/// Serialization of trivially copyable values, for messages between processes on machines of the
+/// same architecture.
 namespace MessageBytes
 {
 template <typename Value>
 void Put(std::vector<char>& bytes, const Value& value)
 {
-  static_assert(std::is_trivially_copyable_v<Value>, "its bytes are sent");
+  static_assert(std::is_trivially_copyable_v<Value>, "values are sent bytewise");
   const char* first = reinterpret_cast<const char*>(&value);
   bytes.insert(bytes.end(), first, first + sizeof(Value));
 }
@@ -29,11 +30,11 @@ inline void Put(std::vector<char>& bytes, const std::vector<double>& numbers)
   bytes.insert(bytes.end(), first, first + numbers.size() * sizeof(double));
 }
 
-/// Takes a value from where \a at is, and moves that behind it.
+/// Reads a value at \a at and advances \a at past it.
 template <typename Value>
 void Get(const char*& at, Value& value)
 {
-  static_assert(std::is_trivially_copyable_v<Value>, "its bytes are sent");
+  static_assert(std::is_trivially_copyable_v<Value>, "values are sent bytewise");
   std::memcpy(static_cast<void*>(&value), at, sizeof(Value));
   at += sizeof(Value);
 }

@@ -48,15 +48,15 @@ void RankExchange::Maximize(std::vector<double>& numbers)
 void RankExchange::Unite(double bounds[6])
 {
   std::vector<double> ends(6);
-  const auto turn = [](std::size_t i, double end) { return i % 2 ? end : -end; };
+  const auto negateLower = [](std::size_t i, double end) { return i % 2 ? end : -end; };
   for (std::size_t i = 0; i < 6; ++i)
   {
-    ends[i] = turn(i, bounds[i]);
+    ends[i] = negateLower(i, bounds[i]);
   }
   this->Maximize(ends);
   for (std::size_t i = 0; i < 6; ++i)
   {
-    bounds[i] = turn(i, ends[i]);
+    bounds[i] = negateLower(i, ends[i]);
   }
 }
 
@@ -73,22 +73,22 @@ std::vector<RankExchange::Bytes> RankExchange::Gather(const Bytes& own)
   std::vector<vtkIdType> sizes(ranks, 0);
   sizes[static_cast<std::size_t>(this->Rank)] = static_cast<vtkIdType>(own.size());
   this->Add(sizes);
-  std::vector<vtkIdType> places(ranks + 1, 0);
-  std::partial_sum(sizes.begin(), sizes.end(), places.begin() + 1);
-  Bytes all(static_cast<std::size_t>(places.back()));
+  std::vector<vtkIdType> locations(ranks + 1, 0);
+  std::partial_sum(sizes.begin(), sizes.end(), locations.begin() + 1);
+  Bytes all(static_cast<std::size_t>(locations.back()));
   this->Controller->AllGatherV(
-    own.data(), all.data(), static_cast<vtkIdType>(own.size()), sizes.data(), places.data());
+    own.data(), all.data(), static_cast<vtkIdType>(own.size()), sizes.data(), locations.data());
   std::vector<Bytes> gathered;
   for (std::size_t rank = 0; rank < ranks; ++rank)
   {
-    gathered.emplace_back(all.begin() + places[rank], all.begin() + places[rank + 1]);
+    gathered.emplace_back(all.begin() + locations[rank], all.begin() + locations[rank + 1]);
   }
   return gathered;
 }
 
 Error RankExchange::FindFirst(const Error& error)
 {
-  // The first letter is the code.
+  // The first character of the text is the error code.
   const std::string first = this->FindFirstText(
     error ? static_cast<char>(error.GetCode()) + error.GetMessage() : std::string());
   return first.empty() ? Error() : Error(first.substr(1), static_cast<ErrorCode>(first[0]));
@@ -120,7 +120,8 @@ void RankExchange::Run(const Work& work)
   Block block;
   diy::mpi::communicator communicator = vtkDIYUtilities::GetCommunicator(this->Controller);
   diy::Master master(communicator, 1);
-  // A streamline goes on in a part that touches this one, but begins and ends anywhere.
+  // Links all processes: a streamline continues in an adjacent partition, but its start and its
+  // result may belong to any process.
   auto* link = new diy::Link;
   for (int rank = 0; rank < this->NumberOfRanks; ++rank)
   {

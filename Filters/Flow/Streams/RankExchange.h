@@ -17,18 +17,18 @@ namespace interlume
 
 /**
  * @class   RankExchange
- * @brief   what the processes of a controller tell each other, by VTK's DIY
+ * @brief   communication between the processes of a controller, using VTK's DIY module
  *
- * All members but those that ask for a number are collective: every process calls them, in the same
- * order.
+ * All members except the getters and IsPossible are collective: every process must call them in the
+ * same order.
  */
 class RankExchange
 {
 public:
   using Bytes = std::vector<char>;
 
-  /// Returns whether the processes of \a controller can exchange anything: there are several, and
-  /// VTK has DIY.
+  /// Returns true if the processes of \a controller can communicate: there are several processes,
+  /// and VTK has the DIY module.
   static bool IsPossible(vtkMultiProcessController* controller);
 
   explicit RankExchange(vtkMultiProcessController* controller);
@@ -38,24 +38,23 @@ public:
 
   /// Replaces numbers by their sums over all processes.
   void Add(std::vector<vtkIdType>& numbers);
-  /// Replaces numbers by the largest of all processes.
+  /// Replaces numbers by their maxima over all processes.
   void Maximize(std::vector<double>& numbers);
-  /// Replaces lower and upper x, y, z by those of the box around the boxes of all processes.
+  /// Replaces bounds (xmin, xmax, ymin, ...) by the union of the bounds of all processes.
   void Unite(double bounds[6]);
-  /// Returns whether anything is so in any process.
+  /// Returns true if \a here is true in any process.
   bool IsAnywhere(bool here);
-  /// Returns the bytes of each process.
+  /// Gathers the bytes of all processes.
   std::vector<Bytes> Gather(const Bytes& own);
-  /// Returns the error, code and message, of the first process that has one.
+  /// Returns the error (code and message) of the first process that has one.
   Error FindFirst(const Error& error);
-  /// Returns the text of the first process that has one that is not empty.
+  /// Returns the text of the first process whose text is not empty.
   std::string FindFirstText(const std::string& text);
 
   /**
-   * Calls work(received, sent) again and again until nobody has anything left to do and all that
-   * was sent has been received. \a received are bytes from any processes, messages in one piece;
-   * what is appended to sent[r] goes to process r. \a work returns whether it is done until it
-   * receives something.
+   * Calls work(received, sent) repeatedly until all processes are done and all messages have been
+   * received. \a received contains complete messages from any process. Bytes appended to sent[r]
+   * are sent to process r. \a work returns true if it is idle until it receives a message.
    */
   using Work = std::function<bool(const Bytes& received, std::vector<Bytes>& sent)>;
   void Run(const Work& work);

@@ -9,18 +9,17 @@ namespace interlume
 
 /**
  * @class   SamplingReport
- * @brief   holds the error of interpolation between samples, compared with streamlines
+ * @brief   interpolation error between samples, measured with streamlines
  *
- * vtkImplicitFlowField measures it at the centers of cells, where the interpolation between the
- * cell's corners has its largest error: u, v and AdvectionTime there are the means of the corners'
- * values. If Checks is 0, nothing was compared.
+ * vtkImplicitFlowField measures the error at cell centers, where linear interpolation has its
+ * largest error: the mean values of u, v and AdvectionTime at the corners are compared with the
+ * result of a streamline from the center. If Checks is 0, nothing was compared.
  *
  * @sa vtkImplicitFlowField::SetSamplingChecks
  */
 struct SamplingReport
 {
-  /// The mean of the absolute errors, the smallest that 99 in 100 of them do not exceed, and the
-  /// largest.
+  /// Mean, 99th percentile and maximum of the absolute error.
   struct Error
   {
     double Mean = 0.0;
@@ -28,15 +27,16 @@ struct SamplingReport
     double Largest = 0.0;
   };
 
-  /// The number of cells whose centers were compared, each with at least one corner in the field.
+  /// Number of cells whose centers were compared. Each has at least one corner in the field.
   vtkIdType Checks = 0;
-  /// The number of those whose corners differ in FlowStatus or TerminationId, or lie across their
-  /// surface with a jump in time: when they are drawn, a border is off by up to half a cell.
+  /// Number of compared cells whose corners differ in FlowStatus or TerminationId, or are on both
+  /// sides of their surface where time is discontinuous. In renderings, the boundary in such a cell
+  /// is off by up to half a cell.
   vtkIdType SplitCells = 0;
-  /// The number of centers that came to another status or surface than most of the corners.
+  /// Number of centers whose status or surface differs from the majority of the corners.
   vtkIdType MismatchedCenters = 0;
-  /// The number of all other centers that reached a surface. The errors are theirs: those of u and
-  /// v, in units of TerminationUV and never more than half a period, and of AdvectionTime.
+  /// Number of other centers that reached a surface. The errors of these centers follow: u and v in
+  /// units of TerminationUV, at most half a period, and AdvectionTime.
   vtkIdType Compared = 0;
   Error U;
   Error V;

@@ -2,7 +2,7 @@
 #include "Streams/SharedPoints.h"
 
 #include "Streams/MessageBytes.h"
-#include "Streams/RankBoxes.h"
+#include "Streams/ProcessBounds.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkDataArray.h"
@@ -22,12 +22,13 @@ namespace
 {
 using Bytes = RankExchange::Bytes;
 
-/// Sends points to the processes of higher numbers that may have them: put(bytes, point) adds what
-/// is known of one. take(at, rank, point) reads that, and for each point that is the same one gets
-/// it again; -1 for none.
+/// Sends points to the processes of higher rank that may share them. put(bytes, point) appends the
+/// data of a point. take(at, rank, point) reads these data. For each received point, it is called
+/// once with point -1, and then with each own point at the same position. It returns the end of the
+/// data.
 template <typename Put, typename Take>
-void Share(const std::vector<vtkIdType>& points, const ArrayRows& positions, RankExchange& exchange,
-  Put&& put, Take&& take)
+void ExchangePoints(const std::vector<vtkIdType>& points, const ArrayRows& positions,
+  RankExchange& exchange, Put&& put, Take&& take)
 {
   using Position = std::array<double, 3>;
   std::vector<std::pair<Position, vtkIdType>> own;
@@ -45,7 +46,7 @@ void Share(const std::vector<vtkIdType>& points, const ArrayRows& positions, Ran
   vtkSMPTools::Sort(own.begin(), own.end());
   double bounds[6];
   box.GetBounds(bounds);
-  RankBoxes boxes;
+  ProcessBounds boxes;
   boxes.Build(exchange, own.empty() ? nullptr : bounds);
   bool isSent = false;
   exchange.Run(
@@ -89,7 +90,7 @@ std::vector<vtkIdType> SharedPoints::FindRepeated(
   const std::vector<vtkIdType>& points, const ArrayRows& positions, RankExchange& exchange)
 {
   std::vector<vtkIdType> repeated;
-  Share(
+  ExchangePoints(
     points, positions, exchange, [](Bytes&, vtkIdType) {},
     [&repeated](const char* at, int, vtkIdType point)
     {
@@ -104,8 +105,8 @@ std::vector<vtkIdType> SharedPoints::FindRepeated(
   return repeated;
 }
 
-void SharedPoints::TakeFirst(const ArrayRows& positions, const std::vector<vtkDataArray*>& arrays,
-  vtkIdType numberOfPoints, RankExchange& exchange)
+void SharedPoints::CopyFromFirst(const ArrayRows& positions,
+  const std::vector<vtkDataArray*>& arrays, vtkIdType numberOfPoints, RankExchange& exchange)
 {
   std::vector<vtkIdType> points(static_cast<std::size_t>(numberOfPoints));
   std::iota(points.begin(), points.end(), 0);
@@ -114,7 +115,7 @@ void SharedPoints::TakeFirst(const ArrayRows& positions, const std::vector<vtkDa
   const auto getSize = [](vtkDataArray* array)
   { return static_cast<std::size_t>(array->GetNumberOfComponents() * array->GetDataTypeSize()); };
   std::unordered_map<vtkIdType, int> firsts;
-  Share(
+  ExchangePoints(
     points, positions, exchange,
     [&](Bytes& bytes, vtkIdType point)
     {

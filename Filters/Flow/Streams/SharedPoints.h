@@ -14,18 +14,19 @@ class vtkDataArray;
 namespace interlume
 {
 
-/// Points of unstructured grids that several processes have.
+/// Points of unstructured grids that several processes share.
 namespace SharedPoints
 {
-/// Returns those of this process's points, ascending, that a process of a lower number has too, by
-/// their coordinates to the last bit: all points that are looked at are counted once without them.
-/// Collective.
+/// Returns, sorted, those of the given points that a process of lower rank also has, with
+/// bit-identical coordinates. If each process leaves these points out, every point is counted once
+/// over all processes. Collective.
 std::vector<vtkIdType> FindRepeated(
   const std::vector<vtkIdType>& points, const ArrayRows& positions, RankExchange& exchange);
 
-/// Gives points that several processes have the tuples of the first of these: of arrays that lie in
-/// rows, the same ones in the same order in all processes that have points. Collective.
-void TakeFirst(const ArrayRows& positions, const std::vector<vtkDataArray*>& arrays,
+/// Replaces the tuples of shared points by those of the process with the lowest rank that has the
+/// point. The arrays must have contiguous tuples. All processes with points must pass the same
+/// arrays in the same order. Collective.
+void CopyFromFirst(const ArrayRows& positions, const std::vector<vtkDataArray*>& arrays,
   vtkIdType numberOfPoints, RankExchange& exchange);
 }
 

@@ -11,21 +11,21 @@ namespace interlume
 
 /**
  * @class   StageContext
- * @brief   shares data between the stages of an execution of vtkImplicitFlowField
+ * @brief   data shared by the stages of an execution of vtkImplicitFlowField
  *
- * SampleIntegration orders and integrates samples, FarSideStage finds what samples would have on
- * the far side of their surface, CellRefinement adds samples, for which both run again, and
- * SamplingCheck checks the interpolation between samples. Each stage writes its arrays into the
- * samples and can be aborted.
+ * SampleIntegration sorts and integrates samples. FarSideStage traces samples near a surface as if
+ * they were on its far side. CellRefinement adds samples and runs both stages again for them.
+ * SamplingCheck measures the interpolation error between samples. Each stage writes its arrays to
+ * the samples and can be aborted.
  */
 struct StageContext
 {
   Streamlines& Field;
   const AdvectionOptions& Options;
   FlowReport& Report;
-  /// The diagonal of the bounds of the field.
+  /// Length of the diagonal of the field's bounds.
   double FieldLength;
-  /// The progress of the execution after the last stage.
+  /// Progress of the execution at the end of the last completed stage.
   double Progress;
 };
 

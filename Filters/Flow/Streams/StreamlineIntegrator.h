@@ -2,47 +2,46 @@
 #ifndef interlume_StreamlineIntegrator_h
 #define interlume_StreamlineIntegrator_h
 
-#include "Advection/AdvectionLanes.h"
-#include "Streams/LatticeSteps.h"
+#include "Advection/SimdAdvection.h"
+#include "Streams/SimdStepDispatch.h"
 
 namespace interlume
 {
 
 /**
  * @class   StreamlineIntegrator
- * @brief   follows streamlines in one thread: four at once where the walker has lanes, or each
- * alone
+ * @brief   traces streamlines in one thread, four at once if the walker supports SIMD
  *
- * Results are the same either way.
+ * Results do not depend on how many streamlines are traced at once.
  */
 template <typename Walker>
 class StreamlineIntegrator
 {
 public:
   /**
-   * Follows streamlines that begin(advection, goesOn) begins by Start or Resume. It sets \a goesOn
-   * to what these return, and returns the id of the streamline, or -1 after the last. Calls end(id,
-   * advection) for each, in any order, where the advection does not go on.
+   * Traces streamlines. begin(advection, isActive) calls Start or Resume, sets \a isActive to its
+   * return value, and returns the id of the streamline, or -1 if none is left. The function end(id,
+   * advection) is called for each streamline, in any order, when it ends or leaves the process.
    */
   template <typename Begin, typename End>
   static void Follow(
     const Walker& walker, const AdvectionOptions& options, Begin&& begin, End&& end)
   {
-    if constexpr (Walker::HasLanes)
+    if constexpr (Walker::HasSimdWalker)
     {
-      using Group = AdvectionLanes<Walker, LatticeSteps::Four>;
-      Group advection(walker, options, LatticeSteps::Take);
+      using Group = SimdAdvection<Walker, SimdStepDispatch::Four>;
+      Group advection(walker, options, SimdStepDispatch::Take);
       advection.Follow(begin, end);
     }
     else
     {
       Advection<Walker> advection(walker, options);
-      bool goesOn = false;
-      for (vtkIdType id = begin(advection, goesOn); id >= 0; id = begin(advection, goesOn))
+      bool isActive = false;
+      for (vtkIdType id = begin(advection, isActive); id >= 0; id = begin(advection, isActive))
       {
-        while (goesOn)
+        while (isActive)
         {
-          goesOn = advection.GoStep();
+          isActive = advection.Advance();
         }
         end(id, advection);
       }

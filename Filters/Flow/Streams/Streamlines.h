@@ -16,27 +16,28 @@ class FlowField;
 
 /**
  * @class   Streamlines
- * @brief   follows many streamlines of one field
+ * @brief   interface to trace many streamlines of one field
  *
- * Where the field is held in parts by several processes, all of them call each member, in the same
- * order, each with streamlines of its own, and get the same returned.
+ * If several processes hold partitions of the field, all processes must call each member in the
+ * same order. Each process passes its own streamlines or positions. Follow returns the same value
+ * in all processes.
  */
 class Streamlines
 {
 public:
   virtual ~Streamlines() = default;
 
-  /// Computes the position with number \a i.
+  /// Computes the start position of streamline \a i.
   using GetPosition = std::function<void(vtkIdType i, double x[3])>;
-  /// Takes the result of the streamline with number \a i. Threads call it at once for different
-  /// ones.
+  /// Receives the result of streamline \a i. Threads call it concurrently for different
+  /// streamlines.
   using Take = std::function<void(vtkIdType i, const AdvectionResult& result)>;
-  /// Follows a number of streamlines while the progress goes from \a begin to \a end. Returns false
-  /// when the execution was aborted.
+  /// Traces \a number streamlines while the progress advances from \a begin to \a end. Returns
+  /// false if the execution was aborted.
   virtual bool Follow(const AdvectionOptions& options, vtkIdType number, const GetPosition& start,
     const Take& take, double begin, double end) = 0;
 
-  /// The velocity somewhere.
+  /// Velocity at a position; 0 outside the field.
   struct Velocity
   {
     bool IsInField = false;
@@ -44,7 +45,7 @@ public:
   };
   virtual std::vector<Velocity> GetVelocities(vtkIdType number, const GetPosition& position) = 0;
 
-  /// Returns what is known of the field as a whole.
+  /// Returns the properties of the whole field.
   virtual const FlowField& GetField() const = 0;
 };
 

@@ -17,7 +17,8 @@ namespace
 {
 using Parameters = LevelContours::Parameters;
 
-// The points of a contour, their positions in the world, and whether they have one.
+// Parameters of a contour, their positions in world space, and whether the surface has these
+// positions.
 struct Line
 {
   std::vector<Parameters> Points;
@@ -25,8 +26,8 @@ struct Line
   std::vector<bool> AreThere;
 };
 
-// A place on a line: a segment, and how far along it.
-struct Place
+// Location on a line: a segment, and the fraction along it.
+struct Location
 {
   std::size_t Segment = 0;
   double Along = 0.0;
@@ -51,7 +52,8 @@ Line Locate(std::vector<Parameters> points, const vtkTerminationSurface& surface
   return line;
 }
 
-// Rotates a closed line to begin at another of its points; the last stays a copy of the first.
+// Rotates a closed line to begin at another of its points. The last point remains a copy of the
+// first.
 void Rotate(Line& line, std::size_t first)
 {
   const std::size_t segments = line.Points.size() - 1;
@@ -71,26 +73,25 @@ void Rotate(Line& line, std::size_t first)
   line = std::move(rotated);
 }
 
-// Finds the place of a line, whose points all have positions, that is nearest to any of some
-// positions.
-Place FindNearest(const Line& line, const std::vector<glm::dvec3>& positions)
+// Finds the location nearest to any of the positions. All points of the line need positions.
+Location FindNearest(const Line& line, const std::vector<glm::dvec3>& positions)
 {
-  Place nearest;
-  double least = std::numeric_limits<double>::infinity();
+  Location nearest;
+  double smallest = std::numeric_limits<double>::infinity();
   for (const glm::dvec3& position : positions)
   {
     for (std::size_t s = 0; s + 1 < line.Positions.size(); ++s)
     {
       const glm::dvec3 step = line.Positions[s + 1] - line.Positions[s];
-      const glm::dvec3 way = position - line.Positions[s];
+      const glm::dvec3 offset = position - line.Positions[s];
       const double length2 = glm::dot(step, step);
-      double along = length2 > 0.0 ? glm::dot(way, step) / length2 : 0.0;
+      double along = length2 > 0.0 ? glm::dot(offset, step) / length2 : 0.0;
       along = std::max(0.0, std::min(along, 1.0));
-      const glm::dvec3 apart = way - along * step;
-      const double distance2 = glm::dot(apart, apart);
-      if (distance2 < least)
+      const glm::dvec3 difference = offset - along * step;
+      const double distance2 = glm::dot(difference, difference);
+      if (distance2 < smallest)
       {
-        least = distance2;
+        smallest = distance2;
         nearest = { s, along };
       }
     }
@@ -98,18 +99,18 @@ Place FindNearest(const Line& line, const std::vector<glm::dvec3>& positions)
   return nearest;
 }
 
-// Rotates a closed line to begin at a place, which becomes a point.
-void StartAt(Line& line, const Place& place)
+// Rotates a closed line to begin at a location, inserting a point there.
+void StartAt(Line& line, const Location& location)
 {
-  Rotate(line, place.Segment);
+  Rotate(line, location.Segment);
   Parameters point;
   for (int direction = 0; direction < 2; ++direction)
   {
     point[direction] = line.Points[0][direction] +
-      place.Along * (line.Points[1][direction] - line.Points[0][direction]);
+      location.Along * (line.Points[1][direction] - line.Points[0][direction]);
   }
   const glm::dvec3 position =
-    line.Positions[0] + place.Along * (line.Positions[1] - line.Positions[0]);
+    line.Positions[0] + location.Along * (line.Positions[1] - line.Positions[0]);
   Parameters end = point;
   for (int direction = 0; direction < 2; ++direction)
   {
@@ -135,16 +136,17 @@ ContourArc MakeArc(Line line, bool isClosed)
   return arc;
 }
 
-// Makes the open arc of a line, from the end on whose side the start points are.
+// Creates the open arc of a line. It begins at the end that is closer, along the line, to the start
+// points.
 ContourArc MakeOpenArc(Line line, const std::vector<glm::dvec3>& startPoints)
 {
   if (!startPoints.empty())
   {
     const ContourArc arc = MakeArc(line, false);
-    const Place place = FindNearest(line, startPoints);
+    const Location location = FindNearest(line, startPoints);
     const std::vector<double>& lengths = arc.Curve.Lengths;
-    const double at =
-      lengths[place.Segment] + place.Along * (lengths[place.Segment + 1] - lengths[place.Segment]);
+    const double at = lengths[location.Segment] +
+      location.Along * (lengths[location.Segment + 1] - lengths[location.Segment]);
     if (at > 0.5 * arc.GetLength())
     {
       std::reverse(line.Points.begin(), line.Points.end());

@@ -2,7 +2,7 @@
 #ifndef interlume_ContourArc_h
 #define interlume_ContourArc_h
 
-#include "Surfaces/ContourPlaces.h"
+#include "Surfaces/ContourLocator.h"
 #include "Surfaces/LevelContours.h"
 
 #include <array>
@@ -17,19 +17,20 @@ namespace interlume
 
 /**
  * @class   ContourArc
- * @brief   a contour on a termination surface, measured in world units from its start
+ * @brief   contour on a termination surface, with arc lengths from its start in world units
  */
 class ContourArc
 {
 public:
-  ContourPlaces::Curve Curve;
+  ContourLocator::Curve Curve;
   bool IsClosed = false;
 
   double GetLength() const { return this->Curve.Lengths.back(); }
 
   /**
-   * Measures the arcs of a contour on a part of a surface: one, or more open ones where the surface
-   * has no point with some of its parameters. They start as vtkStreamSurfaceParameters says.
+   * Measures a contour on a part of a surface. The result is one arc, or several open arcs if the
+   * surface has no point for some of the parameters. vtkStreamSurfaceParameters documents how start
+   * points are used.
    */
   static std::vector<ContourArc> Measure(LevelContours::Contour contour,
     const vtkTerminationSurface& surface, int part, const std::array<bool, 2>& isPeriodic,

@@ -26,7 +26,7 @@ LevelContours::LevelContours(Function function, int resolution, std::array<bool,
 
 double LevelContours::GetValue(int i, int j) const
 {
-  // The node is the same on both sides of a seam.
+  // Both sides of a seam share the node.
   i = this->IsPeriodic[0] && i == this->Resolution ? 0 : i;
   j = this->IsPeriodic[1] && j == this->Resolution ? 0 : j;
   return this->Values[static_cast<std::size_t>(j) * (this->Resolution + 1) + i];
@@ -47,27 +47,27 @@ LevelContours::Edge LevelContours::GetEdge(int index) const
 
 LevelContours::Parameters LevelContours::GetCrossing(Edge edge, double level) const
 {
-  const auto getPlace = [&](double along)
+  const auto getPosition = [&](double along)
   {
-    Parameters place{ { static_cast<double>(edge.I), static_cast<double>(edge.J) } };
-    place[edge.Direction] += along;
-    return Parameters{ { place[0] / this->Resolution, place[1] / this->Resolution } };
+    Parameters position{ { static_cast<double>(edge.I), static_cast<double>(edge.J) } };
+    position[edge.Direction] += along;
+    return Parameters{ { position[0] / this->Resolution, position[1] / this->Resolution } };
   };
   const auto getValue = [&](double along)
   {
-    const Parameters place = getPlace(along);
-    return this->Evaluate(place[0], place[1]) - level;
+    const Parameters position = getPosition(along);
+    return this->Evaluate(position[0], position[1]) - level;
   };
   double lower = 0.0;
   double upper = 1.0;
   double atLower = this->GetValue(edge.I, edge.J) - level;
   double atUpper =
     this->GetValue(edge.I + (edge.Direction == 0), edge.J + (edge.Direction == 1)) - level;
-  // This is the Illinois method: an end that stays twice counts half.
+  // Illinois variant of regula falsi: a bound that is retained twice is weighted by half.
   constexpr int maximumNumberOfSteps = 60;
   constexpr double tolerance = 1e-13;
   double along = atLower / (atLower - atUpper);
-  int stayed = 0;
+  int retained = 0;
   for (int step = 0; step < maximumNumberOfSteps && upper - lower > tolerance; ++step)
   {
     const double value = getValue(along);
@@ -77,17 +77,17 @@ LevelContours::Parameters LevelContours::GetCrossing(Edge edge, double level) co
     }
     if ((value > 0.0) == (atLower > 0.0))
     {
-      atUpper *= stayed == 1 ? 0.5 : 1.0;
+      atUpper *= retained == 1 ? 0.5 : 1.0;
       lower = along;
       atLower = value;
-      stayed = 1;
+      retained = 1;
     }
     else
     {
-      atLower *= stayed == -1 ? 0.5 : 1.0;
+      atLower *= retained == -1 ? 0.5 : 1.0;
       upper = along;
       atUpper = value;
-      stayed = -1;
+      retained = -1;
     }
     const double before = along;
     along = (lower * atUpper - upper * atLower) / (atUpper - atLower);
@@ -96,7 +96,7 @@ LevelContours::Parameters LevelContours::GetCrossing(Edge edge, double level) co
       break;
     }
   }
-  return getPlace(along);
+  return getPosition(along);
 }
 
 void LevelContours::FollowSquare(int i, int j, double level, std::vector<int>& next) const
@@ -111,7 +111,8 @@ void LevelContours::FollowSquare(int i, int j, double level, std::vector<int>& n
   }
   bool isInside[4];
   std::transform(corners, corners + 4, isInside, [level](double value) { return value >= level; });
-  // A curve with the inside on its left comes in where the boundary goes out.
+  // Corners inside have values at or above the level. A contour with the inside on its left enters
+  // through edges from an inside corner to an outside corner, in counterclockwise order.
   int starts[2];
   int number = 0;
   for (int corner = 0; corner < 4; ++corner)
@@ -121,20 +122,20 @@ void LevelContours::FollowSquare(int i, int j, double level, std::vector<int>& n
       starts[number++] = corner;
     }
   }
-  bool isMiddleInside = true;
+  bool isCenterInside = true;
   if (number == 2)
   {
-    isMiddleInside =
+    isCenterInside =
       this->Evaluate((i + 0.5) / this->Resolution, (j + 0.5) / this->Resolution) >= level;
   }
   for (int s = 0; s < number; ++s)
   {
-    // Where the inside is joined in the middle, the curve goes around the corners outside; else
-    // around those inside.
+    // If the center is inside, contours separate the outside corners from each other; otherwise
+    // they separate the inside corners.
     int end = starts[s];
     do
     {
-      end = (end + (isMiddleInside ? 1 : 3)) % 4;
+      end = (end + (isCenterInside ? 1 : 3)) % 4;
     } while (isInside[end] || !isInside[(end + 1) % 4]);
     next[this->GetIndex(edges[starts[s]])] = this->GetIndex(edges[end]);
   }
@@ -177,13 +178,13 @@ std::vector<LevelContours::Contour> LevelContours::Follow(double level) const
       contour.IsClosed = !isOpen;
       for (int edge = start; edge >= 0;)
       {
-        Parameters place = this->GetCrossing(this->GetEdge(edge), level);
+        Parameters position = this->GetCrossing(this->GetEdge(edge), level);
         for (int direction = 0; direction < 2 && !contour.Points.empty(); ++direction)
         {
-          const double step = place[direction] - contour.Points.back()[direction];
-          place[direction] -= this->IsPeriodic[direction] ? std::round(step) : 0.0;
+          const double step = position[direction] - contour.Points.back()[direction];
+          position[direction] -= this->IsPeriodic[direction] ? std::round(step) : 0.0;
         }
-        contour.Points.push_back(place);
+        contour.Points.push_back(position);
         const bool isEnd = edge == start && contour.Points.size() > 1;
         edge = isEnd ? -1 : std::exchange(next[edge], -1);
       }

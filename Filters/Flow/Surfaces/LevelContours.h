@@ -11,12 +11,12 @@ namespace interlume
 
 /**
  * @class   LevelContours
- * @brief   curves of a level of a function of two parameters from 0 to 1, by marching squares
+ * @brief   extracts contours of a function of two parameters by marching squares
  *
- * The function is sampled once on a grid of squares; each level is then followed from square to
- * square. Points of a curve lie on edges of the grid, where the function takes the level within
- * rounding. Saddles are decided by the value in the middle of the square. Squares with a corner at
- * which the function is not finite have no curve.
+ * The function is sampled once on a grid of squares over [0, 1]^2. Each level is then traced from
+ * square to square. Contour points lie on grid edges, where the function equals the level up to
+ * rounding error. Ambiguous squares are decided by the value at their center. Squares with a corner
+ * value that is not finite have no contour.
  */
 class LevelContours
 {
@@ -26,22 +26,22 @@ public:
 
   struct Contour
   {
-    /// The points of the contour. Values at the level and above are on its left. Periodic
-    /// parameters go on beyond 0 to 1; the last point of a closed contour is the first, but for
-    /// whole periods.
+    /// Points of the contour, with values at or above the level on its left. Periodic parameters
+    /// may exceed [0, 1]. The last point of a closed contour equals the first, except for whole
+    /// periods.
     std::vector<Parameters> Points;
     bool IsClosed = false;
   };
 
-  /// Samples the function on \a resolution squares along each parameter; where \a isPeriodic, 0 and
-  /// 1 are the same place.
+  /// Samples the function on \a resolution squares along each parameter. In a periodic direction, 0
+  /// and 1 are the same position.
   LevelContours(Function function, int resolution, std::array<bool, 2> isPeriodic);
 
-  /// Returns the contours of a level in the order of the grid's edges, open contours first.
+  /// Returns the contours of a level in the order of grid edges, open contours first.
   std::vector<Contour> Follow(double level) const;
 
 private:
-  /// An edge of the grid: the one of node (i, j) along u or v.
+  /// A grid edge from node (i, j) along u or v.
   struct Edge
   {
     int I;
@@ -53,7 +53,7 @@ private:
   int GetIndex(Edge edge) const;
   Edge GetEdge(int index) const;
   Parameters GetCrossing(Edge edge, double level) const;
-  /// Finds for each edge the next one of its contour, or -1.
+  /// Finds for each edge the next edge of its contour, or -1.
   std::vector<int> FindNext(double level) const;
   void FollowSquare(int i, int j, double level, std::vector<int>& next) const;
 

@@ -22,7 +22,7 @@ namespace interlume
 
 namespace
 {
-// Reads the triangles of a dataset. Returns an error if a cell is no triangle.
+// Reads the triangles of a dataset. Returns an error if a cell is not a triangle.
 Error GetTriangles(vtkPointSet* input, std::vector<StreamSurfaceTriangles::Triangle>& triangles)
 {
   vtkNew<vtkIdList> ids;
@@ -32,7 +32,7 @@ Error GetTriangles(vtkPointSet* input, std::vector<StreamSurfaceTriangles::Trian
     if (ids->GetNumberOfIds() != 3)
     {
       return "Cell " + std::to_string(cell) + " has " + std::to_string(ids->GetNumberOfIds()) +
-        " points; triangles are needed.";
+        " points. All cells must be triangles.";
     }
     triangles.push_back({ { ids->GetId(0), ids->GetId(1), ids->GetId(2) } });
   }
@@ -53,19 +53,19 @@ int StreamSurfaceTriangles::GetContourId(int level, int curve) const
   return curve < 0 ? -1 : this->Levels[level].FirstContour + curve;
 }
 
-ContourPlaces::Place StreamSurfaceTriangles::FindPlace(int level, vtkIdType point, int curve) const
+ContourLocator::Location StreamSurfaceTriangles::Locate(int level, vtkIdType point, int curve) const
 {
   const double* uv = this->Arrays.GetParameters(point);
-  const ContourPlaces::Parameters place{ { uv[0], uv[1] } };
-  const ContourPlaces& places = *this->Levels[level].Places;
-  return curve < 0 ? places.Find(place) : places.Find(place, curve);
+  const ContourLocator::Parameters location{ { uv[0], uv[1] } };
+  const ContourLocator& locator = *this->Levels[level].Locator;
+  return curve < 0 ? locator.Find(location) : locator.Find(location, curve);
 }
 
-void StreamSurfaceTriangles::FindPlace(vtkIdType point)
+void StreamSurfaceTriangles::Locate(vtkIdType point)
 {
   if (this->LevelOfPoint[point] >= 0)
   {
-    this->Places[point] = this->FindPlace(this->LevelOfPoint[point], point, -1);
+    this->Locations[point] = this->Locate(this->LevelOfPoint[point], point, -1);
   }
 }
 
@@ -100,13 +100,14 @@ std::array<StreamSurfaceTriangles::Corner, 3> StreamSurfaceTriangles::Unwrap(std
   std::array<Corner, 3> corners;
   for (int c = 0; c < 3; ++c)
   {
-    corners[c].Place = this->LevelOfPoint[triangle[c]] == level
-      ? this->Places[triangle[c]]
-      : this->FindPlace(level, triangle[c], -1);
+    corners[c].Location = this->LevelOfPoint[triangle[c]] == level
+      ? this->Locations[triangle[c]]
+      : this->Locate(level, triangle[c], -1);
   }
-  // The contour that two corners have counts, else that of the first.
-  const int curve = corners[1].Place.Curve == corners[2].Place.Curve ? corners[1].Place.Curve
-                                                                     : corners[0].Place.Curve;
+  // Use the contour of two corners, or of the first corner if all contours differ.
+  const int curve = corners[1].Location.Curve == corners[2].Location.Curve
+    ? corners[1].Location.Curve
+    : corners[0].Location.Curve;
   if (curve < 0)
   {
     return corners;
@@ -114,16 +115,16 @@ std::array<StreamSurfaceTriangles::Corner, 3> StreamSurfaceTriangles::Unwrap(std
   double greatest = 0.0;
   for (int c = 0; c < 3; ++c)
   {
-    if (corners[c].Place.Curve != curve)
+    if (corners[c].Location.Curve != curve)
     {
-      corners[c].Place = this->FindPlace(level, triangle[c], curve);
+      corners[c].Location = this->Locate(level, triangle[c], curve);
     }
-    greatest = std::max(greatest, corners[c].Place.Length);
+    greatest = std::max(greatest, corners[c].Location.Length);
   }
   const Contour& contour = this->Contours[this->GetContourId(level, curve)];
   for (Corner& corner : corners)
   {
-    corner.IsShifted = contour.IsClosed && corner.Place.Length < greatest - 0.5 * contour.Length;
+    corner.IsShifted = contour.IsClosed && corner.Location.Length < greatest - 0.5 * contour.Length;
   }
   return corners;
 }
@@ -131,10 +132,11 @@ std::array<StreamSurfaceTriangles::Corner, 3> StreamSurfaceTriangles::Unwrap(std
 StreamSurfaceTriangles::Points StreamSurfaceTriangles::MakeTriangles(vtkCellArray* cells) const
 {
   Points made;
-  for (std::size_t p = 0; p < this->Places.size(); ++p)
+  for (std::size_t p = 0; p < this->Locations.size(); ++p)
   {
     made.Add(static_cast<vtkIdType>(p),
-      this->GetContourId(this->LevelOfPoint[p], this->Places[p].Curve), this->Places[p].Length);
+      this->GetContourId(this->LevelOfPoint[p], this->Locations[p].Curve),
+      this->Locations[p].Length);
   }
   std::map<std::tuple<vtkIdType, int, bool>, vtkIdType> copies;
   cells->AllocateEstimate(static_cast<vtkIdType>(this->Triangles.size()), 3);
@@ -144,7 +146,7 @@ StreamSurfaceTriangles::Points StreamSurfaceTriangles::MakeTriangles(vtkCellArra
     const std::array<Corner, 3> corners = this->Unwrap(t);
     for (int c = 0; c < 3; ++c)
     {
-      const int contour = this->GetContourId(this->LevelOfTriangle[t], corners[c].Place.Curve);
+      const int contour = this->GetContourId(this->LevelOfTriangle[t], corners[c].Location.Curve);
       if (contour == made.Contours[ids[c]] && !corners[c].IsShifted)
       {
         continue;
@@ -154,8 +156,8 @@ StreamSurfaceTriangles::Points StreamSurfaceTriangles::MakeTriangles(vtkCellArra
       if (copy == copies.end())
       {
         const double shift = corners[c].IsShifted ? this->Contours[contour].Length : 0.0;
-        copy =
-          copies.insert({ key, made.Add(ids[c], contour, corners[c].Place.Length + shift) }).first;
+        copy = copies.insert({ key, made.Add(ids[c], contour, corners[c].Location.Length + shift) })
+                 .first;
       }
       ids[c] = copy->second;
     }
@@ -170,7 +172,7 @@ Error StreamSurfaceTriangles::Read(vtkPointSet* input)
   {
     return ArrayCheck::MakeSentence(
       ArrayCheck::FindCellError(input, "input", vtkFlowStatus::InflowArray(), 1))
-      .Within("", " Stream surfaces of vtkFlowVolume are needed.");
+      .Within("", " Pass output port 1 of vtkFlowVolume.");
   };
   Error error =
     this->Arrays.Find(input)
@@ -181,7 +183,7 @@ Error StreamSurfaceTriangles::Read(vtkPointSet* input)
   {
     this->FindLevels(
       input->GetCellData()->GetArray(vtkFlowStatus::InflowArray()), input->GetNumberOfPoints());
-    this->Places.resize(input->GetNumberOfPoints());
+    this->Locations.resize(input->GetNumberOfPoints());
   }
   return error;
 }

@@ -4,7 +4,7 @@
 
 #include "Common/Error.h"
 #include "Samples/ImplicitFlowArrays.h"
-#include "Surfaces/ContourPlaces.h"
+#include "Surfaces/ContourLocator.h"
 
 #include "vtkType.h"
 
@@ -20,21 +20,22 @@ namespace interlume
 
 /**
  * @class   StreamSurfaceTriangles
- * @brief   the triangles of a stream surface, the contours they belong to, and their places there
+ * @brief   assigns triangles of a stream surface to contours, and their points to positions along
+ * the contours
  */
 class StreamSurfaceTriangles
 {
 public:
   using Triangle = std::array<vtkIdType, 3>;
 
-  /// The contours of one value on the surface of one id.
+  /// Contours of one Inflow value on one termination surface.
   struct Level
   {
     int Id = 0;
     double Value = 0.0;
-    /// The ContourId of the level's first contour; the others follow.
+    /// ContourId of the level's first contour; the others follow.
     int FirstContour = 0;
-    std::unique_ptr<ContourPlaces> Places;
+    std::unique_ptr<ContourLocator> Locator;
   };
 
   struct Contour
@@ -43,7 +44,7 @@ public:
     bool IsClosed;
   };
 
-  /// The points of an output: those of the input, and copies.
+  /// Points of the output: the points of the input, followed by copies.
   struct Points
   {
     std::vector<vtkIdType> Sources;
@@ -53,50 +54,50 @@ public:
     vtkIdType Add(vtkIdType source, int contour, double length);
   };
 
-  /// Takes the triangles, the arrays and the levels in use. Returns an error if they cannot be
+  /// Reads the triangles, the arrays and the levels in use. Returns an error if they cannot be
   /// used.
   Error Read(vtkPointSet* input);
 
   vtkIdType GetNumberOfPoints() const { return static_cast<vtkIdType>(this->LevelOfPoint.size()); }
   const ImplicitFlowArrays& GetArrays() const { return this->Arrays; }
 
-  /// Finds the place of a point on the contours of its level, by threads.
-  void FindPlace(vtkIdType point);
+  /// Finds the position of a point on the contours of its level. Thread-safe for different points.
+  void Locate(vtkIdType point);
 
   /**
-   * Gives triangles their points, with copies so that the corners of each are on one contour and
-   * none on the far side of its start: a point stands for its own place, copies for that place a
-   * whole length on, or on another contour.
+   * Creates the triangles of the output. Copies of points ensure that the corners of each triangle
+   * lie on one contour, and on one side of the contour's start. The position of a copy is the
+   * original's position plus the contour's length, or is on another contour.
    */
   Points MakeTriangles(vtkCellArray* cells) const;
 
-  /// The levels, which are to be given contours between Read and FindPlace.
+  /// Levels. The caller sets their contours between Read and Locate.
   std::vector<Level> Levels;
-  /// The contours by ContourId.
+  /// Contours by ContourId.
   std::vector<Contour> Contours;
 
 private:
   struct Corner
   {
-    ContourPlaces::Place Place;
-    // Whether a whole length of the contour is added.
+    ContourLocator::Location Location;
+    // True if the contour's length is added to the position.
     bool IsShifted = false;
   };
 
   void FindLevels(vtkDataArray* values, vtkIdType numberOfPoints);
   int GetContourId(int level, int curve) const;
-  /// Finds the place of a point on a curve of a level; on any curve for -1.
-  ContourPlaces::Place FindPlace(int level, vtkIdType point, int curve) const;
+  /// Finds the position of a point on a curve of a level; on any curve if \a curve is -1.
+  ContourLocator::Location Locate(int level, vtkIdType point, int curve) const;
   /// Returns the corners of a triangle on one contour, unwrapped.
   std::array<Corner, 3> Unwrap(std::size_t triangle) const;
 
   ImplicitFlowArrays Arrays;
   std::vector<Triangle> Triangles;
-  // The level of each triangle, and of each point by the first of its triangles, or -1.
+  // Index of the level of each triangle, and of each point (from its first triangle; -1 if unused).
   std::vector<int> LevelOfTriangle;
   std::vector<int> LevelOfPoint;
-  // The place of each point on the contours of its level.
-  std::vector<ContourPlaces::Place> Places;
+  // Position of each point on the contours of its level.
+  std::vector<ContourLocator::Location> Locations;
 };
 
 }

@@ -9,7 +9,7 @@ namespace interlume
 
 /**
  * @class   AxialFrame
- * @brief   an axis and two directions X, Y across it, orthonormal and right-handed
+ * @brief   an axis and two perpendicular directions X and Y, orthonormal and right-handed
  */
 struct AxialFrame
 {
@@ -17,11 +17,11 @@ struct AxialFrame
   glm::dvec3 Y{ 0.0, 1.0, 0.0 };
   glm::dvec3 Axis{ 0.0, 0.0, 1.0 };
 
-  /// Takes an axis of any length above 0; X and Y after T. Duff et al., "Building an orthonormal
-  /// basis, revisited", JCGT 6(1), 2017: those of the axis z are x and y.
+  /// Sets an axis of any length above 0. X and Y are computed after T. Duff et al., "Building an
+  /// orthonormal basis, revisited", JCGT 6(1), 2017. For the axis z, they are x and y.
   void SetAxis(const glm::dvec3& axis);
 
-  /// Takes an axis with X already across it, both of length 1.
+  /// Sets an axis and a perpendicular X, both of length 1.
   void SetAxis(const glm::dvec3& axis, const glm::dvec3& x);
 
   /// Returns the components of \a x - \a origin along X, Y and the axis.
@@ -30,7 +30,7 @@ struct AxialFrame
   /// Returns a X + b Y + c Axis.
   glm::dvec3 GetVector(double a, double b, double c) const;
 
-  /// Returns the angle from X towards Y in turns, 0 to below 1; 0 for no direction.
+  /// Returns the angle from X toward Y in turns, in [0,1), or 0 for a zero vector.
   static double GetTurn(double x, double y);
 };
 

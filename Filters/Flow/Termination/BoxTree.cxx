@@ -44,17 +44,17 @@ void BoxTree::BuildNode(std::size_t node, int first, int last, const std::vector
       ? axis
       : longest;
   }
-  const int middle = first + (last - first) / 2;
+  const int median = first + (last - first) / 2;
   const auto key = [&boxes, longest](int item)
   { return std::make_tuple(boxes[item].Lower[longest] + boxes[item].Upper[longest], item); };
-  std::nth_element(this->Items.begin() + first, this->Items.begin() + middle,
+  std::nth_element(this->Items.begin() + first, this->Items.begin() + median,
     this->Items.begin() + last, [&key](int a, int b) { return key(a) < key(b); });
   const std::size_t child = this->Nodes.size();
   this->Nodes.resize(child + 2);
   this->Nodes[node].First = static_cast<int>(child);
   this->Nodes[node].NumberOfItems = 0;
-  this->BuildNode(child, first, middle, boxes);
-  this->BuildNode(child + 1, middle, last, boxes);
+  this->BuildNode(child, first, median, boxes);
+  this->BuildNode(child + 1, median, last, boxes);
 }
 
 }

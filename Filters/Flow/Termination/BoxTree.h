@@ -11,10 +11,10 @@ namespace interlume
 
 /**
  * @class   BoxTree
- * @brief   a hierarchy of bounding boxes, which finds the items nearest to a point
+ * @brief   hierarchy of bounding boxes that finds the items nearest to a point
  *
- * It is a binary tree, cut at the median of the longest axis; the same for the same boxes. Queries
- * change nothing, so threads may make them at once.
+ * It is a binary tree split at the median of the longest axis. The tree depends only on the boxes.
+ * Queries are const and thread-safe.
  */
 class BoxTree
 {
@@ -25,12 +25,12 @@ public:
     double Upper[3];
   };
 
-  /// Builds the tree in place of the one before. Items are known by their index in \a boxes.
+  /// Rebuilds the tree. Items are indices into \a boxes.
   void Build(const std::vector<Box>& boxes);
 
   /**
-   * Calls \a visit(item, squaredLimit) for the items whose box is nearer to \a x than the limit; it
-   * may lower the limit, and usually does.
+   * Calls \a visit(item, squaredLimit) for each item whose box is closer to \a x than the limit. \a
+   * visit may reduce the limit.
    */
   template <typename Visitor>
   void VisitNear(const double x[3], double squaredLimit, const Visitor& visit) const;
@@ -39,17 +39,17 @@ private:
   struct Node
   {
     Box Bounds;
-    /// The items of a leaf; an inner node has none, and its children at First and First + 1.
+    /// Items of a leaf. An inner node has no items and its children are at First and First + 1.
     int First;
     int NumberOfItems;
   };
-  /// Computes the bounds of a range of items, and makes a leaf or two children of it.
+  /// Computes the bounds of a range of items, and creates a leaf or two children.
   void BuildNode(std::size_t node, int first, int last, const std::vector<Box>& boxes);
 
   static double GetSquaredDistance(const Box& box, const double x[3]);
 
   static constexpr int LeafSize = 4;
-  /// The number of levels of a tree of as many items as an int counts.
+  /// Number of levels of the largest tree with int indices.
   static constexpr int MaximumDepth = 32;
   std::vector<Node> Nodes;
   std::vector<int> Items;
@@ -99,9 +99,9 @@ void BoxTree::VisitNear(const double x[3], double squaredLimit, const Visitor& v
       {
         children[i] = { node.First + i, GetSquaredDistance(this->Nodes[node.First + i].Bounds, x) };
       }
-      const int nearer = children[1].SquaredDistance < children[0].SquaredDistance ? 1 : 0;
-      stack[size++] = children[1 - nearer];
-      stack[size++] = children[nearer];
+      const int closer = children[1].SquaredDistance < children[0].SquaredDistance ? 1 : 0;
+      stack[size++] = children[1 - closer];
+      stack[size++] = children[closer];
     }
   }
 }

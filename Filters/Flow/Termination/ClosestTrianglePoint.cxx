@@ -67,10 +67,10 @@ ClosestTrianglePoint::ClosestTrianglePoint(
   const Choice choice = Choose(x, a, b, c);
   this->Feature = choice.Feature;
   this->Weights = choice.Weights;
-  // The point is computed from a, so that the rounding is that of the triangle's size.
+  // Start from a so that the rounding error is relative to the size of the triangle.
   this->Point = a + choice.Weights[1] * (b - a) + choice.Weights[2] * (c - a);
-  const glm::dvec3 apart = x - this->Point;
-  this->SquaredDistance = glm::dot(apart, apart);
+  const glm::dvec3 difference = x - this->Point;
+  this->SquaredDistance = glm::dot(difference, difference);
 }
 
 }

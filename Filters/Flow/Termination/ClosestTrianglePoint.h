@@ -9,15 +9,14 @@ namespace interlume
 
 /**
  * @class   ClosestTrianglePoint
- * @brief   the point of a triangle that is nearest to a point, and the corner, edge or face it is
- * on
+ * @brief   point of a triangle nearest to a given point, and its corner, edge or face
  *
  * C. Ericson, "Real-Time Collision Detection", 2005, section 5.1.5.
  */
 struct ClosestTrianglePoint
 {
-  /// The corners and edges are numbered so that corner i is FIRST_CORNER + i, and the edge from
-  /// corner i to the next FIRST_EDGE + i.
+  /// Features of a triangle: corner i is FIRST_CORNER + i, and the edge from corner i to the next
+  /// corner is FIRST_EDGE + i.
   enum Features
   {
     FACE = 0,

@@ -17,17 +17,16 @@ namespace interlume
 
 namespace
 {
-// The share of the velocity below which cross-flow is rounding.
-constexpr double LeastCrossFlow = 4e-15;
-// The share of the cell's height within which a point is on a plane.
-constexpr double LeastDistance = 1e-10;
-// The share of a Jacobian below which an imaginary part is none.
-constexpr double LeastSwirl = 1e-9;
-// The cosine from which on directions are the same.
+// Cross-flow below this fraction of the velocity is rounding error.
+constexpr double MinimumCrossFlow = 4e-15;
+// A point is on a plane if its distance is within this fraction of the cell's height.
+constexpr double MinimumDistance = 1e-10;
+// An eigenvalue's imaginary part below this fraction of the largest Jacobian entry counts as zero.
+constexpr double MinimumSwirl = 1e-9;
+// Cosine above which two directions are the same.
 constexpr double SameDirection = 1.0 - 1e-12;
 
-// Returns the largest component, not the length, which has no square where numbers are very large
-// or small.
+// Returns the largest absolute component. Unlike the length, it does not overflow or underflow.
 double GetLargest(const double x[3])
 {
   return std::max({ std::abs(x[0]), std::abs(x[1]), std::abs(x[2]) });
@@ -43,7 +42,7 @@ void SetUnit(const double x[3], double unit[3])
   vtkMath::Normalize(unit);
 }
 
-// Gives the number of points in each direction. Returns false for a dataset without an order.
+// Computes the number of points per axis. Returns false if the dataset is not structured.
 bool GetDimensions(vtkDataSet* data, int dimensions[3])
 {
   if (auto* image = vtkImageData::SafeDownCast(data))
@@ -69,15 +68,16 @@ CrossFlow::CrossFlow(const double axis[3], const double frameVelocity[3])
 {
   SetUnit(axis, this->Normal);
   std::copy_n(frameVelocity, 3, this->FrameVelocity);
-  // The coordinate axis that is most across is taken: for an axis along a coordinate axis, the
-  // directions are the other two, without roundings.
-  int most = 0;
+  // Use the coordinate axis with the largest angle to the normal. For a normal along a coordinate
+  // axis, the directions are exactly the other two axes.
+  int perpendicular = 0;
   for (int i = 1; i < 3; ++i)
   {
-    most = std::abs(this->Normal[i]) < std::abs(this->Normal[most]) ? i : most;
+    perpendicular =
+      std::abs(this->Normal[i]) < std::abs(this->Normal[perpendicular]) ? i : perpendicular;
   }
   double across[3] = { 0.0, 0.0, 0.0 };
-  across[most] = 1.0;
+  across[perpendicular] = 1.0;
   vtkMath::Cross(this->Normal, across, this->Directions[0]);
   vtkMath::Normalize(this->Directions[0]);
   vtkMath::Cross(this->Normal, this->Directions[0], this->Directions[1]);
@@ -90,12 +90,13 @@ double CrossFlow::GetHeight(const double x[3]) const
 
 double CrossFlow::GetDistance(const double a[3], const double b[3]) const
 {
-  double way[3];
-  vtkMath::Subtract(a, b, way);
-  return std::hypot(vtkMath::Dot(this->Directions[0], way), vtkMath::Dot(this->Directions[1], way));
+  double offset[3];
+  vtkMath::Subtract(a, b, offset);
+  return std::hypot(
+    vtkMath::Dot(this->Directions[0], offset), vtkMath::Dot(this->Directions[1], offset));
 }
 
-bool CrossFlow::PlaceByLayers(vtkDataSet* data, int& number)
+bool CrossFlow::PlacePlanesByLayer(vtkDataSet* data, int& number)
 {
   int dimensions[3];
   if (!GetDimensions(data, dimensions))
@@ -110,11 +111,11 @@ bool CrossFlow::PlaceByLayers(vtkDataSet* data, int& number)
   double cosines[3];
   for (int axis = 0; axis < 3; ++axis)
   {
-    double way[3];
-    data->GetPoint((dimensions[axis] - 1) * strides[axis], way);
-    vtkMath::Subtract(way, origin, way);
-    const double length = Vectors::SafeLength(glm::make_vec3(way));
-    cosines[axis] = length > 0.0 ? std::abs(this->GetHeight(way)) / length : 0.0;
+    double offset[3];
+    data->GetPoint((dimensions[axis] - 1) * strides[axis], offset);
+    vtkMath::Subtract(offset, origin, offset);
+    const double length = Vectors::SafeLength(glm::make_vec3(offset));
+    cosines[axis] = length > 0.0 ? std::abs(this->GetHeight(offset)) / length : 0.0;
     nearest = cosines[axis] > cosines[nearest] ? axis : nearest;
   }
   number = dimensions[nearest];
@@ -132,7 +133,7 @@ bool CrossFlow::PlaceByLayers(vtkDataSet* data, int& number)
   return true;
 }
 
-void CrossFlow::PlaceEvenly(vtkDataSet* data, int number)
+void CrossFlow::PlacePlanesEvenly(vtkDataSet* data, int number)
 {
   double x[3];
   data->GetPoint(0, x);
@@ -158,12 +159,12 @@ void CrossFlow::PlacePlanes(vtkDataSet* data, int number)
   if (number == 0)
   {
     number = std::max(2, static_cast<int>(std::lround(std::cbrt(data->GetNumberOfPoints()))));
-    if (this->PlaceByLayers(data, number))
+    if (this->PlacePlanesByLayer(data, number))
     {
       return;
     }
   }
-  this->PlaceEvenly(data, number);
+  this->PlacePlanesEvenly(data, number);
 }
 
 void CrossFlow::GetRange(const MultilinearCell& cell, int& first, int& last) const
@@ -178,7 +179,7 @@ void CrossFlow::GetRange(const MultilinearCell& cell, int& first, int& last) con
     lower = std::min(lower, height);
     upper = std::max(upper, height);
   }
-  const double margin = LeastDistance * (upper - lower);
+  const double margin = MinimumDistance * (upper - lower);
   const auto begin = this->Planes.begin();
   first = static_cast<int>(std::lower_bound(begin, this->Planes.end(), lower - margin) - begin);
   last = static_cast<int>(std::upper_bound(begin, this->Planes.end(), upper + margin) - begin);
@@ -200,13 +201,13 @@ void CrossFlow::Evaluate(
     fastest = std::max(fastest, GetLargest(v));
     farthest = std::max(farthest, std::abs(values[corner][2]));
   }
-  const double least[3] = { LeastCrossFlow * fastest, LeastCrossFlow * fastest,
-    LeastDistance * farthest };
+  const double tolerances[3] = { MinimumCrossFlow * fastest, MinimumCrossFlow * fastest,
+    MinimumDistance * farthest };
   for (int corner = 0; corner < 8; ++corner)
   {
     for (int i = 0; i < 3; ++i)
     {
-      values[corner][i] = std::abs(values[corner][i]) <= least[i] ? 0.0 : values[corner][i];
+      values[corner][i] = std::abs(values[corner][i]) <= tolerances[i] ? 0.0 : values[corner][i];
     }
   }
 }
@@ -239,11 +240,11 @@ CrossFlow::Vortex CrossFlow::MakeVortex(const ZeroSearch::Zero& zero) const
   }
   if (size > 0.0 && !zero.IsDegenerate)
   {
-    // Entries are taken in parts of the largest one, which has no square where it is very large.
+    // Divide by the largest entry so that squares do not overflow.
     const double half = 0.5 * (jacobian[0][0] - jacobian[1][1]) / size;
     const double square = half * half + (jacobian[0][1] / size) * (jacobian[1][0] / size);
     const double swirl = square < 0.0 ? std::sqrt(-square) : 0.0;
-    vortex.SwirlStrength = swirl > LeastSwirl ? swirl * size : 0.0;
+    vortex.SwirlStrength = swirl > MinimumSwirl ? swirl * size : 0.0;
     vortex.IsCounterclockwise = jacobian[1][0] > jacobian[0][1];
   }
   return vortex;

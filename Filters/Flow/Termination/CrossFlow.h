@@ -13,26 +13,26 @@ namespace interlume
 
 /**
  * @class   CrossFlow
- * @brief   where the velocity across an axis is 0, on planes across it
+ * @brief   finds where the velocity across an axis is 0, on planes perpendicular to the axis
  *
- * There is a system for each plane: both components of the velocity in it, and the distance from
- * it.
+ * Each plane is a system of three equations: the two in-plane components of the velocity and the
+ * distance from the plane are 0.
  */
 class CrossFlow : public ZeroSearch::Systems
 {
 public:
-  /// Takes an axis of any length but 0, and a velocity that is subtracted.
+  /// Sets an axis of any length above 0, and a frame velocity to subtract.
   CrossFlow(const double axis[3], const double frameVelocity[3]);
 
-  /// Places \a number planes, or for 0 as vtkVortexAxis documents.
+  /// Places \a number planes, or the default planes of vtkVortexAxis if \a number is 0.
   void PlacePlanes(vtkDataSet* data, int number);
 
-  /// Returns the number of planes, which ascend by their coordinate along the axis.
+  /// Returns the number of planes, which are in ascending order along the axis.
   int GetNumberOfPlanes() const { return static_cast<int>(this->Planes.size()); }
   double GetPlane(int plane) const { return this->Planes[plane]; }
 
   double GetHeight(const double x[3]) const;
-  /// Returns the distance of places along the planes.
+  /// Returns the distance between two points, both projected onto one of the planes.
   double GetDistance(const double a[3], const double b[3]) const;
 
   void GetRange(const MultilinearCell& cell, int& first, int& last) const override;
@@ -44,7 +44,7 @@ public:
     int Plane;
     double Position[3];
     double CrossFlowSpeed;
-    /// The strength of the swirl; 0 where the velocity does not turn.
+    /// Swirl strength, or 0 if the velocity does not swirl.
     double SwirlStrength;
     double AxialVelocity;
     bool IsCounterclockwise;
@@ -53,11 +53,11 @@ public:
   Vortex MakeVortex(const ZeroSearch::Zero& zero) const;
 
 private:
-  bool PlaceByLayers(vtkDataSet* data, int& number);
-  void PlaceEvenly(vtkDataSet* data, int number);
+  bool PlacePlanesByLayer(vtkDataSet* data, int& number);
+  void PlacePlanesEvenly(vtkDataSet* data, int number);
 
   double Normal[3];
-  /// Two directions in the planes, of length 1; right-handed with the normal.
+  /// Two in-plane unit vectors, right-handed with the normal.
   double Directions[2][3];
   double FrameVelocity[3];
   std::vector<double> Planes;

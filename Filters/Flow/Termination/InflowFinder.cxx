@@ -24,24 +24,24 @@ namespace interlume
 namespace
 {
 constexpr int NumberOfSlabs = 32;
-constexpr vtkIdType MostCells = 262144;
-/// The share of the most flow through a slab that makes a slab the one where flow enters.
-constexpr double LeastShare = 0.4;
-/// Axes with as much flow but for rounding are alike, and the first counts.
-constexpr double Tie = 1e-6;
+constexpr vtkIdType MaximumNumberOfCells = 262144;
+/// The inflow is in the first slab with at least this fraction of the largest flow through a slab.
+constexpr double MinimumFraction = 0.4;
+/// Axes whose flows differ by less than this fraction are tied; the first axis is used.
+constexpr double TieTolerance = 1e-6;
 
 struct Cell
 {
   glm::dvec3 Low;
   glm::dvec3 High;
-  /// The flow through planes across each axis.
+  /// Flow through planes perpendicular to each axis.
   glm::dvec3 Flow;
-  /// The largest speed at a corner.
+  /// Largest speed at a corner.
   double Speed = 0.0;
 };
 
-/// Measures a cell, its flow in units of which the field's size, times \a scale, is about 1, and
-/// adds the vectors of its points to \a speeds.
+/// Measures a cell and adds the vectors of its points to \a speeds. Flows are measured after
+/// lengths are multiplied by \a scale.
 Cell Measure(const MultilinearCell& loaded, double scale, bool isReversed, SpeedScale& speeds)
 {
   Cell cell;
@@ -60,9 +60,9 @@ Cell Measure(const MultilinearCell& loaded, double scale, bool isReversed, Speed
     double velocity = 0.0;
     for (int i = 0; i < number; ++i)
     {
-      const double place = loaded.GetPositions()[corners[i]][axis];
-      low = std::min(low, place);
-      high = std::max(high, place);
+      const double position = loaded.GetPositions()[corners[i]][axis];
+      low = std::min(low, position);
+      high = std::max(high, position);
       velocity += loaded.GetVectors()[corners[i]][axis] / number;
     }
     cell.Low[axis] = low;
@@ -73,7 +73,8 @@ Cell Measure(const MultilinearCell& loaded, double scale, bool isReversed, Speed
   return cell;
 }
 
-/// Picks one cell out of every \a stride, none preferred by its place in a row.
+/// Returns a pseudo-random cell of a group of \a stride cells. Random choices avoid aliasing with
+/// grid rows.
 vtkIdType Pick(vtkIdType group, vtkIdType stride, vtkIdType cells)
 {
   const std::uint64_t hash = static_cast<std::uint64_t>(group) * 0x9e3779b97f4a7c15ull;
@@ -81,7 +82,7 @@ vtkIdType Pick(vtkIdType group, vtkIdType stride, vtkIdType cells)
   return std::min(group * stride + offset, cells - 1);
 }
 
-/// The power of 2 by which the longest side of a field is about 1.
+/// Returns the power of 2 that scales the longest side of a field's bounds to about 1.
 double GetScaleOf(vtkDataSet* field)
 {
   double bounds[6];
@@ -97,7 +98,8 @@ std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isRev
   Blanking blanking;
   blanking.SetBlanking(field);
   const vtkIdType number = field->GetNumberOfCells();
-  const vtkIdType stride = std::max<vtkIdType>(1, (number + MostCells - 1) / MostCells);
+  const vtkIdType stride =
+    std::max<vtkIdType>(1, (number + MaximumNumberOfCells - 1) / MaximumNumberOfCells);
   const double scale = GetScaleOf(field);
   MultilinearCell loaded;
   vtkNew<vtkIdList> ids;
@@ -115,7 +117,7 @@ std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isRev
       cells.push_back(Measure(loaded, scale, isReversed, speeds));
     }
   }
-  // Fill values would make up all of the flow.
+  // Fill values would dominate the flow.
   const FillValues fill = speeds.FindFillValues();
   if (fill.Number > 0)
   {
@@ -126,7 +128,7 @@ std::vector<Cell> ReadCells(vtkDataSet* field, vtkDataArray* vectors, bool isRev
   return cells;
 }
 
-/// The flow along an axis and against it, by slabs.
+/// Flow along and against an axis, per slab.
 class Profile
 {
 public:
@@ -152,17 +154,17 @@ public:
     }
   }
 
-  double GetMost(int sense) const
+  double GetMaximum(int sense) const
   {
     return *std::max_element(this->Flows[sense].begin(), this->Flows[sense].end());
   }
 
-  /// Returns the middle of the first slab along the flow with enough of it.
+  /// Returns the center of the first slab, in flow direction, with enough flow.
   double FindEntry(int sense) const
   {
-    const double least = LeastShare * this->GetMost(sense);
+    const double minimum = MinimumFraction * this->GetMaximum(sense);
     int slab = sense == 0 ? 0 : NumberOfSlabs - 1;
-    while (this->Flows[sense][slab] < least)
+    while (this->Flows[sense][slab] < minimum)
     {
       slab += sense == 0 ? 1 : -1;
     }
@@ -170,15 +172,15 @@ public:
   }
 
 private:
-  int GetSlab(double place) const
+  int GetSlab(double position) const
   {
-    const double part = (place - this->Low) / (this->High - this->Low);
+    const double part = (position - this->Low) / (this->High - this->Low);
     return part > 0.0 ? std::min(static_cast<int>(part * NumberOfSlabs), NumberOfSlabs - 1) : 0;
   }
 
   double Low;
   double High;
-  /// The flows by sense: along the axis, and against it.
+  /// Flows along the axis and against it.
   std::array<std::array<double, NumberOfSlabs>, 2> Flows{};
 };
 }
@@ -186,24 +188,24 @@ private:
 bool InflowFinder::Find(vtkDataSet* field, vtkDataArray* vectors, bool isReversed)
 {
   const std::vector<Cell> cells = ReadCells(field, vectors, isReversed);
-  double most = 0.0;
+  double largestFlow = 0.0;
   int sense = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
     const Profile profile(cells, axis);
-    for (int either = 0; either < 2; ++either)
+    for (int candidate = 0; candidate < 2; ++candidate)
     {
-      const double flow = profile.GetMost(either);
-      if (flow > most * (1.0 + Tie))
+      const double flow = profile.GetMaximum(candidate);
+      if (flow > largestFlow * (1.0 + TieTolerance))
       {
-        most = flow;
-        sense = either;
+        largestFlow = flow;
+        sense = candidate;
         this->Axis = axis;
-        this->Position = profile.FindEntry(either);
+        this->Position = profile.FindEntry(candidate);
       }
     }
   }
-  if (!(most > 0.0))
+  if (!(largestFlow > 0.0))
   {
     return false;
   }
@@ -222,7 +224,7 @@ bool InflowFinder::Find(vtkDataSet* field, vtkDataArray* vectors, bool isReverse
         high = std::max(high, cell.High[across]);
       }
     }
-    this->Middle[i] = 0.5 * (low + high);
+    this->Center[i] = 0.5 * (low + high);
     this->HalfWidth[i] = 0.5 * (high - low);
   }
   return true;

@@ -16,12 +16,12 @@ namespace interlume
 
 namespace
 {
-// The number of halvings of a line from a node that is there to one that is not.
+// Number of bisections between a node inside the part and a node outside.
 constexpr int Halvings = 40;
-// The distance inside of the part, in parameters, at which a normal is taken that an edge shares
-// with another.
+// Distance inside the part, in parameters, at which the normal of an edge shared with another part
+// is evaluated.
 constexpr double Inset = 1e-6;
-// The sine of its angles below which a triangle is a line, as at the pole of a sphere.
+// Sine below which a triangle is degenerate, as at the pole of a sphere.
 constexpr double Flatness = 1e-12;
 }
 
@@ -53,8 +53,9 @@ void TerminationGrid::MakeNode(int i, int j)
   node = {};
   node.Self.Parameters[0] = static_cast<double>(i) / this->Columns;
   node.Self.Parameters[1] = static_cast<double>(j) / this->Rows;
-  node.IsThere = this->Surface->EvaluatePoint(this->Part, node.Self.Parameters, node.Self.Position);
-  if (node.IsThere)
+  node.IsInside =
+    this->Surface->EvaluatePoint(this->Part, node.Self.Parameters, node.Self.Position);
+  if (node.IsInside)
   {
     this->FillPoint(node.Self);
   }
@@ -68,24 +69,24 @@ void TerminationGrid::MakeCrossings(int i, int j)
     const int nextI = i + (direction == 0 ? 1 : 0);
     const int nextJ = j + (direction == 1 ? 1 : 0);
     if (nextI > this->Columns || nextJ > this->Rows ||
-      this->At(nextI, nextJ).IsThere == node.IsThere)
+      this->At(nextI, nextJ).IsInside == node.IsInside)
     {
       continue;
     }
     const Node& next = this->At(nextI, nextJ);
-    Point inside = node.IsThere ? node.Self : next.Self;
-    double outside = (node.IsThere ? next : node).Self.Parameters[direction];
+    Point inside = node.IsInside ? node.Self : next.Self;
+    double outside = (node.IsInside ? next : node).Self.Parameters[direction];
     for (int step = 0; step < Halvings; ++step)
     {
-      Point middle = inside;
-      middle.Parameters[direction] = 0.5 * (inside.Parameters[direction] + outside);
-      if (this->Surface->EvaluatePoint(this->Part, middle.Parameters, middle.Position))
+      Point midpoint = inside;
+      midpoint.Parameters[direction] = 0.5 * (inside.Parameters[direction] + outside);
+      if (this->Surface->EvaluatePoint(this->Part, midpoint.Parameters, midpoint.Position))
       {
-        inside = middle;
+        inside = midpoint;
       }
       else
       {
-        outside = middle.Parameters[direction];
+        outside = midpoint.Parameters[direction];
       }
     }
     this->FillPoint(inside);
@@ -102,7 +103,7 @@ void TerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   glm::dvec3 sides[3] = { Vectors::Difference(second.Position, first.Position),
     Vectors::Difference(third.Position, first.Position),
     Vectors::Difference(third.Position, second.Position) };
-  // At a size of about 1, squares of areas are numbers.
+  // Scale to about 1 so that squared areas do not overflow.
   const double scale = MultilinearCell::GetScale(
     std::max(Vectors::InfinityNorm(sides[0]), Vectors::InfinityNorm(sides[1])));
   double longest = 0.0;
@@ -129,12 +130,13 @@ void TerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
 
 void TerminationGrid::CutCell(int i, int j)
 {
-  // The polygon goes around the cell: corners that are there, and crossings of its sides.
+  // The polygon around the cell consists of corners inside the part and of border crossings of the
+  // cell's edges.
   std::vector<vtkIdType> polygon;
   const auto addNode = [this, &polygon](int column, int row)
   {
     const Node& node = this->At(column, row);
-    if (node.IsThere)
+    if (node.IsInside)
     {
       polygon.push_back(node.Ids[0]);
     }
@@ -177,9 +179,9 @@ bool TerminationGrid::Execute(vtkAlgorithm* owner, double start, double end)
       }
     };
   };
-  const double middle = 0.5 * (start + end);
-  if (!Batches::Run(this->Rows + 1, owner, start, middle, visit(&TerminationGrid::MakeNode)) ||
-    !Batches::Run(this->Rows + 1, owner, middle, end, visit(&TerminationGrid::MakeCrossings)))
+  const double midpoint = 0.5 * (start + end);
+  if (!Batches::Run(this->Rows + 1, owner, start, midpoint, visit(&TerminationGrid::MakeNode)) ||
+    !Batches::Run(this->Rows + 1, owner, midpoint, end, visit(&TerminationGrid::MakeCrossings)))
   {
     return false;
   }
@@ -190,7 +192,7 @@ bool TerminationGrid::Execute(vtkAlgorithm* owner, double start, double end)
   };
   for (Node& node : this->Nodes)
   {
-    node.Ids[0] = node.IsThere ? addPoint(node.Self) : -1;
+    node.Ids[0] = node.IsInside ? addPoint(node.Self) : -1;
     for (int direction = 0; direction < 2; ++direction)
     {
       node.Ids[1 + direction] =

@@ -15,7 +15,8 @@ namespace interlume
 
 /**
  * @class   TerminationGrid
- * @brief   a grid over the parameters of one part of a termination surface, cut where the part ends
+ * @brief   grid over the parameters of one part of a termination surface, clipped at the part's
+ * border
  */
 class TerminationGrid
 {
@@ -29,25 +30,24 @@ public:
 
   TerminationGrid(const vtkTerminationSurface* surface, int part, int columns, int rows);
 
-  /// Makes points and triangles, by threads; the progress of \a owner goes from \a start to \a end.
-  /// Returns false when its execution was aborted.
+  /// Creates points and triangles in parallel. The progress of \a owner advances from \a start to
+  /// \a end. Returns false if the execution was aborted.
   bool Execute(vtkAlgorithm* owner, double start, double end);
 
   std::vector<Point> Points;
   std::vector<std::array<vtkIdType, 3>> Triangles;
-  /// The number of points on the part's border that are no node of the grid.
+  /// Number of points on the border of the part that are not grid nodes.
   vtkIdType BorderPoints = 0;
-  /// The number of triangles left out because they are lines or points.
+  /// Number of triangles skipped because they are degenerate.
   vtkIdType FlatTriangles = 0;
 
 private:
-  /// A node of the grid, and where the lines from it to the next nodes along u and v cross the
-  /// part's border.
+  /// A grid node, and the border crossings of the grid edges to the next nodes along u and v.
   struct Node
   {
     Point Self;
     Point Crossings[2];
-    bool IsThere;
+    bool IsInside;
     bool HasCrossing[2];
     vtkIdType Ids[3];
   };

@@ -41,14 +41,14 @@ struct TripleHash
   }
 };
 
-// Names a point or a cell, for messages.
+// Describes a point or a cell for messages.
 std::string Name(const char* what, vtkIdType id)
 {
   return std::string(what) + " " + std::to_string(id) + " of the mesh";
 }
 
-// VTK's triangulation has squares of lengths, and products of them.
-void BringToSizeOne(vtkPolygon* polygon)
+// Scales the polygon to about 1, because VTK's triangulation multiplies squared lengths.
+void ScaleToUnitSize(vtkPolygon* polygon)
 {
   double bounds[6];
   polygon->GetBounds(bounds);
@@ -92,7 +92,7 @@ Error TerminationTriangles::FindTriangles(vtkPolyData* data, std::vector<Polygon
         if (ids[i] < 0 || ids[i] >= data->GetNumberOfPoints())
         {
           return Name("cell", cellId) + " has point " + std::to_string(ids[i]) +
-            ", which is not there";
+            ", which does not exist";
         }
         if (!FiniteNumbers::AreFinite(data->GetPoint(ids[i]), 3))
         {
@@ -118,7 +118,7 @@ Error TerminationTriangles::FindTriangles(vtkPolyData* data, std::vector<Polygon
       else
       {
         polygon->Initialize(static_cast<int>(number), ids, data->GetPoints());
-        BringToSizeOne(polygon);
+        ScaleToUnitSize(polygon);
         if (number < 3 || !polygon->EarCutTriangulation(cut))
         {
           ++this->NumberOfDegenerateTriangles;
@@ -159,8 +159,8 @@ void TerminationTriangles::Weld(
     this->Bounds[3] - this->Bounds[2], this->Bounds[5] - this->Bounds[4]);
   this->Scale = MultilinearCell::GetScale(diagonal);
   this->Diagonal = this->Scale * diagonal;
-  // Vertices are sorted by the cells of a grid, which is twice as wide as the reach: those near a
-  // point are in its cell and in the neighbours on its side.
+  // Vertices are binned in a grid whose cells are twice as wide as the reach. Vertices within reach
+  // of a point are in its grid cell or in the adjacent cells on the point's nearer sides.
   const double reach = tolerance * this->Diagonal;
   std::unordered_map<Triple, std::vector<int>, TripleHash> grid;
   this->VertexIds.assign(number, -1);
@@ -176,9 +176,9 @@ void TerminationTriangles::Weld(
     int sides[3];
     for (int i = 0; i < 3; ++i)
     {
-      const double place = (x[i] - this->Scale * this->Bounds[2 * i]) / (2.0 * reach);
-      home[i] = static_cast<std::int64_t>(std::floor(place));
-      sides[i] = place - std::floor(place) < 0.5 ? -1 : 1;
+      const double position = (x[i] - this->Scale * this->Bounds[2 * i]) / (2.0 * reach);
+      home[i] = static_cast<std::int64_t>(std::floor(position));
+      sides[i] = position - std::floor(position) < 0.5 ? -1 : 1;
     }
     int found = -1;
     for (int neighbor = 0; neighbor < 8; ++neighbor)
@@ -233,7 +233,7 @@ Error TerminationTriangles::Take(vtkPolyData* data, double tolerance, const bool
       triangle.Corners[i] = this->VertexIds[polygon[i]];
       if (triangle.Corners[i] < 0)
       {
-        return "the mesh has no size: all its points are in one place";
+        return "the mesh has no extent: all its points coincide";
       }
       corners[i] = this->Vertices[triangle.Corners[i]];
       texture->GetTuple(polygon[i], triangle.Texture[i]);

@@ -19,22 +19,22 @@ namespace interlume
 
 /**
  * @class   TerminationTriangles
- * @brief   the polygons and strips of a dataset as triangles with texture coordinates
+ * @brief   triangles with texture coordinates from the polygons and strips of a dataset
  *
- * Points nearer to each other than the tolerance are one vertex, known by the first of them, so
- * that a seam of the texture is no border of the surface. Each corner keeps the texture coordinates
- * of its own point.
+ * Points within a tolerance of each other become one vertex, identified by its first point.
+ * Therefore a texture seam is not a border of the surface. Each corner keeps the texture
+ * coordinates of its point.
  *
- * Vertices are the points multiplied by Scale, a power of 2 by which the diagonal is about 1, so
- * that products of four lengths are numbers at any size.
+ * Vertices are points multiplied by Scale, a power of 2 that scales the diagonal to about 1. This
+ * avoids overflow of products of four lengths.
  */
 class TerminationTriangles
 {
 public:
   /**
-   * Takes the dataset; \a tolerance in parts of the bounds' diagonal. In a periodic direction the
-   * coordinates of a triangle are brought within a half of its first corner's. Returns an error if
-   * the dataset is no surface with texture coordinates.
+   * Reads the dataset. \a tolerance is relative to the diagonal of the bounds. In periodic
+   * directions, the texture coordinates of a triangle are shifted to within half a period of its
+   * first corner. Returns an error if the dataset is not a surface with texture coordinates.
    */
   Error Take(vtkPolyData* data, double tolerance, const bool isPeriodic[2]);
 
@@ -51,13 +51,13 @@ public:
   std::vector<Triangle> Triangles;
   std::vector<glm::dvec3> Vertices;
   double Scale = 1.0;
-  /// The point that stands for each vertex.
+  /// First point of each vertex.
   std::vector<vtkIdType> PointIds;
-  /// The bounds of the points in use.
+  /// Bounds of the used points.
   double Bounds[6];
-  /// The bounds' diagonal, multiplied by Scale.
+  /// Diagonal of the bounds, multiplied by Scale.
   double Diagonal = 0.0;
-  /// The number of triangles without area, and of polygons that cannot be cut into triangles.
+  /// Number of triangles without area, and of polygons that cannot be triangulated.
   vtkIdType NumberOfDegenerateTriangles = 0;
 
 private:
@@ -66,7 +66,7 @@ private:
   Error FindTriangles(vtkPolyData* data, std::vector<Polygon>& polygons);
   void Weld(vtkPolyData* data, const std::vector<bool>& isUsed, double tolerance);
 
-  /// The vertex of each point, -1 for those not in use.
+  /// Vertex of each point, or -1 if the point is not used.
   std::vector<int> VertexIds;
 };
 

@@ -15,10 +15,10 @@ namespace interlume
 
 namespace
 {
-// The triangle in the plane of its texture.
-struct Flat
+// A triangle in texture space.
+struct TextureTriangle
 {
-  explicit Flat(const TerminationTriangles::Triangle& triangle)
+  explicit TextureTriangle(const TerminationTriangles::Triangle& triangle)
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -44,12 +44,12 @@ void TextureSearch::Build(const TerminationTriangles* mesh, const bool isPeriodi
   std::vector<BoxTree::Box> boxes;
   for (const auto& triangle : mesh->Triangles)
   {
-    const Flat flat(triangle);
+    const TextureTriangle projected(triangle);
     BoxTree::Box box;
     for (int i = 0; i < 3; ++i)
     {
       const auto range =
-        std::minmax({ flat.Corners[0][i], flat.Corners[1][i], flat.Corners[2][i] });
+        std::minmax({ projected.Corners[0][i], projected.Corners[1][i], projected.Corners[2][i] });
       box.Lower[i] = range.first;
       box.Upper[i] = range.second;
     }
@@ -63,7 +63,8 @@ bool TextureSearch::FindPoint(const double uv[2], double x[3]) const
   const double tolerance = vtkTerminationSurface::BorderTolerance;
   double limit = tolerance * tolerance;
   bool isFound = false;
-  // Triangles across a seam go on beyond 0 and 1, on either side of it.
+  // Triangles across a seam extend below 0 or above 1, so search at coordinates shifted by a
+  // period, too.
   const int reach[2] = { this->IsPeriodic[0] ? 1 : 0, this->IsPeriodic[1] ? 1 : 0 };
   for (int i = -reach[0]; i <= reach[0]; ++i)
   {
@@ -73,10 +74,10 @@ bool TextureSearch::FindPoint(const double uv[2], double x[3]) const
       this->Tree.VisitNear(glm::value_ptr(target), limit,
         [this, x, &target, &limit, &isFound](int item, double& squaredLimit)
         {
-          const Flat flat(this->Mesh->Triangles[item]);
+          const TextureTriangle projected(this->Mesh->Triangles[item]);
           const ClosestTrianglePoint foot(
-            target, flat.Corners[0], flat.Corners[1], flat.Corners[2]);
-          if (flat.HasArea() && foot.SquaredDistance < squaredLimit)
+            target, projected.Corners[0], projected.Corners[1], projected.Corners[2]);
+          if (projected.HasArea() && foot.SquaredDistance < squaredLimit)
           {
             squaredLimit = limit = foot.SquaredDistance;
             isFound = true;

@@ -10,18 +10,18 @@ namespace interlume
 
 /**
  * @class   TextureSearch
- * @brief   the point of a mesh that has given texture coordinates
+ * @brief   finds the point of a mesh with given texture coordinates
  *
- * Triangles without area in the texture are left out. Where triangles overlap in the texture one of
- * them is found, always the same.
+ * Triangles without area in texture space are skipped. If triangles overlap in texture space,
+ * always the same one is found.
  */
 class TextureSearch
 {
 public:
-  /// Takes triangles that stay where they are.
+  /// Builds the search structure. The mesh must outlive this object.
   void Build(const TerminationTriangles* mesh, const bool isPeriodic[2]);
 
-  /// Finds the point with these coordinates. Returns false where no triangle is within
+  /// Finds the point with the given texture coordinates. Returns false if no triangle is within
   /// vtkTerminationSurface::BorderTolerance.
   bool FindPoint(const double uv[2], double x[3]) const;
 

@@ -103,7 +103,7 @@ const glm::dvec3& TriangleDistance::GetNormal(int triangle, const ClosestTriangl
     const int corner = foot.Feature - ClosestTrianglePoint::FIRST_CORNER;
     candidate = &this->VertexNormals[this->Mesh->Triangles[triangle].Corners[corner]];
   }
-  // Faces that are folded onto each other have no normal between them.
+  // Faces folded onto each other have no common normal. Use the face normal.
   return glm::length(*candidate) > 0.5 ? *candidate : normal;
 }
 
@@ -124,7 +124,8 @@ double TriangleDistance::GetSignedDistance(
 {
   if (foot.Feature == ClosestTrianglePoint::FACE)
   {
-    // Near the face this distance is exact, and smooth enough for finding roots.
+    // The distance from the face's plane is exact for small distances, too, and smooth enough for
+    // root finding.
     return glm::dot(x - this->Mesh->GetCorner(triangle, 0), this->FaceNormals[triangle]);
   }
   const double distance = std::sqrt(foot.SquaredDistance);

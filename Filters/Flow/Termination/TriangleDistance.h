@@ -14,34 +14,34 @@ namespace interlume
 
 /**
  * @class   TriangleDistance
- * @brief   the nearest point of oriented triangles, and the side it is seen from
+ * @brief   signed distance from oriented triangles
  *
- * The side is that of the normal of the face, edge or vertex that the nearest point is on, edges
- * and vertices with the normals of their faces weighted by angle: J. A. Baerentzen and H. Aanaes,
+ * The sign is determined by the normal of the face, edge or vertex of the nearest point. Edge and
+ * vertex normals are the angle-weighted sums of their face normals: J. A. Baerentzen and H. Aanaes,
  * "Signed distance computation using the angle weighted pseudonormal", IEEE TVCG 11(3), 2005.
  */
 class TriangleDistance
 {
 public:
-  /// Takes triangles that stay where they are.
+  /// Builds the search structure. The mesh must outlive this object.
   void Build(const TerminationTriangles* mesh, const TriangleEdges& edges);
 
-  /// Returns the triangle that is nearest to \a x, -1 without any, and then leaves \a foot as it
-  /// is.
+  /// Returns the triangle nearest to \a x and computes \a foot. Returns -1 and leaves \a foot
+  /// unchanged if there are no triangles.
   int FindNearest(const glm::dvec3& x, ClosestTrianglePoint& foot) const;
 
-  /// Returns the normal at a foot in a triangle, of length 1.
+  /// Returns the unit normal at a foot in a triangle.
   const glm::dvec3& GetNormal(int triangle, const ClosestTrianglePoint& foot) const;
   bool IsOnBorder(int triangle, const ClosestTrianglePoint& foot) const;
 
-  /// Returns the signed distance of \a x from its foot.
+  /// Returns the signed distance of \a x from the triangle.
   double GetSignedDistance(
     int triangle, const ClosestTrianglePoint& foot, const glm::dvec3& x) const;
 
 private:
   const TerminationTriangles* Mesh = nullptr;
   BoxTree Tree;
-  /// The three edges of each triangle.
+  /// Three edge ids per triangle.
   std::vector<int> EdgeIds;
   std::vector<glm::dvec3> FaceNormals;
   std::vector<glm::dvec3> EdgeNormals;

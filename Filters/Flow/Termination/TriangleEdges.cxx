@@ -89,7 +89,7 @@ Error TriangleEdges::OrientPart(
       else if (turns[other] != turn)
       {
         const int* corners = mesh.Triangles[triangle].Corners;
-        return "the mesh has one side only: it cannot be oriented at the edge from point " +
+        return "the mesh is one-sided: it cannot be oriented at the edge from point " +
           std::to_string(mesh.PointIds[corners[i]]) + " to point " +
           std::to_string(mesh.PointIds[corners[(i + 1) % 3]]);
       }

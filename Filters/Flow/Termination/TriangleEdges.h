@@ -14,9 +14,9 @@ namespace interlume
 
 /**
  * @class   TriangleEdges
- * @brief   the edges of triangles, and one orientation for all that hang together
+ * @brief   edges of triangles, and a consistent orientation of connected triangles
  *
- * Edge i of a triangle goes from its corner i to the next.
+ * Edge i of a triangle is the edge from corner i to the next corner.
  */
 class TriangleEdges
 {
@@ -25,9 +25,10 @@ public:
   void Connect(const TerminationTriangles& mesh);
 
   /**
-   * Turns triangles so that two that share an edge, without a third, agree. A part without borders
-   * is turned outward, one with borders to how most of its triangles are, of equal numbers its
-   * first. Returns an error for a part that has one side only, as a Moebius strip.
+   * Flips triangles so that the triangles at each edge with exactly two of them are consistently
+   * oriented. A part without borders is oriented outward. A part with borders keeps the orientation
+   * of the majority of its triangles, or of its first triangle in case of a tie. Returns an error
+   * if a part is one-sided, like a Moebius strip.
    */
   Error Orient(TerminationTriangles& mesh);
 
@@ -36,18 +37,18 @@ public:
   int GetNumberOfEdges() const { return static_cast<int>(this->Faces.size()); }
 
   vtkIdType NumberOfBorderEdges = 0;
-  /// The number of edges of more than two triangles.
+  /// Number of edges with more than two triangles.
   vtkIdType NumberOfBranchingEdges = 0;
 
 private:
-  /// Decides for all triangles that hang together with the first whether they are turned. Returns
-  /// an error as Orient does.
+  /// Computes which triangles must be flipped in the connected part that contains triangle \a
+  /// first. Returns an error as Orient() does.
   Error OrientPart(
     const TerminationTriangles& mesh, int first, std::vector<signed char>& turns) const;
 
-  /// The three edges of each triangle.
+  /// Three edge ids per triangle.
   std::vector<int> EdgeIds;
-  /// The number of triangles that each edge has, and the first two of them.
+  /// Number of triangles of each edge, and the first two triangles.
   std::vector<int> Faces;
   std::vector<std::array<int, 2>> Triangles;
 };

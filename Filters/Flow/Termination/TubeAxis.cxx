@@ -15,17 +15,17 @@ namespace interlume
 
 namespace
 {
-// The share of the line's size within which points are in the same place.
-constexpr double SamePlace = 1e-12;
-// The least distance from -1 of the cosine between segments that go on; below it the line turns
-// back.
-constexpr double TurnBack = 1e-8;
+// Fraction of the line's size within which two points coincide.
+constexpr double CoincidenceTolerance = 1e-12;
+// Minimum of 1 plus the cosine of the angle between consecutive segments. Below it, the line turns
+// back on itself.
+constexpr double ReversalTolerance = 1e-8;
 
-// Rotates v, which is across `from`, by the smallest rotation that takes `from` to `to`.
+// Rotates v, which is perpendicular to `from`, by the smallest rotation from `from` to `to`.
 glm::dvec3 Rotate(const glm::dvec3& from, const glm::dvec3& to, const glm::dvec3& v)
 {
   const glm::dvec3 rotated = v - glm::dot(v, to) / (1.0 + glm::dot(from, to)) * (from + to);
-  // Taking out the part along `to` keeps rounding from growing from segment to segment.
+  // Orthogonalize so that rounding errors do not accumulate along the line.
   const glm::dvec3 across = rotated - glm::dot(rotated, to) * to;
   return across / glm::length(across);
 }
@@ -48,32 +48,32 @@ Error TubeAxis::Build(const std::vector<glm::dvec3>& points)
     size = std::max(size, Vectors::SafeLength(points[i] - points[0]));
   }
   const auto areSame = [size](const glm::dvec3& a, const glm::dvec3& b)
-  { return Vectors::SafeLength(a - b) <= SamePlace * size; };
-  std::vector<std::size_t> kept;
+  { return Vectors::SafeLength(a - b) <= CoincidenceTolerance * size; };
+  std::vector<std::size_t> retained;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    if (kept.empty() || !areSame(points[i], points[kept.back()]))
+    if (retained.empty() || !areSame(points[i], points[retained.back()]))
     {
-      kept.push_back(i);
+      retained.push_back(i);
     }
   }
-  if (kept.size() < 2)
+  if (retained.size() < 2)
   {
-    return "the tube's line has fewer than two points in different places";
+    return "the tube's line has fewer than two distinct points";
   }
-  this->Closed = kept.size() > 3 && areSame(points[kept.front()], points[kept.back()]);
-  this->FirstPoint = points[kept.front()];
-  this->LastPoint = points[kept.back()];
+  this->Closed = retained.size() > 3 && areSame(points[retained.front()], points[retained.back()]);
+  this->FirstPoint = points[retained.front()];
+  this->LastPoint = points[retained.back()];
   this->Scale = MultilinearCell::GetScale(size);
 
-  std::vector<Segment> segments(kept.size() - 1);
+  std::vector<Segment> segments(retained.size() - 1);
   std::vector<BoxTree::Box> boxes(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
     Segment& segment = segments[i];
     segment = {};
-    const glm::dvec3& end = points[kept[i + 1]];
-    segment.Start = points[kept[i]];
+    const glm::dvec3& end = points[retained[i + 1]];
+    segment.Start = points[retained[i]];
     for (int axis = 0; axis < 3; ++axis)
     {
       boxes[i].Lower[axis] = this->Scale * std::min(segment.Start[axis], end[axis]);
@@ -91,9 +91,9 @@ Error TubeAxis::Build(const std::vector<glm::dvec3>& points)
     Segment& before = segments[i];
     Segment& after = segments[(i + 1) % segments.size()];
     const double cosine = glm::dot(before.Frame.Axis, after.Frame.Axis);
-    if (!(1.0 + cosine > TurnBack))
+    if (!(1.0 + cosine > ReversalTolerance))
     {
-      return "the tube's line turns back on itself at point " + std::to_string(kept[i + 1]);
+      return "the tube's line turns back on itself at point " + std::to_string(retained[i + 1]);
     }
     before.EndTilt = after.Frame.Axis / (1.0 + cosine);
     after.StartTilt = before.Frame.Axis / (1.0 + cosine);
@@ -123,15 +123,15 @@ int TubeAxis::FindNearest(const glm::dvec3& x, double& along) const
     {
       const Segment& segment = this->Segments[item];
       const glm::dvec3 p = x - segment.Start;
-      const double place = glm::dot(p, segment.Frame.Axis);
-      const double clamped = std::max(0.0, std::min(place, segment.Length));
-      const glm::dvec3 apart = this->Scale * (p - clamped * segment.Frame.Axis);
-      const double squaredDistance = glm::dot(apart, apart);
+      const double position = glm::dot(p, segment.Frame.Axis);
+      const double clamped = std::max(0.0, std::min(position, segment.Length));
+      const glm::dvec3 difference = this->Scale * (p - clamped * segment.Frame.Axis);
+      const double squaredDistance = glm::dot(difference, difference);
       if (squaredDistance < squaredLimit)
       {
         squaredLimit = squaredDistance;
         nearest = item;
-        along = place;
+        along = position;
       }
     });
   return nearest;
@@ -147,10 +147,10 @@ TubeAxis::Foot TubeAxis::GetFoot(const glm::dvec3& x) const
   foot.Nearest = segment.Start + clamped * segment.Frame.Axis;
   const bool isFirst = !this->Closed && nearest == 0;
   const bool isLast = !this->Closed && nearest + 1 == static_cast<int>(this->Segments.size());
-  foot.Beyond = 0.0;
+  foot.DistancePastEnd = 0.0;
   if ((isFirst && along < 0.0) || (isLast && along > segment.Length))
   {
-    foot.Beyond = along - clamped;
+    foot.DistancePastEnd = along - clamped;
   }
   return foot;
 }
@@ -191,9 +191,11 @@ void TubeAxis::GetParameters(const glm::dvec3& x, double uv[2]) const
     GetPlanes(this->Segments[index], x, components, start, end);
   }
   const Segment& segment = this->Segments[index];
-  const double way = start + end;
-  // Where a tube is thicker than its bend, the planes cross and the way is not above 0.
-  const double part = way > 0.0 ? std::max(0.0, std::min(start / way, 1.0)) : 0.5;
+  const double distanceBetween = start + end;
+  // If the tube's radius exceeds the radius of the bend, the planes intersect and the distance may
+  // be 0 or negative.
+  const double part =
+    distanceBetween > 0.0 ? std::max(0.0, std::min(start / distanceBetween, 1.0)) : 0.5;
   uv[1] = std::min(1.0, (segment.Distance + part * segment.Length) / this->Length);
   uv[1] = this->Closed && uv[1] == 1.0 ? 0.0 : uv[1];
   const double turn = AxialFrame::GetTurn(components.x, components.y) + this->Twist * uv[1];
@@ -210,7 +212,7 @@ glm::dvec3 TubeAxis::GetPoint(const double uv[2], double radius) const
   const double part = std::min(1.0, (distance - segment.Distance) / segment.Length);
   const double angle = 2.0 * vtkMath::Pi() * (uv[0] - this->Twist * uv[1]);
   const glm::dvec3 across = segment.Frame.GetVector(std::cos(angle), std::sin(angle), 0.0);
-  // At a distance rho across, the place is part * Length + rho * slope along.
+  // At distance rho from the line, the position along the segment is part * Length + rho * slope.
   const double startTilt = glm::dot(across, segment.StartTilt);
   const double endTilt = glm::dot(across, segment.EndTilt);
   const double slope = part * (startTilt - endTilt) - startTilt;
@@ -218,7 +220,7 @@ glm::dvec3 TubeAxis::GetPoint(const double uv[2], double radius) const
   double along = part * segment.Length + rho * slope;
   if (along < 0.0 || along > segment.Length)
   {
-    // Around the outside of a bend the tube is a part of the sphere around the line's point.
+    // On the outside of a bend, the tube is part of a sphere around the line's point at the bend.
     const double offset =
       this->Scale * (part * segment.Length - (along < 0.0 ? 0.0 : segment.Length));
     const double size = this->Scale * radius;

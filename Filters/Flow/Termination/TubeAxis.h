@@ -13,24 +13,25 @@ namespace interlume
 
 /**
  * @class   TubeAxis
- * @brief   a polyline with an angle around it and a place along it that jump nowhere
+ * @brief   polyline with continuous coordinates around it and along it
  *
- * Each segment has a frame, turned from one to the next by the smallest rotation (the
- * rotation-minimising frame of a polyline). Around a bend the segments meet in the plane that
- * bisects it. The frames of two segments mirror each other there, so that the angle is the same on
- * both sides; the place along a segment is the part of the way from bisecting plane to bisecting
- * plane, which has no jump at the inside of the bend and no halt at its outside, as the arc length
- * of the nearest point has.
+ * Each segment has a frame. Frames are transported from segment to segment by the smallest rotation
+ * (the rotation-minimizing frame of a polyline). At a bend, segments meet in the plane that bisects
+ * it. The frames on both sides are mirror images in that plane, so the angle is continuous. The
+ * coordinate along a segment is the fraction of the distance between its two bisecting planes.
+ * Unlike the arc length of the nearest point, it has no jump on the inside of a bend and no
+ * constant section on the outside.
  *
- * A closed line has the rotation between the last and the first frame spread over its length.
+ * For a closed line, the rotation between the last and the first frame is distributed over its
+ * length.
  */
 class TubeAxis
 {
 public:
   /**
-   * Takes a polyline; it is closed when its last point is the first. Points in the same place as
-   * the one before are left out. Returns an error if a point is not finite, if there are fewer than
-   * two places, and if the line turns back on itself.
+   * Builds the axis from a polyline, which is closed if its first and last points coincide. A point
+   * that coincides with the previous one is skipped. Returns an error if a point is not finite, if
+   * there are fewer than two distinct points, or if the line turns back on itself.
    */
   Error Build(const std::vector<glm::dvec3>& points);
 
@@ -38,29 +39,30 @@ public:
   bool IsClosed() const { return this->Closed; }
   double GetLength() const { return this->Length; }
 
-  /// The nearest point of the line, and by how much \a x is beyond an end there: negative beyond
-  /// the first, positive beyond the last, else 0.
+  /// Nearest point of the line, and the distance past an end: negative before the first point,
+  /// positive after the last point, otherwise 0.
   struct Foot
   {
     glm::dvec3 Nearest;
-    double Beyond;
+    double DistancePastEnd;
   };
   Foot GetFoot(const glm::dvec3& x) const;
 
-  /// Computes u in turns, 0 to below 1, and v by length, 0 to 1 (to below 1 on a closed line).
+  /// Computes u, an angle in turns in [0,1), and v, the fraction of the length in [0,1], or [0,1)
+  /// if the line is closed.
   void GetParameters(const glm::dvec3& x, double uv[2]) const;
 
-  /// Returns the point with these parameters, at a distance from the line.
+  /// Returns the point with these parameters at a distance from the line.
   glm::dvec3 GetPoint(const double uv[2], double radius) const;
 
-  /// Return the frames at the two ends, and the ends.
+  /// Return the frame at an end, and the end point.
   const AxialFrame& GetEndFrame(bool isLast) const;
   const glm::dvec3& GetEnd(bool isLast) const
   {
     return isLast ? this->LastPoint : this->FirstPoint;
   }
 
-  /// Computes the lower and upper bounds of x, y, z.
+  /// Computes the bounds as xmin, xmax, ymin, ymax, zmin, zmax.
   void GetBounds(double bounds[6]) const;
 
 private:
@@ -68,33 +70,32 @@ private:
   {
     glm::dvec3 Start;
     double Length;
-    /// The distance of the segment's start along the line.
+    /// Distance of the segment's start along the line.
     double Distance;
     AxialFrame Frame;
-    /// The bisecting planes at start and end lie at - w . Tilt and Length - w . Tilt along the
-    /// segment, w across it.
+    /// The bisecting planes are at -w . StartTilt and Length - w . EndTilt along the segment, where
+    /// w is the offset perpendicular to the segment.
     glm::dvec3 StartTilt;
     glm::dvec3 EndTilt;
   };
 
-  /// Finds the nearest segment, and the nearest point's place along it.
+  /// Returns the nearest segment and computes the position of the nearest point along it.
   int FindNearest(const glm::dvec3& x, double& along) const;
-  /// Computes where a point is between the bisecting planes, as distances along the segment from
-  /// both.
+  /// Computes the distances of a point from both bisecting planes, along the segment.
   static void GetPlanes(const Segment& segment, const glm::dvec3& x, glm::dvec3& components,
     double& start, double& end);
   int GetNeighbor(int segment, int step) const;
 
   std::vector<Segment> Segments;
-  /// The boxes of segments, multiplied by Scale.
+  /// Bounding boxes of the segments, multiplied by Scale.
   BoxTree Tree;
-  /// The power of 2 by which the line's size is about 1, so that squares are numbers.
+  /// Power of 2 that scales the line to a size of about 1, so that squares do not overflow.
   double Scale = 1.0;
   bool Closed = false;
   double Length = 0.0;
   glm::dvec3 FirstPoint{ 0.0, 0.0, 0.0 };
   glm::dvec3 LastPoint{ 0.0, 0.0, 0.0 };
-  /// The turns by which a closed line's frame is off after one round.
+  /// Rotation between the first and the last frame of a closed line, in turns.
   double Twist = 0.0;
 };
 

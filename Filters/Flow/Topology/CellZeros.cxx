@@ -13,18 +13,18 @@ namespace
 {
 using Values = MultilinearCell::Values;
 
-// The least distance, in parameters, by which a zero may be outside, and the least uncertainties of
-// a zero and of one with a singular Jacobian.
+// Tolerances in parameters: distance outside the cell, and minimum uncertainty of a regular and of
+// a degenerate zero.
 constexpr double Margin = 1e-9;
 constexpr double Tolerance = 1e-7;
 constexpr double DegenerateTolerance = 1e-5;
-// The rounding of a value, of which the largest is 1.
+// Rounding error of a value relative to the largest value.
 constexpr double Noise = 4e-15;
 constexpr int MaximumLevel = 24;
 constexpr std::size_t MaximumNumberOfBoxes = 512;
 
-// Computes the inverse of a matrix, by rows and columns that are first made alike in size. Returns
-// false if it is singular.
+// Computes the inverse of a matrix after equilibrating its rows and columns. Returns false if it is
+// singular.
 bool Invert(const double matrix[9], double inverse[9])
 {
   double scaled[3][3];
@@ -79,13 +79,13 @@ void Multiply(const double matrix[9], const double x[3], double product[3])
   }
 }
 
-// Returns the sum of a row's absolute values.
+// Returns the sum of absolute values of a row.
 double GetRowSum(const double matrix[9], int i)
 {
   return std::abs(matrix[3 * i]) + std::abs(matrix[3 * i + 1]) + std::abs(matrix[3 * i + 2]);
 }
 
-// Returns whether a component, known up to \a noise, has one sign at all corners.
+// Returns whether a component with rounding error \a noise has the same sign at all corners.
 bool HasOneSign(const Values& values, int component, double noise)
 {
   double lower = values[0][component];
@@ -128,7 +128,7 @@ double GetDistance(const double a[3], const double b[3])
   return std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) });
 }
 
-constexpr double Middle[3] = { 0.5, 0.5, 0.5 };
+constexpr double Center[3] = { 0.5, 0.5, 0.5 };
 }
 
 bool CellZeros::HasZeroEdge(const Values& values) const
@@ -141,7 +141,7 @@ bool CellZeros::HasZeroEdge(const Values& values) const
     [&isZero](const int* edge) { return isZero(edge[0]) && isZero(edge[1]); });
 }
 
-bool CellZeros::Settle(const Values& values, bool& isIsolated) const
+bool CellZeros::DecideByCorners(const Values& values, bool& isIsolated) const
 {
   const int* corners = nullptr;
   const int number = MultilinearCell::GetCorners(this->Shape, corners);
@@ -168,7 +168,7 @@ bool CellZeros::Find(MultilinearCell::Shapes shape, const Values& values, std::v
   zeros.clear();
   this->Shape = shape;
   bool isIsolated = true;
-  if (this->Settle(values, isIsolated))
+  if (this->DecideByCorners(values, isIsolated))
   {
     return isIsolated;
   }
@@ -184,7 +184,7 @@ bool CellZeros::Find(MultilinearCell::Shapes shape, const Values& values, std::v
       this->Normalized[corner][i] = largest > 0.0 ? values[corner][i] / largest : 0.0;
     }
   }
-  // All parameters with p2 = 1 are the apex.
+  // All parameters with p2 = 1 map to the apex of a pyramid.
   const double* apex = this->Normalized[4];
   if (shape == MultilinearCell::PYRAMID &&
     std::max({ std::abs(apex[0]), std::abs(apex[1]), std::abs(apex[2]) }) < 1e-13)
@@ -197,15 +197,15 @@ bool CellZeros::Find(MultilinearCell::Shapes shape, const Values& values, std::v
   this->Boxes.assign(1, { { -Margin, -Margin, -Margin } });
   for (int level = 0; !this->Boxes.empty(); ++level)
   {
-    this->Parts.clear();
+    this->Unresolved.clear();
     for (const Box& box : this->Boxes)
     {
       if (this->Examine(box, size, zeros) == SPLIT)
       {
-        this->Parts.push_back(box);
+        this->Unresolved.push_back(box);
       }
     }
-    if (this->Parts.size() > MaximumNumberOfBoxes)
+    if (this->Unresolved.size() > MaximumNumberOfBoxes)
     {
       zeros.clear();
       return false;
@@ -217,7 +217,7 @@ bool CellZeros::Find(MultilinearCell::Shapes shape, const Values& values, std::v
     }
     size *= 0.5;
     this->Boxes.clear();
-    for (const Box& part : this->Parts)
+    for (const Box& part : this->Unresolved)
     {
       for (int corner = 0; corner < 8; ++corner)
       {
@@ -235,7 +235,7 @@ bool CellZeros::Find(MultilinearCell::Shapes shape, const Values& values, std::v
 
 CellZeros::Findings CellZeros::Examine(const Box& box, double size, std::vector<Zero>& zeros) const
 {
-  // Boxes beyond the slanted face of a wedge or a tetrahedron are left out.
+  // Skip boxes outside the slanted face of a wedge or a tetrahedron.
   if (MultilinearCell::GetExcess(this->Shape, box.Lower) > 2.0 * Margin)
   {
     return CLEAR;
@@ -259,7 +259,7 @@ CellZeros::Findings CellZeros::Examine(const Box& box, double size, std::vector<
   }
   double jacobian[9];
   double inverse[9];
-  MultilinearCell::Derive(corners, Middle, jacobian);
+  MultilinearCell::Derive(corners, Center, jacobian);
   if (!Invert(jacobian, inverse))
   {
     return SPLIT;
@@ -291,27 +291,27 @@ void CellZeros::Solve(
   const Box& box, double size, const Values& scaled, std::vector<Zero>& zeros) const
 {
   constexpr int maximumNumberOfSteps = 60;
-  double place[3] = { 0.5, 0.5, 0.5 };
+  double position[3] = { 0.5, 0.5, 0.5 };
   for (int step = 0; step < maximumNumberOfSteps; ++step)
   {
-    double way[3];
-    MultilinearCell::Interpolate(scaled, place, way);
-    const double before[3] = { place[0], place[1], place[2] };
+    double correction[3];
+    MultilinearCell::Interpolate(scaled, position, correction);
+    const double before[3] = { position[0], position[1], position[2] };
     for (int j = 0; j < 3; ++j)
     {
-      place[j] = std::max(0.0, std::min(place[j] - way[j], 1.0));
+      position[j] = std::max(0.0, std::min(position[j] - correction[j], 1.0));
     }
-    if (GetDistance(before, place) < 1e-15)
+    if (GetDistance(before, position) < 1e-15)
     {
       break;
     }
   }
-  // Newton's method goes on to the last digits, and out of the box, where the zero is outside.
+  // Newton's method refines the zero to full precision, and leaves the box if the zero is outside.
   Zero zero = { { 0.0, 0.0, 0.0 }, Tolerance, false };
   double* p = zero.Parameters;
   for (int j = 0; j < 3; ++j)
   {
-    p[j] = box.Lower[j] + size * place[j];
+    p[j] = box.Lower[j] + size * position[j];
   }
   double reach = Margin;
   for (int step = 0; step < 3; ++step)
@@ -319,17 +319,17 @@ void CellZeros::Solve(
     double jacobian[9];
     double inverse[9];
     double value[3];
-    double way[3];
+    double correction[3];
     MultilinearCell::Derive(this->Normalized, p, jacobian);
     if (!Invert(jacobian, inverse))
     {
       return;
     }
     MultilinearCell::Interpolate(this->Normalized, p, value);
-    Multiply(inverse, value, way);
+    Multiply(inverse, value, correction);
     for (int j = 0; j < 3; ++j)
     {
-      p[j] -= way[j];
+      p[j] -= correction[j];
       const double noise = Noise * GetRowSum(inverse, j);
       reach = std::max(reach, 4.0 * noise);
       zero.Tolerance = std::max(zero.Tolerance, 1e3 * noise);
@@ -366,18 +366,18 @@ void CellZeros::AddDegenerate(double size, std::vector<Zero>& zeros) const
   struct Candidate
   {
     double Residual;
-    Zero Place;
+    Zero Location;
   };
   std::vector<Candidate> candidates;
-  for (const Box& box : this->Parts)
+  for (const Box& box : this->Unresolved)
   {
     Candidate candidate = { 0.0, { { 0.0, 0.0, 0.0 }, DegenerateTolerance, true } };
     for (int j = 0; j < 3; ++j)
     {
-      candidate.Place.Parameters[j] = box.Lower[j] + 0.5 * size;
+      candidate.Location.Parameters[j] = box.Lower[j] + 0.5 * size;
     }
     double value[3];
-    MultilinearCell::Interpolate(this->Normalized, candidate.Place.Parameters, value);
+    MultilinearCell::Interpolate(this->Normalized, candidate.Location.Parameters, value);
     candidate.Residual = vtkMath::Norm(value);
     candidates.push_back(candidate);
   }
@@ -385,7 +385,7 @@ void CellZeros::AddDegenerate(double size, std::vector<Zero>& zeros) const
     [](const Candidate& a, const Candidate& b) { return a.Residual < b.Residual; });
   for (const Candidate& candidate : candidates)
   {
-    Add(candidate.Place, zeros);
+    Add(candidate.Location, zeros);
   }
 }
 

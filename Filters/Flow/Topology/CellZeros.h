@@ -11,21 +11,21 @@ namespace interlume
 
 /**
  * @class   CellZeros
- * @brief   all zeros of a trilinear function of three components in a cell
+ * @brief   finds all zeros of a three-component trilinear function in a cell
  *
- * The cell's cube is split in halves of each direction until what is left of each box is clear:
- * - a component has one sign at all corners, which bound it on the box: no zero. The same holds for
- *   the
- *   components times the inverse of the Jacobian in the middle, which are about the distance from a
- *   zero.
- * - the derivatives of those, which the differences along the box's edges bound, differ by less
- *   than 1/2 from the identity's: at most one zero. Newton's method, with that inverse and held in
- *   the box, is a contraction and finds it.
+ * The parameter cube of the cell is bisected along all axes until each box is resolved. A box is
+ * resolved in two cases:
+ * - A component has the same sign at all corners, which bound it on the box: no zero. The
+ *   components are also multiplied by the inverse Jacobian at the center of the box, and the test
+ *   is repeated. The products approximate the distance from a zero.
+ * - The derivatives of these products differ from the identity by less than 1/2: at most one zero.
+ *   The differences along the edges of the box bound the derivatives. Newton's method with the
+ *   fixed inverse, restricted to the box, is a contraction and finds the zero.
  *
- * Boxes that are not clear at a 2^-24th of the cell's size hold a zero with a singular Jacobian. If
- * there are more and more of them the zeros are not isolated: lines or surfaces.
+ * A box that is unresolved at 2^-24 of the cell's size contains a zero with a singular Jacobian. If
+ * the number of such boxes keeps growing, the zeros form lines or surfaces and are not isolated.
  *
- * Each thread has its own.
+ * Each thread needs its own object.
  */
 class CellZeros
 {
@@ -33,14 +33,14 @@ public:
   struct Zero
   {
     double Parameters[3];
-    /// The uncertainty of the zero, in parameters.
+    /// Uncertainty of the zero, in parametric coordinates.
     double Tolerance;
-    /// Whether the Jacobian is singular at the zero.
+    /// True if the Jacobian is singular at the zero.
     bool IsDegenerate;
   };
 
-  /// Finds the zeros, also those outside of the cell by no more than roundings. Returns false, and
-  /// none, where they are not isolated.
+  /// Finds the zeros, including zeros that are outside the cell only by rounding error. If the
+  /// zeros are not isolated, returns false and no zeros.
   bool Find(
     MultilinearCell::Shapes shape, const MultilinearCell::Values& values, std::vector<Zero>& zeros);
 
@@ -56,9 +56,9 @@ private:
     SPLIT
   };
 
-  /// Returns whether the values at the corners alone tell that there is no zero, or that zeros are
+  /// Returns whether the values at the corners decide the result: there is no zero, or zeros are
   /// not isolated.
-  bool Settle(const MultilinearCell::Values& values, bool& isIsolated) const;
+  bool DecideByCorners(const MultilinearCell::Values& values, bool& isIsolated) const;
   bool HasZeroEdge(const MultilinearCell::Values& values) const;
   Findings Examine(const Box& box, double size, std::vector<Zero>& zeros) const;
   void Solve(const Box& box, double size, const MultilinearCell::Values& scaled,
@@ -67,10 +67,10 @@ private:
   static void Add(const Zero& zero, std::vector<Zero>& zeros);
 
   MultilinearCell::Shapes Shape = MultilinearCell::BOX;
-  /// The values, scaled so that each component's largest absolute value is 1.
+  /// Values scaled so that the largest absolute value of each component is 1.
   MultilinearCell::Values Normalized = {};
   std::vector<Box> Boxes;
-  std::vector<Box> Parts;
+  std::vector<Box> Unresolved;
 };
 
 }

@@ -28,9 +28,10 @@ namespace interlume
 
 namespace
 {
-// Weights of cells that meet at a place are the same there: the largest is at least 1/8.
-constexpr double LeastSharedWeight = 0.05;
-// The distance from a face, in parameters, within which other cells may find a zero too.
+// Cells that share a position give its points equal weights, and the largest weight is at least
+// 1/8.
+constexpr double MinimumSharedWeight = 0.05;
+// Distance from a face, in parameters, within which other cells may find the same zero.
 constexpr double NearFace = 1e-4;
 constexpr double NearPoint = 1e-6;
 
@@ -44,7 +45,7 @@ struct Local
   MultilinearCell Cell;
 };
 
-// Counts the vectors of points that are not hidden.
+// Counts the vectors of visible points.
 SpeedCount CountSpeeds(vtkDataSet* data, vtkDataArray* vectors)
 {
   Blanking blanking;
@@ -187,7 +188,7 @@ private:
     std::stable_sort(
       order, order + number, [&weights](int a, int b) { return weights[a] > weights[b]; });
     std::fill_n(zero.Points, 8, -1);
-    for (int i = 0; i < number && weights[order[i]] > LeastSharedWeight; ++i)
+    for (int i = 0; i < number && weights[order[i]] > MinimumSharedWeight; ++i)
     {
       zero.Points[i] = cell.GetPointId(order[i]);
     }
@@ -204,7 +205,7 @@ private:
 
 void ZeroSearch::Merge(const std::vector<unsigned char>& marks)
 {
-  // The zeros that were found so far around each point.
+  // Indices of the merged zeros of each system around each cell point.
   std::map<std::pair<int, vtkIdType>, std::vector<std::size_t>> known;
   std::vector<Zero> merged;
   for (const Zero& zero : this->Zeros)
@@ -278,7 +279,7 @@ bool ZeroSearch::Execute(
     this->Total.NonFiniteCells += local.Counts.NonFiniteCells;
     this->Total.FillValueCells += local.Counts.FillValueCells;
   }
-  // Zeros of one cell and system stay in the order in which its thread found them.
+  // A stable sort keeps the zeros of one cell and system in order.
   std::stable_sort(this->Zeros.begin(), this->Zeros.end(),
     [](const Zero& a, const Zero& b)
     { return a.System != b.System ? a.System < b.System : a.Cell < b.Cell; });

@@ -19,25 +19,26 @@ namespace interlume
 
 /**
  * @class   ZeroSearch
- * @brief   zeros of functions of the interpolated vectors of a dataset, each once
+ * @brief   finds the zeros of functions of a dataset's interpolated vectors, without duplicates
  *
- * In each cell one or several systems of three equations, trilinear in the cell's parameters, are
- * solved. Cells that are blanked, hidden or ghosts are left out, those that are not finite, those
- * with fill values (SpeedScale), and those in which zeros are not isolated. So are zeros at points
- * that a cell of the latter kind has and in which its system is 0: they are part of a line or a
- * surface. A zero that several cells find at one place is that of the cell with the least id.
+ * Solves one or several systems of three equations in each cell. The equations are trilinear in the
+ * parametric coordinates of the cell. These cells are skipped: blanked, hidden and ghost cells,
+ * cells with non-finite vectors or with fill values (SpeedScale), and cells with zeros that are not
+ * isolated. A zero at a point of a cell with non-isolated zeros is skipped too if that cell's
+ * system is 0 at the point, because such a zero belongs to a line or a surface of zeros. If several
+ * cells find the same zero, the cell with the smallest id keeps it.
  */
 class ZeroSearch
 {
 public:
-  /// The systems of equations that are solved.
+  /// Systems of equations to solve.
   class Systems
   {
   public:
     virtual ~Systems() = default;
-    /// Computes the numbers of a cell's systems: first ... last - 1.
+    /// Computes the range of a cell's systems, from \a first to \a last - 1.
     virtual void GetRange(const MultilinearCell& cell, int& first, int& last) const = 0;
-    /// Computes the values of a system at the corners of the cell's cube.
+    /// Computes the values of a system at the corners of the cell's parameter cube.
     virtual void Evaluate(
       const MultilinearCell& cell, int system, MultilinearCell::Values& values) const = 0;
   };
@@ -47,21 +48,21 @@ public:
     vtkIdType Cell;
     int System;
     double Position[3];
-    /// The interpolated vector at the zero.
+    /// Interpolated vector at the zero.
     double Velocity[3];
-    /// The derivatives dv[i]/dx[j] at [3 i + j]; 0 where the cell is flat.
+    /// Derivatives dv[i]/dx[j] at [3 i + j]; 0 if the cell is degenerate.
     double Gradient[9];
-    /// The cube root of the cell's volume.
+    /// Cube root of the cell's volume.
     double CellLength;
-    /// Whether the system's Jacobian is singular, or the cell is flat.
+    /// True if the Jacobian of the system is singular or the cell is degenerate.
     bool IsDegenerate;
-    /// The uncertainty of the position, in units of length.
+    /// Uncertainty of the position, in world units.
     double Tolerance;
-    /// Whether other cells may find the zero too, and the cell's points there by descending weight,
-    /// -1 for none.
+    /// True if other cells may find the same zero. Points lists the cell's points with the largest
+    /// interpolation weights at the zero, in descending order, followed by -1.
     bool IsShared;
     vtkIdType Points[8];
-    /// The point that the zero is at, or -1.
+    /// Point at the position of the zero, or -1.
     vtkIdType AtPoint;
   };
 
@@ -74,8 +75,9 @@ public:
   };
 
   /**
-   * Finds the zeros by system and cell, the same for any number of threads. The progress of \a
-   * owner goes from 0 to 1. Returns false when its execution was aborted.
+   * Finds the zeros, sorted by system and cell; the result does not depend on the number of
+   * threads. The progress of \a owner advances from 0 to 1. Returns false if the execution was
+   * aborted.
    */
   bool Execute(
     vtkAlgorithm* owner, vtkDataSet* data, vtkDataArray* vectors, const Systems& systems);
@@ -84,7 +86,7 @@ public:
   const Counts& GetCounts() const { return this->Total; }
   ///@{
   /**
-   * Returns a warning if cells with fill values, or with vectors that are not finite, were skipped,
+   * Returns a warning if cells with fill values, or with non-finite vectors, were skipped,
    * otherwise an empty string. \a array is the name of the vectors.
    */
   std::string DescribeFillValues(const char* array) const;

@@ -3,7 +3,7 @@
 
 #include "Common/Blanking.h"
 #include "Common/GlobalIds.h"
-#include "Samples/BeyondSamples.h"
+#include "Samples/FarSideSamples.h"
 #include "Samples/ImplicitFlowArrays.h"
 #include "Volumes/InterpolableCells.h"
 
@@ -27,8 +27,8 @@ namespace interlume
 
 namespace
 {
-// The kinds of cells that are left out for what a surface can be the reason of.
-constexpr unsigned char Parted = InterpolableCells::WITHOUT_ANSWER |
+// Kinds of excluded cells that may be cut at a surface.
+constexpr unsigned char Cuttable = InterpolableCells::WITHOUT_RESULT |
   InterpolableCells::BETWEEN_SURFACES | InterpolableCells::ACROSS_SURFACE;
 
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, int components, vtkIdType number)
@@ -41,10 +41,10 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, int components, vtkI
 }
 }
 
-vtkIdType CutGrid::Take(const Point& point)
+vtkIdType CutGrid::GetOrAddPoint(const Point& point)
 {
-  // The side does not matter for a point whose values are known.
-  const int side = point.Kind == BeyondSamples::UNKNOWN ? point.Side : 0;
+  // Points with known values are the same for both sides.
+  const int side = point.Kind == FarSideSamples::UNKNOWN ? point.Side : 0;
   const auto added =
     this->Known.emplace(std::make_tuple(point.Sample, point.Kind, side, point.IsBoundary),
       static_cast<vtkIdType>(this->Points.size()));
@@ -55,7 +55,7 @@ vtkIdType CutGrid::Take(const Point& point)
   return added.first->second;
 }
 
-void CutGrid::FindCells(vtkDataSet* input, const BeyondSamples& beyond,
+void CutGrid::FindCells(vtkDataSet* input, const FarSideSamples& farSide,
   const ImplicitFlowArrays& arrays, const InterpolableCells& cells, vtkIdType& numberOfCells)
 {
   Blanking blanking;
@@ -63,7 +63,7 @@ void CutGrid::FindCells(vtkDataSet* input, const BeyondSamples& beyond,
   vtkNew<vtkIdList> corners;
   for (vtkIdType cell = 0; cell < cells.GetNumberOfCells(); ++cell)
   {
-    if (!(cells.GetKind(cell) & Parted))
+    if (!(cells.GetKind(cell) & Cuttable))
     {
       continue;
     }
@@ -73,10 +73,10 @@ void CutGrid::FindCells(vtkDataSet* input, const BeyondSamples& beyond,
     {
       continue;
     }
-    const BeyondSamples::Parts parts =
-      beyond.GetParts(arrays, corners->GetPointer(0), corners->GetNumberOfIds());
+    const FarSideSamples::Parts parts =
+      farSide.GetParts(arrays, corners->GetPointer(0), corners->GetNumberOfIds());
     bool isCut = false;
-    for (const BeyondSamples::Part& part : parts.All)
+    for (const FarSideSamples::Part& part : parts.All)
     {
       if (part.Side == 0)
       {
@@ -86,12 +86,12 @@ void CutGrid::FindCells(vtkDataSet* input, const BeyondSamples& beyond,
       this->Cells.push_back(cell);
       const vtkIdType other = *std::find_if(corners->begin(), corners->end(),
         [&](vtkIdType p)
-        { return beyond.GetSide(beyond.GetRow(p, part.IsBoundary)) == part.Side; });
+        { return farSide.GetSide(farSide.GetRow(p, part.IsBoundary)) == part.Side; });
       for (const vtkIdType corner : *corners)
       {
-        const BeyondSamples::Roles kind = beyond.GetRole(arrays, corner, part);
+        const FarSideSamples::Roles kind = farSide.GetRole(arrays, corner, part);
         this->Ids.push_back(
-          this->Take({ corner, kind, other, part.IsNear, part.Side, part.IsBoundary }));
+          this->GetOrAddPoint({ corner, kind, other, part.IsNear, part.Side, part.IsBoundary }));
       }
     }
     numberOfCells += isCut ? 1 : 0;
@@ -103,20 +103,20 @@ vtkSmartPointer<vtkUnstructuredGrid> CutGrid::Make(vtkDataSet* input,
 {
   *this = CutGrid();
   numberOfCells = 0;
-  const BeyondSamples beyond(input);
-  const auto inflow = BeyondSamples::GetName(vtkFlowStatus::InflowArray());
+  const FarSideSamples farSide(input);
+  const auto inflow = FarSideSamples::GetName(vtkFlowStatus::InflowArray());
   const bool isMapped = !input->GetPointData()->HasArray(vtkFlowStatus::InflowArray()) ||
     input->GetFieldData()->HasArray(inflow.c_str());
-  if (!beyond.IsEmpty() && isMapped)
+  if (!farSide.IsEmpty() && isMapped)
   {
-    this->FindCells(input, beyond, arrays, cells, numberOfCells);
+    this->FindCells(input, farSide, arrays, cells, numberOfCells);
   }
   if (this->Cells.empty())
   {
     return nullptr;
   }
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  this->AddPoints(input, beyond, arrays, grid);
+  this->AddPoints(input, farSide, arrays, grid);
   const auto number = static_cast<vtkIdType>(this->Cells.size());
   grid->AllocateEstimate(number, 8);
   grid->GetCellData()->CopyAllOn();
@@ -135,7 +135,7 @@ vtkSmartPointer<vtkUnstructuredGrid> CutGrid::Make(vtkDataSet* input,
   return grid;
 }
 
-void CutGrid::AddPoints(vtkDataSet* input, const BeyondSamples& beyond,
+void CutGrid::AddPoints(vtkDataSet* input, const FarSideSamples& farSide,
   const ImplicitFlowArrays& arrays, vtkUnstructuredGrid* grid) const
 {
   const auto number = static_cast<vtkIdType>(this->Points.size());
@@ -157,16 +157,16 @@ void CutGrid::AddPoints(vtkDataSet* input, const BeyondSamples& beyond,
   {
     const Point& point = this->Points[static_cast<std::size_t>(p)];
     points->SetPoint(p, input->GetPoint(point.Sample));
-    to->CopyData(from, point.Kind == BeyondSamples::UNKNOWN ? point.Other : point.Sample, p);
+    to->CopyData(from, point.Kind == FarSideSamples::UNKNOWN ? point.Other : point.Sample, p);
     const auto own = globalIds ? globalIds->GetValue(point.Sample) : point.Sample;
-    ids->SetValue(p, point.Kind == BeyondSamples::OWN ? own : first + p);
+    ids->SetValue(p, point.Kind == FarSideSamples::OWN ? own : first + p);
   }
-  this->SetValues(input, beyond, arrays, to);
+  this->SetValues(input, farSide, arrays, to);
   to->SetGlobalIds(ids);
   grid->SetPoints(points);
 }
 
-void CutGrid::SetValues(vtkDataSet* input, const BeyondSamples& beyond,
+void CutGrid::SetValues(vtkDataSet* input, const FarSideSamples& farSide,
   const ImplicitFlowArrays& arrays, vtkPointData* to) const
 {
   const auto number = static_cast<vtkIdType>(this->Points.size());
@@ -177,21 +177,21 @@ void CutGrid::SetValues(vtkDataSet* input, const BeyondSamples& beyond,
   for (vtkIdType p = 0; p < number; ++p)
   {
     const Point& point = this->Points[static_cast<std::size_t>(p)];
-    const vtkIdType row = beyond.GetRow(point.Sample, point.IsBoundary);
-    const double gap = beyond.GetDistance(row);
-    gaps->SetValue(p, point.Kind == BeyondSamples::OWN ? gap : -gap);
+    const vtkIdType row = farSide.GetRow(point.Sample, point.IsBoundary);
+    const double gap = farSide.GetDistance(row);
+    gaps->SetValue(p, point.Kind == FarSideSamples::OWN ? gap : -gap);
     double normal[3];
-    beyond.GetNormal(row, normal);
+    farSide.GetNormal(row, normal);
     for (int i = 0; i < 3; ++i)
     {
       gradients->SetTypedComponent(p, i, point.Side * normal[i]);
     }
-    double nearTime = beyond.GetNearTime(arrays, row);
-    if (point.Kind == BeyondSamples::UNKNOWN)
+    double nearTime = farSide.GetNearTime(arrays, row);
+    if (point.Kind == FarSideSamples::UNKNOWN)
     {
-      const vtkIdType other = beyond.GetRow(point.Other, point.IsBoundary);
-      nearTime = -beyond.GetNearTime(arrays, other) * (gap / beyond.GetDistance(other));
-      if (point.IsNear && beyond.HasSurface(row))
+      const vtkIdType other = farSide.GetRow(point.Other, point.IsBoundary);
+      nearTime = -farSide.GetNearTime(arrays, other) * (gap / farSide.GetDistance(other));
+      if (point.IsNear && farSide.HasSurface(row))
       {
         times->SetComponent(p, 0, nearTime);
       }
@@ -202,7 +202,7 @@ void CutGrid::SetValues(vtkDataSet* input, const BeyondSamples& beyond,
   {
     vtkAbstractArray* array = to->GetAbstractArray(a);
     vtkAbstractArray* other = array->GetName()
-      ? input->GetFieldData()->GetAbstractArray(BeyondSamples::GetName(array->GetName()).c_str())
+      ? input->GetFieldData()->GetAbstractArray(FarSideSamples::GetName(array->GetName()).c_str())
       : nullptr;
     if (!other || other->GetNumberOfComponents() != array->GetNumberOfComponents())
     {
@@ -211,13 +211,13 @@ void CutGrid::SetValues(vtkDataSet* input, const BeyondSamples& beyond,
     for (vtkIdType p = 0; p < number; ++p)
     {
       const Point& point = this->Points[static_cast<std::size_t>(p)];
-      if (point.Kind == BeyondSamples::KNOWN)
+      if (point.Kind == FarSideSamples::KNOWN)
       {
-        array->SetTuple(p, beyond.GetRow(point.Sample, point.IsBoundary), other);
+        array->SetTuple(p, farSide.GetRow(point.Sample, point.IsBoundary), other);
       }
     }
   }
-  // The cells that are left to cut have answers everywhere.
+  // The remaining cells have a result at all corners.
   to->GetArray(vtkFlowStatus::StatusArray())->Fill(vtkFlowStatus::REACHED_SURFACE);
   to->RemoveArray(vtkFlowStatus::SideArray());
   to->AddArray(gaps);

@@ -2,7 +2,7 @@
 #ifndef interlume_CutGrid_h
 #define interlume_CutGrid_h
 
-#include "Samples/BeyondSamples.h"
+#include "Samples/FarSideSamples.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -23,65 +23,67 @@ class InterpolableCells;
 
 /**
  * @class   CutGrid
- * @brief   the cells of an implicit flow field that are cut at a surface, each part as a whole cell
+ * @brief   cells of an implicit flow field that are cut at a surface, one uncut copy per part
  *
- * A cell that InterpolableCells leaves out and BeyondSamples has parts of is there once for each
- * part, whole: with its corners on the part's own side, and copies of the others. A copy has the
- * values that the sample would have beyond the surface; where these are not known, as where
- * streamlines only just miss the surface, those of a corner of the part, but for the time to the
- * surface, which goes on by the distances. What is to be kept of a cell is where Gap is not below
- * 0. Points have global ids, so that faces of the input's cells are cut as in the input.
+ * A cell that InterpolableCells excludes, and for which FarSideSamples has parts, is copied once
+ * for each part. Each copy has the original corners on the side of the part, and duplicates of the
+ * other corners. A duplicate has the values that the sample would have on the far side of the
+ * surface. If these are unknown, for example where streamlines just miss the surface, it has the
+ * values of a corner of the part, and its time to the surface is extrapolated in proportion to the
+ * distances. The part of the cell to keep has Gap >= 0. Points have global ids so that cell faces
+ * are split as in the input.
  */
 class CutGrid
 {
 public:
   ///@{
   /**
-   * The names of point arrays (double): the distance from the surface, below 0 for copies, and its
-   * gradient; the time that a streamline takes from a point to the surface, below 0 behind it.
+   * Names of point arrays (double): distance from the surface, negative for duplicates; its
+   * gradient; time from a point to the surface, negative behind it.
    */
   static const char* GapArray() { return "Gap"; }
   static const char* GradientArray() { return "GapGradient"; }
   static const char* NearTimeArray() { return "NearTime"; }
   ///@}
-  /// The name of the array of global ids where the input has none.
+  /// Name of the array of global ids if the input has none.
   static const char* IdArray() { return "InputPoint"; }
 
-  /// Makes the grid; null where nothing is cut, as where Inflow is not known beyond. \a
-  /// numberOfCells becomes the number of the input's cells that are cut.
+  /// Builds the grid. Returns null if no cell is cut, for example if Inflow is unknown on the far
+  /// side. \a numberOfCells is set to the number of input cells that are cut.
   vtkSmartPointer<vtkUnstructuredGrid> Make(vtkDataSet* input, const ImplicitFlowArrays& arrays,
     const InterpolableCells& cells, vtkIdType& numberOfCells);
 
-  /// Returns the input's point of a point of the grid; -1 for a copy.
+  /// Returns the input point of a grid point, or -1 for a duplicate.
   vtkIdType GetInputPoint(vtkIdType point) const
   {
-    const Point& made = this->Points[static_cast<std::size_t>(point)];
-    return made.Kind == BeyondSamples::OWN ? made.Sample : -1;
+    const Point& created = this->Points[static_cast<std::size_t>(point)];
+    return created.Kind == FarSideSamples::OWN ? created.Sample : -1;
   }
 
 private:
   struct Point
   {
     vtkIdType Sample;
-    BeyondSamples::Roles Kind;
-    /// A corner of the part that the point was made for.
+    FarSideSamples::Roles Kind;
+    /// A corner of the part for which the point was created.
     vtkIdType Other;
     bool IsNear;
-    /// The side of that part, 1 or -1, and whether the boundary of what reaches a surface parts it.
+    /// Side of that part, 1 or -1, and whether it ends at the boundary of the reached region and
+    /// not at a surface.
     int Side;
     bool IsBoundary;
   };
-  vtkIdType Take(const Point& point);
-  void FindCells(vtkDataSet* input, const BeyondSamples& beyond, const ImplicitFlowArrays& arrays,
+  vtkIdType GetOrAddPoint(const Point& point);
+  void FindCells(vtkDataSet* input, const FarSideSamples& farSide, const ImplicitFlowArrays& arrays,
     const InterpolableCells& cells, vtkIdType& numberOfCells);
-  void AddPoints(vtkDataSet* input, const BeyondSamples& beyond, const ImplicitFlowArrays& arrays,
+  void AddPoints(vtkDataSet* input, const FarSideSamples& farSide, const ImplicitFlowArrays& arrays,
     vtkUnstructuredGrid* grid) const;
-  void SetValues(vtkDataSet* input, const BeyondSamples& beyond, const ImplicitFlowArrays& arrays,
+  void SetValues(vtkDataSet* input, const FarSideSamples& farSide, const ImplicitFlowArrays& arrays,
     vtkPointData* to) const;
 
   std::vector<Point> Points;
   std::map<std::tuple<vtkIdType, int, int, bool>, vtkIdType> Known;
-  // The input's cells of all parts, and the ids of the points.
+  // Input cell of each part, and the point ids of the copies.
   std::vector<vtkIdType> Cells;
   std::vector<vtkIdType> Ids;
 };

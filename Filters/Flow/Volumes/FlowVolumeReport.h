@@ -9,38 +9,38 @@ namespace interlume
 
 /**
  * @class   FlowVolumeReport
- * @brief   holds the values of the report of vtkFlowVolume
+ * @brief   values of the report of vtkFlowVolume
  */
 struct FlowVolumeReport
 {
-  /// The number of cells of the input.
+  /// Number of input cells.
   vtkIdType Cells = 0;
-  /// The numbers of cells with a corner that has no result, with corners of different surfaces, and
-  /// on a seam that the mapping does not continue over.
+  /// Numbers of cells with a corner without a result, of cells whose corners reached different
+  /// surfaces, and of cells on a seam where the mapping is discontinuous.
   vtkIdType CellsWithoutResult = 0;
   vtkIdType CellsBetweenSurfaces = 0;
   vtkIdType CellsOnSeams = 0;
-  /// The numbers of cells across their own termination surface, where time jumps, and of other
-  /// cells in which time jumps by more than MaximumTimeJump.
+  /// Numbers of cells that their own termination surface crosses, where time is discontinuous, and
+  /// of other cells in which time differs by more than MaximumTimeJump.
   vtkIdType CellsAcrossSurfaces = 0;
   vtkIdType CellsWithTimeJumps = 0;
-  /// The number of cells without a result, between surfaces or across one that were cut at the
-  /// surface that passes through them.
+  /// Number of cells that were cut at a surface and not skipped. They also count as
+  /// CellsWithoutResult, CellsBetweenSurfaces or CellsAcrossSurfaces.
   vtkIdType CellsCut = 0;
-  /// The numbers of cells whose parameters were unwrapped, and of those among them whose corners no
-  /// unwrapping brings within half a period, so that parameters in them are wrong.
+  /// Number of cells whose parameters were unwrapped, and number of these cells whose corners
+  /// cannot be unwrapped to within half a period, so that their parameters are incorrect.
   vtkIdType CellsAcrossSeams = 0;
   vtkIdType CellsAroundPoles = 0;
-  /// The number of points that were added for cells across seams.
+  /// Number of points added for cells across seams.
   vtkIdType PointsOnSeams = 0;
-  /// The numbers of times that all cells were looked at, that extractions were made by Inflow and
-  /// by time, and that stream surfaces were cut by time. Each is 0 for what was not needed or was
-  /// still there.
+  /// How often all cells were classified, how often cells were extracted by Inflow and by time, and
+  /// how often stream surfaces were cut by time; 0 if a step was not required or its result was
+  /// reused.
   int Preparations = 0;
   int InflowPasses = 0;
   int TimePasses = 0;
   int SurfaceCuts = 0;
-  /// The number of ports that normals were computed for.
+  /// Number of ports for which normals were computed.
   int NormalPasses = 0;
 
   void CopyTo(vtkInterlumeReport* report) const

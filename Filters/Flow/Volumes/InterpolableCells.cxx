@@ -23,16 +23,17 @@ namespace interlume
 
 namespace
 {
-// The values in place of the id of points that have no answer, and of several with different ones.
-constexpr int NoAnswer = -1;
+// Special ids: for a corner without a result, and for corners with different ids.
+constexpr int NoResult = -1;
 constexpr int Different = -2;
 
 int Unite(int a, int b)
 {
-  return a == NoAnswer || b == NoAnswer ? NoAnswer : a == b ? a : Different;
+  return a == NoResult || b == NoResult ? NoResult : a == b ? a : Different;
 }
 
-// Finds the kinds of cells by the ids and parameters of their corners; one object for each thread.
+// Determines the kinds of cells from the ids and parameters of their corners. Each thread needs its
+// own object.
 class Classifier
 {
 public:
@@ -45,17 +46,17 @@ public:
 
   int GetId(vtkIdType point) const
   {
-    return this->Arrays.IsReached(point) ? this->Arrays.GetId(point) : NoAnswer;
+    return this->Arrays.IsReached(point) ? this->Arrays.GetId(point) : NoResult;
   }
 
-  // Returns the kind of a cell. \a id is the id of all corners, or what Unite makes of theirs. \a
-  // canCross tells whether the parameters of what an extraction makes of the cell can be unwrapped.
+  // Returns the kind of a cell. \a id is the result of Unite() for all corners. \a canCross is true
+  // if the parameters of the extracted simplices can be unwrapped.
   template <typename Ids>
   unsigned char GetKind(int id, const Ids* corners, vtkIdType number, bool canCross)
   {
     if (id < 0)
     {
-      return id == NoAnswer ? InterpolableCells::WITHOUT_ANSWER
+      return id == NoResult ? InterpolableCells::WITHOUT_RESULT
                             : InterpolableCells::BETWEEN_SURFACES;
     }
     if (this->Arrays.HasSides() && this->Arrays.IsAcrossSurface(corners, number))
@@ -115,25 +116,25 @@ private:
   const ImplicitFlowArrays& Arrays;
   const InterpolableCells::Limits& Limits;
   bool HasTimeLimit;
-  int LastId = NoAnswer;
+  int LastId = NoResult;
   std::array<bool, 2> Periodicity{};
   std::array<bool, 2> IsContinued{};
 };
 
-// The output for the kinds of a range of cells.
+// Array that receives the kinds of cells, and the ghost types of the cells.
 struct Output
 {
   vtkUnsignedCharArray* Ghosts;
   unsigned char* Kinds;
 
-  // A cell that does not count anyway is left as it is.
+  // Blanked cells are not classified.
   bool IsBlanked(vtkIdType cell) const
   {
     return Blanking{ this->Ghosts, nullptr }.IsCellBlanked(cell);
   }
 };
 
-// Classifies the cells of rows first ... last - 1 of a grid of rows.
+// Classifies the cells of rows \a first to \a last - 1 of a structured (i, j, k) grid.
 void ClassifyRows(
   Classifier& classifier, const int* dimensions, vtkIdType first, vtkIdType last, Output output)
 {
@@ -224,7 +225,7 @@ bool InterpolableCells::Find(vtkDataSet* data, const ImplicitFlowArrays& arrays,
   auto* grid = vtkUnstructuredGrid::SafeDownCast(data);
   vtkSMPThreadLocalObject<vtkIdList> lists;
   vtkSMPThreadLocal<KindCounts> counts(KindCounts{});
-  const vtkIdType perPiece = hasRows ? dimensions[0] - 1 : 1;
+  const vtkIdType cellsPerItem = hasRows ? dimensions[0] - 1 : 1;
   const auto classify = [&](vtkIdType first, vtkIdType last)
   {
     Classifier classifier(arrays, limits);
@@ -237,12 +238,12 @@ bool InterpolableCells::Find(vtkDataSet* data, const ImplicitFlowArrays& arrays,
       ClassifyCells(classifier, grid, lists.Local(), first, last, output);
     }
     KindCounts& own = counts.Local();
-    for (vtkIdType cell = first * perPiece; cell < last * perPiece; ++cell)
+    for (vtkIdType cell = first * cellsPerItem; cell < last * cellsPerItem; ++cell)
     {
       ++own[this->CellKinds[cell]];
     }
   };
-  if (!Batches::Run(cells / perPiece, owner, start, end, classify))
+  if (!Batches::Run(cells / cellsPerItem, owner, start, end, classify))
   {
     return false;
   }

@@ -27,25 +27,25 @@ class Neighborhoods
 public:
   Neighborhoods(vtkUnstructuredGrid* mesh, const std::vector<SurfaceTriangles::Triangle>& triangles)
     : Simplices(mesh, 4)
-    , Places(mesh->GetNumberOfPoints(), -1)
+    , Indices(mesh->GetNumberOfPoints(), -1)
   {
     for (const auto& triangle : triangles)
     {
       for (const vtkIdType p : triangle)
       {
-        this->Places[p] = 0;
+        this->Indices[p] = 0;
       }
     }
-    for (std::size_t p = 0; p < this->Places.size(); ++p)
+    for (std::size_t p = 0; p < this->Indices.size(); ++p)
     {
-      if (this->Places[p] == 0)
+      if (this->Indices[p] == 0)
       {
-        this->Places[p] = static_cast<vtkIdType>(this->Points.size());
+        this->Indices[p] = static_cast<vtkIdType>(this->Points.size());
         this->Points.push_back(static_cast<vtkIdType>(p));
       }
     }
     this->Firsts.assign(this->Points.size() + 1, 0);
-    this->ForEachUse([this](vtkIdType place, vtkIdType) { ++this->Firsts[place]; });
+    this->ForEachUse([this](vtkIdType index, vtkIdType) { ++this->Firsts[index]; });
     vtkIdType sum = 0;
     for (vtkIdType& first : this->Firsts)
     {
@@ -53,16 +53,15 @@ public:
     }
     this->Tetrahedra.resize(sum);
     std::vector<vtkIdType> next(this->Firsts);
-    this->ForEachUse([&](vtkIdType place, vtkIdType tetrahedron)
-      { this->Tetrahedra[next[place]++] = tetrahedron; });
+    this->ForEachUse([&](vtkIdType index, vtkIdType tetrahedron)
+      { this->Tetrahedra[next[index]++] = tetrahedron; });
   }
 
   SimplexPoints Simplices;
-  // The number of each point of the mesh among those of the triangles, or -1; and the other way
-  // round.
-  std::vector<vtkIdType> Places;
+  // Index of each mesh point among the points of the triangles, or -1; and the inverse.
+  std::vector<vtkIdType> Indices;
   std::vector<vtkIdType> Points;
-  // The place where the tetrahedra of a point begin, by that number.
+  // First tetrahedron of each point in Tetrahedra.
   std::vector<vtkIdType> Firsts;
   std::vector<vtkIdType> Tetrahedra;
 
@@ -74,17 +73,17 @@ private:
     {
       for (int corner = 0; corner < 4; ++corner)
       {
-        const vtkIdType place = this->Places[this->Simplices.Get(t, corner)];
-        if (place >= 0)
+        const vtkIdType index = this->Indices[this->Simplices.Get(t, corner)];
+        if (index >= 0)
         {
-          visit(place, t);
+          visit(index, t);
         }
       }
     }
   }
 };
 
-// Returns the gradient in a tetrahedron, which is positively oriented, times six times its volume.
+// Returns six times the volume times the gradient in a positively oriented tetrahedron.
 glm::dvec3 GetWeightedGradient(const glm::dvec3 corners[4], const double values[4])
 {
   glm::dvec3 edges[3];
@@ -116,9 +115,9 @@ vtkSmartPointer<vtkFloatArray> LevelSetNormals::Compute(vtkUnstructuredGrid* mes
   vtkSMPTools::For(0, static_cast<vtkIdType>(normals.size()),
     [&](vtkIdType first, vtkIdType last)
     {
-      for (vtkIdType place = first; place < last; ++place)
+      for (vtkIdType index = first; index < last; ++index)
       {
-        for (vtkIdType i = around.Firsts[place]; i < around.Firsts[place + 1]; ++i)
+        for (vtkIdType i = around.Firsts[index]; i < around.Firsts[index + 1]; ++i)
         {
           glm::dvec3 corners[4];
           double values[4];
@@ -128,7 +127,7 @@ vtkSmartPointer<vtkFloatArray> LevelSetNormals::Compute(vtkUnstructuredGrid* mes
             corners[corner] = getPoint(p);
             values[corner] = function->GetComponent(p, 0);
           }
-          normals[place] -= GetWeightedGradient(corners, values);
+          normals[index] -= GetWeightedGradient(corners, values);
         }
       }
     });
@@ -143,12 +142,12 @@ vtkSmartPointer<vtkFloatArray> LevelSetNormals::Compute(vtkUnstructuredGrid* mes
         glm::cross(getPoint(triangle[1]) - origin, getPoint(triangle[2]) - origin);
       for (const vtkIdType p : triangle)
       {
-        ofTriangles[around.Places[p]] += normal;
+        ofTriangles[around.Indices[p]] += normal;
       }
     }
-    for (std::size_t place = 0; place < normals.size(); ++place)
+    for (std::size_t index = 0; index < normals.size(); ++index)
     {
-      normals[place] = isZero(normals[place]) ? ofTriangles[place] : normals[place];
+      normals[index] = isZero(normals[index]) ? ofTriangles[index] : normals[index];
     }
   }
   vtkSmartPointer<vtkFloatArray> array = vtkSmartPointer<vtkFloatArray>::New();
@@ -156,10 +155,10 @@ vtkSmartPointer<vtkFloatArray> LevelSetNormals::Compute(vtkUnstructuredGrid* mes
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(mesh->GetNumberOfPoints());
   array->Fill(0.0);
-  for (std::size_t place = 0; place < normals.size(); ++place)
+  for (std::size_t index = 0; index < normals.size(); ++index)
   {
-    vtkMath::Normalize(glm::value_ptr(normals[place]));
-    array->SetTuple(around.Points[place], glm::value_ptr(normals[place]));
+    vtkMath::Normalize(glm::value_ptr(normals[index]));
+    array->SetTuple(around.Points[index], glm::value_ptr(normals[index]));
   }
   return array;
 }

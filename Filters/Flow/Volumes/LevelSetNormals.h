@@ -15,16 +15,16 @@ namespace interlume
 
 /**
  * @class   LevelSetNormals
- * @brief   point normals of level sets, from the gradients in the tetrahedra around
+ * @brief   point normals of level sets, from gradients in the surrounding tetrahedra
  */
 class LevelSetNormals
 {
 public:
   /**
-   * Computes a normal for each point of \a mesh, a tetrahedral mesh, that is in one of \a
-   * triangles: the direction against the gradient of \a function, averaged by volume over the
-   * tetrahedra of the point; where that is 0, the mean normal of the triangles. Normals have three
-   * floats, 0 at other points.
+   * Computes the normals of the points of \a triangles in the tetrahedral \a mesh. A normal is the
+   * negative gradient of \a function, averaged over the tetrahedra at the point, weighted by
+   * volume. If the average is 0, the mean normal of the triangles is used. Normals have three float
+   * components, which are 0 at points without a triangle.
    */
   static vtkSmartPointer<vtkFloatArray> Compute(vtkUnstructuredGrid* mesh, vtkDataArray* function,
     const std::vector<SurfaceTriangles::Triangle>& triangles);

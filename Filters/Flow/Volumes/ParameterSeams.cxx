@@ -25,7 +25,7 @@ namespace interlume
 
 namespace
 {
-// The classes of cells, by which of u and v they are across a seam.
+// Classes of cells by the seams that they cross: none, u, v or both.
 constexpr int NumberOfClasses = 4;
 
 vtkIdType* GetOrigins(vtkDataSetAttributes* attributes, const char* name)
@@ -45,7 +45,7 @@ public:
   {
   }
 
-  // Numbers the points, and returns how many are added.
+  // Assigns ids to the points and returns the number of added points.
   vtkIdType NumberPoints()
   {
     const SimplexPoints tetrahedra(this->Mesh, 4);
@@ -71,7 +71,7 @@ public:
         {
           this->NewIds[group].assign(this->NumberOfPoints, -1);
         }
-        // The first of a point's groups keeps it.
+        // The first class that uses a point keeps the original.
         const bool isOwn = (uses[p] & ((1 << group) - 1)) == 0;
         this->NewIds[group][p] =
           isOwn ? p : this->NumberOfPoints + static_cast<vtkIdType>(this->Sources.size());
@@ -95,7 +95,7 @@ public:
     this->Mesh->GetPointData()->ShallowCopy(data);
   }
 
-  // Gives the simplices of a grid their new points.
+  // Replaces the point ids of a grid's simplices.
   void Renumber(vtkUnstructuredGrid* grid, int type, int size) const
   {
     const SimplexPoints simplices(grid, size);
@@ -164,9 +164,9 @@ private:
   const ImplicitFlowArrays& Arrays;
   vtkUnstructuredGrid* Mesh;
   vtkIdType NumberOfPoints;
-  // The ids of the points of each class of cells there; -1 for others.
+  // Point ids for each class of cells; -1 if a point is not used.
   std::vector<vtkIdType> NewIds[NumberOfClasses];
-  // The points that added points are copies of.
+  // Source points of the added points.
   std::vector<vtkIdType> Sources;
 };
 }

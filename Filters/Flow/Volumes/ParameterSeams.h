@@ -14,17 +14,17 @@ class InterpolableCells;
 
 /**
  * @class   ParameterSeams
- * @brief   unwrapped parameters for simplices that an extraction made of cells across a seam
+ * @brief   unwraps the parameters of simplices extracted from cells across a seam
  */
 class ParameterSeams
 {
 public:
   /**
-   * Gives simplices of \a mesh, and of \a boundary where it is not null, that come from cells
-   * across a seam points of their own with unwrapped parameters. Both share their points, are
-   * outputs of vtkIntervalVolume with its origins, and get new arrays where these change. Points
-   * of several kinds of cells keep their order in each, so that a further extraction cuts common
-   * faces alike. Returns the number of points added.
+   * Duplicates the points of simplices of \a mesh that come from cells across a seam, and unwraps
+   * the parameters of the duplicates. Does the same for \a boundary unless it is null. Both must
+   * share their points and be outputs of vtkIntervalVolume with origin arrays; modified arrays are
+   * replaced. Among the cells that cross the same seams, duplicated points keep their order, so
+   * that another extraction splits common faces consistently. Returns the number of added points.
    */
   static vtkIdType Unwrap(const InterpolableCells& cells, const ImplicitFlowArrays& arrays,
     vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* boundary);

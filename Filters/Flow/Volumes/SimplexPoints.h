@@ -12,12 +12,12 @@ namespace interlume
 
 /**
  * @class   SimplexPoints
- * @brief   the points of cells that all have the same number of them, read by threads
+ * @brief   thread-safe access to the points of cells with the same number of points
  */
 class SimplexPoints
 {
 public:
-  /// Reads cells of \a size points each. The grid is kept by the caller.
+  /// Reads cells of \a size points each. The grid must outlive this object.
   SimplexPoints(vtkUnstructuredGrid* grid, int size)
     : Size(size)
     , Number(grid->GetNumberOfCells())

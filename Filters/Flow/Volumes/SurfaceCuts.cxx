@@ -35,11 +35,11 @@ namespace
 {
 constexpr const char* LevelItems = "LevelItem";
 
-// The key by which points of extractions are the same: the edge, its place there, and its
-// parameters, which differ where they are unwrapped.
+// Identity of a point of an extraction: its edge, the position on the edge, and its parameters,
+// which differ if they were unwrapped.
 using Key = std::tuple<vtkIdType, vtkIdType, double, double, double>;
 
-// The origins of a mesh's points, and their parameters.
+// Origins and parameters of the points of a mesh.
 class Keys
 {
 public:
@@ -76,7 +76,8 @@ void Rename(vtkUnstructuredGrid* mesh, const char* before, const char* after)
   mesh->GetCellData()->AddArray(renamed);
 }
 
-// Appends to the arrays of \a first the tuples \a ids of the corresponding arrays.
+// Concatenates the arrays of \a first and the tuples \a ids of the corresponding arrays of \a
+// second.
 void Append(vtkDataSetAttributes* first, vtkIdType number, vtkDataSetAttributes* second,
   const std::vector<vtkIdType>& ids, vtkDataSetAttributes* all)
 {
@@ -104,31 +105,31 @@ void Append(vtkDataSetAttributes* first, vtkIdType number, vtkDataSetAttributes*
   }
 }
 
-// Finds where the distance is 0 on the edge from \a a, where it is above, to \a b, by its
-// gradients.
-double FindPlace(vtkUnstructuredGrid* whole, vtkIdType a, vtkIdType b)
+// Returns the fraction of the edge from \a a to \a b at which the distance is 0, computed from the
+// distances and gradients at both ends. The distance at \a a must be positive.
+double FindZero(vtkUnstructuredGrid* uncut, vtkIdType a, vtkIdType b)
 {
-  vtkDataArray* gaps = whole->GetPointData()->GetArray(interlume::CutGrid::GapArray());
-  vtkDataArray* gradients = whole->GetPointData()->GetArray(interlume::CutGrid::GradientArray());
+  vtkDataArray* gaps = uncut->GetPointData()->GetArray(interlume::CutGrid::GapArray());
+  vtkDataArray* gradients = uncut->GetPointData()->GetArray(interlume::CutGrid::GradientArray());
   double start[3];
   double end[3];
-  whole->GetPoint(a, start);
-  whole->GetPoint(b, end);
-  const double way[3] = { end[0] - start[0], end[1] - start[1], end[2] - start[2] };
+  uncut->GetPoint(a, start);
+  uncut->GetPoint(b, end);
+  const double edge[3] = { end[0] - start[0], end[1] - start[1], end[2] - start[2] };
   double slope[2];
   double gradient[3];
   gradients->GetTuple(a, gradient);
-  slope[0] = vtkMath::Dot(gradient, way);
+  slope[0] = vtkMath::Dot(gradient, edge);
   gradients->GetTuple(b, gradient);
-  slope[1] = vtkMath::Dot(gradient, way);
+  slope[1] = vtkMath::Dot(gradient, edge);
   const double above = gaps->GetComponent(a, 0);
   const double below = gaps->GetComponent(b, 0);
   if (slope[0] == 0.0 && slope[1] == 0.0)
   {
-    // The gradients are not known.
+    // The gradients are unknown.
     return above / (above - below);
   }
-  // The distance along the edge as Hermite's cubic.
+  // Cubic Hermite interpolation of the distance along the edge.
   const auto distance = [&](double s)
   {
     const double r = 1.0 - s;
@@ -138,17 +139,17 @@ double FindPlace(vtkUnstructuredGrid* whole, vtkIdType a, vtkIdType b)
   return BracketedRoot::Find(distance, 0.0, above, 1.0, below);
 }
 
-// Moves the points on the surface, which lie where the distance is 0 if it is linear along edges,
-// to where it is, and makes the near time 0 there, whatever is interpolated between the sides.
-void CorrectPoints(vtkUnstructuredGrid* whole, vtkUnstructuredGrid* cut)
+// Moves points on the surface from the zero of the linearly interpolated distance to the zero of
+// the distance interpolated with gradients, and sets their near time to 0.
+void CorrectPoints(vtkUnstructuredGrid* uncut, vtkUnstructuredGrid* cut)
 {
   const Keys keys(cut);
-  vtkPointData* from = whole->GetPointData();
+  vtkPointData* from = uncut->GetPointData();
   vtkPointData* to = cut->GetPointData();
   vtkDataArray* gaps = from->GetArray(interlume::CutGrid::GapArray());
   vtkDataArray* times = to->GetArray(vtkFlowStatus::TimeArray());
   vtkDataArray* nearTimes = to->GetArray(interlume::CutGrid::NearTimeArray());
-  std::vector<std::pair<vtkDataArray*, vtkDataArray*>> arrays{ { whole->GetPoints()->GetData(),
+  std::vector<std::pair<vtkDataArray*, vtkDataArray*>> arrays{ { uncut->GetPoints()->GetData(),
     cut->GetPoints()->GetData() } };
   for (int i = 0; i < to->GetNumberOfArrays(); ++i)
   {
@@ -172,14 +173,14 @@ void CorrectPoints(vtkUnstructuredGrid* whole, vtkUnstructuredGrid* cut)
     {
       std::swap(a, b);
     }
-    const double place = FindPlace(whole, a, b);
+    const double position = FindZero(uncut, a, b);
     for (const auto& array : arrays)
     {
       for (int c = 0; c < array.second->GetNumberOfComponents(); ++c)
       {
         const double start = array.first->GetComponent(a, c);
         const double end = array.first->GetComponent(b, c);
-        array.second->SetComponent(p, c, start + place * (end - start));
+        array.second->SetComponent(p, c, start + position * (end - start));
       }
     }
     times->SetComponent(p, 0, times->GetComponent(p, 0) - nearTimes->GetComponent(p, 0));
@@ -187,7 +188,7 @@ void CorrectPoints(vtkUnstructuredGrid* whole, vtkUnstructuredGrid* cut)
 }
 }
 
-/// The key in the input of each point of the cut mesh that has one.
+/// For each point of the cut mesh, its key in the input, if it has one.
 struct SurfaceCuts::Origins
 {
   std::vector<Key> Known;
@@ -211,14 +212,14 @@ vtkIdType SurfaceCuts::Prepare(vtkDataSet* input, const ImplicitFlowArrays& arra
     return 0;
   }
   this->Arrays = ImplicitFlowArrays();
-  // The grid has copies of the arrays, which are known to be usable.
+  // This cannot fail, because the arrays of the grid are copies of valid arrays.
   static_cast<void>(this->Arrays.Find(this->Grid));
   this->Cells.Find(this->Grid, this->Arrays, limits, nullptr, 0.0, 1.0);
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   for (vtkIdType cell = 0; cell < this->Grid->GetNumberOfCells(); ++cell)
   {
-    const bool isOut = this->Cells.GetKind(cell) & InterpolableCells::LEFT_OUT;
+    const bool isOut = this->Cells.GetKind(cell) & InterpolableCells::EXCLUDED;
     ghosts->InsertNextValue(
       static_cast<unsigned char>(isOut ? vtkDataSetAttributes::HIDDENCELL : 0));
   }
@@ -235,44 +236,44 @@ vtkSmartPointer<vtkUnstructuredGrid> SurfaceCuts::Extract(const Request& request
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, request.Scalars);
   byLevels->SetOutputPointsPrecision(request.Precision);
   byLevels->SetGenerateBoundaries(request.GenerateTriangles);
-  byLevels->KeepOriginsOn();
+  byLevels->GenerateOriginArraysOn();
   byLevels->WarnOnEmptyOutputOff();
   request.Levels->SetItems(byLevels);
   byLevels->Update();
-  vtkNew<vtkUnstructuredGrid> whole;
-  whole->ShallowCopy(byLevels->GetOutput());
+  vtkNew<vtkUnstructuredGrid> uncut;
+  uncut->ShallowCopy(byLevels->GetOutput());
   vtkNew<vtkUnstructuredGrid> boundary;
   boundary->ShallowCopy(byLevels->GetOutput(1));
-  if (whole->GetNumberOfCells() == 0)
+  if (uncut->GetNumberOfCells() == 0)
   {
     return nullptr;
   }
   this->PointsOnSeams = this->Cells.Count(InterpolableCells::ACROSS) > 0
-    ? ParameterSeams::Unwrap(this->Cells, this->Arrays, whole, boundary)
+    ? ParameterSeams::Unwrap(this->Cells, this->Arrays, uncut, boundary)
     : 0;
   if (request.GenerateTriangles)
   {
     this->Triangles.Take(boundary, *request.Levels);
   }
-  const Keys keys(whole);
-  RemoveOrigins(whole);
-  Rename(whole, "IntervalId", LevelItems);
+  const Keys keys(uncut);
+  RemoveOrigins(uncut);
+  Rename(uncut, "IntervalId", LevelItems);
   vtkNew<vtkIntervalVolume> byGap;
-  byGap->SetInputData(whole);
+  byGap->SetInputData(uncut);
   byGap->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, interlume::CutGrid::GapArray());
   byGap->SetInterval(0, 0.0, VTK_DOUBLE_MAX);
-  byGap->KeepOriginsOn();
+  byGap->GenerateOriginArraysOn();
   byGap->WarnOnEmptyOutputOff();
   byGap->Update();
   auto cut = vtkSmartPointer<vtkUnstructuredGrid>::New();
   cut->ShallowCopy(byGap->GetOutput());
-  this->Triangles.Cut(whole, cut);
+  this->Triangles.Cut(uncut, cut);
   if (cut->GetNumberOfCells() == 0)
   {
     return nullptr;
   }
-  CorrectPoints(whole, cut);
+  CorrectPoints(uncut, cut);
   const Keys ends(cut);
   for (vtkIdType p = 0; p < cut->GetNumberOfPoints(); ++p)
   {
@@ -338,7 +339,8 @@ std::vector<vtkIdType> SurfaceCuts::FindIds(
     }
     if (origins.IsKnown[p])
     {
-      // A point of cells that are cut at a surface and of others that are cut at the boundary.
+      // The point may belong both to cells cut at a surface and to cells cut at the boundary of the
+      // reached region.
       known[origins.Known[p]] = ids[p];
     }
   }

@@ -21,16 +21,16 @@ class SurfaceLevels;
 
 /**
  * @class   SurfaceCuts
- * @brief   the part of a flow volume in cells that a termination surface passes through
+ * @brief   extracts the part of a flow volume in cells that a termination surface crosses
  *
- * The parts of those cells (CutGrid) are extracted by the levels as whole cells, as those
- * beside them are, then cut at the surface, and joined to what the extraction of all others gave:
- * points of the same edges of the input become one.
+ * The parts of these cells (CutGrid) are first extracted like uncut cells, so that they are
+ * consistent with adjacent cells. They are then cut at the surface and joined to the extraction of
+ * all other cells. Points on the same edges of the input are merged.
  */
 class SurfaceCuts
 {
 public:
-  /// Finds the cells. Returns how many of the input's cells are cut.
+  /// Finds the cells and returns the number of input cells that are cut.
   vtkIdType Prepare(vtkDataSet* input, const ImplicitFlowArrays& arrays,
     const InterpolableCells& cells, const InterpolableCells::Limits& limits);
   bool IsEmpty() const { return !this->Grid; }
@@ -42,21 +42,22 @@ public:
     int Precision = 0;
     bool GenerateTriangles = false;
   };
-  /// Extracts the parts of the cut cells, and returns \a mesh, made with its origins, joined with
-  /// them.
+  /// Extracts the parts of the cut cells and joins them with \a mesh, which must have origin
+  /// arrays.
   vtkSmartPointer<vtkUnstructuredGrid> Join(const Request& request, vtkUnstructuredGrid* mesh);
-  /// Returns the triangles of the last Join, by the points of the mesh that it returned.
+  /// Returns the triangles of the last Join(), with point ids of the returned mesh.
   const SurfaceTriangles& GetTriangles() const { return this->Triangles; }
-  /// Removes from a mesh the arrays that tell where it comes from.
+  /// Removes the origin arrays from a mesh.
   static void RemoveOrigins(vtkUnstructuredGrid* mesh);
   vtkIdType GetPointsOnSeams() const { return this->PointsOnSeams; }
 
 private:
   struct Origins;
-  /// Extracts the tetrahedra up to the surfaces, the origins of their points, and the triangles.
+  /// Extracts the tetrahedra bounded by the surfaces, the origins of their points, and the
+  /// triangles.
   vtkSmartPointer<vtkUnstructuredGrid> Extract(const Request& request, Origins& origins);
 
-  /// Finds for each extracted point its id in the joined mesh; \a added gets the new points.
+  /// Finds the id of each extracted point in the joined mesh. \a added gets the new points.
   static std::vector<vtkIdType> FindIds(
     vtkUnstructuredGrid* mesh, const Origins& origins, std::vector<vtkIdType>& added);
 

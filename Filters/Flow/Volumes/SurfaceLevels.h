@@ -12,7 +12,8 @@ namespace interlume
 
 /**
  * @class   SurfaceLevels
- * @brief   intervals cut at the values of further surfaces, and all surfaces by their value
+ * @brief   divides intervals at the values of additional surfaces, and sorts the values of all
+ * surfaces
  */
 class SurfaceLevels
 {
@@ -20,23 +21,25 @@ public:
   using Interval = std::array<double, 2>;
 
   /**
-   * Surfaces lie at \a values and at the bounds of \a intervals, but not at VTK_DOUBLE_MAX and its
-   * opposite. The function is nowhere below \a lowest: an interval that begins there is open.
+   * Surfaces are at \a values and at the finite bounds of \a intervals (not +-VTK_DOUBLE_MAX). \a
+   * lowest is the minimum of the function: an interval that starts there has no surface at its
+   * lower bound.
    */
   SurfaceLevels(
     const std::vector<Interval>& intervals, const std::vector<double>& values, double lowest);
 
-  /// Returns the parts of the intervals between surfaces, in the order of the intervals.
+  /// Returns the items, which are the parts of the intervals between surfaces, in the order of the
+  /// intervals.
   const std::vector<Interval>& GetItems() const { return this->Items; }
   int GetInterval(int item) const { return this->IntervalOfItem[item]; }
   /// Returns the index of the surface at a side (vtkIntervalVolume::BoundarySides) of an item, or
-  /// -1.
+  /// -1 if there is none.
   int GetSurface(int item, int side) const { return this->SurfacesOfItem[item][side]; }
-  /// Returns the values of all surfaces, ascending, each once.
+  /// Returns the distinct values of all surfaces in ascending order.
   const std::vector<double>& GetValues() const { return this->Values; }
-  /// Returns whether one surface is the side of several items.
+  /// Returns whether several items share a surface.
   bool HasSharedSurfaces() const;
-  /// Gives the items to \a filter, which is modified only where they have changed.
+  /// Sets the items as the intervals of \a filter. Does not modify \a filter if they are unchanged.
   void SetItems(vtkIntervalVolume* filter) const;
 
 private:

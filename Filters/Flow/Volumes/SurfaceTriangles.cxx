@@ -25,7 +25,7 @@ namespace
 {
 constexpr vtkIdType NoTetrahedron = std::numeric_limits<vtkIdType>::max();
 
-// Faces of a tetrahedron, counterclockwise from outside, by the corner they leave out.
+// Faces of a tetrahedron opposite each corner, counterclockwise from outside.
 constexpr int Faces[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
 int* GetIntegers(vtkDataSetAttributes* attributes, const char* name)
@@ -38,21 +38,21 @@ const vtkIdType* GetOrigins(vtkDataSetAttributes* attributes, const char* name)
   return vtkIdTypeArray::SafeDownCast(attributes->GetArray(name))->GetPointer(0);
 }
 
-// Returns the face of a tetrahedron that leaves out a corner, counterclockwise from outside.
+// Returns the face of a tetrahedron opposite a corner, counterclockwise from outside.
 SurfaceTriangles::Triangle GetFace(const SimplexPoints& tetrahedra, vtkIdType cell, int out)
 {
   return { { tetrahedra.Get(cell, Faces[out][0]), tetrahedra.Get(cell, Faces[out][1]),
     tetrahedra.Get(cell, Faces[out][2]) } };
 }
 
-// Returns whether two triangles of the same points turn the same way.
+// Returns whether two triangles with the same points have the same orientation.
 bool IsRotation(const SurfaceTriangles::Triangle& a, const SurfaceTriangles::Triangle& b)
 {
   const auto first = std::find(a.begin(), a.end(), b[0]) - a.begin();
   return a[(first + 1) % 3] == b[1];
 }
 
-// Finds the first tetrahedra that come from each cell, which are in the order of the cells.
+// Returns the index of the first tetrahedron of each cell. Tetrahedra are sorted by cell.
 std::vector<vtkIdType> FindFirsts(
   const vtkIdType* origins, vtkIdType tetrahedra, vtkIdType numberOfCells)
 {
@@ -84,7 +84,7 @@ void SurfaceTriangles::Take(vtkUnstructuredGrid* boundary, const SurfaceLevels& 
   const int* sides = GetIntegers(boundary->GetCellData(), "BoundarySide");
   for (vtkIdType t = 0; t < number; ++t)
   {
-    // A triangle is outward from its interval as it comes.
+    // Boundary triangles face outward from their interval.
     const bool isUpper = sides[t] == vtkIntervalVolume::UPPER_SIDE;
     this->Triangles[t] = { { simplices.Get(t, 0), simplices.Get(t, isUpper ? 2 : 1),
       simplices.Get(t, isUpper ? 1 : 2) } };
@@ -99,19 +99,19 @@ void SurfaceTriangles::Take(vtkUnstructuredGrid* boundary, const SurfaceLevels& 
 template <typename Keep>
 void SurfaceTriangles::Filter(const Keep& keep)
 {
-  std::size_t kept = 0;
+  std::size_t retained = 0;
   for (std::size_t t = 0; t < this->Triangles.size(); ++t)
   {
-    // A triangle is read before anything is written there.
+    // A triangle is moved only to its own index or a lower one, so none is lost.
     if (keep(static_cast<vtkIdType>(t)))
     {
-      this->Triangles[kept] = this->Triangles[t];
-      this->Surfaces[kept] = this->Surfaces[t];
-      ++kept;
+      this->Triangles[retained] = this->Triangles[t];
+      this->Surfaces[retained] = this->Surfaces[t];
+      ++retained;
     }
   }
-  this->Triangles.resize(kept);
-  this->Surfaces.resize(kept);
+  this->Triangles.resize(retained);
+  this->Surfaces.resize(retained);
 }
 
 void SurfaceTriangles::RemoveCopies(vtkIdType numberOfPoints)
@@ -149,12 +149,12 @@ std::vector<vtkIdType> SurfaceTriangles::FindOwners(vtkUnstructuredGrid* before)
   {
     owner.store(NoTetrahedron, std::memory_order_relaxed);
   }
-  const auto takeFace = [&](vtkIdType cell, const Triangle& face)
+  const auto addFace = [&](vtkIdType cell, const Triangle& face)
   {
     index.ForEach(face,
       [&](vtkIdType t)
       {
-        // The least owner counts, whichever thread comes first.
+        // The smallest owner wins, so the result does not depend on the order of the threads.
         vtkIdType owner = owners[t].load(std::memory_order_relaxed);
         while (
           cell < owner && !owners[t].compare_exchange_weak(owner, cell, std::memory_order_relaxed))
@@ -176,7 +176,7 @@ std::vector<vtkIdType> SurfaceTriangles::FindOwners(vtkUnstructuredGrid* before)
         {
           if (outside == 0 || !isOnSurface[tetrahedra.Get(cell, out)])
           {
-            takeFace(cell, GetFace(tetrahedra, cell, out));
+            addFace(cell, GetFace(tetrahedra, cell, out));
           }
         }
       }
@@ -206,7 +206,7 @@ void SurfaceTriangles::Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* aft
   const vtkIdType* ends = GetOrigins(after->GetPointData(), "OriginPoints");
   const std::vector<vtkIdType> firsts = FindFirsts(
     GetOrigins(after->GetCellData(), "OriginCell"), tetrahedra.GetNumber(), parents.GetNumber());
-  // Calls emit with each part of a triangle.
+  // Calls \a emit for each part of a triangle.
   const auto forEachPart = [&](vtkIdType t, auto&& emit)
   {
     const vtkIdType owner = owners[t];
@@ -228,7 +228,7 @@ void SurfaceTriangles::Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* aft
       for (int face = 0; face < 4; ++face)
       {
         Triangle part = GetFace(tetrahedra, cell, face);
-        // The part is on the triangle where no end of a point's edge is off it.
+        // A part is on the triangle if all its points are on edges of the triangle.
         if (std::all_of(part.begin(), part.end(),
               [&](vtkIdType p) { return ends[2 * p] != out && ends[2 * p + 1] != out; }))
         {
@@ -241,19 +241,19 @@ void SurfaceTriangles::Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* aft
       }
     }
   };
-  std::vector<vtkIdType> places(number + 1, 0);
+  std::vector<vtkIdType> offsets(number + 1, 0);
   vtkSMPTools::For(0, number,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType t = first; t < last; ++t)
       {
-        forEachPart(t, [&](const Triangle&) { ++places[t]; });
+        forEachPart(t, [&](const Triangle&) { ++offsets[t]; });
       }
     });
   vtkIdType sum = 0;
-  for (vtkIdType& place : places)
+  for (vtkIdType& offset : offsets)
   {
-    sum += std::exchange(place, sum);
+    sum += std::exchange(offset, sum);
   }
   std::vector<Triangle> parts(sum);
   std::vector<int> surfaces(sum);
@@ -262,13 +262,13 @@ void SurfaceTriangles::Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* aft
     {
       for (vtkIdType t = first; t < last; ++t)
       {
-        vtkIdType place = places[t];
+        vtkIdType offset = offsets[t];
         forEachPart(t,
           [&](const Triangle& part)
           {
-            parts[place] = part;
-            surfaces[place] = this->Surfaces[t];
-            ++place;
+            parts[offset] = part;
+            surfaces[offset] = this->Surfaces[t];
+            ++offset;
           });
       }
     });

@@ -16,10 +16,9 @@ class SurfaceLevels;
 
 /**
  * @class   SurfaceTriangles
- * @brief   the triangles of surfaces inside tetrahedra, each once
+ * @brief   distinct triangles of surfaces inside a tetrahedral mesh
  *
- * All triangles face against the gradient of the function they are a level set of: to the side of
- * lower values.
+ * Triangles are level sets of a function. They all face against its gradient, toward lower values.
  */
 class SurfaceTriangles
 {
@@ -27,38 +26,39 @@ public:
   using Triangle = std::array<vtkIdType, 3>;
 
   /**
-   * Takes the boundary of an extraction by the items of \a levels. A triangle that two items have
-   * in common is taken from the first.
+   * Reads the boundary of an extraction by the items of \a levels. A triangle shared by two items
+   * is assigned to the first item.
    */
   void Take(vtkUnstructuredGrid* boundary, const SurfaceLevels& levels);
 
   /**
-   * Removes triangles that are faces of no tetrahedron of \a mesh, which occur where values equal
-   * to a bound make an interval touch a face of the domain from outside.
+   * Removes triangles that are not faces of tetrahedra of \a mesh. They occur if an interval only
+   * touches a face of the domain, because the values on the face equal a bound of the interval.
    */
   void RemoveLoose(vtkUnstructuredGrid* mesh);
 
   /**
-   * Keeps the parts of the triangles, faces of the tetrahedra \a before, that are left after an
-   * extraction from these, made with its origins: faces of the tetrahedra \a after.
+   * Replaces the triangles, which are faces of the tetrahedra \a before, by their parts that remain
+   * in the tetrahedra \a after. \a after is an extraction from \a before and must have origin
+   * arrays.
    */
   void Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* after);
 
-  /// Gives the points of the triangles other ids.
+  /// Replaces the point ids of the triangles.
   void Renumber(const std::vector<vtkIdType>& ids);
-  /// Adds the triangles of another object.
+  /// Appends the triangles of another object.
   void Append(const SurfaceTriangles& other);
 
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
-  /// Returns the surface of each triangle, as in SurfaceLevels::GetSurface.
+  /// Returns the surface of each triangle, see SurfaceLevels::GetSurface().
   const std::vector<int>& GetSurfaces() const { return this->Surfaces; }
 
 private:
   void RemoveCopies(vtkIdType numberOfPoints);
-  /// Keeps the triangles for which \a keep, called with the index of each in turn, returns true.
+  /// Keeps the triangles for which \a keep, called with ascending indices, returns true.
   template <typename Keep>
   void Filter(const Keep& keep);
-  /// Finds for each triangle the first tetrahedron that it is a face of; -1 without one.
+  /// Returns the first tetrahedron that has each triangle as a face, or -1 if there is none.
   std::vector<vtkIdType> FindOwners(vtkUnstructuredGrid* before) const;
 
   std::vector<Triangle> Triangles;

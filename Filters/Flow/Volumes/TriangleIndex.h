@@ -14,7 +14,7 @@ namespace interlume
 
 /**
  * @class   TriangleIndex
- * @brief   triangles by their points, whatever the order of these
+ * @brief   finds triangles by their points in any order
  */
 class TriangleIndex
 {
@@ -42,7 +42,7 @@ public:
     }
   }
 
-  /// Calls \a visit with each triangle of these points, in ascending order.
+  /// Calls \a visit with the index of each triangle with these points, in ascending order.
   template <typename Visitor>
   void ForEach(const Triangle& triangle, Visitor&& visit) const
   {
@@ -50,7 +50,7 @@ public:
     for (vtkIdType e = this->Firsts[sorted[0]]; e < this->Firsts[sorted[0] + 1]; ++e)
     {
       const Entry& entry = this->Entries[e];
-      if (entry.Middle == sorted[1] && entry.Last == sorted[2])
+      if (entry.Second == sorted[1] && entry.Last == sorted[2])
       {
         visit(entry.Index);
       }
@@ -60,7 +60,7 @@ public:
 private:
   struct Entry
   {
-    vtkIdType Middle;
+    vtkIdType Second;
     vtkIdType Last;
     vtkIdType Index;
   };
@@ -71,7 +71,7 @@ private:
     return triangle;
   }
 
-  // The place where the entries of a least point begin.
+  // Index of the first entry for each smallest point id.
   std::vector<vtkIdType> Firsts;
   std::vector<Entry> Entries;
 };

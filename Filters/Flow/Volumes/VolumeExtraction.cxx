@@ -25,19 +25,19 @@ namespace interlume
 
 namespace
 {
-// The shares of the progress at which each part ends.
+// Progress at the end of each stage.
 constexpr double PreparationEnd = 0.1;
 constexpr double InflowEnd = 0.5;
 constexpr double TimeEnd = 0.85;
 
-// Tells the progress of an inner filter as that of its owner, and hands an abort on.
+// Forwards the progress of an inner filter to its owner, and an abort to the filter.
 struct Progress
 {
   vtkAlgorithm* Owner;
   double Start;
   double Length;
 
-  static void Tell(vtkObject* caller, unsigned long, void* client, void* data)
+  static void Forward(vtkObject* caller, unsigned long, void* client, void* data)
   {
     const auto* progress = static_cast<Progress*>(client);
     progress->Owner->UpdateProgress(
@@ -49,7 +49,8 @@ struct Progress
   }
 };
 
-// Returns which seams may be interpolated over. Without a mapping nothing differs on their sides.
+// Returns the seams across which values may be interpolated: seams where Inflow is continuous, or
+// all seams if there is no Inflow.
 InterpolableCells::Continuity GetContinuity(vtkDataSet* input, const ImplicitFlowArrays& arrays)
 {
   return input->GetPointData()->GetArray(vtkFlowStatus::InflowArray())
@@ -57,7 +58,7 @@ InterpolableCells::Continuity GetContinuity(vtkDataSet* input, const ImplicitFlo
     : arrays.GetSurfaces();
 }
 
-// Copies the integers of an array of \a mesh under another name.
+// Copies an integer array of \a mesh under another name.
 vtkSmartPointer<vtkIntArray> Rename(
   vtkUnstructuredGrid* mesh, const char* before, const char* after)
 {
@@ -70,8 +71,8 @@ vtkSmartPointer<vtkIntArray> Rename(
   return renamed;
 }
 
-// Returns the precision of the points of the input's extraction, where they belong to an
-// unstructured grid instead.
+// Returns the point precision for an extraction from an unstructured grid, such that it equals the
+// precision of the extraction from the input.
 int GetPrecision(const VolumeExtraction::Request& request)
 {
   const bool hasOwnPoints = vtkPointSet::SafeDownCast(request.Input) ||
@@ -87,7 +88,7 @@ VolumeExtraction::VolumeExtraction()
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkFlowStatus::InflowArray());
   this->ByTime.Filter->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkFlowStatus::TimeArray());
-  // A part of the flow may well be empty.
+  // An extraction may be empty, for example if the input is one of several pieces.
   this->ByInflow.Filter->WarnOnEmptyOutputOff();
   this->ByTime.Filter->WarnOnEmptyOutputOff();
 }
@@ -110,11 +111,11 @@ bool VolumeExtraction::Prepare(const Request& request, FlowVolumeReport& report)
     }
     this->Prepared.TakeReference(input->NewInstance());
     this->Prepared->ShallowCopy(input);
-    // The status is the same in all cells that are left.
+    // The status is the same in all remaining cells.
     this->Prepared->GetPointData()->RemoveArray(vtkFlowStatus::StatusArray());
-    // The side says nothing between samples.
+    // TerminationSide must not be interpolated between samples.
     this->Prepared->GetPointData()->RemoveArray(vtkFlowStatus::SideArray());
-    if (this->Cells.Count(InterpolableCells::LEFT_OUT) > 0)
+    if (this->Cells.Count(InterpolableCells::EXCLUDED) > 0)
     {
       vtkUnsignedCharArray* before = input->GetCellGhostArray();
       vtkNew<vtkUnsignedCharArray> ghosts;
@@ -125,7 +126,7 @@ bool VolumeExtraction::Prepare(const Request& request, FlowVolumeReport& report)
         {
           for (vtkIdType cell = first; cell < last; ++cell)
           {
-            const bool isHidden = this->Cells.GetKind(cell) & InterpolableCells::LEFT_OUT;
+            const bool isHidden = this->Cells.GetKind(cell) & InterpolableCells::EXCLUDED;
             const int own = isHidden ? vtkDataSetAttributes::HIDDENCELL : 0;
             ghosts->SetValue(
               cell, static_cast<unsigned char>(own | (before ? before->GetValue(cell) : 0)));
@@ -140,7 +141,7 @@ bool VolumeExtraction::Prepare(const Request& request, FlowVolumeReport& report)
     report.Preparations = 1;
   }
   report.Cells = this->Cells.GetNumberOfCells();
-  report.CellsWithoutResult = this->Cells.Count(InterpolableCells::WITHOUT_ANSWER);
+  report.CellsWithoutResult = this->Cells.Count(InterpolableCells::WITHOUT_RESULT);
   report.CellsBetweenSurfaces = this->Cells.Count(InterpolableCells::BETWEEN_SURFACES);
   report.CellsOnSeams = this->Cells.Count(InterpolableCells::ON_SEAM);
   report.CellsAcrossSurfaces = this->Cells.Count(InterpolableCells::ACROSS_SURFACE);
@@ -160,7 +161,7 @@ bool VolumeExtraction::Run(const Request& request, Result& result, vtkDataSet* i
   levels.SetItems(filter);
   Progress progress{ request.Owner, start, end - start };
   vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(Progress::Tell);
+  command->SetCallback(Progress::Forward);
   command->SetClientData(&progress);
   const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, command);
   filter->Update();
@@ -200,12 +201,12 @@ bool VolumeExtraction::Run(const Request& request, Result& result, vtkDataSet* i
   return true;
 }
 
-void VolumeExtraction::TakeTriangles(
+void VolumeExtraction::CollectTriangles(
   Result& result, const SurfaceLevels& levels, bool isFinal, SurfaceTriangles& triangles)
 {
   triangles.Take(result.Boundary, levels);
   triangles.Append(result.CutTriangles);
-  // Only values equal to a bound leave loose triangles, and cutting drops them anyway.
+  // Loose triangles occur only if values equal a bound, and Cut() removes them anyway.
   if (isFinal && result.Filter->GetReport()->GetNumber("CollapsedSimplices") > 0)
   {
     triangles.RemoveLoose(result.Mesh);
@@ -226,7 +227,7 @@ bool VolumeExtraction::Execute(const Request& request, FlowVolumeReport& report)
   if (request.Inflow)
   {
     this->ByInflow.Filter->SetGenerateBoundaries(request.GenerateStreamSurfaces);
-    this->ByInflow.Filter->SetKeepOrigins(hasOrigins);
+    this->ByInflow.Filter->SetGenerateOriginArrays(hasOrigins);
     if (!this->Run(request, this->ByInflow, this->Prepared, *request.Inflow, true, PreparationEnd,
           request.Time ? InflowEnd : TimeEnd, report.InflowPasses))
     {
@@ -247,7 +248,7 @@ bool VolumeExtraction::Execute(const Request& request, FlowVolumeReport& report)
     report.PointsOnSeams = this->ByInflow.PointsOnSeams;
     if (request.GenerateStreamSurfaces)
     {
-      TakeTriangles(this->ByInflow, *request.Inflow, !request.Time, this->StreamTriangles);
+      CollectTriangles(this->ByInflow, *request.Inflow, !request.Time, this->StreamTriangles);
     }
   }
   if (!request.Time)
@@ -257,7 +258,7 @@ bool VolumeExtraction::Execute(const Request& request, FlowVolumeReport& report)
   const bool cutsTriangles = request.Inflow && request.GenerateStreamSurfaces;
   const bool isFirst = !request.Inflow;
   this->ByTime.Filter->SetGenerateBoundaries(request.GenerateTimeSurfaces);
-  this->ByTime.Filter->SetKeepOrigins(cutsTriangles || (isFirst && hasOrigins));
+  this->ByTime.Filter->SetGenerateOriginArrays(cutsTriangles || (isFirst && hasOrigins));
   vtkDataSet* const input =
     request.Inflow ? static_cast<vtkDataSet*>(this->Between) : this->Prepared.GetPointer();
   if (!this->Run(request, this->ByTime, input, *request.Time, isFirst,
@@ -273,7 +274,7 @@ bool VolumeExtraction::Execute(const Request& request, FlowVolumeReport& report)
   }
   if (request.GenerateTimeSurfaces)
   {
-    TakeTriangles(this->ByTime, *request.Time, true, this->TimeTriangles);
+    CollectTriangles(this->ByTime, *request.Time, true, this->TimeTriangles);
   }
   this->Mesh = vtkSmartPointer<vtkUnstructuredGrid>::New();
   this->Mesh->ShallowCopy(this->ByTime.Mesh);

@@ -24,16 +24,17 @@ struct FlowVolumeReport;
 
 /**
  * @class   VolumeExtraction
- * @brief   the extractions of a vtkFlowVolume, and their results, kept between its executions
+ * @brief   the extractions of vtkFlowVolume and their cached results
  *
- * The field is cut by Inflow first, and the result is cut by time. Nothing that has not changed
- * since the last execution is done again: the kinds of the cells depend on the input and the
- * largest jump of time, the first extraction on the levels of Inflow too.
+ * The first extraction, by Inflow, reads the field. The second one, by time, reads the result of
+ * the first. Results of the last execution are reused if nothing they depend on has changed. The
+ * kinds of the cells depend on the input and MaximumTimeJump; the first extraction depends on the
+ * kinds and the levels of Inflow.
  */
 class VolumeExtraction
 {
 public:
-  /// The settings, and what they are applied to.
+  /// The settings, and the data to which they apply.
   struct Request : vtkFlowVolumeSettings
   {
     explicit Request(const vtkFlowVolumeSettings& settings)
@@ -43,8 +44,8 @@ public:
 
     vtkDataSet* Input = nullptr;
     ImplicitFlowArrays* Arrays = nullptr;
-    /// The levels of Inflow and of time. Null stands for no extraction by that function; one of the
-    /// two is not null.
+    /// Levels of Inflow and of time. Null disables the extraction by that function; at least one is
+    /// not null.
     const SurfaceLevels* Inflow = nullptr;
     const SurfaceLevels* Time = nullptr;
     vtkAlgorithm* Owner = nullptr;
@@ -53,13 +54,13 @@ public:
   VolumeExtraction();
   ~VolumeExtraction();
 
-  /// False when the owner was aborted.
+  /// Executes the extractions. Returns false if the owner was aborted.
   bool Execute(const Request& request, FlowVolumeReport& report);
 
   ///@{
   /**
-   * The results of the last execution: the tetrahedra, with the items of the levels they belong to
-   * (null without an extraction by them), and the triangles of surfaces.
+   * Return the results of the last execution: the tetrahedra, the item of the levels for each
+   * tetrahedron (null if the extraction is disabled), and the triangles of surfaces.
    */
   vtkUnstructuredGrid* GetMesh() const { return this->Mesh; }
   vtkIntArray* GetInflowItems() const { return this->InflowItems; }
@@ -68,34 +69,34 @@ public:
   const SurfaceTriangles& GetTimeTriangles() const { return this->TimeTriangles; }
   ///@}
 
-  /// The name of the cell array of the tetrahedra between the two extractions, which is not of the
-  /// input.
+  /// Name of the cell array that passes the items of the first extraction to the second one. It is
+  /// not an array of the input.
   static const char* ItemArray() { return "InflowItem"; }
 
 private:
-  /// The outputs of one extraction, unwrapped and with cells that are cut.
+  /// Outputs of one extraction, with unwrapped parameters and cut cells.
   struct Result
   {
     vtkNew<vtkIntervalVolume> Filter;
     vtkSmartPointer<vtkUnstructuredGrid> Mesh;
     vtkSmartPointer<vtkUnstructuredGrid> Boundary;
-    /// The triangles of cells that are cut, by the points of Mesh.
+    /// Triangles of cut cells, with point ids of Mesh.
     SurfaceTriangles CutTriangles;
     vtkMTimeType UpdateTime = 0;
     vtkIdType PointsOnSeams = 0;
   };
 
   bool Prepare(const Request& request, FlowVolumeReport& report);
-  /// One extraction; the progress of the owner goes from \a start to \a end. \a isFirst: it is
-  /// that of the input's cells, with parameters to unwrap and cells to cut.
+  /// Runs one extraction. The progress of the owner advances from \a start to \a end. \a isFirst is
+  /// true if the input's cells are extracted, with parameters to unwrap and cells to cut.
   bool Run(const Request& request, Result& result, vtkDataSet* input, const SurfaceLevels& levels,
     bool isFirst, double start, double end, int& passes);
 
-  /// Takes the surfaces of one extraction; \a isFinal tells that no other extraction cuts them.
-  static void TakeTriangles(
+  /// Gets the surfaces of one extraction. \a isFinal is true if no other extraction cuts them.
+  static void CollectTriangles(
     Result& result, const SurfaceLevels& levels, bool isFinal, SurfaceTriangles& triangles);
 
-  // The input without cells that are left out.
+  // The input with excluded cells hidden.
   vtkSmartPointer<vtkDataSet> Prepared;
   const vtkDataSet* PreparedInput = nullptr;
   vtkMTimeType PreparedTime = 0;
@@ -105,8 +106,7 @@ private:
   vtkIdType NumberOfCutCells = 0;
   Result ByInflow;
   Result ByTime;
-  // The tetrahedra that the second extraction starts from: those of the first one, without its
-  // origins.
+  // Input of the second extraction: the tetrahedra of the first extraction, without origin arrays.
   vtkSmartPointer<vtkUnstructuredGrid> Between;
 
   vtkSmartPointer<vtkUnstructuredGrid> Mesh;

@@ -11,7 +11,7 @@ namespace interlume
 
 namespace
 {
-// Values that lie one after the other in memory.
+// Contiguous values.
 template <typename T>
 struct Contiguous
 {
@@ -23,7 +23,7 @@ struct Contiguous
   }
 };
 
-// Any array, value by value.
+// Values of any array, accessed one by one.
 struct AnyValues
 {
   vtkDataArray* Values;
@@ -34,7 +34,7 @@ struct AnyValues
   }
 };
 
-// Two arrays, the second of which has the points from Split on.
+// Two arrays. The second one contains the values of the ids from Split on.
 template <typename Source>
 struct Pair
 {
@@ -62,7 +62,7 @@ public:
   void Interpolate(const ExtractionPoint* points, std::size_t number, void* out) const override
   {
     Out* const values = static_cast<Out*>(out);
-    // A known number of components needs no loop.
+    // A number of components known at compile time needs no loop.
     switch (this->Components)
     {
       case 1:

@@ -14,21 +14,22 @@ namespace interlume
 
 /**
  * @class   ArrayInterpolator
- * @brief   interpolates an array of numbers at a few points at a time
+ * @brief   interpolates a numeric array at a batch of points
  *
- * Any number of threads may use one.
+ * Thread-safe.
  */
 class ArrayInterpolator
 {
 public:
-  /// Creates an interpolator for results of type VTK_FLOAT or VTK_DOUBLE. Ids from \a split on are
-  /// tuples of \a second, which may be the first array too. Both must outlive the result.
+  /// Creates an interpolator for results of type VTK_FLOAT or VTK_DOUBLE. An id i >= \a split
+  /// refers to tuple i - \a split of \a second. \a second may be the same array as \a first. Both
+  /// arrays must outlive the result.
   static std::unique_ptr<ArrayInterpolator> Make(
     vtkDataArray* first, vtkDataArray* second, vtkIdType split, int outType);
 
   virtual ~ArrayInterpolator() = default;
 
-  /// Writes the tuples of \a number points to \a out, an array of the results' type.
+  /// Writes the tuples of \a number points to \a out, which has the type of the results.
   virtual void Interpolate(const ExtractionPoint* points, std::size_t number, void* out) const = 0;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Arrays/ExtractionArrays.h"
 
-#include "Output/ExtractionMemory.h"
+#include "Output/OutputAllocation.h"
 #include "Output/ThreadGrain.h"
 
 #include "vtkAlgorithm.h"
@@ -69,7 +69,7 @@ struct CopyWorker
   void operator()(Array* in, vtkDataArray* base) const
   {
     Array* out = Array::FastDownCast(base);
-    // A known number of components needs no loop.
+    // A number of components known at compile time needs no loop.
     in->GetNumberOfComponents() == 1 ? this->Run<1>(in, out) : this->Run<0>(in, out);
   }
 
@@ -95,7 +95,7 @@ private:
 };
 }
 
-bool ExtractionArrays::IsAlike(vtkAbstractArray* a, vtkAbstractArray* b)
+bool ExtractionArrays::IsCompatible(vtkAbstractArray* a, vtkAbstractArray* b)
 {
   return a && b && a->GetNumberOfComponents() == b->GetNumberOfComponents() &&
     a->IsA("vtkDataArray") == b->IsA("vtkDataArray") &&
@@ -167,7 +167,7 @@ int ExtractionArrays::CopyCellData(
     vtkDataArray* numbers = vtkDataArray::SafeDownCast(in);
     if (numbers)
     {
-      ExtractionMemory::SetNumberOfTuples(vtkDataArray::SafeDownCast(out), number);
+      OutputAllocation::SetNumberOfTuples(vtkDataArray::SafeDownCast(out), number);
     }
     else
     {

@@ -5,7 +5,7 @@
 #include "Arrays/ExtractionArrays.h"
 #include "Arrays/RowCoordinates.h"
 #include "Common/ArrayMatch.h"
-#include "Output/ExtractionMemory.h"
+#include "Output/OutputAllocation.h"
 #include "Output/ThreadGrain.h"
 
 #include "vtkDataArray.h"
@@ -22,7 +22,8 @@ namespace interlume
 
 namespace
 {
-// Copies the tuples of corners. A known size needs no loop over bytes.
+// Copies the tuples of all corners. If \a Known, the size of a tuple, is not 0, the compiler needs
+// no loop over bytes.
 template <std::size_t Known>
 void CopyTuples(const char* values, const PointArrays::Part& part, std::size_t size, char* out)
 {
@@ -56,11 +57,12 @@ struct PointArrays::Column
 {
   std::unique_ptr<ArrayInterpolator> In;
   vtkDataArray* Out;
-  // The values, once there is room, and the bytes of a tuple.
+  // The values, set by the allocation, and the number of bytes per tuple.
   char* Values;
   std::size_t Size;
 
-  // Returns the bytes of the values of some points, such that the next column's are aligned.
+  // Returns the size in bytes of the values of some points, padded so that the next column is
+  // aligned.
   std::size_t GetBytes(std::size_t points) const
   {
     constexpr std::size_t step = sizeof(double);
@@ -115,7 +117,7 @@ void PointArrays::AddArrays(vtkPointData* first, vtkPointData* second, vtkIdType
   {
     vtkAbstractArray* in = first->GetAbstractArray(a);
     vtkAbstractArray* inSecond = this->HasKeys ? ArrayMatch::Find(first, in, second) : in;
-    if (!ExtractionArrays::IsCarried(first, in) || !ExtractionArrays::IsAlike(in, inSecond))
+    if (!ExtractionArrays::IsCarried(first, in) || !ExtractionArrays::IsCompatible(in, inSecond))
     {
       continue;
     }
@@ -143,18 +145,18 @@ void PointArrays::Allocate(vtkIdType number)
 {
   if (this->Rows)
   {
-    ExtractionMemory::SetNumberOfTuples(this->Points->GetData(), number);
+    OutputAllocation::SetNumberOfTuples(this->Points->GetData(), number);
   }
   for (Column& column : this->Columns)
   {
-    ExtractionMemory::SetNumberOfTuples(column.Out, number);
+    OutputAllocation::SetNumberOfTuples(column.Out, number);
     column.Values = static_cast<char*>(column.Out->GetVoidPointer(0));
   }
   if (this->HasOthers)
   {
     this->Nearer.Allocate(static_cast<std::size_t>(number));
   }
-  this->HasRoom = true;
+  this->Allocated = true;
 }
 
 void PointArrays::Fill(const ExtractionBuffer<ExtractionPoint>& points)
@@ -191,7 +193,7 @@ void PointArrays::Write(const ExtractionPoint* points, vtkIdType number, vtkIdTy
   }
 }
 
-void PointArrays::Keep(const KeptRuns& kept)
+void PointArrays::Keep(const RetainedIdRanges& retained)
 {
   std::vector<vtkDataArray*> outs;
   for (const Column& column : this->Columns)
@@ -205,13 +207,13 @@ void PointArrays::Keep(const KeptRuns& kept)
   for (vtkDataArray* out : outs)
   {
     const vtkIdType size = out->GetNumberOfComponents() * out->GetDataTypeSize();
-    kept.Compact(static_cast<char*>(out->GetVoidPointer(0)), size);
-    ExtractionMemory::Shorten(out, kept.GetNumber());
+    retained.Compact(static_cast<char*>(out->GetVoidPointer(0)), size);
+    OutputAllocation::Shorten(out, retained.GetNumber());
   }
   if (this->HasOthers)
   {
-    kept.Compact(this->Nearer.GetData(), 1);
-    this->Nearer.Truncate(static_cast<std::size_t>(kept.GetNumber()));
+    retained.Compact(this->Nearer.GetData(), 1);
+    this->Nearer.Truncate(static_cast<std::size_t>(retained.GetNumber()));
   }
 }
 

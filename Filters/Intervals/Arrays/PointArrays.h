@@ -4,7 +4,7 @@
 
 #include "Output/ExtractionBuffer.h"
 #include "Output/ExtractionPoint.h"
-#include "Output/KeptRuns.h"
+#include "Output/RetainedIdRanges.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -28,52 +28,54 @@ class RowCoordinates;
 
 /**
  * @class   PointArrays
- * @brief   coordinates and point arrays of output points, interpolated along the edges of a grid
+ * @brief   coordinates and point arrays of output points, interpolated along grid edges
  *
- * The points are written as one list, some at a time in their places, or as corners of triangles
- * that share no points; the bytes are the same. Arrays that are not of numbers have the value of
- * the nearer end. ExtractionArrays defines which arrays there are, and their types.
+ * Points are written as one list, in batches at given positions, or as corners of triangles that
+ * share no points. All three methods give bit-identical values. Non-numeric arrays use the value at
+ * the closer end of the edge. ExtractionArrays selects the arrays and their types.
  */
 class PointArrays
 {
 public:
-  /// Creates the coordinates and arrays of a dataset; \a precision is one of vtkAlgorithm.
+  /// Creates the coordinates and arrays of a dataset. \a precision is a value of
+  /// vtkAlgorithm::DesiredOutputPrecision.
   PointArrays(vtkDataSet* input, int precision);
 
-  /// Creates arrays without coordinates. Ids from \a split on are points of \a second. If that is
-  /// not the first too, the arrays are those that correspond in both, and their names are keys
-  /// (ArrayMatch), which tell those of several calls apart.
+  /// Creates arrays without coordinates. Ids from \a split on refer to points of \a second. If the
+  /// two differ, only arrays that both contain are created. Their names are then keys of
+  /// ArrayMatch, so that the results of several calls can be matched.
   PointArrays(vtkPointData* first, vtkPointData* second, vtkIdType split);
 
   ~PointArrays();
 
-  /// Computes the coordinates of a list of points only.
+  /// Computes only the coordinates of a list of points.
   static vtkSmartPointer<vtkPoints> MakePoints(
     vtkDataSet* input, const ExtractionBuffer<ExtractionPoint>& points, int precision);
 
-  /// Allocates and writes a list of points, by all threads.
+  /// Allocates and writes a list of points in parallel.
   void Fill(const ExtractionBuffer<ExtractionPoint>& points);
 
   /// Allocates \a number points.
   void Allocate(vtkIdType number);
-  bool IsAllocated() const { return this->HasRoom; }
+  bool IsAllocated() const { return this->Allocated; }
 
-  /// Writes \a number points from \a first on. Threads may write different points at a time.
+  /// Writes \a number points, starting at index \a first. Threads may write different points
+  /// concurrently.
   void Write(const ExtractionPoint* points, vtkIdType number, vtkIdType first);
 
-  /// Leaves out all other points.
-  void Keep(const KeptRuns& kept);
+  /// Removes all points that are not retained.
+  void Keep(const RetainedIdRanges& retained);
 
-  /// The values of some points, and the corners of triangles, each of which is one of the points.
+  /// Values of a set of points, and corners of triangles as indices of these points.
   struct Part
   {
     using Index = std::uint32_t;
 
     ExtractionBuffer<Index> Corners;
     std::size_t NumberOfPoints = 0;
-    /// The values array after array.
+    /// Values, array by array.
     ExtractionBuffer<char> Values;
-    /// The nearer end of each point, if there are arrays that are not of numbers.
+    /// Id of the closer edge end of each point, if there are non-numeric arrays.
     ExtractionBuffer<vtkIdType> Nearer;
 
     std::size_t GetBytes() const
@@ -82,12 +84,12 @@ public:
     }
   };
 
-  /// Interpolates points before their places in the output are known. Any number of threads may do
-  /// so at a time.
+  /// Interpolates points before their output indices are known. Thread-safe.
   Part Interpolate(const ExtractionPoint* points, std::size_t number, const Part::Index* corners,
     std::size_t numberOfCorners) const;
 
-  /// Writes the corners of a part from \a first on. Threads may write different parts at a time.
+  /// Writes the corners of a part, starting at index \a first. Threads may write different parts
+  /// concurrently.
   void Write(const Part& part, vtkIdType first);
 
   const vtkSmartPointer<vtkPoints>& GetPoints() const { return this->Points; }
@@ -95,9 +97,9 @@ public:
   void AddTo(vtkPointData* output);
 
 private:
-  // An array of numbers that is interpolated.
+  // A numeric array that is interpolated.
   struct Column;
-  // An array of the input, or one of each of two inputs, and that of the output.
+  // An input array, or a pair of corresponding arrays of two inputs, and the output array.
   struct Carried
   {
     vtkAbstractArray* First;
@@ -114,14 +116,14 @@ private:
   bool HasKeys = false;
   vtkIdType Split = VTK_ID_MAX;
   vtkSmartPointer<vtkPoints> Points;
-  // The coordinates of a grid that stores no points; else null.
+  // Computes the coordinates of a grid without explicit points. Null for other grids.
   std::unique_ptr<RowCoordinates> Rows;
   std::vector<Column> Columns;
   std::vector<Carried> Arrays;
-  // Whether there are arrays that are not of numbers, and the nearer end of each point.
+  // Whether there are non-numeric arrays. If so, Nearer holds the closer edge end of each point.
   bool HasOthers = false;
   ExtractionBuffer<vtkIdType> Nearer;
-  bool HasRoom = false;
+  bool Allocated = false;
 };
 
 }

@@ -36,7 +36,7 @@ RowCoordinates::RowCoordinates(vtkDataSet* input)
           image->GetOrigin()[axis] + (extent[2 * axis] + i) * image->GetSpacing()[axis]);
       }
     }
-    this->Turned = image->GetDirectionMatrix()->IsIdentity() ? nullptr : image;
+    this->Rotated = image->GetDirectionMatrix()->IsIdentity() ? nullptr : image;
     return;
   }
   vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(input);
@@ -51,13 +51,13 @@ RowCoordinates::RowCoordinates(vtkDataSet* input)
   }
 }
 
-void RowCoordinates::GetTurnedPoint(const ExtractionPoint& point, double x[3]) const
+void RowCoordinates::GetRotatedPoint(const ExtractionPoint& point, double x[3]) const
 {
-  this->Turned->GetPoint(point.Near, x);
+  this->Rotated->GetPoint(point.Near, x);
   if (point.Near != point.Far)
   {
     double end[3];
-    this->Turned->GetPoint(point.Far, end);
+    this->Rotated->GetPoint(point.Far, end);
     for (int axis = 0; axis < 3; ++axis)
     {
       x[axis] = Interpolation::Between<double>(x[axis], end[axis], point.Weight);

@@ -18,32 +18,32 @@ namespace interlume
 
 /**
  * @class   RowCoordinates
- * @brief   coordinates of points of image data and rectilinear grids, from their indices
+ * @brief   point coordinates of image data and rectilinear grids, computed from indices
  *
- * They are rounded as the grid's own are.
+ * The coordinates are rounded as in the grid's GetPoint().
  */
 class RowCoordinates
 {
 public:
-  /// Of a vtkImageData or vtkRectilinearGrid.
+  /// \a input is a vtkImageData or vtkRectilinearGrid.
   explicit RowCoordinates(vtkDataSet* input);
 
-  /// Writes three coordinates for each of \a number points. It is quick where the ends of points
-  /// that follow each other are in one row.
+  /// Writes the coordinates of \a number points. Computing successive points is fast if their edges
+  /// start in the same row.
   template <typename Out>
   void Fill(const ExtractionPoint* points, vtkIdType number, Out* out) const
   {
-    // The row of the point before: its first point, and how many it has.
+    // The row that contains the previous point: its first point and its number of points.
     vtkIdType first = 0;
     vtkIdType length = 0;
     std::array<int, 3> at{};
     for (vtkIdType p = 0; p < number; ++p, out += 3)
     {
       const ExtractionPoint& point = points[p];
-      if (this->Turned)
+      if (this->Rotated)
       {
         double x[3];
-        this->GetTurnedPoint(point, x);
+        this->GetRotatedPoint(point, x);
         std::transform(x, x + 3, out, [](double value) { return static_cast<Out>(value); });
         continue;
       }
@@ -71,12 +71,12 @@ public:
   }
 
 private:
-  void GetTurnedPoint(const ExtractionPoint& point, double x[3]) const;
+  void GetRotatedPoint(const ExtractionPoint& point, double x[3]) const;
 
   RowIndex Rows;
   std::array<std::vector<double>, 3> Axes;
-  // The image, where its axes are not those of space; else null.
-  vtkImageData* Turned = nullptr;
+  // The image if its direction matrix is not the identity, otherwise null.
+  vtkImageData* Rotated = nullptr;
 };
 
 }

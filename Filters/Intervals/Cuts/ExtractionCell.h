@@ -13,10 +13,11 @@ namespace interlume
 
 /**
  * @class   ExtractionCell
- * @brief   the slots of one cell that are the same point because a value equals an isovalue
+ * @brief   identifies the slots of a cell that are the same point because a value equals an
+ * isovalue
  *
- * A crossing at an end of its edge is the grid point there; in an interval of zero width the upper
- * crossing is the lower one.
+ * If an isovalue crosses an edge at one of its ends, the crossing is the grid point there. In an
+ * interval of zero width, the upper and the lower crossing coincide.
  */
 class ExtractionCell
 {
@@ -24,8 +25,8 @@ public:
   using Code = ExtractionValues::Code;
   using Slot = vtkIsotable::Slot;
 
-  /// Returns the slot that \a slot is the same point as; \a table is a vtkIsotable or a
-  /// SpaceTimeTable.
+  /// Returns the slot that represents all slots of the same point as \a slot. \a table is a
+  /// vtkIsotable or a SpaceTimeTable.
   template <typename Table>
   static Slot Identify(
     const Table& table, const ExtractionValues::Item& item, const Code* codes, Slot slot)
@@ -50,8 +51,8 @@ public:
   }
 
   /**
-   * Finds for each of \a slots the first slot that is the same point. Where corners of the cell may
-   * be one point, getPoint(slot) tells by an equal result which slots are.
+   * Finds the first slot of the same point for each of \a slots. If points of the cell may
+   * coincide, getPoint(slot) must return equal results for slots of the same point.
    */
   template <typename Table, typename GetPoint>
   static void IdentifyAll(const Table& table, const ExtractionValues::Item& item, const Code* codes,
@@ -70,7 +71,7 @@ public:
     }
   }
 
-  /// Returns the key of an interval's case where all vertices are inside.
+  /// Returns the key of the interval case with all vertices inside.
   static int GetKeyInside(int vertices)
   {
     int key = 0;

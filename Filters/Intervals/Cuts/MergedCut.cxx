@@ -12,8 +12,8 @@ namespace interlume
 
 namespace
 {
-// A contour's table has no case from which faces could be read.
-const vtkIsotable& GetTableOfIntervals(int vertices)
+// Faces are read from the interval table because no case of a contour table contains them.
+const vtkIsotable& GetIntervalTable(int vertices)
 {
   int shape = 0;
   while (vtkIsotable::Get(vtkIsotable::INTERVAL, static_cast<vtkIsotable::Shapes>(shape))
@@ -74,7 +74,7 @@ void MergedCut::Make(const vtkIsotable& table, const Item& item, const Code* cod
       OppositePairs::Remove<3>(this->Simplices);
     }
   }
-  // In an order other than that of the table there may be more simplices.
+  // A cut with another slot order than the table's may have more simplices.
   const std::size_t left = std::min(this->Simplices.size(), what.Simplices.size());
   this->NumberCollapsed = static_cast<vtkIdType>(what.Simplices.size() - left);
 }
@@ -103,16 +103,16 @@ void MergedCut::FindFaces(const vtkIsotable& table)
 {
   const int vertices = table.GetNumberOfVertices();
   const int edges = table.GetNumberOfEdges();
-  this->TableOfFaces = &table;
+  this->FaceTable = &table;
   this->Faces.clear();
-  const vtkIsotable& ofIntervals = GetTableOfIntervals(vertices);
-  ofIntervals.CutSides(ofIntervals.GetCase(ExtractionCell::GetKeyInside(vertices)),
+  const vtkIsotable& intervalTable = GetIntervalTable(vertices);
+  intervalTable.CutSides(intervalTable.GetCase(ExtractionCell::GetKeyInside(vertices)),
     vtkIsotable::RankArray{},
     [this](Slot, Slot, Slot, const Slot* polygon, int number)
     {
       unsigned face = 0;
       std::for_each(polygon, polygon + number, [&face](Slot vertex) { face |= 1u << vertex; });
-      // A face is visited once for each of its triangles.
+      // Each face is visited once per triangle.
       if (this->Faces.empty() || this->Faces.back() != face)
       {
         this->Faces.push_back(face);

@@ -16,15 +16,16 @@ namespace interlume
 
 /**
  * @class   MergedCut
- * @brief   a case as it is cut in a cell of which slots are the same point
+ * @brief   cut of a table case in a cell where several slots are the same point
  *
- * Slots that are one point are made one before the case is cut; simplices that have a point twice
- * afterwards are left out, and so are pairs with the same points and opposite orientation. So the
- * faces of what is left are those of the cell's neighbours, and a piece that has no volume leaves
- * none.
+ * Slots of the same point are merged before the case is cut. Simplices that then contain a point
+ * twice are removed, and so are pairs with the same points and opposite orientation. Therefore the
+ * faces of the remaining simplices match those of the neighbor cells, and a degenerate piece leaves
+ * no simplex.
  *
- * An interval of zero width has the cells that are equal to its value throughout, and of any other
- * cell only the sides that are: reversed, since what they bound lies beyond.
+ * In an interval of zero width, a cell is output if all its values equal the bound. Any other cell
+ * contributes only those of its faces where all values equal the bound. These faces are reversed
+ * because the region that they bound is in the neighbor cell.
  */
 class MergedCut
 {
@@ -35,22 +36,23 @@ public:
   using Simplex = vtkIsotable::Simplex;
   using Triangle = vtkIsotable::Triangle;
 
-  /// Returns whether two of the slots of a case are one point. \a same has for each slot the one
-  /// that it goes by.
+  /// Returns true if two slots of a case are the same point. \a same maps each slot to the slot
+  /// that represents its point.
   static bool IsNeeded(const vtkIsotable::Case& what, const Slot* same);
 
-  /// Cuts case \a what of \a table in the order of \a ranks; triangles only where \a hasSides.
+  /// Cuts case \a what of \a table in the order of \a ranks. Adds boundary triangles only if \a
+  /// hasSides is true.
   void Make(const vtkIsotable& table, const Item& item, const Code* codes,
     const vtkIsotable::Case& what, const vtkIsotable::RankArray& ranks, const Slot* same,
     bool hasSides);
 
   const std::vector<Simplex>& GetSimplices() const { return this->Simplices; }
   const std::vector<Triangle>& GetTriangles() const { return this->Triangles; }
-  /// Whether the points of a tetrahedron, or of a contour's triangle, are all in one face of the
-  /// cell. The neighbour there may have the same one turned over.
+  /// Returns true if the points of a tetrahedron, or of a contour triangle, all lie in one face of
+  /// the cell. The neighbor cell at this face may have the same simplex with opposite orientation.
   bool IsInFace(const vtkIsotable& table, const Simplex& simplex)
   {
-    if (this->TableOfFaces != &table)
+    if (this->FaceTable != &table)
     {
       this->FindFaces(table);
     }
@@ -59,7 +61,7 @@ public:
     return (this->FacesOf[simplex[0]] & this->FacesOf[simplex[1]] & this->FacesOf[simplex[2]] &
              this->FacesOf[last]) != 0;
   }
-  /// Returns how many fewer simplices there are than in the case.
+  /// Returns the number of simplices removed from the case.
   vtkIdType GetNumberCollapsed() const { return this->NumberCollapsed; }
 
 private:
@@ -70,9 +72,9 @@ private:
   std::vector<Simplex> Simplices;
   std::vector<Triangle> Triangles;
   vtkIdType NumberCollapsed = 0;
-  // The table last asked for faces, the vertices of each of its faces, as bits, and for each slot
-  // the faces that it is in, as bits.
-  const vtkIsotable* TableOfFaces = nullptr;
+  // Cache of FindFaces(): the last table, the vertices of each of its faces as a bit mask, and the
+  // faces that contain each slot as a bit mask.
+  const vtkIsotable* FaceTable = nullptr;
   std::vector<unsigned> Faces;
   std::array<std::uint8_t, vtkIsotable::MaximumNumberOfSlots> FacesOf{};
 };

@@ -16,8 +16,9 @@ namespace interlume
 {
 
 /**
- * A cell near an item, its corners in the order of its table; between two steps those at the first
- * step come before those at the second. \a Steps is 1 or 2.
+ * A cell that an item (a contour or an interval) may intersect, with its corners in the order of
+ * its table. With two time steps, the corners at the first step precede those at the second. \a
+ * Steps is 1 or 2.
  */
 template <int Steps>
 struct TableCell
@@ -27,18 +28,18 @@ struct TableCell
 
   vtkIdType Id = -1;
   vtkIsotable::Shapes Shape = vtkIsotable::HEXAHEDRON;
-  /// The number of corners at one step.
+  /// Number of corners at one step.
   int NumberOfCorners = 8;
   vtkIdType Ids[MaximumNumberOfVertices] = {};
   Code Codes[MaximumNumberOfVertices] = {};
-  /// Whether the corners are in ascending order, for which the table has its cut.
+  /// If true, the corner ids are in ascending order and the cut of the table applies.
   bool IsAscending = true;
-  /// Whether turning a tetrahedron has exchanged left and right.
+  /// If true, reordering a tetrahedron has reversed its orientation.
   bool IsReflected = false;
 
   int GetNumberOfVertices() const { return Steps * this->NumberOfCorners; }
 
-  /// Returns whether two corners are one point.
+  /// Returns true if two corners are the same point.
   bool HasEqualCorners() const
   {
     return !this->IsAscending && ExtractionCell::IsCollapsed(this->Ids, this->NumberOfCorners);
@@ -47,7 +48,7 @@ struct TableCell
 
 /**
  * @class   SlotTables
- * @brief   the tables of all shapes of cells, and which points the slots of a cell are
+ * @brief   tables of all cell shapes, and the points of their slots
  *
  * \a Table is vtkIsotable or SpaceTimeTable.
  */
@@ -59,7 +60,7 @@ public:
   using Slot = vtkIsotable::Slot;
   static constexpr int MaximumNumberOfSlots = Table::MaximumNumberOfSlots;
 
-  /// The ends of the edge of a slot, and which isovalue crosses it.
+  /// The ends of a slot's edge, and whether the slot is the crossing of the upper isovalue.
   struct SlotEnds
   {
     Slot A;
@@ -67,7 +68,7 @@ public:
     bool IsUpper;
   };
 
-  /// Finds the tables by getTable(shape).
+  /// Initializes the tables with getTable(shape).
   template <typename GetTable>
   explicit SlotTables(GetTable&& getTable)
   {
@@ -92,7 +93,7 @@ public:
     return this->Ends[shape][slot];
   }
 
-  /// Returns the point of a slot, as its owner and its key there.
+  /// Returns the key of a slot's point, and sets \a owner to the grid point that owns it.
   template <typename Cell>
   CrossingKey GetPoint(const Cell& cell, const Item& item, Slot slot, vtkIdType& owner) const
   {
@@ -108,8 +109,9 @@ public:
     return { std::max(a, b), ends.IsUpper ? item.Upper : item.Lower };
   }
 
-  /// Finds for each slot of a case the slot that it is the same point as: by a value equal to an
-  /// isovalue, or since two corners are one point. Returns false if each is a point of its own.
+  /// Finds the slots of a case that are the same point because a value equals an isovalue or two
+  /// corners coincide. \a same maps each slot to the one that represents its point. Returns false
+  /// if all slots are distinct points.
   template <typename Cell>
   bool Merge(const Cell& cell, const Item& item, const typename Table::Case& what, Slot* same) const
   {

@@ -10,7 +10,7 @@ namespace interlume
 
 /**
  * @class   CellCorners
- * @brief   which corners of a VTK cell are the vertices of an isotable
+ * @brief   maps the corners of a VTK cell type to the vertices of an isotable
  */
 class CellCorners
 {
@@ -18,10 +18,10 @@ public:
   enum Support
   {
     LINEAR,
-    /// The cell is taken by its corners.
+    /// The cell is treated as linear, using its corners.
     HIGHER_ORDER,
     LOWER_DIMENSIONAL,
-    /// The cell needs its faces.
+    /// The cell is a polyhedron and needs its faces.
     POLYHEDRAL,
     UNSUPPORTED
   };
@@ -29,12 +29,13 @@ public:
   Support Kind = UNSUPPORTED;
   vtkIsotable::Shapes Shape = vtkIsotable::TETRAHEDRON;
   int NumberOfCorners = 0;
-  /// Whether corners 2 and 3, 6 and 7 change places (VTK_HEXAHEDRON goes around its faces).
+  /// Whether corners 2 and 3, and 6 and 7, are swapped (VTK_HEXAHEDRON orders the corners of a
+  /// quadrilateral cyclically).
   bool Turned = false;
 
   bool HasTable() const { return this->Kind == LINEAR || this->Kind == HIGHER_ORDER; }
 
-  /// Returns the type of the linear cell that a cell of a higher order is taken for.
+  /// Returns the type of the linear cell that replaces a cell of higher order.
   unsigned char GetLinearType() const;
 
   static CellCorners Of(int cellType);

@@ -21,8 +21,8 @@ namespace interlume
 
 namespace
 {
-// Computes the columns of the Jacobian at the middle of a cell, times a positive number, for one
-// coordinate x(vertex) or for all.
+// Computes the columns of the Jacobian at the cell center, up to a positive factor, for one
+// coordinate x(vertex) or for all coordinates.
 template <typename Coordinate, typename Number>
 void FillColumns(vtkIsotable::Shapes shape, Coordinate&& x, Number* columns)
 {
@@ -50,7 +50,7 @@ void FillColumns(vtkIsotable::Shapes shape, Coordinate&& x, Number* columns)
   }
 }
 
-// getPoint(v) gives the coordinates of a vertex.
+// getPoint(v) returns the coordinates of a vertex.
 template <typename GetPoint>
 int GetDeterminantSign(vtkIsotable::Shapes shape, GetPoint&& getPoint)
 {
@@ -64,11 +64,11 @@ int GetDeterminantSign(vtkIsotable::Shapes shape, GetPoint&& getPoint)
   return determinant < 0.0 ? -1 : determinant > 0.0 ? 1 : 0;
 }
 
-// The three coordinates of a vector in single precision, and nothing in the fourth place.
+// A vector in single precision with three coordinates and a zero.
 using RoughVector = float __attribute__((vector_size(16)));
 using RoughBits = unsigned int __attribute__((vector_size(16)));
 
-// Does what FillColumns does with fewer sums, where x(0) is zero.
+// Same result as FillColumns with fewer sums, assuming that x[0] is zero.
 void FillRoughColumns(vtkIsotable::Shapes shape, const RoughVector* x, RoughVector* columns)
 {
   if (shape != vtkIsotable::HEXAHEDRON)
@@ -85,17 +85,17 @@ void FillRoughColumns(vtkIsotable::Shapes shape, const RoughVector* x, RoughVect
   columns[2] = (above + aboveBehind) - (x[1] + behind);
 }
 
-// Returns the sign of the determinant where single precision is enough to tell, else 0. With u the
-// unit of rounding and s the sum of the greatest distances from the first vertex along the axes, a
-// column is a sum of eight distances at most, 8 s long and rounded by less than 48 u s, and the
-// determinant by less than (3 * 48 * 64 + 20 * 512) u s^3, for which 2^15 u s^3 is a safe bound.
-// The sizes are such that nothing underflows or overflows.
+// Returns the sign of the determinant if single precision is sufficient, otherwise 0. Let u be the
+// unit roundoff and s the sum of the maximum distances from the first vertex along the axes. A
+// column is a sum of at most eight distances, so its length is at most 8 s and its rounding error
+// below 48 u s. The error of the determinant is below (3 * 48 * 64 + 20 * 512) u s^3, for which
+// 2^15 u s^3 is a safe bound. The range of s excludes underflow and overflow.
 template <vtkIsotable::Shapes Shape, int Vertices>
 int GetRoughSign(const float* coordinates, const vtkIdType* points)
 {
   constexpr float bound = 1.0f / (1 << 9);
-  constexpr float least = 1e-9f;
-  constexpr float most = 1e9f;
+  constexpr float minimumSize = 1e-9f;
+  constexpr float maximumSize = 1e9f;
   const auto read = [=](int v) -> RoughVector
   {
     const float* const from = coordinates + 3 * points[v];
@@ -118,8 +118,8 @@ int GetRoughSign(const float* coordinates, const vtkIdType* points)
   const float determinant = a[0] * (b[1] * c[2] - b[2] * c[1]) +
     a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
   const float size = distances[0] + distances[1] + distances[2];
-  const bool isSafe =
-    size > least && size < most && std::abs(determinant) > bound * (size * size * size);
+  const bool isSafe = size > minimumSize && size < maximumSize &&
+    std::abs(determinant) > bound * (size * size * size);
   return !isSafe ? 0 : determinant < 0.0f ? -1 : 1;
 }
 
@@ -138,7 +138,7 @@ int GetRoughSign(vtkIsotable::Shapes shape, const float* coordinates, const vtkI
   }
 }
 
-// The edges that meet at a corner, each along an axis of the cell.
+// The three edges at a corner, each along an axis of the cell.
 struct CornerEdges
 {
   std::uint8_t Ends[3][2];
@@ -157,13 +157,13 @@ constexpr CornerEdges PyramidCorners[] = { { { { 0, 1 }, { 0, 3 }, { 0, 4 } } },
   { { { 0, 1 }, { 1, 2 }, { 1, 4 } } }, { { { 3, 2 }, { 1, 2 }, { 2, 4 } } },
   { { { 3, 2 }, { 0, 3 }, { 3, 4 } } } };
 
-// Returns whether the Jacobian is positive at some corners and negative at others; \a x has the
-// coordinates of the vertices.
+// Returns whether the Jacobian is positive at some corners and negative at others. \a x contains
+// the coordinates of the vertices.
 template <std::size_t Number>
 bool HasBothSigns(const CornerEdges (&corners)[Number], const double (*x)[3])
 {
-  double least = 0.0;
-  double greatest = 0.0;
+  double minimum = 0.0;
+  double maximum = 0.0;
   for (const CornerEdges& corner : corners)
   {
     double edges[3][3];
@@ -172,12 +172,12 @@ bool HasBothSigns(const CornerEdges (&corners)[Number], const double (*x)[3])
       vtkMath::Subtract(x[corner.Ends[edge][1]], x[corner.Ends[edge][0]], edges[edge]);
     }
     const double determinant = vtkMath::Determinant3x3(edges[0], edges[1], edges[2]);
-    least = std::min(least, determinant);
-    greatest = std::max(greatest, determinant);
+    minimum = std::min(minimum, determinant);
+    maximum = std::max(maximum, determinant);
   }
-  // Corners that have nearly collapsed may have either sign.
+  // The sign is unreliable at nearly collapsed corners.
   constexpr double collapsed = 0.01;
-  return least < -collapsed * greatest && greatest > -collapsed * least;
+  return minimum < -collapsed * maximum && maximum > -collapsed * minimum;
 }
 
 // Returns whether the last finite coordinate is less than the first one.

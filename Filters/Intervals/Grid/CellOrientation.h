@@ -17,20 +17,20 @@ namespace interlume
 
 /**
  * @class   CellOrientation
- * @brief   tells whether a cell's vertices are in left-handed order
+ * @brief   determines whether a cell's vertices are in left-handed order
  *
- * The answer is the sign of the Jacobian at the middle of the cell, from its coordinates; it is one
- * for all cells of image data and rectilinear grids. A flat cell counts as right-handed.
+ * Uses the sign of the Jacobian at the center of the cell. All cells of image data and rectilinear
+ * grids have the same sign. A degenerate cell counts as right-handed.
  */
 class CellOrientation
 {
 public:
   explicit CellOrientation(vtkDataSet* input);
 
-  /// Returns whether cells differ, so that IsInverted needs their points.
+  /// Returns whether the orientation may differ between cells, so that IsInverted needs the points.
   bool IsPerCell() const { return this->Points != nullptr; }
 
-  /// Prefetches the coordinates of a point that will be asked for soon.
+  /// Prefetches the coordinates of a point that is used soon.
   void Prefetch(vtkIdType point) const
   {
     if (this->Floats)
@@ -43,13 +43,13 @@ public:
     }
   }
 
-  /// Returns whether a cell is left-handed; \a points are in the vertex order of vtkIsotable.
+  /// Returns whether a cell is left-handed. \a points are in the vertex order of vtkIsotable.
   bool IsInverted(vtkIsotable::Shapes shape, const vtkIdType* points) const
   {
     return this->GetSign(shape, points) < 0;
   }
 
-  /// Returns whether the cell of a grid of rows whose vertex 0 is \a point is left-handed.
+  /// Returns whether the cell of a structured grid whose vertex 0 is \a point is left-handed.
   bool IsInverted(const RowIndex& rows, vtkIdType point) const
   {
     if (!this->Points)
@@ -60,20 +60,21 @@ public:
   }
 
   /// Returns whether a cell is folded: its Jacobian is positive at some corners and negative at
-  /// others, as in a hexahedron with the point order of a voxel, which crosses itself.
+  /// others. For example, a hexahedron with the point order of a voxel is folded and intersects
+  /// itself.
   bool IsFolded(vtkIsotable::Shapes shape, const vtkIdType* points) const
   {
     return this->Points && shape != vtkIsotable::TETRAHEDRON && this->IsCellFolded(shape, points);
   }
 
-  /// Returns the same of the cell of a grid of rows whose vertex 0 is \a point.
+  /// Returns whether the cell of a structured grid whose vertex 0 is \a point is folded.
   bool IsFolded(const RowIndex& rows, vtkIdType point) const
   {
     return this->Points &&
       this->IsCellFolded(vtkIsotable::HEXAHEDRON, GetVertices(rows, point).data());
   }
 
-  /// Returns 1 for a right-handed cell, -1 for a left-handed one, 0 for a flat one.
+  /// Returns 1 for a right-handed, -1 for a left-handed and 0 for a degenerate cell.
   int GetSign(vtkIsotable::Shapes shape, const vtkIdType* points) const
   {
     return this->Points ? this->GetCellSign(shape, points) : this->AllInverted ? -1 : 1;

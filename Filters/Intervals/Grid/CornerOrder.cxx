@@ -11,16 +11,16 @@ namespace interlume
 
 namespace
 {
-// The corners of a hexahedron in the order that each turn puts them into. A turn is told by the
-// corner that comes first and by three bits for the corners beside it along the three axes: whether
-// the second comes before the first, the third before the second, the third before the first.
-struct HexahedronTurns
+// Corner permutations of a hexahedron. A permutation is selected by the first corner and three bits
+// that compare its neighbors along the three axes: second before first, third before second, third
+// before first.
+struct HexahedronPermutations
 {
   std::uint8_t Corners[8][8][8] = {};
 
-  static constexpr HexahedronTurns Make()
+  static constexpr HexahedronPermutations Make()
   {
-    HexahedronTurns made;
+    HexahedronPermutations made;
     for (int exchanges = 0; exchanges < 8; ++exchanges)
     {
       const int secondBeforeFirst = exchanges & 1;
@@ -43,8 +43,7 @@ struct HexahedronTurns
   }
 };
 
-// Has the ids at \a from, one by one: what was just written as eight numbers is slow to read as
-// four pairs.
+// Permutes ids one by one. Reading eight values that were just written as four pairs would stall.
 template <std::size_t... V>
 void Permute(const std::uint8_t* from, vtkIdType* ids, std::index_sequence<V...>)
 {
@@ -52,7 +51,7 @@ void Permute(const std::uint8_t* from, vtkIdType* ids, std::index_sequence<V...>
   ((ids[V] = permuted[V]), ...);
 }
 
-// A known number needs no loop.
+// Compilers unroll the loops if \a Known, the number of keys, is not 0.
 template <int Known>
 void RankKeys(const vtkIdType* keys, int number, vtkIsotable::Slot* ranks)
 {
@@ -82,8 +81,8 @@ CornerOrder::CornerOrder(vtkPointData* points)
 
 void CornerOrder::Rank(const vtkIdType* ids, int number, vtkIsotable::Slot* ranks) const
 {
-  vtkIdType room[vtkIsotable::MaximumNumberOfVertices];
-  const vtkIdType* const keys = this->GetKeys(ids, number, room);
+  vtkIdType buffer[vtkIsotable::MaximumNumberOfVertices];
+  const vtkIdType* const keys = this->GetKeys(ids, number, buffer);
   number == 8 ? RankKeys<8>(keys, number, ranks) : RankKeys<0>(keys, number, ranks);
 }
 
@@ -95,17 +94,17 @@ void CornerOrder::Turn(vtkIsotable::Shapes shape, vtkIdType* ids) const
       std::sort(ids, ids + 4, [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); });
       break;
     case vtkIsotable::PYRAMID:
-      this->TurnPyramid(ids);
+      this->PermutePyramid(ids);
       break;
     case vtkIsotable::WEDGE:
-      this->TurnWedge(ids);
+      this->PermuteWedge(ids);
       break;
     default:
-      this->TurnHexahedron(ids);
+      this->PermuteHexahedron(ids);
   }
 }
 
-void CornerOrder::TurnPyramid(vtkIdType* ids) const
+void CornerOrder::PermutePyramid(vtkIdType* ids) const
 {
   const auto before = [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); };
   std::rotate(ids, std::min_element(ids, ids + 4, before), ids + 4);
@@ -115,14 +114,14 @@ void CornerOrder::TurnPyramid(vtkIdType* ids) const
   }
 }
 
-void CornerOrder::TurnWedge(vtkIdType* ids) const
+void CornerOrder::PermuteWedge(vtkIdType* ids) const
 {
   const auto before = [this](vtkIdType a, vtkIdType b) { return this->IsBefore(a, b); };
   if (std::min_element(ids, ids + 6, before) - ids >= 3)
   {
     std::swap_ranges(ids, ids + 3, ids + 3);
   }
-  // Makes the same exchanges in both triangles.
+  // Applies the same exchange to both triangles.
   const auto order = [&](int a, int b)
   {
     if (before(ids[b], ids[a]))
@@ -136,16 +135,16 @@ void CornerOrder::TurnWedge(vtkIdType* ids) const
   order(0, 1);
 }
 
-void CornerOrder::TurnHexahedron(vtkIdType* ids) const
+void CornerOrder::PermuteHexahedron(vtkIdType* ids) const
 {
-  static constexpr HexahedronTurns turns = HexahedronTurns::Make();
-  vtkIdType room[8];
-  const vtkIdType* const keys = this->GetKeys(ids, 8, room);
+  static constexpr HexahedronPermutations permutations = HexahedronPermutations::Make();
+  vtkIdType buffer[8];
+  const vtkIdType* const keys = this->GetKeys(ids, 8, buffer);
   int corner = 0;
   vtkIdType least = keys[0];
   for (int v = 1; v < 8; ++v)
   {
-    // Which corner is the first cannot be predicted, so that there is no branch.
+    // Branchless, since the first corner is unpredictable.
     const bool isBefore = keys[v] < least;
     corner = isBefore ? v : corner;
     least = isBefore ? keys[v] : least;
@@ -153,7 +152,7 @@ void CornerOrder::TurnHexahedron(vtkIdType* ids) const
   const vtkIdType along[3] = { keys[corner ^ 1], keys[corner ^ 2], keys[corner ^ 4] };
   const int exchanges = static_cast<int>(along[1] < along[0]) |
     (static_cast<int>(along[2] < along[1]) << 1) | (static_cast<int>(along[2] < along[0]) << 2);
-  Permute(turns.Corners[corner][exchanges], ids, std::make_index_sequence<8>());
+  Permute(permutations.Corners[corner][exchanges], ids, std::make_index_sequence<8>());
 }
 
 }

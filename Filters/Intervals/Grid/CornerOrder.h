@@ -16,18 +16,18 @@ namespace interlume
 
 /**
  * @class   CornerOrder
- * @brief   the one order of a grid's points by which cells that share a face cut it alike
+ * @brief   total order of a grid's points, so that adjacent cells split shared faces identically
  *
- * It is the order of the global point ids where there are any, so that distributed pieces of a grid
- * agree, and of the point ids otherwise.
+ * It is the order of the global point ids, if available, so that partitions of a distributed grid
+ * agree. Otherwise it is the order of the point ids.
  */
 class CornerOrder
 {
 public:
-  /// Makes the order. Global ids that are not of vtkIdType are copied.
+  /// Creates the order. Global ids of a type other than vtkIdType are copied.
   explicit CornerOrder(vtkPointData* points);
 
-  /// Returns whether it is the order of the point ids.
+  /// Returns whether the order equals the point id order.
   bool IsById() const { return this->Keys == nullptr; }
 
   bool IsBefore(vtkIdType a, vtkIdType b) const
@@ -37,12 +37,12 @@ public:
 
   bool IsAscending(const vtkIdType* ids, int number) const
   {
-    vtkIdType room[vtkIsotable::MaximumNumberOfVertices];
-    const vtkIdType* const keys = this->GetKeys(ids, number, room);
+    vtkIdType buffer[vtkIsotable::MaximumNumberOfVertices];
+    const vtkIdType* const keys = this->GetKeys(ids, number, buffer);
     return number == 8 ? AreAscending<8>(keys, number) : AreAscending<0>(keys, number);
   }
 
-  /// Returns whether putting ids in ascending order takes an odd number of exchanges.
+  /// Returns whether sorting the ids is an odd permutation.
   bool IsOdd(const vtkIdType* ids, int number) const
   {
     bool isOdd = false;
@@ -56,21 +56,22 @@ public:
     return isOdd;
   }
 
-  /// Computes the rank of each corner; of equal ids, in a degenerate cell, the first corner is the
-  /// lower.
+  /// Computes the rank of each corner. If corners of a degenerate cell have equal ids, the first
+  /// one has the lower rank.
   void Rank(const vtkIdType* ids, int number, vtkIsotable::Slot* ranks) const;
 
   /**
-   * Turns a cell by a symmetry of its shape so that its first corners are in ascending order: most
-   * cells of most meshes then have their corners in the order of the table's own cut. It may be a
-   * reflection: the orientation is to be taken from the coordinates.
+   * Permutes the corners of a cell by a symmetry of its shape so that its first corners are in
+   * ascending order. Most cells of most meshes then match the precomputed triangulation of the
+   * isotable. The symmetry may be a reflection, so determine the orientation from the coordinates
+   * afterward.
    */
   void Turn(vtkIsotable::Shapes shape, vtkIdType* ids) const;
 
   /**
-   * Has output points that are half-way between two grid points computed from the one that comes
-   * first, in whatever order a piece stores them: the other way round they may be rounded
-   * otherwise. Of grid points at two time steps those from \a split on are at the second.
+   * Makes interpolation independent of the numbering within a piece: output points at the midpoint
+   * of two grid points are interpolated from the end that is first in the order. With swapped ends,
+   * rounding may differ. Ids from \a split on are points at the second time step.
    */
   template <typename Point>
   void SortHalfway(Point* points, std::size_t number, vtkIdType split = VTK_ID_MAX) const
@@ -80,7 +81,7 @@ public:
       { this->SortHalfwayInThread(points + first, points + last, split); });
   }
 
-  /// Does the same by the calling thread alone.
+  /// Same as SortHalfway(), but in the calling thread.
   template <typename Point>
   void SortHalfwayInThread(Point* first, Point* last, vtkIdType split = VTK_ID_MAX) const
   {
@@ -101,17 +102,17 @@ public:
   }
 
 private:
-  // Returns the numbers that corners are ordered by, which may be put into \a room.
-  const vtkIdType* GetKeys(const vtkIdType* ids, int number, vtkIdType* room) const
+  // Returns the sort keys of the corners, possibly stored in \a buffer.
+  const vtkIdType* GetKeys(const vtkIdType* ids, int number, vtkIdType* buffer) const
   {
     for (int v = 0; this->Keys && v < number; ++v)
     {
-      room[v] = this->Keys[ids[v]];
+      buffer[v] = this->Keys[ids[v]];
     }
-    return this->Keys ? room : ids;
+    return this->Keys ? buffer : ids;
   }
 
-  // A known number needs no loop.
+  // Compilers unroll the loop if \a Known, the number of keys, is not 0.
   template <int Known>
   static bool AreAscending(const vtkIdType* keys, int number)
   {
@@ -124,12 +125,12 @@ private:
     return ascending;
   }
 
-  void TurnPyramid(vtkIdType* ids) const;
-  void TurnWedge(vtkIdType* ids) const;
-  void TurnHexahedron(vtkIdType* ids) const;
+  void PermutePyramid(vtkIdType* ids) const;
+  void PermuteWedge(vtkIdType* ids) const;
+  void PermuteHexahedron(vtkIdType* ids) const;
 
   vtkSmartPointer<GlobalIds::Array> Array;
-  // The global id of each point, or null.
+  // Global id of each point, or null.
   const vtkIdType* Keys;
 };
 

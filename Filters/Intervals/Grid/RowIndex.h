@@ -2,7 +2,7 @@
 #ifndef interlume_RowIndex_h
 #define interlume_RowIndex_h
 
-#include "Grid/GridWindow.h"
+#include "Grid/GridCellRange.h"
 
 #include "vtkType.h"
 
@@ -14,21 +14,21 @@ namespace interlume
 
 /**
  * @class   RowIndex
- * @brief   index arithmetic of a grid of rows, in 64 bits throughout
+ * @brief   index arithmetic of a structured (i, j, k) grid, in 64 bits throughout
  *
- * Points are numbered along i, then j, then k. A row of points is numbered j + k nj; a row of cells
- * among cells only, j + k (nj - 1). Rows may be those of a window of the grid alone: ids of points
- * and cells, and indices along the axes, stay the grid's; rows, and j and k of a row, are the
- * window's.
+ * Points are numbered along i, then j, then k. A row of points has the number j + k nj, a row of
+ * cells the number j + k (nj - 1). The rows may be restricted to a window of the grid. Then ids of
+ * points and cells, and indices along axes, refer to the grid, while rows, and j and k of a row,
+ * refer to the window.
  */
 class RowIndex
 {
 public:
   explicit RowIndex(const int dimensions[3])
-    : RowIndex(dimensions, GridWindow(dimensions))
+    : RowIndex(dimensions, GridCellRange(dimensions))
   {
   }
-  RowIndex(const int dimensions[3], const GridWindow& window)
+  RowIndex(const int dimensions[3], const GridCellRange& window)
     : Nj(window.Last[1] - window.First[1] + 1)
     , Nk(window.Last[2] - window.First[2] + 1)
     , GridNi(dimensions[0])
@@ -52,11 +52,11 @@ public:
     return this->First[0] + (j + k * this->GridNj) * this->GridNi;
   }
 
-  /// Returns whether cells begin at a row of points.
+  /// Returns whether a row of cells starts at the row of points (j, k).
   bool HasCells(vtkIdType j, vtkIdType k) const { return j + 1 < this->Nj && k + 1 < this->Nk; }
 
-  /// Returns the row of the grid's cells at a row of points; for the last rows of points that of
-  /// the cells before them.
+  /// Returns the row of cells, in the grid, that starts at the row of points (j, k). For the last
+  /// rows of points, returns the preceding row of cells.
   vtkIdType GetCellRow(vtkIdType j, vtkIdType k) const
   {
     return this->First[1] + std::min(j, this->Nj - 2) +
@@ -67,7 +67,7 @@ public:
     return this->First[0] + this->GetCellRow(j, k) * (this->GridNi - 1);
   }
 
-  /// Returns the step from a point to its neighbour along an axis.
+  /// Returns the id difference to the next point along an axis.
   vtkIdType GetStep(int axis) const
   {
     return axis == 0 ? 1 : axis == 1 ? this->GridNi : this->GridNi * this->GridNj;
@@ -88,19 +88,19 @@ public:
       static_cast<int>(row - k * this->GridNj), static_cast<int>(k) } };
   }
 
-  /// Returns the axis along which two neighbours differ, 0 for equal points.
+  /// Returns the axis along which two neighbors differ, or 0 for equal points.
   int GetAxis(vtkIdType a, vtkIdType b) const
   {
     const vtkIdType step = a < b ? b - a : a - b;
-    // An axis with one point has no neighbours; its step may be that of the next.
+    // An axis with one point has no neighbors, but its step may equal the step of the next axis.
     return this->GridNk > 1 && step == this->GetStep(2) ? 2
       : this->GridNj > 1 && step == this->GetStep(1)    ? 1
                                                         : 0;
   }
 
 private:
-  // Computes a / b for 0 <= a < 2^51; a division of 64-bit integers takes several times as long.
-  // The product may come out below an integer that it should be, never a whole step above one.
+  // Computes a / b for 0 <= a < 2^51. A 64-bit integer division takes several times as long. The
+  // rounded product may be one too small, but never too large.
   static vtkIdType Divide(vtkIdType a, vtkIdType b, double inverse)
   {
     const vtkIdType near = static_cast<vtkIdType>(static_cast<double>(a) * inverse);

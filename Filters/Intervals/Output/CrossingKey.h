@@ -11,9 +11,9 @@ namespace interlume
 
 /**
  * @class   CrossingKey
- * @brief   the far end of a crossed edge and the isovalue on it, as one sortable number
+ * @brief   far end point and isovalue of an edge crossing, packed in one sortable integer
  *
- * Point ids are below 2^48 and isovalues below 2^16.
+ * Point ids must be below 2^48 and isovalue indices below 2^16.
  */
 class CrossingKey
 {

@@ -2,8 +2,8 @@
 #ifndef interlume_ExtractionBuffer_h
 #define interlume_ExtractionBuffer_h
 
-#include "Output/ExtractionMemory.h"
-#include "Output/KeptMemory.h"
+#include "Output/OutputAllocation.h"
+#include "Output/BlockPool.h"
 
 #include <cstddef>
 #include <cstdlib>
@@ -17,10 +17,10 @@ namespace interlume
 
 /**
  * @class   ExtractionBuffer
- * @brief   an array of plain values that is not filled twice
+ * @brief   array of trivial values without redundant initialization
  *
- * Unlike std::vector it leaves new values as they are, or has them zeroed by the system page by
- * page as they are first used, and so by the thread that uses them.
+ * Unlike std::vector, it leaves new values uninitialized. If zeros are requested, the operating
+ * system clears each page on first access, and thus in the thread that uses the page.
  */
 template <typename T>
 class ExtractionBuffer
@@ -30,9 +30,9 @@ class ExtractionBuffer
 public:
   void Allocate(std::size_t number)
   {
-    if (void* kept = KeptMemory::Take(GetBytes(number)))
+    if (void* pooled = BlockPool::Acquire(GetBytes(number)))
     {
-      this->Hold(kept, number, KeptMemory::Give);
+      this->Hold(pooled, number, BlockPool::Release);
     }
     else
     {
@@ -41,9 +41,9 @@ public:
   }
   void AllocateZeros(std::size_t number)
   {
-    if (void* kept = KeptMemory::Take(GetBytes(number)))
+    if (void* pooled = BlockPool::Acquire(GetBytes(number)))
     {
-      this->Hold(std::memset(kept, 0, GetBytes(number)), number, KeptMemory::Give);
+      this->Hold(std::memset(pooled, 0, GetBytes(number)), number, BlockPool::Release);
     }
     else
     {
@@ -55,7 +55,7 @@ public:
     this->Values.reset();
     this->Size = 0;
   }
-  /// Forgets all but the first \a number values.
+  /// Removes all but the first \a number values.
   void Truncate(std::size_t number) { this->Size = number; }
 
   std::size_t GetSize() const { return this->Size; }
@@ -73,7 +73,7 @@ private:
     void operator()(T* values) const { this->Free(values); }
   };
 
-  // There is room for at least one value, since an allocation of none may give null.
+  // Allocates at least one value because malloc(0) may return null.
   static std::size_t GetBytes(std::size_t number) { return (number ? number : 1) * sizeof(T); }
 
   void Take(void* memory, std::size_t number)
@@ -82,7 +82,7 @@ private:
     {
       throw std::bad_alloc();
     }
-    ExtractionMemory::PreferLargePages(memory, number * sizeof(T));
+    OutputAllocation::PreferLargePages(memory, number * sizeof(T));
     this->Hold(memory, number, std::free);
   }
 

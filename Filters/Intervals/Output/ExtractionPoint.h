@@ -8,8 +8,9 @@ namespace interlume
 {
 
 /**
- * The origin of an output point: a grid point when Near equals Far, else the point at Weight of the
- * way from Near to Far, Weight <= 1/2 since Near is the end nearer the isovalue.
+ * Origin of an output point: a grid point if Near equals Far, otherwise the point at parameter
+ * Weight on the edge from Near to Far. Near is the end closer to the isovalue, so that Weight <=
+ * 1/2.
  */
 struct ExtractionPoint
 {

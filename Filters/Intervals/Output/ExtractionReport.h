@@ -15,78 +15,76 @@ namespace interlume
  * @class   ExtractionReport
  * @brief   report of vtkIntervalVolume and vtkIsotableContour
  *
- * The sum over the leaves of a composite dataset. A coned polyhedron counts by its parts in all
- * numbers of cells except Cells.
+ * For a composite dataset, the report covers all leaves. A polyhedron that is split into parts
+ * counts as one cell in Cells. In the other cell counts, each part counts as a cell.
  */
 struct ExtractionReport
 {
-  /// The number of cells of the input.
+  /// Number of input cells.
   vtkIdType Cells = 0;
-  /// The number of cells whose values were read; the others were skipped by the index of value
-  /// ranges.
+  /// Number of cells whose values were read. The value range index skipped all other cells.
   vtkIdType CellsVisited = 0;
-  /// The number of cells that were compared as bits, which is faster: cells of image data,
-  /// rectilinear and structured grids in a contour of one value, if no cell or point is blanked,
-  /// hidden or a ghost, except for layers of ghost cells around a piece. The index of value ranges
-  /// then skips whole rows.
+  /// Number of cells classified with bit operations, which is faster. This applies to contours of
+  /// one value in image data, rectilinear grids and structured grids if no cell or point is
+  /// blanked, hidden or a ghost, except for layers of ghost cells around a piece. The value range
+  /// index then skips full rows.
   vtkIdType CellsByBits = 0;
-  /// The number of cells of the input that gave at least one simplex.
+  /// Number of input cells that produced at least one simplex.
   vtkIdType CellsWithOutput = 0;
-  /// The number of cells skipped because they have fewer than three dimensions.
+  /// Number of cells skipped because they have fewer than three dimensions.
   vtkIdType LowerDimensionalCells = 0;
-  /// Number of cells skipped because a value or a coordinate of a corner is NaN or infinite.
+  /// Number of cells skipped because a point has a NaN or infinite scalar or coordinate.
   vtkIdType NonFiniteCells = 0;
-  /// The number of cells skipped because they, or one of their points, are blanked, hidden or a
-  /// ghost.
+  /// Number of cells skipped because the cell or one of its points is blanked, hidden or a ghost.
   vtkIdType BlankedCells = 0;
-  /// The number of quadratic and higher cells taken as their linear counterpart.
+  /// Number of quadratic and higher-order cells treated as linear.
   vtkIdType LinearizedCells = 0;
-  /// The number of coned polyhedra whose parts overlap, since the mean of their points does not
-  /// see every face.
+  /// Number of split polyhedra with overlapping parts: some faces are not visible from the mean of
+  /// the points.
   vtkIdType ConcavePolyhedra = 0;
-  /// The number of cells of a type that has no three-dimensional linear counterpart.
+  /// Number of cells whose type has no three-dimensional linear counterpart.
   vtkIdType UnsupportedCells = 0;
-  /// The number of cells with output that are folded: their Jacobian is positive at some corners
-  /// and negative at others, as in hexahedra with the point order of voxels, which cross
-  /// themselves. And the number of cells of rectilinear grids where coordinates turn back or
-  /// repeat.
+  /// Number of folded cells with output. The Jacobian of a folded cell is positive at some corners
+  /// and negative at others, for example in a hexahedron with the point order of a voxel. In
+  /// rectilinear grids, the number of cells where coordinates repeat or reverse direction.
   vtkIdType FoldedCells = 0;
-  /// Of an AMR input, the number of cells that give output although cells of a finer level lie over
-  /// them, since they are not blanked; and the number of faces between cells of two levels that an
-  /// isovalue crosses, where the surfaces of the levels end apart.
+  /// For AMR input: number of cells with output that are not blanked although finer cells cover
+  /// them, and number of faces between two levels that an isovalue crosses. The surfaces of the two
+  /// levels do not meet at such faces.
   vtkIdType CoveredCells = 0;
   vtkIdType LevelFaces = 0;
-  /// The number of simplices of the tables' cases not emitted since values equal a bound, or
-  /// corners of a cell are one point: they have no volume.
+  /// Number of simplices of table cases that were omitted because they are degenerate: values equal
+  /// a bound, or points of a cell coincide.
   vtkIdType CollapsedSimplices = 0;
-  /// The number of cells passed on whole, and of non-planar quadrilaterals between such a cell and
-  /// tetrahedra of its interval: there a line of sight may find a gap or an overlap as thick as the
-  /// face is bent. 0 without KeepWholeCells.
+  /// Number of cells inside an interval that are passed through uncut, and number of non-planar
+  /// quadrilaterals between such a cell and tetrahedra of the same interval. At a non-planar face,
+  /// a view ray may encounter a gap or an overlap. 0 without KeepInteriorCells.
   vtkIdType InteriorCells = 0;
   vtkIdType NonPlanarFaces = 0;
-  /// The numbers of point arrays interpolated (coordinates not counted) and of cell arrays copied.
+  /// Number of interpolated point arrays (without coordinates) and of copied cell arrays.
   int ArraysInterpolated = 0;
   int ArraysCopied = 0;
-  /// The number of passes over a mesh: 1, and one more for each further criterion.
+  /// Number of passes over a mesh: 1, plus one for each additional criterion.
   int Passes = 0;
-  /// The largest number of bytes of working memory held, input and output not counted.
+  /// Peak size of the working memory in bytes, without input and output.
   vtkIdType WorkingBytes = 0;
-  /// With KeepMemory: the number of bytes of retained blocks that the execution reused for outputs
-  /// and working memory, and of blocks that were unused at its end. Blocks of less than 64 KiB are
-  /// not retained.
+  /// With ReuseMemory: number of bytes that this execution reused from pooled blocks for outputs
+  /// and working memory, and size of the blocks idle at its end. Blocks below 64 KiB are not
+  /// pooled.
   vtkIdType ReusedBytes = 0;
   vtkIdType IdleBytes = 0;
-  /// The number of cells with output of each process, if the filter's ReportBalance is on and each
-  /// process extracts its piece. Empty otherwise.
+  /// Number of cells with output per process if the filter's ReportBalance is on and each process
+  /// extracts its own piece. Empty otherwise.
   std::vector<vtkIdType> CellsPerProcess;
 
-  /// Returns the largest number of cells with output of one process divided by the mean over all
-  /// processes, or 0 if CellsPerProcess is empty or has only zeros. 1 is an even balance.
+  /// Returns the load balance: the maximum number of cells with output per process, divided by the
+  /// mean over all processes. 1 is perfect balance. Returns 0 if CellsPerProcess is empty or all
+  /// zeros.
   double GetBalance() const;
 
-  /// Adds the counts of cells and simplices; keeps the larger of the other numbers.
+  /// Adds the counts of cells and simplices. Of any other value, takes the maximum.
   void Add(const ExtractionReport& other);
-  /// Copies all values, and Balance.
+  /// Copies all values and the balance to \a report.
   void CopyTo(vtkInterlumeReport* report) const;
 };
 

@@ -10,8 +10,8 @@ namespace interlume
 namespace Interpolation
 {
 
-/// Interpolates between two values: exact where near equals far, and near itself for a grid point,
-/// whatever far holds.
+/// Interpolates linearly between two values. The result is exact if \a near equals \a far. At
+/// weight 0 the result is \a near, even if \a far is not finite.
 template <typename Out>
 Out Between(double near, double far, double weight)
 {
@@ -20,7 +20,7 @@ Out Between(double near, double far, double weight)
     return static_cast<Out>(near);
   }
   const double step = far - near;
-  // The step between two finite values may not be finite.
+  // The difference of two finite values may overflow.
   return static_cast<Out>(
     std::isfinite(step) ? near + weight * step : near * (1.0 - weight) + far * weight);
 }

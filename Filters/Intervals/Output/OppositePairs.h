@@ -14,27 +14,30 @@ namespace interlume
 
 /**
  * @class   OppositePairs
- * @brief   simplices with the same points and opposite orientation, which cancel
+ * @brief   finds pairs of simplices with the same points and opposite orientation
+ *
+ * Such pairs cancel.
  */
 class OppositePairs
 {
 public:
-  /// A simplex by its ids in ascending order; the ids include whatever else tells simplices apart.
+  /// A simplex with its ids in ascending order. The ids may include a group number, so that only
+  /// simplices of the same group match.
   template <typename Id, std::size_t Size>
   struct Entry
   {
     std::array<Id, Size> Key;
-    /// Whether sorting took an odd number of exchanges.
+    /// If true, sorting the ids took an odd number of exchanges.
     bool IsOdd;
-    std::size_t Place;
+    std::size_t Index;
 
     bool operator<(const Entry& other) const
     {
-      return this->Key != other.Key ? this->Key < other.Key : this->Place < other.Place;
+      return this->Key != other.Key ? this->Key < other.Key : this->Index < other.Index;
     }
   };
 
-  /// Sorts \a number ids; returns whether it took an odd number of exchanges.
+  /// Sorts \a number ids. Returns true if sorting took an odd number of exchanges.
   template <typename Id>
   static bool Sort(Id* ids, int number)
   {
@@ -53,8 +56,8 @@ public:
     return isOdd;
   }
 
-  /// Calls remove(place) for both of each pair. Among simplices that are there several times those
-  /// in the first places go. Sorts the entries.
+  /// Sorts the entries and calls remove(index) for both simplices of each pair. Among identical
+  /// simplices, those with the lowest indices are removed.
   template <typename Id, std::size_t Size, typename Remover>
   static void Find(std::vector<Entry<Id, Size>>& entries, Remover&& remove)
   {
@@ -70,13 +73,13 @@ public:
       {
         if (pairs[first->IsOdd]-- > 0)
         {
-          remove(first->Place);
+          remove(first->Index);
         }
       }
     }
   }
 
-  /// Removes the pairs from a list of simplices, of which the first \a Size ids are the points.
+  /// Removes the pairs from a list of simplices. The first \a Size ids of a simplex are its points.
   template <std::size_t Size, typename Simplex>
   static void Remove(std::vector<Simplex>& simplices)
   {
@@ -90,42 +93,42 @@ public:
     {
       std::copy_n(simplices[s].begin(), Size, entries[s].Key.begin());
       entries[s].IsOdd = Sort(entries[s].Key.data(), static_cast<int>(Size));
-      entries[s].Place = s;
+      entries[s].Index = s;
     }
     std::vector<bool> isRemoved;
     Find(entries,
-      [&](std::size_t place)
+      [&](std::size_t index)
       {
         isRemoved.resize(simplices.size(), false);
-        isRemoved[place] = true;
+        isRemoved[index] = true;
       });
     if (!isRemoved.empty())
     {
-      std::size_t kept = 0;
+      std::size_t retained = 0;
       for (std::size_t s = 0; s < simplices.size(); ++s)
       {
         if (!isRemoved[s])
         {
-          simplices[kept++] = simplices[s];
+          simplices[retained++] = simplices[s];
         }
       }
-      simplices.resize(kept);
+      simplices.resize(retained);
     }
   }
 
 private:
-  // Returns whether two simplices may have the same points, which is quick, since in most lists
-  // none have.
+  // Returns true if two simplices may have the same points. This quick test rejects most lists
+  // because duplicates are rare.
   template <std::size_t Size, typename Simplex>
   static bool MayHaveEqual(const std::vector<Simplex>& simplices)
   {
-    constexpr std::size_t most = 256;
+    constexpr std::size_t maximum = 256;
     const std::size_t number = simplices.size();
-    if (number > most)
+    if (number > maximum)
     {
       return true;
     }
-    std::array<std::uint64_t, most> marks;
+    std::array<std::uint64_t, maximum> marks;
     for (std::size_t s = 0; s < number; ++s)
     {
       marks[s] = 0;

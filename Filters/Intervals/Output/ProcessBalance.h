@@ -11,15 +11,15 @@ struct ExtractionReport;
 
 /**
  * @class   ProcessBalance
- * @brief   what the processes of an extraction in pieces tell each other of their work
+ * @brief   gathers the extraction load of all processes
  */
 class ProcessBalance
 {
 public:
   /**
-   * Puts the cells with output of all processes into the report, and both that and the balance into
-   * the field data of the filter's first output. Collective where the filter was asked for the
-   * piece of this process among as many pieces as there are processes; else nothing is done.
+   * Gathers the number of cells with output in each process into the report, and adds the counts
+   * and the load balance to the field data of the filter's first output. This call is collective if
+   * each process requested its own piece from the filter. Otherwise it does nothing.
    */
   static void Gather(vtkAlgorithm* filter, ExtractionReport& report);
 };

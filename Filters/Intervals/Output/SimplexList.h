@@ -3,8 +3,8 @@
 #define interlume_SimplexList_h
 
 #include "Output/ExtractionBuffer.h"
-#include "Output/IdRun.h"
-#include "Output/KeptRuns.h"
+#include "Output/StridedIdBlock.h"
+#include "Output/RetainedIdRanges.h"
 #include "Output/ThreadGrain.h"
 
 #include "vtkCellArray.h"
@@ -26,14 +26,14 @@ namespace interlume
 
 /**
  * @class   SimplexList
- * @brief   the point ids of tetrahedra or triangles, in 32 bits where they fit
+ * @brief   point ids of tetrahedra or triangles, stored in 32 bits if they fit
  *
- * Whole cells of any number of points may follow the simplices; their places are those of their
- * first ids among the ids of all whole cells.
+ * Interior cells, which have any number of points and are passed through uncut, may follow the
+ * simplices. The position of such a cell is the index of its first id among the ids of all interior
+ * cells.
  *
- * 32 bits are enough while neither a point id nor the length of the list passes 2^31 - 1; the
- * vtkCellArray that is made of the list has the same width, since half of the bytes is half of the
- * time.
+ * 32 bits suffice unless a point id or the length of the list exceeds 2^31 - 1. The vtkCellArray
+ * built from the list has the same width. Writing half the bytes takes half the time.
  */
 class SimplexList
 {
@@ -42,30 +42,30 @@ public:
 
   static bool AreIdsNarrow(vtkIdType numberOfPoints, vtkIdType numberOfIds)
   {
-    constexpr vtkIdType most = std::numeric_limits<vtkTypeInt32>::max();
-    return numberOfPoints <= most && numberOfIds <= most;
+    constexpr vtkIdType maximum = std::numeric_limits<vtkTypeInt32>::max();
+    return numberOfPoints <= maximum && numberOfIds <= maximum;
   }
 
-  /// Makes room for \a number simplices of \a size points each, and for \a wholeCells with
-  /// \a wholeIds points in all.
-  void Allocate(vtkIdType number, int size, vtkIdType numberOfPoints, vtkIdType wholeCells = 0,
-    vtkIdType wholeIds = 0)
+  /// Allocates \a number simplices of \a size points each, and \a interiorCells interior cells with
+  /// \a interiorIds points in total.
+  void Allocate(vtkIdType number, int size, vtkIdType numberOfPoints, vtkIdType interiorCells = 0,
+    vtkIdType interiorIds = 0)
   {
     this->Number = number;
     this->Size = size;
-    this->NumberOfWhole = wholeCells;
+    this->NumberOfInteriorCells = interiorCells;
     this->Narrow = {};
     this->Wide = {};
-    const vtkIdType ids = number * size + wholeIds;
+    const vtkIdType ids = number * size + interiorIds;
     const auto allocate = [&](auto& list)
     {
       using Array = std::decay_t<decltype(*list.Values)>;
       list.Values = vtkSmartPointer<Array>::New();
-      ExtractionMemory::SetNumberOfTuples(list.Values, ids);
-      if (wholeCells > 0)
+      OutputAllocation::SetNumberOfTuples(list.Values, ids);
+      if (interiorCells > 0)
       {
         list.Offsets = this->NewOffsets<Array>();
-        Set(list.Offsets->GetPointer(0)[number + wholeCells], ids);
+        Set(list.Offsets->GetPointer(0)[number + interiorCells], ids);
       }
     };
     AreIdsNarrow(numberOfPoints, ids) ? allocate(this->Narrow) : allocate(this->Wide);
@@ -73,9 +73,10 @@ public:
   }
 
   vtkIdType GetNumber() const { return this->Number; }
-  vtkIdType GetNumberOfWhole() const { return this->NumberOfWhole; }
+  vtkIdType GetNumberOfInteriorCells() const { return this->NumberOfInteriorCells; }
 
-  /// Returns the number of ids of all cells, and one of them; those of whole cells are the last.
+  /// Returns the number of ids of all cells, and the id at an index. The ids of interior cells come
+  /// last.
   vtkIdType GetNumberOfIds() const
   {
     vtkIdType number = 0;
@@ -88,27 +89,27 @@ public:
                           : static_cast<vtkIdType>(this->Narrow.Ids[at]);
   }
 
-  /// Returns the places [first, last) of a whole cell's ids among all ids.
-  std::pair<vtkIdType, vtkIdType> GetWhole(vtkIdType cell) const
+  /// Returns the index range [first, last) of the ids of an interior cell.
+  std::pair<vtkIdType, vtkIdType> GetInteriorIdRange(vtkIdType cell) const
   {
     const vtkIdType at = this->Number + cell;
-    std::pair<vtkIdType, vtkIdType> places;
-    this->VisitAll([&](auto*, const auto* offsets) { places = { offsets[at], offsets[at + 1] }; });
-    return places;
+    std::pair<vtkIdType, vtkIdType> range;
+    this->VisitAll([&](auto*, const auto* offsets) { range = { offsets[at], offsets[at + 1] }; });
+    return range;
   }
 
-  /// Calls visit(cell, ids, number) for the whole cells, by any number of threads.
+  /// Calls visit(cell, ids, number) for all interior cells in parallel.
   template <typename Visitor>
-  void ForEachWhole(Visitor&& visit) const
+  void ForEachInteriorCell(Visitor&& visit) const
   {
-    if (this->NumberOfWhole == 0)
+    if (this->NumberOfInteriorCells == 0)
     {
       return;
     }
     this->VisitAll(
       [&](const auto* values, const auto* offsets)
       {
-        vtkSMPTools::For(0, this->NumberOfWhole,
+        vtkSMPTools::For(0, this->NumberOfInteriorCells,
           [&, offsets = offsets + this->Number](vtkIdType first, vtkIdType last)
           {
             std::vector<vtkIdType> ids;
@@ -121,10 +122,10 @@ public:
       });
   }
 
-  /// Writes a whole cell, whose ids begin at \a place.
-  void WriteWhole(vtkIdType cell, vtkIdType place, const vtkIdType* ids, int number)
+  /// Writes an interior cell whose ids begin at position \a position.
+  void WriteInteriorCell(vtkIdType cell, vtkIdType position, const vtkIdType* ids, int number)
   {
-    const vtkIdType first = this->Number * this->Size + place;
+    const vtkIdType first = this->Number * this->Size + position;
     this->VisitAll(
       [&](auto* values, auto* offsets)
       {
@@ -141,7 +142,8 @@ public:
     return this->GetIdAt(simplex * this->Size + point);
   }
 
-  /// Writes \a number simplices from the first on, given by slots; \a ids has the id of each slot.
+  /// Writes \a number simplices, beginning at index \a first. The simplices consist of slots, and
+  /// \a ids holds the id of each slot.
   void Write(vtkIdType first, const vtkIsotable::Simplex* simplices, std::size_t number,
     const vtkIdType* ids, bool isInverted)
   {
@@ -153,20 +155,21 @@ public:
       });
   }
 
-  /// Writes \a cells times \a number simplices from the first on, which are those \a number before
-  /// them with each id one more.
+  /// Writes \a cells copies of the \a number simplices before \a first. Each copy has the ids of
+  /// the previous one plus 1.
   void WriteNext(vtkIdType first, std::size_t number, vtkIdType cells)
   {
     const int ids = static_cast<int>(number) * this->Size;
-    const vtkIdType place = first * this->Size;
-    // Ids that were streamed are not in the cache where the next run begins with them.
-    constexpr vtkIdType leastCells = 4;
-    if (this->IsStreamed && cells >= leastCells)
+    const vtkIdType position = first * this->Size;
+    // Short runs are not streamed because the next run begins by reading the last ids from the
+    // cache.
+    constexpr vtkIdType minimumCells = 4;
+    if (this->IsStreamed && cells >= minimumCells)
     {
-      IdRun::Stream(this->Narrow.Ids + place, ids, cells);
+      StridedIdBlock::Stream(this->Narrow.Ids + position, ids, cells);
       return;
     }
-    this->Visit([&](auto* values) { IdRun::Write(values + place, ids, cells); });
+    this->Visit([&](auto* values) { StridedIdBlock::Write(values + position, ids, cells); });
   }
 
   /// Writes one simplex.
@@ -182,7 +185,7 @@ public:
       });
   }
 
-  /// Writes all simplices: each has points of its own, in the order of their ids.
+  /// Writes all simplices with consecutive ids, so that no two simplices share a point.
   void NumberConsecutively()
   {
     this->Visit(
@@ -199,20 +202,20 @@ public:
       });
   }
 
-  /// Moves the simplices that stay to the front.
-  void Keep(const KeptRuns& kept)
+  /// Removes all simplices except the retained ones.
+  void Keep(const RetainedIdRanges& retained)
   {
-    this->Visit([&](auto* values) { kept.Compact(values, this->Size); });
+    this->Visit([&](auto* values) { retained.Compact(values, this->Size); });
   }
 
-  /// Calls \a visit(ids) with the ids of all cells, in the type they are stored in.
+  /// Calls \a visit(ids) with the ids of all cells, in their storage type.
   template <typename Visitor>
   void Visit(Visitor&& visit) const
   {
     this->VisitList([&visit](const auto& list) { visit(list.Ids); });
   }
 
-  /// Calls \a visit(id) for the points of all cells, by any number of threads.
+  /// Calls \a visit(id) for the points of all cells in parallel.
   template <typename Visitor>
   void ForEachId(Visitor&& visit)
   {
@@ -225,62 +228,63 @@ public:
       });
   }
 
-  /// Forgets all but the first \a number simplices; the whole cells follow these.
+  /// Removes all but the first \a number simplices, and moves the interior cells after them.
   void Truncate(vtkIdType number)
   {
-    const vtkIdType gone = this->Number - number;
+    const vtkIdType removed = this->Number - number;
     const vtkIdType before = this->GetNumberOfIds();
-    if (this->NumberOfWhole > 0)
+    if (this->NumberOfInteriorCells > 0)
     {
       this->VisitAll(
         [&](auto* values, auto* offsets)
         {
           std::copy(
             values + this->Number * this->Size, values + before, values + number * this->Size);
-          for (vtkIdType cell = 0; cell <= this->NumberOfWhole; ++cell)
+          for (vtkIdType cell = 0; cell <= this->NumberOfInteriorCells; ++cell)
           {
-            Set(offsets[number + cell], offsets[this->Number + cell] - gone * this->Size);
+            Set(offsets[number + cell], offsets[this->Number + cell] - removed * this->Size);
           }
         });
     }
     this->Number = number;
-    this->Shorten(before - gone * this->Size);
+    this->Shorten(before - removed * this->Size);
   }
 
-  /// Leaves out the whole cells that are marked.
-  void RemoveWhole(const std::vector<bool>& isRemoved)
+  /// Removes the marked interior cells.
+  void RemoveInteriorCells(const std::vector<bool>& isRemoved)
   {
-    vtkIdType kept = 0;
-    vtkIdType place = this->Number * this->Size;
-    for (vtkIdType cell = 0; cell < this->NumberOfWhole; ++cell)
+    vtkIdType retained = 0;
+    vtkIdType position = this->Number * this->Size;
+    for (vtkIdType cell = 0; cell < this->NumberOfInteriorCells; ++cell)
     {
-      const auto ids = this->GetWhole(cell);
+      const auto ids = this->GetInteriorIdRange(cell);
       if (!isRemoved[cell])
       {
         this->VisitAll(
           [&](auto* values, auto* offsets)
           {
-            std::copy(values + ids.first, values + ids.second, values + place);
-            Set(offsets[this->Number + kept], place);
+            std::copy(values + ids.first, values + ids.second, values + position);
+            Set(offsets[this->Number + retained], position);
           });
-        place += ids.second - ids.first;
-        ++kept;
+        position += ids.second - ids.first;
+        ++retained;
       }
     }
-    this->VisitAll([&](auto*, auto* offsets) { Set(offsets[this->Number + kept], place); });
-    this->NumberOfWhole = kept;
-    this->Shorten(place);
+    this->VisitAll([&](auto*, auto* offsets) { Set(offsets[this->Number + retained], position); });
+    this->NumberOfInteriorCells = retained;
+    this->Shorten(position);
   }
 
-  /// Gives the points that stay, of \a numberOfPoints, their new ids; the cells use no others.
-  void RemovePoints(const KeptRuns& kept, vtkIdType numberOfPoints)
+  /// Renumbers the points after all but the retained ones of \a numberOfPoints points were removed.
+  /// The cells must use retained points only.
+  void RemovePoints(const RetainedIdRanges& retained, vtkIdType numberOfPoints)
   {
     this->Visit(
       [&](auto* values)
       {
         ExtractionBuffer<std::decay_t<decltype(*values)>> newIds;
         newIds.Allocate(numberOfPoints);
-        kept.FillIds(newIds.GetData());
+        retained.FillIds(newIds.GetData());
         vtkSMPTools::For(0, this->GetNumberOfIds(), ThreadGrain,
           [values, ids = newIds.GetData()](vtkIdType first, vtkIdType last)
           {
@@ -292,7 +296,7 @@ public:
       });
   }
 
-  /// Makes the cells, which hold the list's own memory.
+  /// Creates the cell array, which shares the memory of the list.
   vtkSmartPointer<vtkCellArray> MakeCells()
   {
     auto cells = vtkSmartPointer<vtkCellArray>::New();
@@ -301,7 +305,7 @@ public:
     return cells;
   }
 
-  /// Makes a copy of the simplices alone.
+  /// Returns a copy of the simplices, without the interior cells.
   SimplexList CopySimplices() const
   {
     SimplexList copy;
@@ -319,13 +323,13 @@ public:
   }
 
 private:
-  // The ids of all cells, and their memory: simplices are written one by one.
+  // The ids of all cells, and a raw pointer to them for fast writing.
   template <typename Array>
   struct IdList
   {
     vtkSmartPointer<Array> Values;
     typename Array::ValueType* Ids = nullptr;
-    // The offsets of all cells, where there are whole cells; else null.
+    // The offsets of all cells, or null if there are no interior cells.
     vtkSmartPointer<Array> Offsets;
 
     void FindIds() { this->Ids = this->Values ? this->Values->GetPointer(0) : nullptr; }
@@ -335,11 +339,11 @@ private:
   {
     this->Narrow.FindIds();
     this->Wide.FindIds();
-    this->IsStreamed =
-      this->Size == 4 && this->Narrow.Ids && IdRun::IsStreamed(this->Narrow.Ids, this->Number);
+    this->IsStreamed = this->Size == 4 && this->Narrow.Ids &&
+      StridedIdBlock::IsStreamed(this->Narrow.Ids, this->Number);
   }
 
-  // Visits the list that is there.
+  // Visits the list in use.
   template <typename Visitor>
   void VisitList(Visitor&& visit) const
   {
@@ -353,22 +357,22 @@ private:
     }
   }
 
-  // Gives up the room after the last cell, whose ids end at \a ids.
+  // Releases the capacity after the last cell, whose ids end at \a ids.
   void Shorten(vtkIdType ids)
   {
     this->VisitList(
       [&](const auto& list)
       {
-        ExtractionMemory::Shorten(list.Values, ids);
+        OutputAllocation::Shorten(list.Values, ids);
         if (list.Offsets)
         {
-          ExtractionMemory::Shorten(list.Offsets, this->Number + this->NumberOfWhole + 1);
+          OutputAllocation::Shorten(list.Offsets, this->Number + this->NumberOfInteriorCells + 1);
         }
       });
     this->FindIds();
   }
 
-  // Visits the ids and the offsets, where there are whole cells.
+  // Visits the ids and the offsets. Requires interior cells.
   template <typename Visitor>
   void VisitAll(Visitor&& visit) const
   {
@@ -401,32 +405,33 @@ private:
   vtkSmartPointer<Array> NewOffsets() const
   {
     auto offsets = vtkSmartPointer<Array>::New();
-    ExtractionMemory::SetNumberOfTuples(offsets, this->Number + this->NumberOfWhole + 1);
+    OutputAllocation::SetNumberOfTuples(offsets, this->Number + this->NumberOfInteriorCells + 1);
     return offsets;
   }
 
-  // Completes the offsets; those of whole cells, where there are any, are there.
+  // Fills the offsets of the simplices. The offsets of interior cells are already set.
   template <typename Array>
-  vtkSmartPointer<Array> MakeOffsets(const vtkSmartPointer<Array>& ofWhole) const
+  vtkSmartPointer<Array> MakeOffsets(const vtkSmartPointer<Array>& interiorOffsets) const
   {
     using Id = typename Array::ValueType;
-    const vtkSmartPointer<Array> offsets = ofWhole ? ofWhole : this->NewOffsets<Array>();
+    const vtkSmartPointer<Array> offsets =
+      interiorOffsets ? interiorOffsets : this->NewOffsets<Array>();
     Id* values = offsets->GetPointer(0);
     const Id size = this->Size;
     const bool isStreamed = this->IsStreamed;
-    vtkSMPTools::For(0, this->Number + (ofWhole ? 0 : 1), ThreadGrain,
+    vtkSMPTools::For(0, this->Number + (interiorOffsets ? 0 : 1), ThreadGrain,
       [values, size, isStreamed](vtkIdType first, vtkIdType last)
-      { IdRun::FillMultiples(values, size, first, last, isStreamed); });
+      { StridedIdBlock::FillMultiples(values, size, first, last, isStreamed); });
     return offsets;
   }
 
   vtkIdType Number = 0;
   int Size = 4;
-  vtkIdType NumberOfWhole = 0;
-  // One of these is there.
+  vtkIdType NumberOfInteriorCells = 0;
+  // Only one of these lists is in use.
   IdList<vtkTypeInt32Array> Narrow;
   IdList<vtkTypeInt64Array> Wide;
-  // Whether runs of ids are written past the cache.
+  // If true, runs of ids are written without loading them into the cache.
   bool IsStreamed = false;
 };
 

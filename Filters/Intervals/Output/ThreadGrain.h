@@ -7,8 +7,8 @@
 namespace interlume
 {
 
-/// The least work for a thread, where an item is a point or a simplex: less is done sooner than
-/// another thread has started.
+/// Minimum number of points or simplices per thread. Processing fewer takes less time than starting
+/// a thread.
 constexpr vtkIdType ThreadGrain = 8192;
 
 }

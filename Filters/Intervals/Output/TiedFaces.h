@@ -18,12 +18,12 @@ namespace interlume
 
 /**
  * @class   TiedFaces
- * @brief   tells which boundary cells of \a Corners points are faces of simplices
+ * @brief   finds boundary cells, of \a Corners points each, that are faces of simplices
  *
- * Where values equal a bound, boundary cells come from both sides of nothing, or from a part that
- * has no volume. Add() takes them, each of a group; Cancel() takes away pairs with the same points
- * and opposite orientation; Count() is told the faces of all simplices near, by any number of
- * threads; Visit() tells what was found.
+ * If values equal a bound, boundary cells may occur in opposite pairs that enclose no volume, or
+ * bound a degenerate region. Add() adds boundary cells with their group. Cancel() removes pairs
+ * with the same points and opposite orientation. Count() accepts the faces of all nearby simplices,
+ * from several threads. Visit() reports the result.
  */
 template <int Corners>
 class TiedFaces
@@ -36,24 +36,25 @@ public:
 
   bool IsEmpty() const { return this->Entries.empty(); }
 
-  /// Adds a boundary cell; \a place is the caller's number for it.
-  void Add(vtkIdType group, const vtkIdType* ids, std::size_t place)
+  /// Adds a boundary cell. \a index identifies it for the caller.
+  void Add(vtkIdType group, const vtkIdType* ids, std::size_t index)
   {
-    this->Entries.push_back(MakeEntry(group, ids, place));
+    this->Entries.push_back(MakeEntry(group, ids, index));
   }
 
-  /// Takes away pairs of a group, and calls remove(place) for both.
+  /// Removes pairs within a group, and calls remove(index) for both cells.
   template <typename Remover>
   void Cancel(Remover&& remove)
   {
-    std::vector<std::size_t> gone;
-    OppositePairs::Find(this->Entries, [&](std::size_t place) { gone.push_back(place); });
-    std::sort(gone.begin(), gone.end());
+    std::vector<std::size_t> removed;
+    OppositePairs::Find(this->Entries, [&](std::size_t index) { removed.push_back(index); });
+    std::sort(removed.begin(), removed.end());
     this->Entries.erase(std::remove_if(this->Entries.begin(), this->Entries.end(),
-                          [&gone](const Entry& entry)
-                          { return std::binary_search(gone.begin(), gone.end(), entry.Place); }),
+                          [&removed](const Entry& entry) {
+                            return std::binary_search(removed.begin(), removed.end(), entry.Index);
+                          }),
       this->Entries.end());
-    std::for_each(gone.begin(), gone.end(), remove);
+    std::for_each(removed.begin(), removed.end(), remove);
     for (const Entry& entry : this->Entries)
     {
       std::for_each(
@@ -62,32 +63,34 @@ public:
     this->Uses = std::vector<Use>(this->Entries.size());
   }
 
-  /// Returns whether enough of the points are those of boundary cells for a face to be one.
+  /// Returns true if at least \a Corners of the points belong to boundary cells, so that a face may
+  /// be a boundary cell.
   bool IsNear(const vtkIdType* ids, int number) const
   {
     return std::count_if(ids, ids + number, [this](vtkIdType id) { return this->Near[id]; }) >=
       Corners;
   }
 
-  /// Counts a face of a simplex, outward.
+  /// Counts an outward-oriented face of a simplex.
   void Count(vtkIdType group, const vtkIdType* face, vtkIdType simplex)
   {
-    const Entry wanted = MakeEntry(group, face, 0);
-    for (auto at = std::lower_bound(this->Entries.begin(), this->Entries.end(), wanted);
-         at != this->Entries.end() && at->Key == wanted.Key; ++at)
+    const Entry target = MakeEntry(group, face, 0);
+    for (auto at = std::lower_bound(this->Entries.begin(), this->Entries.end(), target);
+         at != this->Entries.end() && at->Key == target.Key; ++at)
     {
-      this->Uses[at - this->Entries.begin()].Add(at->IsOdd == wanted.IsOdd, simplex);
+      this->Uses[at - this->Entries.begin()].Add(at->IsOdd == target.IsOdd, simplex);
     }
   }
 
-  /// Calls visit(place, isFace, simplex) for the cells that Cancel() has left, with whether each is
-  /// a face more often than turned over, and of which simplex first.
+  /// Calls visit(index, isFace, simplex) for the cells remaining after Cancel(). \a isFace is true
+  /// if more of the counted faces have the orientation of the cell than the opposite orientation.
+  /// \a simplex is the first simplex with that face.
   template <typename Visitor>
   void Visit(Visitor&& visit) const
   {
     for (std::size_t e = 0; e < this->Entries.size(); ++e)
     {
-      visit(this->Entries[e].Place, this->Uses[e].Net.load() > 0, this->Uses[e].First.load());
+      visit(this->Entries[e].Index, this->Uses[e].Net.load() > 0, this->Uses[e].First.load());
     }
   }
 
@@ -99,26 +102,27 @@ private:
     std::atomic<int> Net{ 0 };
     std::atomic<vtkIdType> First{ std::numeric_limits<vtkIdType>::max() };
 
-    void Add(bool isAlike, vtkIdType simplex)
+    void Add(bool isSameOrientation, vtkIdType simplex)
     {
-      this->Net.fetch_add(isAlike ? 1 : -1, std::memory_order_relaxed);
+      this->Net.fetch_add(isSameOrientation ? 1 : -1, std::memory_order_relaxed);
       vtkIdType first = this->First.load(std::memory_order_relaxed);
-      while (isAlike && simplex < first && !this->First.compare_exchange_weak(first, simplex))
+      while (
+        isSameOrientation && simplex < first && !this->First.compare_exchange_weak(first, simplex))
       {
       }
     }
   };
 
-  static Entry MakeEntry(vtkIdType group, const vtkIdType* ids, std::size_t place)
+  static Entry MakeEntry(vtkIdType group, const vtkIdType* ids, std::size_t index)
   {
-    Entry entry{ { { group } }, false, place };
+    Entry entry{ { { group } }, false, index };
     std::copy_n(ids, Corners, entry.Key.begin() + 1);
     entry.IsOdd = OppositePairs::Sort(entry.Key.data() + 1, Corners);
     return entry;
   }
 
   std::vector<bool> Near;
-  // The boundary cells, sorted from Cancel() on.
+  // The boundary cells, sorted after Cancel().
   std::vector<Entry> Entries;
   std::vector<Use> Uses;
 };

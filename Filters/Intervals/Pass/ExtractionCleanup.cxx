@@ -2,9 +2,9 @@
 #include "Pass/ExtractionCleanup.h"
 
 #include "Arrays/PointArrays.h"
-#include "Grid/WholeCells.h"
+#include "Grid/InteriorCellFilter.h"
 #include "Output/OppositePairs.h"
-#include "Pass/WholeFaces.h"
+#include "Pass/InteriorFaces.h"
 
 #include "vtkCellData.h"
 #include "vtkIdList.h"
@@ -22,56 +22,58 @@ namespace
 {
 using Triple = std::array<vtkIdType, 3>;
 
-// Faces of a tetrahedron, counterclockwise from outside, by the vertex they leave out.
+// Faces of a tetrahedron, counterclockwise as seen from outside, by the vertex that they do not
+// contain.
 constexpr int FacesOutward[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
-// Leaves out some simplices, whose places increase.
+// Removes the simplices with the given indices, which must be in increasing order.
 void RemoveSimplices(ExtractionMesh& mesh, const std::vector<vtkIdType>& removed)
 {
-  const KeptRuns kept(removed, mesh.Simplices.GetNumber());
-  mesh.Simplices.Keep(kept);
+  const RetainedIdRanges retained(removed, mesh.Simplices.GetNumber());
+  mesh.Simplices.Keep(retained);
   if (mesh.HasSeveralItems)
   {
-    kept.Compact(mesh.ItemIds->GetPointer(0), 1);
+    retained.Compact(mesh.ItemIds->GetPointer(0), 1);
   }
   if (mesh.CellIds.GetSize() > 0)
   {
-    kept.Compact(mesh.CellIds.GetData(), 1);
+    retained.Compact(mesh.CellIds.GetData(), 1);
   }
-  mesh.TruncateSimplices(kept.GetNumber());
+  mesh.TruncateSimplices(retained.GetNumber());
 }
 
-// Leaves out the whole cells that are marked, after \a simplicesGone simplices.
-void RemoveWhole(ExtractionMesh& mesh, const std::vector<bool>& isRemoved, vtkIdType simplicesGone)
+// Removes the marked interior cells after \a removedSimplices simplices were removed.
+void RemoveInteriorCells(
+  ExtractionMesh& mesh, const std::vector<bool>& isRemoved, vtkIdType removedSimplices)
 {
   const vtkIdType simplices = mesh.Simplices.GetNumber();
-  std::vector<vtkIdType> newPlaces(isRemoved.size(), -1);
-  vtkIdType kept = simplices;
+  std::vector<vtkIdType> newIndices(isRemoved.size(), -1);
+  vtkIdType retained = simplices;
   for (std::size_t cell = 0; cell < isRemoved.size(); ++cell)
   {
     if (!isRemoved[cell])
     {
       const vtkIdType from = simplices + static_cast<vtkIdType>(cell);
-      mesh.ItemIds->SetValue(kept, mesh.ItemIds->GetValue(from));
-      mesh.WholeTypes[kept - simplices] = mesh.WholeTypes[cell];
+      mesh.ItemIds->SetValue(retained, mesh.ItemIds->GetValue(from));
+      mesh.InteriorCellTypes[retained - simplices] = mesh.InteriorCellTypes[cell];
       if (mesh.CellIds.GetSize() > 0)
       {
-        mesh.CellIds[kept] = mesh.CellIds[from];
+        mesh.CellIds[retained] = mesh.CellIds[from];
       }
-      newPlaces[cell] = kept++;
+      newIndices[cell] = retained++;
     }
   }
-  mesh.Simplices.RemoveWhole(isRemoved);
-  ExtractionMemory::Shorten(mesh.ItemIds, kept);
-  mesh.WholeTypes.Truncate(kept - simplices);
-  mesh.CellIds.Truncate(mesh.CellIds.GetSize() > 0 ? kept : 0);
-  for (vtkIdType& whole : mesh.TriangleWholes)
+  mesh.Simplices.RemoveInteriorCells(isRemoved);
+  OutputAllocation::Shorten(mesh.ItemIds, retained);
+  mesh.InteriorCellTypes.Truncate(retained - simplices);
+  mesh.CellIds.Truncate(mesh.CellIds.GetSize() > 0 ? retained : 0);
+  for (vtkIdType& whole : mesh.TriangleInteriorCells)
   {
-    whole = whole < 0 ? whole : newPlaces[whole - simplices - simplicesGone];
+    whole = whole < 0 ? whole : newIndices[whole - simplices - removedSimplices];
   }
 }
 
-// Leaves out the boundary triangles that are marked.
+// Removes the marked boundary triangles.
 void RemoveTriangles(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
 {
   std::vector<vtkIdType> removed;
@@ -82,29 +84,29 @@ void RemoveTriangles(ExtractionMesh& mesh, const std::vector<bool>& isRemoved)
       removed.push_back(static_cast<vtkIdType>(t));
     }
   }
-  const KeptRuns kept(removed, static_cast<vtkIdType>(isRemoved.size()));
-  const auto keep = [&kept](auto& values)
+  const RetainedIdRanges retained(removed, static_cast<vtkIdType>(isRemoved.size()));
+  const auto keep = [&retained](auto& values)
   {
     if (!values.empty())
     {
-      kept.Compact(values.data(), 1);
-      values.resize(static_cast<std::size_t>(kept.GetNumber()));
+      retained.Compact(values.data(), 1);
+      values.resize(static_cast<std::size_t>(retained.GetNumber()));
     }
   };
   keep(mesh.Triangles);
   keep(mesh.TriangleCellIds);
-  keep(mesh.TriangleWholes);
+  keep(mesh.TriangleInteriorCells);
   for (vtkIntArray* array : { mesh.TriangleItemIds.Get(), mesh.TriangleSides.Get() })
   {
-    kept.Compact(array->GetPointer(0), 1);
-    array->SetNumberOfValues(kept.GetNumber());
+    retained.Compact(array->GetPointer(0), 1);
+    array->SetNumberOfValues(retained.GetNumber());
   }
 }
 
-// Marks the points in use anew.
+// Recomputes the marks of the points in use.
 void MarkUsed(ExtractionMesh& mesh)
 {
-  // Where arrays have the points in place of a list, there have been marks.
+  // If the mesh has no list of points, the marks already exist and define the number of points.
   const std::size_t listed = mesh.Points.GetSize();
   mesh.Used.AllocateZeros(listed > 0 ? listed : mesh.Used.GetSize());
   const auto use = [used = mesh.Used.GetData()](vtkIdType id)
@@ -116,15 +118,15 @@ void MarkUsed(ExtractionMesh& mesh)
   }
 }
 
-// Marks the points of the tied simplices that stay, which nobody has marked.
+// Marks the points of the remaining tied simplices, which are not marked yet.
 void MarkTied(ExtractionMesh& mesh, const std::vector<vtkIdType>& removed, int size)
 {
-  auto gone = removed.begin();
+  auto nextRemoved = removed.begin();
   for (const vtkIdType simplex : mesh.TiedSimplices)
   {
-    if (gone != removed.end() && *gone == simplex)
+    if (nextRemoved != removed.end() && *nextRemoved == simplex)
     {
-      ++gone;
+      ++nextRemoved;
       continue;
     }
     for (int p = 0; p < size; ++p)
@@ -169,21 +171,21 @@ void ExtractionCleanup::RemoveUnusedPoints(ExtractionMesh& mesh, PointArrays* ar
     return;
   }
   const vtkIdType points = static_cast<vtkIdType>(number);
-  const KeptRuns kept(used, points);
-  mesh.Simplices.RemovePoints(kept, points);
+  const RetainedIdRanges retained(used, points);
+  mesh.Simplices.RemovePoints(retained, points);
   if (arrays)
   {
-    arrays->Keep(kept);
+    arrays->Keep(retained);
   }
   else
   {
-    kept.Compact(mesh.Points.GetData(), 1);
-    mesh.Points.Truncate(static_cast<std::size_t>(kept.GetNumber()));
+    retained.Compact(mesh.Points.GetData(), 1);
+    mesh.Points.Truncate(static_cast<std::size_t>(retained.GetNumber()));
   }
   std::vector<vtkIdType> newIds(mesh.Triangles.empty() ? 0 : number);
   if (!newIds.empty())
   {
-    kept.FillIds(newIds.data());
+    retained.FillIds(newIds.data());
   }
   for (auto& triangle : mesh.Triangles)
   {
@@ -211,7 +213,7 @@ void ExtractionCleanup::RemoveOppositeSimplices(ExtractionMesh& mesh, int size)
   }
   std::vector<vtkIdType> removed;
   OppositePairs::Find(
-    entries, [&](std::size_t place) { removed.push_back(static_cast<vtkIdType>(place)); });
+    entries, [&](std::size_t index) { removed.push_back(static_cast<vtkIdType>(index)); });
   std::sort(removed.begin(), removed.end());
   const bool hasMarks = mesh.Used.GetSize() > 0;
   if (hasMarks)
@@ -242,9 +244,9 @@ void ExtractionCleanup::RemoveMarked(
     }
   }
   RemoveSimplices(mesh, removed);
-  if (mesh.Simplices.GetNumberOfWhole() > 0)
+  if (mesh.Simplices.GetNumberOfInteriorCells() > 0)
   {
-    RemoveWhole(
+    RemoveInteriorCells(
       mesh, { cells.begin() + simplices, cells.end() }, static_cast<vtkIdType>(removed.size()));
   }
   MarkUsed(mesh);
@@ -280,36 +282,36 @@ void ExtractionCleanup::SettleTiedTriangles(const ExtractionContext& context, Ex
     faces.Add(mesh.TriangleItemIds->GetValue(t), mesh.Triangles[t].data(), t);
   }
   std::vector<bool> isRemoved(mesh.Triangles.size(), false);
-  faces.Cancel([&](std::size_t place) { isRemoved[place] = true; });
+  faces.Cancel([&](std::size_t index) { isRemoved[index] = true; });
   const vtkIdType simplices = mesh.Simplices.GetNumber();
   CountFaces(mesh, faces);
-  if (context.Whole && !faces.IsEmpty())
+  if (context.InteriorFilter && !faces.IsEmpty())
   {
-    const WholeFaces whole(context, mesh);
-    mesh.Simplices.ForEachWhole(
+    const InteriorFaces whole(context, mesh);
+    mesh.Simplices.ForEachInteriorCell(
       [&](vtkIdType cell, const vtkIdType* ids, int number)
       {
-        const vtkIdType place = simplices + cell;
+        const vtkIdType index = simplices + cell;
         if (faces.IsNear(ids, number))
         {
           whole.Visit(cell, ids, number,
-            [&](const Triple& triangle, const WholeFaces::Polygon&)
-            { faces.Count(mesh.ItemIds->GetValue(place), triangle.data(), place); });
+            [&](const Triple& triangle, const InteriorFaces::Polygon&)
+            { faces.Count(mesh.ItemIds->GetValue(index), triangle.data(), index); });
         }
       });
-    mesh.TriangleWholes.assign(mesh.Triangles.size(), -1);
+    mesh.TriangleInteriorCells.assign(mesh.Triangles.size(), -1);
   }
   faces.Visit(
-    [&](std::size_t place, bool isFace, vtkIdType simplex)
+    [&](std::size_t index, bool isFace, vtkIdType simplex)
     {
-      isRemoved[place] = !isFace;
+      isRemoved[index] = !isFace;
       if (isFace && simplex >= simplices)
       {
-        mesh.TriangleWholes[place] = simplex;
+        mesh.TriangleInteriorCells[index] = simplex;
       }
       if (isFace && !mesh.TriangleCellIds.empty())
       {
-        mesh.TriangleCellIds[place] = mesh.CellIds[simplex];
+        mesh.TriangleCellIds[index] = mesh.CellIds[simplex];
       }
     });
   if (std::find(isRemoved.begin(), isRemoved.end(), true) != isRemoved.end())
@@ -320,18 +322,18 @@ void ExtractionCleanup::SettleTiedTriangles(const ExtractionContext& context, Ex
 }
 
 void ExtractionCleanup::CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inputBoundary,
-  const WholePass* whole, ExtractionMesh& mesh)
+  const InteriorCellPass* whole, ExtractionMesh& mesh)
 {
   vtkDataArray* itemIds = inputBoundary->GetCellData()->GetArray("IntervalId");
   vtkDataArray* sides = inputBoundary->GetCellData()->GetArray("BoundarySide");
   vtkDataArray* itemOfCell = input->GetCellData()->GetArray("IntervalId");
   vtkNew<vtkIdList> ids;
   std::map<std::pair<int, Triple>, int> sideOf;
-  const auto getWhole = [whole](vtkIdType t)
-  { return whole && !whole->TriangleWholes.empty() ? whole->TriangleWholes[t] : -1; };
+  const auto getInteriorCell = [whole](vtkIdType t)
+  { return whole && !whole->TriangleInteriorCells.empty() ? whole->TriangleInteriorCells[t] : -1; };
   for (vtkIdType t = 0; t < inputBoundary->GetNumberOfCells(); ++t)
   {
-    if (getWhole(t) >= 0)
+    if (getInteriorCell(t) >= 0)
     {
       continue;
     }
@@ -349,10 +351,10 @@ void ExtractionCleanup::CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inpu
     input->GetCellPoints(cell, ids);
     for (int out = 0; out < 4; ++out)
     {
-      Triple whole{ { ids->GetId(FacesOutward[out][0]), ids->GetId(FacesOutward[out][1]),
+      Triple faceIds{ { ids->GetId(FacesOutward[out][0]), ids->GetId(FacesOutward[out][1]),
         ids->GetId(FacesOutward[out][2]) } };
-      OppositePairs::Sort(whole.data(), 3);
-      const auto side = sideOf.find({ item, whole });
+      OppositePairs::Sort(faceIds.data(), 3);
+      const auto side = sideOf.find({ item, faceIds });
       if (side == sideOf.end())
       {
         continue;
@@ -378,11 +380,11 @@ void ExtractionCleanup::CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inpu
       }
     }
   }
-  if (!whole || whole->TriangleWholes.empty())
+  if (!whole || whole->TriangleInteriorCells.empty())
   {
     return;
   }
-  // Whole cells stay as they are, and so do their triangles.
+  // Interior cells and their triangles remain unchanged.
   std::vector<vtkIdType> newIds(input->GetNumberOfPoints(), -1);
   for (std::size_t p = 0; p < mesh.Points.GetSize(); ++p)
   {
@@ -391,16 +393,17 @@ void ExtractionCleanup::CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inpu
       newIds[mesh.Points[p].Near] = static_cast<vtkIdType>(p);
     }
   }
-  mesh.TriangleWholes.assign(mesh.Triangles.size(), -1);
+  mesh.TriangleInteriorCells.assign(mesh.Triangles.size(), -1);
   for (vtkIdType t = 0; t < inputBoundary->GetNumberOfCells(); ++t)
   {
-    if (getWhole(t) >= 0)
+    if (getInteriorCell(t) >= 0)
     {
       inputBoundary->GetCellPoints(t, ids);
       AddTriangle(mesh, { { newIds[ids->GetId(0)], newIds[ids->GetId(1)], newIds[ids->GetId(2)] } },
         static_cast<int>(itemIds->GetComponent(t, 0)), static_cast<int>(sides->GetComponent(t, 0)));
-      mesh.TriangleCellIds.push_back(getWhole(t));
-      mesh.TriangleWholes.push_back(getWhole(t) - whole->First + mesh.Simplices.GetNumber());
+      mesh.TriangleCellIds.push_back(getInteriorCell(t));
+      mesh.TriangleInteriorCells.push_back(
+        getInteriorCell(t) - whole->First + mesh.Simplices.GetNumber());
     }
   }
 }

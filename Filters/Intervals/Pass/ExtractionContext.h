@@ -30,57 +30,57 @@ namespace interlume
 
 class ExtractionIndex;
 class PointArrays;
-class WholeCells;
+class InteriorCellFilter;
 
 /**
- * The result of an extraction before arrays are interpolated.
+ * Result of an extraction before arrays are interpolated.
  */
 struct ExtractionMesh
 {
   ExtractionBuffer<ExtractionPoint> Points;
-  /// The tetrahedra of intervals or triangles of contours, in the order of the input's cells; then
-  /// the cells that are passed on whole, in the same order.
+  /// Tetrahedra of intervals or triangles of contours, in the order of the input cells, followed by
+  /// the interior cells in the same order.
   SimplexList Simplices;
   vtkNew<vtkIntArray> ItemIds;
-  /// The input cell of each simplex and whole cell; empty unless the input has cell arrays.
+  /// Input cell of each simplex and interior cell; empty unless the input has cell arrays.
   ExtractionBuffer<vtkIdType> CellIds;
-  /// The type of each whole cell.
-  ExtractionBuffer<unsigned char> WholeTypes;
+  /// Cell type of each interior cell.
+  ExtractionBuffer<unsigned char> InteriorCellTypes;
 
-  /// The boundary triangles of intervals, when asked for.
+  /// Boundary triangles of intervals, if requested.
   std::vector<std::array<vtkIdType, 3>> Triangles;
   vtkNew<vtkIntArray> TriangleItemIds;
   vtkNew<vtkIntArray> TriangleSides;
   std::vector<vtkIdType> TriangleCellIds;
-  /// The triangles of cells where values equal a bound, increasing: they may cancel each other, or
-  /// be on a part that has no volume.
+  /// Boundary triangles of cells where values equal a bound, in increasing order. They may cancel
+  /// each other, or bound a region without volume.
   std::vector<vtkIdType> TiedTriangles;
-  /// The tetrahedra, or triangles of contours, that lie in one face of such a cell.
+  /// Tetrahedra, or contour triangles, that lie in a face of a cell where values equal a bound.
   std::vector<vtkIdType> TiedSimplices;
-  /// For each triangle the whole cell that it is a face of, by its place after the simplices, or
-  /// -1; empty where no triangle is one.
-  std::vector<vtkIdType> TriangleWholes;
+  /// For each boundary triangle, the interior cell that it is a face of, indexed after the
+  /// simplices, or -1; empty if no triangle is a face of an interior cell.
+  std::vector<vtkIdType> TriangleInteriorCells;
 
-  /// Whether simplices differ in their item; with one item they are all noted at once.
+  /// Whether there are several items. If there is one, Allocate() sets all item ids.
   bool HasSeveralItems = false;
 
-  /// Makes room for simplices of \a size of \a points points, for \a wholeCells cells with \a
-  /// wholeIds points in all and, without boundaries, 0 triangles.
+  /// Allocates simplices with \a size points each, \a points points, and \a interiorCells interior
+  /// cells with \a interiorIds point ids in total. \a triangles is 0 without boundaries.
   void Allocate(vtkIdType points, vtkIdType simplices, int size, vtkIdType triangles,
-    bool keepCellIds, vtkIdType wholeCells = 0, vtkIdType wholeIds = 0)
+    bool keepCellIds, vtkIdType interiorCells = 0, vtkIdType interiorIds = 0)
   {
-    this->Simplices.Allocate(simplices, size, points, wholeCells, wholeIds);
-    const vtkIdType cells = simplices + wholeCells;
-    ExtractionMemory::SetNumberOfTuples(this->ItemIds, cells);
+    this->Simplices.Allocate(simplices, size, points, interiorCells, interiorIds);
+    const vtkIdType cells = simplices + interiorCells;
+    OutputAllocation::SetNumberOfTuples(this->ItemIds, cells);
     if (!this->HasSeveralItems)
     {
       int* const items = this->ItemIds->GetPointer(0);
       vtkSMPTools::For(0, cells, ThreadGrain,
         [items](vtkIdType first, vtkIdType last) { std::fill(items + first, items + last, 0); });
     }
-    if (wholeCells > 0)
+    if (interiorCells > 0)
     {
-      this->WholeTypes.Allocate(wholeCells);
+      this->InteriorCellTypes.Allocate(interiorCells);
     }
     this->Triangles.resize(triangles);
     this->TriangleItemIds->SetNumberOfValues(triangles);
@@ -92,14 +92,14 @@ struct ExtractionMesh
     }
   }
 
-  /// Writes what all simplices of one case have in common.
+  /// Writes the item and the cell of all simplices of one case.
   void NoteSimplices(vtkIdType first, std::size_t number, int item, vtkIdType cell)
   {
     this->NoteRun(first, number, 1, item, cell);
   }
 
-  /// Writes what the simplices of each of \a cells cells from \a cell on have in common, \a number
-  /// a cell.
+  /// Writes the item and the cell of the simplices of \a cells successive cells, starting at \a
+  /// cell, with \a number simplices each.
   void NoteRun(vtkIdType first, std::size_t number, vtkIdType cells, int item, vtkIdType cell)
   {
     const vtkIdType step = static_cast<vtkIdType>(number);
@@ -113,23 +113,23 @@ struct ExtractionMesh
     }
   }
 
-  /// Writes a whole cell, whose ids begin at \a place.
-  void WriteWhole(vtkIdType whole, vtkIdType place, unsigned char type, const vtkIdType* ids,
-    int number, int item, vtkIdType cell)
+  /// Writes an interior cell, whose ids start at index \a position.
+  void WriteInteriorCell(vtkIdType whole, vtkIdType position, unsigned char type,
+    const vtkIdType* ids, int number, int item, vtkIdType cell)
   {
-    this->Simplices.WriteWhole(whole, place, ids, number);
-    this->WholeTypes[whole] = type;
+    this->Simplices.WriteInteriorCell(whole, position, ids, number);
+    this->InteriorCellTypes[whole] = type;
     this->NoteSimplices(this->Simplices.GetNumber() + whole, 1, item, cell);
   }
 
-  /// Forgets all but the first \a number simplices; the whole cells follow these.
+  /// Removes all but the first \a number simplices and moves the interior cells after them.
   void TruncateSimplices(vtkIdType number)
   {
     const vtkIdType before = this->Simplices.GetNumber();
-    const vtkIdType whole = this->Simplices.GetNumberOfWhole();
+    const vtkIdType whole = this->Simplices.GetNumberOfInteriorCells();
     std::copy_n(
       this->ItemIds->GetPointer(0) + before, whole, this->ItemIds->GetPointer(0) + number);
-    ExtractionMemory::Shorten(this->ItemIds, number + whole);
+    OutputAllocation::Shorten(this->ItemIds, number + whole);
     if (this->CellIds.GetSize() > 0)
     {
       std::copy_n(this->CellIds.GetData() + before, whole, this->CellIds.GetData() + number);
@@ -138,7 +138,7 @@ struct ExtractionMesh
     this->Simplices.Truncate(number);
   }
 
-  /// Writes a boundary triangle; its ids are in the order for a right-handed cell.
+  /// Writes a boundary triangle. \a ids are in the order that is outward in a right-handed cell.
   void WriteTriangle(vtkIdType triangle, const std::array<vtkIdType, 3>& ids, bool isInverted,
     int item, int side, vtkIdType cell)
   {
@@ -152,14 +152,14 @@ struct ExtractionMesh
     }
   }
 
-  /// A mark for each point, set where a simplex uses it; only where there may be other points.
-  /// Where there are marks before tied simplices have been compared, these have not set theirs.
+  /// A mark per point, set if a simplex uses the point; empty if all points are used. Tied
+  /// simplices set their marks only after they have been compared.
   ExtractionBuffer<std::atomic<unsigned char>> Used;
 };
 
 /**
  * @class   ExtractionContext
- * @brief   the input and settings that every part of one extraction needs
+ * @brief   input and settings shared by all parts of one extraction
  */
 struct ExtractionContext : Blanking
 {
@@ -167,30 +167,30 @@ struct ExtractionContext : Blanking
   const ExtractionValues* Values = nullptr;
   vtkDataSet* Input = nullptr;
   vtkDataArray* Scalars = nullptr;
-  /// A mark for each point with a NaN or infinite coordinate; null if there is none.
+  /// A mark per point with a NaN or infinite coordinate; null if all coordinates are finite.
   const unsigned char* NonFinitePoints = nullptr;
   ExtractionIndex* Index = nullptr;
-  /// Which cells are passed on whole; null where none are.
-  const WholeCells* Whole = nullptr;
-  /// Takes the corners of triangles that share no points, in place of the mesh; null where points
+  /// Selects interior cells; null if interior cells are cut too.
+  const InteriorCellFilter* InteriorFilter = nullptr;
+  /// Receives the corners of triangles that share no points, instead of the mesh; null if points
   /// are shared.
   PointArrays* Unshared = nullptr;
-  /// Takes the points of the mesh, where they can be written without a list of all; null where a
-  /// list is needed.
+  /// Receives the points of the mesh if no list of all points is needed; otherwise null.
   PointArrays* Arrays = nullptr;
   bool GenerateBoundaries = false;
   bool KeepCellIds = false;
-  /// Whether tetrahedra are oriented as their corners are stored, not by their coordinates: those
-  /// that an extraction has made may be inverted, and are then parts of sums that have to stay.
+  /// Whether tetrahedra keep their stored orientation, instead of an orientation computed from
+  /// coordinates. Tetrahedra of a previous extraction may be inverted; then signed sums rely on
+  /// their orientation.
   bool KeepOrientation = false;
-  /// Whether cells of other pieces are extracted too, see GhostCells.
-  bool TakeDuplicates = false;
+  /// Whether ghost cells are extracted too, see GhostCells.
+  bool IncludeGhostCells = false;
   ExtractionReport* Report = nullptr;
 
-  /// Returns whether a cell is left out.
+  /// Returns whether a cell is skipped.
   bool IsCellLeftOut(vtkIdType cell) const
   {
-    return this->TakeDuplicates ? this->IsCellHidden(cell) : this->IsCellBlanked(cell);
+    return this->IncludeGhostCells ? this->IsCellHidden(cell) : this->IsCellBlanked(cell);
   }
 
   std::unique_ptr<ExtractionScalars> MakeScalars() const
@@ -201,22 +201,22 @@ struct ExtractionContext : Blanking
   int GetSimplexSize() const { return this->Values->GetKind() == vtkIsotable::INTERVAL ? 4 : 3; }
 
   /**
-   * Runs \a work(first, last) over [0, number) on all threads, in a few batches between which
-   * progress goes from \a from to \a to. Returns false when the user aborted.
+   * Runs \a work(first, last) over [0, number) in parallel, in a few batches. Progress advances
+   * from \a from to \a to between batches. Returns false if the user aborted.
    */
   template <typename Work>
   bool Run(vtkIdType number, double from, double to, Work&& work) const
   {
-    // An extraction has many short passes over few rows. Each batch starts the threads anew: few
-    // cells are done in less time than that takes.
-    constexpr vtkIdType mostBatches = 8;
+    // An extraction has many short passes over few rows. Each batch starts the threads again, which
+    // takes longer than processing a few cells.
+    constexpr vtkIdType maximumBatches = 8;
     constexpr vtkIdType cellsInBatch = 16384;
     const vtkIdType batches =
-      this->Input ? this->Input->GetNumberOfCells() / cellsInBatch + 1 : mostBatches;
-    return Batches::Run(number, this->Owner, from, to, work, std::min(batches, mostBatches));
+      this->Input ? this->Input->GetNumberOfCells() / cellsInBatch + 1 : maximumBatches;
+    return Batches::Run(number, this->Owner, from, to, work, std::min(batches, maximumBatches));
   }
 
-  /// Notes that \a bytes of working memory are held at this moment.
+  /// Raises the reported peak of the working memory to \a bytes, unless it is already higher.
   void NoteWorkingBytes(std::size_t bytes) const
   {
     this->Report->WorkingBytes =

@@ -14,18 +14,19 @@ namespace interlume
  * @class   ExtractionFrame
  * @brief   runs the stages of an extraction: classify, count, allocate, write
  *
- * A pass derives from it, for one kind of grid, which it divides into parts: rows or chunks of
- * cells. Any number of threads count and write parts. The result does not depend on the number of
- * threads, since the counts of the preceding parts determine where a part is written. \a Local is
- * the data of a thread. A pass has these stages:
+ * A pass derives from this class for one kind of grid and divides the grid into parts: rows or
+ * chunks of cells. Parts are counted and written in parallel. The counts of the preceding parts
+ * determine the output position of a part, so the result does not depend on the number of threads.
+ * \a Local is per-thread data. A pass has these stages:
  * - bool Classify(): computes the codes of the points. Like Settle(), it returns false if the user
  *   aborted.
  * - void CountPart(vtkIdType part, Local&): counts the output of a part.
- * - bool Settle(): does what depends on the counts of all parts.
- * - void Allocate(): turns counts into offsets, and allocates the output.
+ * - bool Settle(): performs work that depends on the counts of all parts.
+ * - void Allocate(): converts counts to offsets and allocates the output.
  * - void WritePart(vtkIdType part, Local&): writes the output of a part.
  * - void Finish(): gathers the results of parts and threads.
- * - Progress: the progress at the beginning and end of counting, then of writing.
+ * - Progress: four numbers, the progress at the start and end of counting and at the start and end
+ *   of writing.
  */
 template <typename Pass, typename Local>
 class ExtractionFrame
@@ -60,7 +61,7 @@ protected:
   {
   }
 
-  /// Calls work(part, local) for all parts, while progress goes from \a from to \a to. Returns
+  /// Calls work(part, local) for all parts while progress advances from \a from to \a to. Returns
   /// false if the user aborted.
   template <typename Work>
   bool ForEachPart(vtkIdType parts, double from, double to, Work&& work)

@@ -25,7 +25,8 @@ namespace
 {
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-// A 64-bit integer may round when it becomes a double, but never past a bound, which is a double.
+// Converting a 64-bit integer to double may round it, but never past an isovalue, since isovalues
+// are doubles.
 template <typename T>
 void Extend(std::array<double, 2>& range, T value)
 {
@@ -46,28 +47,28 @@ ExtractionIndex::~ExtractionIndex() = default;
 
 void ExtractionIndex::BeginExecution()
 {
-  const auto forget = [this](auto& kept)
+  const auto removeUnused = [this](auto& cached)
   {
-    for (auto entry = kept.begin(); entry != kept.end();)
+    for (auto entry = cached.begin(); entry != cached.end();)
     {
-      entry = entry->second.LastUse < this->Execution ? kept.erase(entry) : std::next(entry);
+      entry = entry->second.LastUse < this->Execution ? cached.erase(entry) : std::next(entry);
     }
   };
-  forget(this->Known);
-  forget(this->LinearGrids);
+  removeUnused(this->Known);
+  removeUnused(this->LinearGrids);
   ++this->Execution;
 }
 
 ExtractionIndex::LinearGrid& ExtractionIndex::GetLinearGrid(vtkDataSet* input)
 {
-  LinearGrid& kept = this->LinearGrids[input];
-  if (kept.InputTime != input->GetMTime())
+  LinearGrid& cached = this->LinearGrids[input];
+  if (cached.InputTime != input->GetMTime())
   {
-    kept = LinearGrid();
-    kept.InputTime = input->GetMTime();
+    cached = LinearGrid();
+    cached.InputTime = input->GetMTime();
   }
-  kept.LastUse = this->Execution;
-  return kept;
+  cached.LastUse = this->Execution;
+  return cached;
 }
 
 bool ExtractionIndex::Select(vtkDataSet* input, vtkDataArray* scalars, const int* dimensions)
@@ -198,7 +199,7 @@ bool ExtractionIndex::IsRowActive(vtkIdType cellRow) const
   return this->ActiveRows[j + k * this->Blocks[1]] != 0;
 }
 
-double ExtractionIndex::GetActiveShare() const
+double ExtractionIndex::GetActiveFraction() const
 {
   const auto active = std::count(this->ActiveRows.begin(), this->ActiveRows.end(), 1);
   return static_cast<double>(active) / static_cast<double>(this->ActiveRows.size());

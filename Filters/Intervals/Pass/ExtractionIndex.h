@@ -20,12 +20,12 @@ class ExtractionValues;
 
 /**
  * @class   ExtractionIndex
- * @brief   value ranges of blocks of cells, so that changed isovalues visit only cells near them
+ * @brief   value ranges of blocks of cells, used to skip blocks that no isovalue intersects
  *
- * Structured grids have blocks of 8 x 4 x 4 cells, other grids have runs of 16 cells. The index of
- * a dataset is made at its second extraction, since it costs one visit of all cells, and kept until
- * the dataset or the scalar changes. One object serves the leaves of a composite dataset. It also
- * keeps the linear counterpart of a grid of polyhedra.
+ * Blocks have 8 x 4 x 4 cells in structured grids and 16 successive cells in other grids. The index
+ * of a dataset is built at its second extraction, since building visits all cells. It is cached
+ * until the dataset or the scalar changes. One object serves all leaves of a composite dataset. It
+ * also caches the linear replacement of a grid of polyhedra.
  */
 class ExtractionIndex : public vtkObject
 {
@@ -37,7 +37,7 @@ public:
   using Span = std::array<vtkIdType, 2>;
   static constexpr vtkIdType RunLength = 16;
 
-  /// A grid made of cells that have tables, and the input cell of each of its cells.
+  /// A grid whose cells all have isotables, and the input cell of each of its cells.
   struct LinearGrid
   {
     vtkSmartPointer<vtkUnstructuredGrid> Grid;
@@ -47,38 +47,39 @@ public:
     int LastUse = 0;
   };
 
-  /// Returns the grid kept for \a input; without a grid when there is none or the input has
+  /// Returns the cache entry of \a input. Its Grid is null if no grid is cached or the input has
   /// changed.
   LinearGrid& GetLinearGrid(vtkDataSet* input);
 
-  /// Forgets what the execution before the last did not use.
+  /// Starts an execution. Removes entries that the previous execution did not use.
   void BeginExecution();
 
   /**
-   * Makes ready the ranges of \a input. Returns false when this is the first extraction of that
-   * scalar, or the scalar or the cells have changed since; then nothing may be asked. \a dimensions
-   * is null for other than structured grids.
+   * Selects the ranges of \a input and builds them if needed. Returns false at the first extraction
+   * of the scalar, or if the scalar or the cells have changed; then no other function may be
+   * called. \a dimensions is null unless the grid is structured.
    */
   bool Select(vtkDataSet* input, vtkDataArray* scalars, const int* dimensions);
 
-  /// Finds the blocks that touch an interval or value.
+  /// Determines the active blocks, whose ranges overlap an interval or value.
   void Activate(const ExtractionValues& values);
 
   ///@{
   /**
-   * Tell which cells of a row may give output, after Activate, for structured grids; rows are as
-   * in StructuredExtraction: j + k (nj - 1).
+   * Return the cells of a row that may have output. Only for structured grids, after Activate().
+   * Rows are numbered as in StructuredExtraction: j + k (nj - 1).
    */
   bool IsRowActive(vtkIdType cellRow) const;
-  /// The share of rows of blocks.
-  double GetActiveShare() const;
+  /// Returns the fraction of active block rows.
+  double GetActiveFraction() const;
   void GetActiveSpans(vtkIdType cellRow, std::vector<Span>& spans) const;
   ///@}
 
-  /// Returns whether cells RunLength * run ... may give output, after Activate, for other grids.
+  /// Returns whether any of the RunLength cells from cell RunLength * run on may have output. Only
+  /// for grids that are not structured, after Activate().
   bool IsRunActive(vtkIdType run) const { return this->Active[run] != 0; }
 
-  /// Returns the bytes of all ranges held.
+  /// Returns the size of all ranges in bytes.
   std::size_t GetBytes() const;
 
 protected:
@@ -91,7 +92,7 @@ private:
 
   struct Ranges
   {
-    // The times of the data that the ranges were made from, which are unique in the process.
+    // Modification times of the data, which are unique in the process.
     vtkMTimeType ScalarTime = 0;
     vtkMTimeType CellTime = 0;
     std::array<vtkIdType, 3> Cells{ { 0, 0, 0 } };

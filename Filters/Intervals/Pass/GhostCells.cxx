@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pass/GhostCells.h"
 
-#include "Grid/GridWindow.h"
+#include "Grid/GridCellRange.h"
 #include "Pass/ExtractionCleanup.h"
 #include "Pass/ExtractionContext.h"
 #include "Scalars/ExtractionScalars.h"
@@ -21,15 +21,15 @@ namespace
 {
 using Code = ExtractionValues::Code;
 
-// Returns whether one of some values that follow each other equals an isovalue or is not finite.
+// Returns whether any value in a range of points equals an isovalue or is not finite.
 bool HasTies(const ExtractionScalars& scalars, vtkIdType first, vtkIdType last)
 {
-  constexpr vtkIdType most = 1024;
-  Code codes[most];
+  constexpr vtkIdType batchSize = 1024;
+  Code codes[batchSize];
   Code all = 0;
-  for (; first < last && !ExtractionValues::IsTie(all); first += most)
+  for (; first < last && !ExtractionValues::IsTie(all); first += batchSize)
   {
-    const vtkIdType number = std::min(most, last - first);
+    const vtkIdType number = std::min(batchSize, last - first);
     scalars.Classify(first, number, codes);
     for (vtkIdType i = 0; i < number; ++i)
     {
@@ -70,7 +70,7 @@ bool GhostCells::AreTied(const ExtractionContext& context)
     return false;
   }
   const auto scalars = context.MakeScalars();
-  // Few datasets of floating-point numbers have a tie anywhere, and this is quick.
+  // A quick test: few floating-point datasets contain a tie.
   std::atomic<bool> isAny{ false };
   vtkSMPTools::For(0, context.Input->GetNumberOfPoints(),
     [&](vtkIdType first, vtkIdType last)
@@ -100,18 +100,18 @@ bool GhostCells::AreTied(const ExtractionContext& context)
   return false;
 }
 
-bool GhostCells::AreTiedBeyond(
-  const ExtractionContext& context, const int dimensions[3], const GridWindow& window)
+bool GhostCells::AreTiedOutside(
+  const ExtractionContext& context, const int dimensions[3], const GridCellRange& window)
 {
   const auto scalars = context.MakeScalars();
-  return window.AnyBeyond(dimensions,
+  return window.AnyOutside(dimensions,
     [&scalars](vtkIdType first, vtkIdType last) { return HasTies(*scalars, first, last); });
 }
 
 void GhostCells::Remove(const ExtractionContext& context, ExtractionMesh& mesh)
 {
   std::set<vtkIdType> withOutput;
-  // Simplices, and whole cells after them.
+  // Number of simplices and interior cells.
   const vtkIdType cells = mesh.ItemIds->GetNumberOfValues();
   std::vector<bool> isRemoved(static_cast<std::size_t>(cells), false);
   for (vtkIdType cell = 0; cell < cells; ++cell)

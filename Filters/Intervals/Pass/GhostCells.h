@@ -11,42 +11,43 @@ namespace interlume
 
 struct ExtractionContext;
 struct ExtractionMesh;
-struct GridWindow;
+struct GridCellRange;
 
 /**
  * @class   GhostCells
- * @brief   the cells around a piece, by which it ends as the whole does where values equal
+ * @brief   extraction with ghost cells, so that a piece matches the full grid where values equal
  * isovalues
  *
- * Where values equal an isovalue throughout a face, what is there depends on the cells on both
- * sides. So a piece is extracted with the cells around it, and leaves out what comes of them once
- * that is settled. Elsewhere they are not looked at.
+ * If values equal an isovalue throughout a face, the output there depends on the cells on both
+ * sides. In this case ghost cells are extracted too, and their output is removed after such faces
+ * are resolved. Otherwise ghost cells are not visited.
  */
 class GhostCells
 {
 public:
-  /// Asks the input for a layer of ghost cells where one piece of several is asked of the output.
+  /// Requests a layer of ghost cells from the input if the output requests one of several pieces.
   static void Request(vtkInformation* input, vtkInformation* output);
 
-  /// Returns whether a cell is another piece's, and counts there.
+  /// Returns whether a cell is a ghost cell that is not hidden.
   static bool IsOne(const Blanking& blanking, vtkIdType cell)
   {
     return blanking.IsCellBlanked(cell) && !blanking.IsCellHidden(cell);
   }
 
-  /// Takes the ghost arrays of a dataset, without that of its points where it hides none: points
-  /// that other pieces have too are looked at in every cell otherwise.
+  /// Sets the ghost arrays of a dataset. The point ghost array is dropped if it hides no points,
+  /// since testing points shared with other pieces would slow down every cell.
   static void SetBlanking(vtkDataSet* data, Blanking& blanking);
 
   /// Returns whether a value equals an isovalue, or is not finite, at a corner of a ghost cell.
-  /// Extraction from grids of rows finds that by itself, in passing.
+  /// Extraction from structured grids determines this itself.
   static bool AreTied(const ExtractionContext& context);
 
-  /// Returns the same of the cells of a grid beyond a window, be they ghost cells or hidden.
-  static bool AreTiedBeyond(
-    const ExtractionContext& context, const int dimensions[3], const GridWindow& window);
+  /// Same as AreTied(), but for all cells outside a window of a structured grid, including hidden
+  /// cells.
+  static bool AreTiedOutside(
+    const ExtractionContext& context, const int dimensions[3], const GridCellRange& window);
 
-  /// Leaves out what comes of ghost cells, and counts these as left out.
+  /// Removes the output of ghost cells and counts the cells as skipped.
   static void Remove(const ExtractionContext& context, ExtractionMesh& mesh);
 };
 

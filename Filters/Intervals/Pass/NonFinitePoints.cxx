@@ -89,12 +89,13 @@ bool AreFinite(vtkDataSet* grid)
     return AreFinite(rectilinear->GetXCoordinates()) && AreFinite(rectilinear->GetYCoordinates()) &&
       AreFinite(rectilinear->GetZCoordinates());
   }
-  // NaN or infinity in an image's origin, spacing or direction reaches its first or last point.
+  // NaN or infinity in the origin, spacing or direction of an image affects its first or last
+  // point.
   return vtkImageData::SafeDownCast(grid) && grid->GetNumberOfPoints() > 0 &&
     IsPointFinite(grid, 0) && IsPointFinite(grid, grid->GetNumberOfPoints() - 1);
 }
 
-// Returns how many of the first points of a cell decide whether it is skipped.
+// Returns the number of leading points of a cell that determine whether it is skipped.
 vtkIdType GetNumberOfCorners(int type, vtkIdType points, bool hasSimplices)
 {
   const CellCorners corners = CellCorners::Of(type);

@@ -14,26 +14,26 @@ namespace interlume
 
 /**
  * @class   NonFinitePoints
- * @brief   marks the points of a grid that have a NaN or infinite coordinate
+ * @brief   marks the grid points that have a NaN or infinite coordinate
  *
  * Extractions treat the values at these points as NaN and skip their cells.
  */
 class NonFinitePoints
 {
 public:
-  /// Marks no points.
+  /// Creates an object without marks.
   NonFinitePoints() = default;
   explicit NonFinitePoints(vtkDataSet* grid);
 
-  /// Returns a mark for each point, or null if all coordinates are finite.
+  /// Returns a mark per point, or null if all coordinates are finite.
   const unsigned char* GetMarks() const
   {
     return this->Marks.empty() ? nullptr : this->Marks.data();
   }
 
-  /// Returns a warning that counts the cells that these points take from an extraction and names
-  /// the first one, or an empty string if there is none. \a grid may be the grid before polyhedra
-  /// were cut. Cells of 4-simplices count if \a hasSimplices is true.
+  /// Returns a warning with the number of cells that are skipped because of these points and the
+  /// first such cell, or an empty string. \a grid may be the grid before polyhedra were replaced.
+  /// Cells of 4-simplices are included if \a hasSimplices is true.
   std::string Describe(vtkDataSet* grid, bool hasSimplices = false) const;
 
 private:

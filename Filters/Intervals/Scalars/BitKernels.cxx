@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scalars/BitKernels.h"
 
-#include "Common/FunctionClones.h"
+#include "Common/SimdDispatch.h"
 
 #include <bitset>
 
@@ -31,10 +31,10 @@ inline vtkIdType CountOwnedOf(const BitRows::Row* rows, vtkIdType number)
 }
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
 vtkIdType BitKernels::CountOwned(const BitRows::Row* rows, vtkIdType number, bool isSpecial)
 {
-  return isSpecial ? CountOwnedOf<true>(rows, number) : CountOwnedOf<false>(rows, number);
+  return SimdDispatch::Call([&]
+    { return isSpecial ? CountOwnedOf<true>(rows, number) : CountOwnedOf<false>(rows, number); });
 }
 
 vtkIdType BitKernels::CountNonFinite(const BitRows::Row* rows, vtkIdType number)

@@ -17,16 +17,17 @@ namespace interlume
 {
 
 /**
- * The inner loops over rows of bits.
+ * Inner loops over rows of bits.
  */
 namespace BitKernels
 {
 using Word = BitRows::Word;
 
-/// Makes bits of as many bytes, each 0 or 1, as a word has bits.
+/// Packs bytes, each 0 or 1, into the bits of a word.
 inline Word Pack(const std::uint8_t* bytes)
 {
-  // Byte i of eight becomes bit i of the product's last byte; no two terms of it fall on one bit.
+  // Byte i of eight becomes bit i of the product's highest byte. No two terms of the product
+  // overlap.
 #if defined(VTK_WORDS_BIGENDIAN)
   constexpr std::uint64_t factor = 0x8040201008040201;
 #else
@@ -42,8 +43,8 @@ inline Word Pack(const std::uint8_t* bytes)
   return word;
 }
 
-/// Returns whether \a test is true for any of \a number values. The results are gathered in bytes,
-/// of which compilers make vector code whatever the type of values.
+/// Returns whether \a test is true for any of \a number values. The results are combined in bytes,
+/// which compilers vectorize for any value type.
 template <typename T, typename Test>
 bool HasAny(const T* values, vtkIdType number, Test&& test)
 {
@@ -64,7 +65,7 @@ bool HasAny(const T* values, vtkIdType number, Test&& test)
   return std::any_of(bytes, bytes + size, [](std::uint8_t byte) { return byte != 0; });
 }
 
-/// Sets the bits of \a number values for which \a test is true, and a word of zeros behind.
+/// Sets the bits of the values for which \a test is true, and appends a word of zeros.
 template <typename T, typename Test>
 void Fill(const T* values, vtkIdType number, Word* words, Test&& test)
 {
@@ -91,26 +92,26 @@ void Fill(const T* values, vtkIdType number, Word* words, Test&& test)
   *words = 0;
 }
 
-/// Returns the place of the lowest bit that is set; there is one.
+/// Returns the index of the lowest set bit of a nonzero word.
 inline int FindLowest(Word word)
 {
 #if defined(__GNUC__)
   return __builtin_ctz(word);
 #elif defined(_MSC_VER)
-  unsigned long place;
-  _BitScanForward(&place, word);
-  return static_cast<int>(place);
+  unsigned long index;
+  _BitScanForward(&index, word);
+  return static_cast<int>(index);
 #else
-  int place = 0;
-  while (!((word >> place) & 1))
+  int index = 0;
+  while (!((word >> index) & 1))
   {
-    ++place;
+    ++index;
   }
-  return place;
+  return index;
 #endif
 }
 
-/// Calls \a visit(i) for the bits that are set, from the lowest on.
+/// Calls \a visit(i) for the set bits in increasing order.
 template <typename Visitor>
 void ForEach(Word word, Visitor&& visit)
 {
@@ -120,21 +121,22 @@ void ForEach(Word word, Visitor&& visit)
   }
 }
 
-/// Returns a word and, above it, the next.
+/// Returns a word and its successor as 64 bits, with the successor in the upper half.
 inline std::uint64_t GetWithNext(const Word* word)
 {
   return word[0] | (static_cast<std::uint64_t>(word[1]) << BitRows::BitsOfWord);
 }
 
-/// Returns the bits of a word, at \a first of a row, that are of its first \a number points.
+/// Returns a mask of the bits that belong to the first \a number points of a row, in the word that
+/// starts at point \a first.
 inline Word GetValid(vtkIdType first, vtkIdType number)
 {
   const vtkIdType left = number - first;
   return left >= BitRows::BitsOfWord ? ~Word(0) : left > 0 ? (Word(1) << left) - 1 : Word(0);
 }
 
-/// The output points that the grid points of a word own: the grid points themselves, and what their
-/// edges along i, j and k have.
+/// Output points owned by the grid points of a word: the grid points themselves and the points on
+/// their edges along i, j and k.
 struct Owned
 {
   Word Points;
@@ -142,9 +144,9 @@ struct Owned
 };
 
 /**
- * Finds them in word \a word of a row of \a number points, of which \a rows has the bits, and those
- * of its neighbours along j and k; where there is none, its own. \a IsSpecial tells whether any
- * bits but Above may be set.
+ * Finds the owned points in word \a word of a row of \a number points. \a rows contains the bits of
+ * the row and of its neighbors along j and k, or of the row itself if there is no neighbor. If \a
+ * IsSpecial is false, only Above bits may be set.
  */
 template <bool IsSpecial>
 inline Owned FindOwned(const BitRows::Row* rows, vtkIdType word, vtkIdType number)
@@ -158,7 +160,7 @@ inline Owned FindOwned(const BitRows::Row* rows, vtkIdType word, vtkIdType numbe
   owned.Edges[2] = rows[0].Above[word] ^ rows[2].Above[word];
   if (IsSpecial)
   {
-    // An edge is crossed between its ends, which are numbers.
+    // An edge point lies strictly between the ends, which must be finite.
     const std::uint64_t ends =
       GetWithNext(rows[0].Ties + word) | GetWithNext(rows[0].NonFinite + word);
     const auto end = static_cast<Word>(ends);
@@ -170,16 +172,16 @@ inline Owned FindOwned(const BitRows::Row* rows, vtkIdType word, vtkIdType numbe
   return owned;
 }
 
-/// Counts what FindOwned finds in a row.
+/// Counts the points that FindOwned finds in a row.
 vtkIdType CountOwned(const BitRows::Row* rows, vtkIdType number, bool isSpecial);
 
-/// Counts the cells between four rows of \a number points, in the order j, then k, of which a
-/// corner is not finite.
+/// Counts the cells, between four rows of \a number points, that have a corner with a NaN or
+/// infinite value. The rows are in the order j, then k.
 vtkIdType CountNonFinite(const BitRows::Row* rows, vtkIdType number);
 
 /**
- * Finds the cells between four rows that have corners on both sides: writes their columns,
- * increasing, and the keys of their cases, and returns how many there are.
+ * Finds the cells between four rows that have corners on both sides of the isovalue. Writes their
+ * columns, in increasing order, and their case keys. Returns their number.
  */
 vtkIdType FindCells(
   const BitRows::Row* rows, vtkIdType number, std::uint32_t* columns, std::uint8_t* keys);

@@ -15,10 +15,10 @@ namespace interlume
 
 /**
  * @class   BitRows
- * @brief   what a contour of one value sees of a grid of rows: a bit for each grid point
+ * @brief   classification of the points of a structured grid against one isovalue, as bits
  *
- * Rows begin at words of their own and end with a word of zeros, so that what lies in a word and
- * beyond its end can be read as one.
+ * Each row starts at a word boundary and ends with a word of zeros, so that a word and its
+ * successor can be read together.
  */
 class BitRows
 {
@@ -26,18 +26,18 @@ public:
   using Word = std::uint32_t;
   static constexpr int BitsOfWord = 32;
 
-  /// The bits of one row.
+  /// Bits of one row.
   struct Row
   {
-    /// Whether a value is not below the isovalue; so are those that are not finite.
+    /// Set if the value is not below the isovalue, or not finite.
     Word* Above;
-    /// Whether it is equal to the isovalue.
+    /// Set if the value equals the isovalue.
     Word* Ties;
-    /// Whether it is NaN or infinite.
+    /// Set if the value is NaN or infinite.
     Word* NonFinite;
   };
 
-  /// Which bits, but Above, are set anywhere in some rows.
+  /// Whether any Ties or NonFinite bits are set in some rows.
   struct Kinds
   {
     bool Ties = false;
@@ -56,8 +56,8 @@ public:
     return (points + BitsOfWord - 1) / BitsOfWord;
   }
 
-  /// Makes room for \a rows rows of \a points points; bits but Above are 0, and take no memory
-  /// before they are set.
+  /// Allocates \a rows rows of \a points points. Ties and NonFinite bits are 0 and use no memory
+  /// until they are set.
   void Allocate(vtkIdType rows, vtkIdType points)
   {
     this->Stride = GetNumberOfWords(points) + 1;

@@ -11,7 +11,8 @@ namespace interlume
 
 /**
  * @class   CodeRow
- * @brief   the codes of one row of grid points, and what is known of them
+ * @brief   codes of one row of grid points, with their minimum and maximum and the range in which
+ *          they vary
  */
 struct CodeRow
 {
@@ -22,13 +23,13 @@ struct CodeRow
   Code Maximum = 0;
   bool HasTies = false;
   bool IsFinite = true;
-  /// The range of codes: those before First are equal to the code of the first point, those after
-  /// Last to that of the last point.
+  /// Range of varying codes: the codes before First equal the first code, the codes after Last
+  /// equal the last code.
   std::int64_t First = 0;
   std::int64_t Last = 0;
   const Code* Codes = nullptr;
 
-  /// Computes the codes of \a number points from \a point on, which are kept at \a codes.
+  /// Computes the codes of \a number points, starting at \a point, into \a codes.
   void Fill(const ExtractionScalars& scalars, vtkIdType row, vtkIdType point, vtkIdType number,
     Code* codes);
 };

@@ -15,8 +15,7 @@ namespace interlume
  * @class   ExtractionDispatch
  * @brief   calls a function with the values of a one-component array in their own type
  *
- * \a scalars must hold its values one after the other in memory; MakeContiguous copies other
- * layouts.
+ * \a scalars must be contiguous in memory. MakeContiguous copies other layouts.
  */
 class ExtractionDispatch
 {
@@ -37,13 +36,13 @@ public:
     return result;
   }
 
-  /// Returns whether Execute can read the array as it is.
+  /// Returns whether Execute can read the array directly.
   static bool IsSupported(vtkDataArray* scalars)
   {
     return Execute(scalars, [](const auto*) { return true; });
   }
 
-  /// Returns the array with its values in rows in memory, as itself or as a copy.
+  /// Returns the array itself if it is contiguous, otherwise a copy.
   static vtkSmartPointer<vtkDataArray> MakeContiguous(vtkDataArray* array)
   {
     if (IsSupported(array))
@@ -54,7 +53,7 @@ public:
     return IsSupported(copy) ? copy : MakeCopy(array, VTK_DOUBLE);
   }
 
-  /// Returns a copy in another type.
+  /// Returns a copy converted to the given data type.
   static vtkSmartPointer<vtkDataArray> MakeCopy(vtkDataArray* array, int dataType)
   {
     vtkSmartPointer<vtkDataArray> copy;

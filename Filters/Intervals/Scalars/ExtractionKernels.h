@@ -18,8 +18,8 @@ namespace interlume
 {
 
 /**
- * The inner loops over rows, written so that compilers make vector code of them: no aliasing,
- * 16-bit arithmetic throughout, no branches.
+ * Inner loops over rows, written for automatic vectorization: no aliasing, 16-bit arithmetic
+ * throughout, no branches.
  */
 namespace ExtractionKernels
 {
@@ -55,7 +55,7 @@ bool AreFinite(const T* values, std::int64_t number)
   return nonFinite == 0;
 }
 
-/// Returns the first place after \a first whose code is another than there, or \a last.
+/// Returns the first index after \a first whose code differs from the code at \a first, or \a last.
 inline std::int64_t FindChange(const Code* codes, std::int64_t first, std::int64_t last)
 {
   // Codes are compared four at a time.
@@ -75,11 +75,10 @@ inline std::int64_t FindChange(const Code* codes, std::int64_t first, std::int64
   return first;
 }
 
-/// Returns the first of the places [first, last) where a code in one of four rows is odd, or \a
-/// last.
+/// Returns the first index in [first, last) with an odd code in one of four rows, or \a last.
 inline std::int64_t FindOdd(const Code* const rows[4], std::int64_t first, std::int64_t last)
 {
-  // Codes are looked at four at a time.
+  // Codes are tested four at a time.
   constexpr std::int64_t step = sizeof(std::uint64_t) / sizeof(Code);
   constexpr std::uint64_t ones = 0x0001000100010001;
   for (; first + step <= last; first += step)
@@ -104,8 +103,9 @@ inline std::int64_t FindOdd(const Code* const rows[4], std::int64_t first, std::
 }
 
 /**
- * Finds the ends of a row: \a first is the first place whose code is not that at 0, \a last the
- * last whose code is not that at \a number - 1. Where all codes are equal, they are number and -1.
+ * Finds the ends of the varying part of a row. \a first is the first index whose code differs from
+ * the first code, \a last the last index whose code differs from the last code. If all codes are
+ * equal, \a first is \a number and \a last is -1.
  */
 inline void FindEnds(
   const Code* codes, std::int64_t number, std::int64_t& first, std::int64_t& last)
@@ -131,13 +131,14 @@ inline void FindEnds(
   }
 }
 
-/// Sums counts: \a starts has the sum of those before each.
+/// Computes exclusive prefix sums of \a counts.
 inline void FillStarts(const Code* INTERLUME_RESTRICT counts, std::int64_t number,
   std::uint32_t* INTERLUME_RESTRICT starts)
 {
   std::uint32_t total = 0;
   std::int64_t i = 0;
-  // Four at a time, so that only one sum of four depends on the one before.
+  // Counts are added in groups of four, so that only one of four sums depends on the previous
+  // group.
   for (; i + 4 <= number; i += 4)
   {
     const std::uint32_t one = counts[i];
@@ -157,7 +158,7 @@ inline void FillStarts(const Code* INTERLUME_RESTRICT counts, std::int64_t numbe
   }
 }
 
-/// The code of a cell whose corners differ.
+/// Value that stands for the code of a cell if its corners have different codes.
 constexpr Code Mixed = 65535;
 }
 

@@ -72,7 +72,7 @@ public:
 
   BitRows::Kinds Compare(vtkIdType first, vtkIdType number, const BitRows::Row& row) const override
   {
-    // Where no value of the type is that large, none reaches the isovalue, or none passes it.
+    // A threshold is missing if no value of type T is large enough to reach it.
     const std::size_t thresholds = this->Thresholds.size();
     const bool isReached = thresholds > 0;
     const bool isPassed = thresholds > 1;
@@ -94,10 +94,10 @@ public:
       kinds.NonFinite = !RowKernels::AreFinite(f, number);
       if (kinds.NonFinite)
       {
-        const auto isLost = [](T value) { return !std::isfinite(value); };
-        BitKernels::Fill(f, number, row.NonFinite, isLost);
+        const auto isNonFinite = [](T value) { return !std::isfinite(value); };
+        BitKernels::Fill(f, number, row.NonFinite, isNonFinite);
         BitKernels::Fill(
-          f, number, row.Above, [=](T value) { return isLost(value) | isAbove(value); });
+          f, number, row.Above, [=](T value) { return isNonFinite(value) | isAbove(value); });
       }
     }
     return kinds;
@@ -116,7 +116,7 @@ public:
   }
 
 private:
-  // 64-bit integers need the 64-bit mantissa of long double, where it has one.
+  // 64-bit integers need the 64-bit mantissa of long double, where available.
   using Real = typename std::conditional<std::is_integral<T>::value && sizeof(T) == 8, long double,
     double>::type;
 
@@ -148,12 +148,12 @@ private:
   {
     const T a = this->GetValue(point.Near);
     const T b = this->GetValue(point.Far);
-    // Values are halved, since the range may be the whole of the type's.
+    // Values are halved to avoid overflow, since they may span the full range of the type.
     const Real half = IsHalvingExact(a) && IsHalvingExact(b) ? Real(0.5) : Real(1.0);
-    // The signed distances in value from the isovalue to the ends.
+    // Signed differences between the isovalue and the values at the two ends.
     const Real toA = value * half - static_cast<Real>(a) * half;
     const Real toB = static_cast<Real>(b) * half - value * half;
-    // Which end is nearer cannot be predicted, so that there is no branch.
+    // Branchless, since the closer end is unpredictable.
     const bool isNearA = std::abs(toA) <= std::abs(toB);
     const vtkIdType exchange = isNearA ? 0 : point.Near ^ point.Far;
     point.Near ^= exchange;
@@ -243,7 +243,7 @@ private:
   const unsigned char* Marks;
 };
 
-// Reads two arrays of different types, as double.
+// Reads two arrays of different types as double.
 class Converted : public Typed<double>
 {
 public:
@@ -263,19 +263,19 @@ private:
 std::unique_ptr<ExtractionScalars> ExtractionScalars::Make(
   vtkDataArray* scalars, const ExtractionValues& values, const unsigned char* nonFinite)
 {
-  std::unique_ptr<ExtractionScalars> made;
+  std::unique_ptr<ExtractionScalars> result;
   ExtractionDispatch::Execute(scalars,
     [&](const auto* data)
     {
       using T = std::decay_t<decltype(*data)>;
-      made = std::make_unique<Typed<T>>(data, values);
+      result = std::make_unique<Typed<T>>(data, values);
       return true;
     });
   if (nonFinite)
   {
-    made = std::make_unique<Masked>(std::move(made), values.GetNonFiniteCode(), nonFinite);
+    result = std::make_unique<Masked>(std::move(result), values.GetNonFiniteCode(), nonFinite);
   }
-  return made;
+  return result;
 }
 
 std::unique_ptr<ExtractionScalars> ExtractionScalars::MakePair(
@@ -286,16 +286,16 @@ std::unique_ptr<ExtractionScalars> ExtractionScalars::MakePair(
     return std::make_unique<Converted>(ExtractionDispatch::MakeCopy(first, VTK_DOUBLE),
       ExtractionDispatch::MakeCopy(second, VTK_DOUBLE), split, values);
   }
-  std::unique_ptr<ExtractionScalars> made;
+  std::unique_ptr<ExtractionScalars> result;
   ExtractionDispatch::Execute(first,
     [&](const auto* data)
     {
       using T = std::decay_t<decltype(*data)>;
-      made = std::make_unique<Typed<T>>(
+      result = std::make_unique<Typed<T>>(
         data, static_cast<const T*>(second->GetVoidPointer(0)), split, values);
       return true;
     });
-  return made;
+  return result;
 }
 
 }

@@ -15,25 +15,26 @@ namespace interlume
 
 /**
  * @class   ExtractionScalars
- * @brief   codes and edge weights from scalars of any type
+ * @brief   computes codes of grid points and weights of edge points from scalars of any type
  *
- * This is all that an extraction needs of the scalars; the rest of it does not depend on their
- * type.
+ * The rest of an extraction is independent of the scalar type.
  */
 class ExtractionScalars
 {
 public:
   using Code = ExtractionValues::Code;
 
-  /// Makes the object for one grid. \a scalars are as ExtractionDispatch::MakeContiguous gives
-  /// them. \a nonFinite has a mark for each point whose value counts as NaN, or is null if no
-  /// point has one. All arguments must outlive the result.
+  /// Creates the object for one grid. \a scalars is an array returned by
+  /// ExtractionDispatch::MakeContiguous. \a nonFinite, if not null, has an entry per point; the
+  /// values of points with nonzero entries are treated as NaN. All arguments must outlive the
+  /// result.
   static std::unique_ptr<ExtractionScalars> Make(vtkDataArray* scalars,
     const ExtractionValues& values, const unsigned char* nonFinite = nullptr);
 
   /**
-   * Makes the object for two grids of \a split points each: ids from \a split on are points of the
-   * second. Only crossings are placed. Arrays of different types are taken as double.
+   * Creates the object for two grids with \a split points each. Ids from \a split on are points of
+   * the second grid. Call only Place() on the result. Arrays of different types are converted to
+   * double.
    */
   static std::unique_ptr<ExtractionScalars> MakePair(
     vtkDataArray* first, vtkDataArray* second, vtkIdType split, const ExtractionValues& values);
@@ -44,14 +45,14 @@ public:
   /// finite.
   virtual bool Classify(vtkIdType first, vtkIdType number, Code* codes) const = 0;
 
-  /// Sets the bits of a row of \a number points from \a first on, against the least isovalue.
-  /// Returns what there is besides Above.
+  /// Sets the bits of a row of \a number points, starting at point \a first, for the smallest
+  /// isovalue. Returns which bits other than Above are set.
   virtual BitRows::Kinds Compare(
     vtkIdType first, vtkIdType number, const BitRows::Row& row) const = 0;
 
   /**
-   * Puts crossings in their places. On entry Near < Far are the ends of the edge and Weight is the
-   * number of the isovalue that crosses it; where Near equals Far nothing is done.
+   * Computes the weights of edge points. On entry, Near < Far are the ends of the edge and Weight
+   * is the index of the isovalue. Points with Near equal to Far are left unchanged.
    */
   virtual void Place(ExtractionPoint* points, vtkIdType number) const = 0;
 };

@@ -49,7 +49,7 @@ ExtractionValues ExtractionValues::ForIntervals(const std::vector<std::array<dou
   {
     const int lower = result.IndexOf(interval[0]);
     const int upper = result.IndexOf(interval[1]);
-    // The upper value belongs to the interval that begins there, if there is one of some width.
+    // The upper value belongs to another interval of nonzero width that starts there, if any.
     const bool isShared = lower != upper &&
       std::any_of(intervals.begin(), intervals.end(),
         [&interval](const std::array<double, 2>& other)

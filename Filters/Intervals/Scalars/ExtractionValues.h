@@ -16,23 +16,25 @@ namespace interlume
 
 /**
  * @class   ExtractionValues
- * @brief   the isovalues of an extraction in one total order, and the codes they give to scalars
+ * @brief   the isovalues of an extraction in ascending order, and the codes of scalars relative to
+ * them
  *
- * The distinct isovalues v0 < v1 < ... cut the number line into 2 m + 1 codes: 2k between v(k-1)
- * and vk, 2k + 1 at vk itself. A code is all that the combinatorial part of an extraction sees of a
- * value; one rule for values equal to an isovalue follows for everything.
+ * The distinct isovalues v0 < v1 < ... < v(m-1) divide the number line into 2 m + 1 codes: 2k
+ * between v(k-1) and vk, and 2k + 1 at vk. The combinatorial part of an extraction uses only codes,
+ * so one consistent rule applies to values equal to an isovalue.
  */
 class ExtractionValues
 {
 public:
   using Code = std::uint16_t;
 
-  /// A contour or an interval: the indices of its isovalues, and the digit of the case key by code.
+  /// A contour or an interval: the indices of its isovalues, and the conversion of codes to digits
+  /// of the case key.
   struct Item
   {
     int Lower;
     int Upper;
-    /// The first codes with digits 1 and 2; NoCode where there is none.
+    /// First codes with digits 1 and 2, or NoCode.
     Code First;
     Code Second;
     /// Whether the item is an interval of zero width.
@@ -43,13 +45,13 @@ public:
       return static_cast<std::uint8_t>((code >= this->First) + (code >= this->Second));
     }
 
-    /// Returns whether codes from \a least to \a greatest all have digit 1, of an interval.
-    bool IsInside(Code least, Code greatest) const
+    /// Returns whether all codes from \a minimum to \a maximum have digit 1, for an interval.
+    bool IsInside(Code minimum, Code maximum) const
     {
-      return least >= this->First && greatest < this->Second;
+      return minimum >= this->First && maximum < this->Second;
     }
 
-    /// Returns the first code with the greatest digit.
+    /// Returns the first code with the largest digit.
     Code GetLast(vtkIsotable::Kinds kind) const
     {
       return kind == vtkIsotable::INTERVAL ? this->Second : this->First;
@@ -57,33 +59,33 @@ public:
   };
   static constexpr Code NoCode = 65535;
 
-  /// Makes the values for isosurfaces, one item each.
+  /// Creates the values for isosurfaces, one item each.
   static ExtractionValues ForContours(const std::vector<double>& values);
-  /// Makes the values for interval volumes, one item each; lower <= upper.
+  /// Creates the values for interval volumes, one item each, with lower <= upper.
   static ExtractionValues ForIntervals(const std::vector<std::array<double, 2>>& intervals);
 
   vtkIsotable::Kinds GetKind() const { return this->Kind; }
   const std::vector<double>& GetValues() const { return this->Values; }
   const std::vector<Item>& GetItems() const { return this->Items; }
-  /// Returns whether a grid point of this code may be an output point.
+  /// Returns whether a grid point with this code may be an output point.
   bool IsPoint(Code code) const { return this->Points[code] != 0; }
   /// Returns the code of NaN and infinities.
   Code GetNonFiniteCode() const { return static_cast<Code>(2 * this->Values.size() + 1); }
-  /// Returns how many digits a case key has for a vertex.
+  /// Returns the base of case keys.
   int GetBase() const { return this->Kind == vtkIsotable::INTERVAL ? 3 : 2; }
-  /// Returns whether an item leaves no output in a cell whose codes are lowest ... highest.
+  /// Returns whether an item has no output in a cell with codes in lowest ... highest.
   bool IsOutside(const Item& item, Code lowest, Code highest) const
   {
     return highest < item.First || lowest >= item.GetLast(this->Kind);
   }
-  /// Returns whether an interval of zero width is among the items.
+  /// Returns whether any item is an interval of zero width.
   bool HasFlatItem() const { return this->FlatItem; }
   static bool IsTie(Code code) { return code & 1; }
 
-  /// Returns the first isovalue strictly above the lower end of an edge.
+  /// Returns the index of the first isovalue strictly above the lower end of an edge.
   static int GetFirstCrossing(Code a, Code b) { return ((a < b ? a : b) + 1) >> 1; }
 
-  /// Returns how many isovalues lie strictly between the ends of an edge.
+  /// Returns the number of isovalues strictly between the ends of an edge.
   int CountCrossings(Code a, Code b) const
   {
     const Code high = a < b ? b : a;
@@ -91,12 +93,12 @@ public:
     return number > 0 && high != this->GetNonFiniteCode() ? number : 0;
   }
 
-  /// Returns whether a value in [minimum, maximum] touches an item.
+  /// Returns whether the range [minimum, maximum] overlaps an item.
   bool Overlaps(double minimum, double maximum) const;
 
   /**
-   * Computes the smallest numbers of type T that reach code 1, 2, 3, ...; fewer when no T is that
-   * large. So a scalar is compared in its own type, exactly.
+   * Returns the thresholds: the smallest numbers of type T with the codes 1, 2, 3, ... The list
+   * ends early if no larger T exists. Scalars are thus compared exactly, in their own type.
    */
   template <typename T>
   std::vector<T> GetThresholds() const
@@ -106,8 +108,8 @@ public:
     {
       if constexpr (std::is_integral<T>::value)
       {
-        constexpr double least = static_cast<double>(std::numeric_limits<T>::min());
-        // The number one above the largest T, which a double holds exactly.
+        constexpr double minimum = static_cast<double>(std::numeric_limits<T>::min());
+        // The largest T plus one, which is exact as double.
         const double above = std::ldexp(1.0, std::numeric_limits<T>::digits);
         const double reach = std::ceil(value);
         if (reach >= above)
@@ -115,15 +117,16 @@ public:
           return thresholds;
         }
         constexpr T first = std::numeric_limits<T>::min();
-        thresholds.push_back(reach <= least ? first : static_cast<T>(reach));
-        // The next whole number is found among the T: beyond 2^53 a double plus 1 is rounded back.
+        thresholds.push_back(reach <= minimum ? first : static_cast<T>(reach));
+        // The next integer is computed in type T, since above 2^53 adding 1 to a double has no
+        // effect.
         const double below = std::floor(value);
-        const T whole = below < least ? first : static_cast<T>(below);
-        if (whole == std::numeric_limits<T>::max())
+        const T integer = below < minimum ? first : static_cast<T>(below);
+        if (integer == std::numeric_limits<T>::max())
         {
           return thresholds;
         }
-        thresholds.push_back(below < least ? first : static_cast<T>(whole + 1));
+        thresholds.push_back(below < minimum ? first : static_cast<T>(integer + 1));
       }
       else
       {
@@ -137,12 +140,12 @@ public:
   }
 
 private:
-  // Converts with saturation, since a conversion out of range is undefined.
+  // Converts with saturation, since converting an out-of-range value is undefined behavior.
   template <typename T>
   static T Narrow(double value)
   {
-    constexpr double most = static_cast<double>(std::numeric_limits<T>::max());
-    return static_cast<T>(value > most ? most : value < -most ? -most : value);
+    constexpr double maximum = static_cast<double>(std::numeric_limits<T>::max());
+    return static_cast<T>(value > maximum ? maximum : value < -maximum ? -maximum : value);
   }
 
   void FindPoints();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scalars/RowKernels.h"
 
-#include "Common/FunctionClones.h"
+#include "Common/SimdDispatch.h"
 #include "Scalars/ExtractionKernels.h"
 
 namespace interlume
@@ -11,7 +11,7 @@ namespace
 {
 using RowKernels::Code;
 
-// Does what ExtractionValues::CountCrossings does, for finite ends.
+// Same as ExtractionValues::CountCrossings, for finite ends.
 inline Code CountOnEdge(Code a, Code b)
 {
   const Code low = std::min(a, b);
@@ -24,7 +24,8 @@ template <int N>
 inline void FillMarksOf(const Code* INTERLUME_RESTRICT codes, std::int64_t number,
   const std::uint8_t* steps, std::uint8_t* INTERLUME_RESTRICT marks)
 {
-  // In eight bits throughout, and a mask in the place of a choice: else no vector code is made.
+  // Eight-bit arithmetic and a mask instead of a branch; otherwise compilers do not vectorize the
+  // loop.
   using Byte = std::uint8_t;
   Byte s[N];
   std::copy_n(steps, N, s);
@@ -41,7 +42,7 @@ inline void FillMarksOf(const Code* INTERLUME_RESTRICT codes, std::int64_t numbe
   }
 }
 
-// Computes the digits of a column of four grid points in base \a Base, as one number.
+// Combines the digits of the four grid points of each column into one number in base \a Base.
 template <int Base>
 inline void FillColumns(const Code* INTERLUME_RESTRICT a, const Code* INTERLUME_RESTRICT b,
   const Code* INTERLUME_RESTRICT c, const Code* INTERLUME_RESTRICT d, Code first, Code second,
@@ -59,7 +60,7 @@ inline void FillColumns(const Code* INTERLUME_RESTRICT a, const Code* INTERLUME_
   }
 }
 
-// Computes the keys of cells from the columns on their two sides.
+// Computes the key of each cell from the numbers of its two columns.
 template <int Base>
 inline void FillKeysOf(
   const Code* INTERLUME_RESTRICT columns, std::int64_t number, Code* INTERLUME_RESTRICT keys)
@@ -79,126 +80,155 @@ inline void FillKeysOf(const Code* const rows[4], Code first, Code second, std::
 }
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
 void RowKernels::Classify(
   const float* values, std::int64_t number, const float* thresholds, int count, Code* codes)
 {
-  count == 2 ? ExtractionKernels::Classify<2>(values, number, thresholds, codes)
-             : ExtractionKernels::Classify<4>(values, number, thresholds, codes);
+  SimdDispatch::Call(
+    [&]
+    {
+      count == 2 ? ExtractionKernels::Classify<2>(values, number, thresholds, codes)
+                 : ExtractionKernels::Classify<4>(values, number, thresholds, codes);
+    });
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
 void RowKernels::Classify(
   const double* values, std::int64_t number, const double* thresholds, int count, Code* codes)
 {
-  count == 2 ? ExtractionKernels::Classify<2>(values, number, thresholds, codes)
-             : ExtractionKernels::Classify<4>(values, number, thresholds, codes);
+  SimdDispatch::Call(
+    [&]
+    {
+      count == 2 ? ExtractionKernels::Classify<2>(values, number, thresholds, codes)
+                 : ExtractionKernels::Classify<4>(values, number, thresholds, codes);
+    });
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
 bool RowKernels::AreFinite(const float* values, std::int64_t number)
 {
-  return ExtractionKernels::AreFinite(values, number);
+  return SimdDispatch::Call([&] { return ExtractionKernels::AreFinite(values, number); });
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
 bool RowKernels::AreFinite(const double* values, std::int64_t number)
 {
-  return ExtractionKernels::AreFinite(values, number);
+  return SimdDispatch::Call([&] { return ExtractionKernels::AreFinite(values, number); });
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
 void RowKernels::FillMarks(
   const Code* codes, std::int64_t number, const std::uint8_t* steps, int count, std::uint8_t* marks)
 {
-  count == 3 ? FillMarksOf<3>(codes, number, steps, marks)
-             : FillMarksOf<5>(codes, number, steps, marks);
+  SimdDispatch::Call(
+    [&]
+    {
+      count == 3 ? FillMarksOf<3>(codes, number, steps, marks)
+                 : FillMarksOf<5>(codes, number, steps, marks);
+    });
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
 void RowKernels::Summarize(
-  const Code* codes, std::int64_t number, Code& least, Code& greatest, Code& bits)
+  const Code* codes, std::int64_t number, Code& minimum, Code& maximum, Code& bits)
 {
-  Code low = codes[0];
-  Code high = codes[0];
-  Code all = 0;
-  for (std::int64_t i = 0; i < number; ++i)
-  {
-    low = std::min(low, codes[i]);
-    high = std::max(high, codes[i]);
-    all = static_cast<Code>(all | codes[i]);
-  }
-  least = low;
-  greatest = high;
-  bits = all;
+  SimdDispatch::Call(
+    [](const Code* codes, std::int64_t number, Code& minimum, Code& maximum, Code& bits)
+    {
+      Code low = codes[0];
+      Code high = codes[0];
+      Code all = 0;
+      for (std::int64_t i = 0; i < number; ++i)
+      {
+        low = std::min(low, codes[i]);
+        high = std::max(high, codes[i]);
+        all = static_cast<Code>(all | codes[i]);
+      }
+      minimum = low;
+      maximum = high;
+      bits = all;
+    },
+    codes, number, minimum, maximum, bits);
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
-void RowKernels::CountOwned(const Code* INTERLUME_RESTRICT here,
-  const Code* INTERLUME_RESTRICT along, const Code* INTERLUME_RESTRICT above, std::int64_t number,
-  const Code* INTERLUME_RESTRICT first, Code* INTERLUME_RESTRICT second,
-  Code* INTERLUME_RESTRICT third, Code* INTERLUME_RESTRICT all)
+void RowKernels::CountOwned(const Code* here, const Code* along, const Code* above,
+  std::int64_t number, const Code* first, Code* second, Code* third, Code* all)
 {
-  for (std::int64_t i = 0; i + 1 < number; ++i)
-  {
-    second[i] = static_cast<Code>(first[i] + CountOnEdge(here[i], here[i + 1]));
-  }
-  second[number - 1] = first[number - 1];
-  for (std::int64_t i = 0; i < number; ++i)
-  {
-    third[i] = static_cast<Code>(second[i] + CountOnEdge(here[i], along[i]));
-    all[i] = static_cast<Code>(third[i] + CountOnEdge(here[i], above[i]));
-  }
+  SimdDispatch::Call(
+    [](const Code* INTERLUME_RESTRICT here, const Code* INTERLUME_RESTRICT along,
+      const Code* INTERLUME_RESTRICT above, std::int64_t number,
+      const Code* INTERLUME_RESTRICT first, Code* INTERLUME_RESTRICT second,
+      Code* INTERLUME_RESTRICT third, Code* INTERLUME_RESTRICT all)
+    {
+      for (std::int64_t i = 0; i + 1 < number; ++i)
+      {
+        second[i] = static_cast<Code>(first[i] + CountOnEdge(here[i], here[i + 1]));
+      }
+      second[number - 1] = first[number - 1];
+      for (std::int64_t i = 0; i < number; ++i)
+      {
+        third[i] = static_cast<Code>(second[i] + CountOnEdge(here[i], along[i]));
+        all[i] = static_cast<Code>(third[i] + CountOnEdge(here[i], above[i]));
+      }
+    },
+    here, along, above, number, first, second, third, all);
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
-std::int64_t RowKernels::CountCrossings(const Code* INTERLUME_RESTRICT here,
-  const Code* INTERLUME_RESTRICT along, const Code* INTERLUME_RESTRICT above, std::int64_t number)
+std::int64_t RowKernels::CountCrossings(
+  const Code* here, const Code* along, const Code* above, std::int64_t number)
 {
-  std::uint32_t crossings = 0;
-  for (std::int64_t i = 0; i < number; ++i)
-  {
-    crossings += CountOnEdge(here[i], along[i]);
-    crossings += CountOnEdge(here[i], above[i]);
-  }
-  for (std::int64_t i = 0; i + 1 < number; ++i)
-  {
-    crossings += CountOnEdge(here[i], here[i + 1]);
-  }
-  return crossings;
+  return SimdDispatch::Call(
+    [](const Code* INTERLUME_RESTRICT here, const Code* INTERLUME_RESTRICT along,
+      const Code* INTERLUME_RESTRICT above, std::int64_t number)
+    {
+      std::uint32_t crossings = 0;
+      for (std::int64_t i = 0; i < number; ++i)
+      {
+        crossings += CountOnEdge(here[i], along[i]);
+        crossings += CountOnEdge(here[i], above[i]);
+      }
+      for (std::int64_t i = 0; i + 1 < number; ++i)
+      {
+        crossings += CountOnEdge(here[i], here[i + 1]);
+      }
+      return crossings;
+    },
+    here, along, above, number);
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
 void RowKernels::FillKeys(int base, const Code* const rows[4], Code first, Code second,
   std::int64_t number, Code* columns, Code* keys)
 {
-  base == 3 ? FillKeysOf<3>(rows, first, second, number, columns, keys)
-            : FillKeysOf<2>(rows, first, second, number, columns, keys);
+  SimdDispatch::Call(
+    [&]
+    {
+      base == 3 ? FillKeysOf<3>(rows, first, second, number, columns, keys)
+                : FillKeysOf<2>(rows, first, second, number, columns, keys);
+    });
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
-void RowKernels::FindRanges(const Code* const rows[8], std::int64_t number,
-  Code* INTERLUME_RESTRICT least, Code* INTERLUME_RESTRICT greatest, Code* INTERLUME_RESTRICT all)
+void RowKernels::FindRanges(
+  const Code* const rows[8], std::int64_t number, Code* minimum, Code* maximum, Code* all)
 {
-  const Code* INTERLUME_RESTRICT r[8];
-  std::copy_n(rows, 8, r);
-  for (std::int64_t i = 0; i <= number; ++i)
-  {
-    const Code low = std::min(std::min(std::min(r[0][i], r[1][i]), std::min(r[2][i], r[3][i])),
-      std::min(std::min(r[4][i], r[5][i]), std::min(r[6][i], r[7][i])));
-    const Code high = std::max(std::max(std::max(r[0][i], r[1][i]), std::max(r[2][i], r[3][i])),
-      std::max(std::max(r[4][i], r[5][i]), std::max(r[6][i], r[7][i])));
-    least[i] = low;
-    greatest[i] = high;
-  }
-  for (std::int64_t i = 0; i < number; ++i)
-  {
-    const Code low = std::min(least[i], least[i + 1]);
-    const Code high = std::max(greatest[i], greatest[i + 1]);
-    least[i] = low;
-    greatest[i] = high;
-    all[i] = low == high ? low : ExtractionKernels::Mixed;
-  }
+  SimdDispatch::Call(
+    [](const Code* const rows[8], std::int64_t number, Code* INTERLUME_RESTRICT minimum,
+      Code* INTERLUME_RESTRICT maximum, Code* INTERLUME_RESTRICT all)
+    {
+      const Code* INTERLUME_RESTRICT r[8];
+      std::copy_n(rows, 8, r);
+      for (std::int64_t i = 0; i <= number; ++i)
+      {
+        const Code low = std::min(std::min(std::min(r[0][i], r[1][i]), std::min(r[2][i], r[3][i])),
+          std::min(std::min(r[4][i], r[5][i]), std::min(r[6][i], r[7][i])));
+        const Code high = std::max(std::max(std::max(r[0][i], r[1][i]), std::max(r[2][i], r[3][i])),
+          std::max(std::max(r[4][i], r[5][i]), std::max(r[6][i], r[7][i])));
+        minimum[i] = low;
+        maximum[i] = high;
+      }
+      for (std::int64_t i = 0; i < number; ++i)
+      {
+        const Code low = std::min(minimum[i], minimum[i + 1]);
+        const Code high = std::max(maximum[i], maximum[i + 1]);
+        minimum[i] = low;
+        maximum[i] = high;
+        all[i] = low == high ? low : ExtractionKernels::Mixed;
+      }
+    },
+    rows, number, minimum, maximum, all);
 }
 
 }

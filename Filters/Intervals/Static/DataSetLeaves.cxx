@@ -26,7 +26,7 @@ const char* GetOutputType(vtkDataObject* input)
   {
     return input->GetClassName();
   }
-  // Levels of images cannot hold unstructured grids.
+  // AMR datasets cannot contain unstructured grids.
   return vtkCompositeDataSet::SafeDownCast(input) ? "vtkMultiBlockDataSet" : "vtkUnstructuredGrid";
 }
 }
@@ -98,7 +98,7 @@ void DataSetLeaves::ForEach(vtkAlgorithm* owner, vtkInformationVector** inputs,
     ports.emplace_back(output);
   }
   const std::vector<vtkDataSet*> leaves = Get(input);
-  const double share = 1.0 / static_cast<double>(leaves.size());
+  const double fraction = 1.0 / static_cast<double>(leaves.size());
   for (std::size_t i = 0; i < leaves.size() && !owner->GetAbortExecute(); ++i)
   {
     std::vector<vtkUnstructuredGrid*> grids;
@@ -110,7 +110,7 @@ void DataSetLeaves::ForEach(vtkAlgorithm* owner, vtkInformationVector** inputs,
     {
       continue;
     }
-    // The executive passes the field data of the input itself.
+    // If the input is not composite, the executive passes the field data.
     if (composite)
     {
       for (vtkUnstructuredGrid* grid : grids)
@@ -118,7 +118,7 @@ void DataSetLeaves::ForEach(vtkAlgorithm* owner, vtkInformationVector** inputs,
         grid->GetFieldData()->PassData(leaves[i]->GetFieldData());
       }
     }
-    owner->SetProgressShiftScale(static_cast<double>(i) * share, share);
+    owner->SetProgressShiftScale(static_cast<double>(i) * fraction, fraction);
     extract(leaves[i], grids);
   }
   owner->SetProgressShiftScale(0.0, 1.0);

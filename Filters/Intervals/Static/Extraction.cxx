@@ -5,16 +5,16 @@
 #include "Arrays/PointArrays.h"
 #include "Common/ArrayMatch.h"
 #include "Common/GridCells.h"
-#include "Grid/WholeCells.h"
+#include "Grid/InteriorCellFilter.h"
 #include "Pass/ExtractionCleanup.h"
 #include "Pass/ExtractionIndex.h"
 #include "Pass/GhostCells.h"
 #include "Pass/NonFinitePoints.h"
-#include "Pass/WholeFaces.h"
+#include "Pass/InteriorFaces.h"
 #include "Scalars/ExtractionDispatch.h"
 #include "Static/ExtractionInput.h"
 #include "Static/ExtractionLinearizer.h"
-#include "Static/WholeOutput.h"
+#include "Static/InteriorCellOutput.h"
 #include "Structured/StructuredExtraction.h"
 #include "Unstructured/UnstructuredExtraction.h"
 
@@ -103,13 +103,13 @@ bool Extraction::ExtractMesh(ExtractionContext& context, ExtractionMesh& mesh, P
   }
   if (hasRows)
   {
-    const bool needsList = !this->SharePoints || this->KeepOrigins || this->InputBoundary ||
-      this->Whole || this->GenerateBoundaries;
+    const bool needsList = !this->SharePoints || this->GenerateOriginArrays ||
+      this->InputBoundary || this->InteriorPass || this->GenerateBoundaries;
     context.Arrays = needsList ? nullptr : &arrays;
     return StructuredExtraction::Execute(context, dimensions, mesh);
   }
   context.Unshared = this->SharePoints ? nullptr : &arrays;
-  context.TakeDuplicates = GhostCells::AreTied(context);
+  context.IncludeGhostCells = GhostCells::AreTied(context);
   return UnstructuredExtraction::Execute(
     context, vtkUnstructuredGrid::SafeDownCast(context.Input), mesh);
 }
@@ -125,15 +125,15 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   context.Report = &report;
   context.GenerateBoundaries = this->GenerateBoundaries;
   context.KeepOrientation = this->KeepOrientation;
-  context.KeepCellIds =
-    input->GetCellData()->GetNumberOfArrays() > 0 || this->InputBoundary || this->KeepOrigins;
+  context.KeepCellIds = input->GetCellData()->GetNumberOfArrays() > 0 || this->InputBoundary ||
+    this->GenerateOriginArrays;
   GhostCells::SetBlanking(input, context);
 
   int dimensions[3];
   ExtractionIndex::LinearGrid ownLinear;
   ExtractionIndex::LinearGrid* linear = nullptr;
-  // A further pass leaves its polyhedra as they are.
-  const bool isFurther = this->Whole && this->Whole->First >= 0;
+  // A further pass copies polyhedra instead of splitting them.
+  const bool isFurther = this->InteriorPass && this->InteriorPass->First >= 0;
   if (!isFurther && !ExtractionArrays::GetRowDimensions(input, dimensions) &&
     ExtractionLinearizer::IsNeeded(input))
   {
@@ -150,17 +150,17 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   }
   const vtkSmartPointer<vtkDataArray> contiguous = ExtractionDispatch::MakeContiguous(scalars);
   context.Scalars = contiguous;
-  // The points of a further pass come from the pass before.
+  // The points of a further pass were computed by the previous pass and are finite.
   const NonFinitePoints nonFinite =
     this->KeepOrientation ? NonFinitePoints() : NonFinitePoints(context.Input);
   context.NonFinitePoints = nonFinite.GetMarks();
 
-  std::optional<WholeCells> whole;
-  if (this->Whole)
+  std::optional<InteriorCellFilter> interiorFilter;
+  if (this->InteriorPass)
   {
-    whole.emplace(input, linear ? &linear->CellIds : nullptr, *this->Whole);
-    context.Whole = &*whole;
-    context.KeepCellIds |= whole->HasParts();
+    interiorFilter.emplace(input, linear ? &linear->CellIds : nullptr, *this->InteriorPass);
+    context.InteriorFilter = &*interiorFilter;
+    context.KeepCellIds |= interiorFilter->HasParts();
   }
 
   PointArrays arrays(context.Input, this->OutputPointsPrecision);
@@ -180,7 +180,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   {
     ExtractionCleanup::SettleTiedTriangles(context, mesh);
   }
-  if (context.TakeDuplicates)
+  if (context.IncludeGhostCells)
   {
     GhostCells::Remove(context, mesh);
   }
@@ -190,7 +190,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   }
   if (this->InputBoundary)
   {
-    ExtractionCleanup::CutBoundary(context.Input, this->InputBoundary, this->Whole, mesh);
+    ExtractionCleanup::CutBoundary(context.Input, this->InputBoundary, this->InteriorPass, mesh);
   }
   if (!arrays.IsAllocated())
   {
@@ -200,14 +200,14 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
     }
     arrays.Fill(mesh.Points);
   }
-  if (this->Whole)
+  if (this->InteriorPass)
   {
-    report.InteriorCells = mesh.Simplices.GetNumberOfWhole();
+    report.InteriorCells = mesh.Simplices.GetNumberOfInteriorCells();
     report.NonPlanarFaces =
-      isFurther ? 0 : WholeFaces::CountWarped(context, mesh, arrays.GetPoints());
-    this->Whole->First = mesh.Simplices.GetNumber();
-    this->Whole->Points = {};
-    this->Whole->TriangleWholes = std::move(mesh.TriangleWholes);
+      isFurther ? 0 : InteriorFaces::CountNonPlanar(context, mesh, arrays.GetPoints());
+    this->InteriorPass->First = mesh.Simplices.GetNumber();
+    this->InteriorPass->Points = {};
+    this->InteriorPass->TriangleInteriorCells = std::move(mesh.TriangleInteriorCells);
   }
   if (linear)
   {
@@ -220,7 +220,7 @@ bool Extraction::Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructur
   {
     this->FillBoundary(mesh, input, output, boundary);
   }
-  const int origins = this->KeepOrigins ? 1 : 0;
+  const int origins = this->GenerateOriginArrays ? 1 : 0;
   report.ArraysInterpolated = output->GetPointData()->GetNumberOfArrays() - 2 * origins;
   report.ArraysCopied =
     output->GetCellData()->GetNumberOfArrays() - (this->IdName ? 1 : 0) - origins;
@@ -231,16 +231,16 @@ void Extraction::FillOutput(const ExtractionContext& context, ExtractionMesh& me
   PointArrays& arrays, vtkDataSet* original, vtkUnstructuredGrid* output) const
 {
   this->Owner->UpdateProgress(0.85);
-  if (mesh.Simplices.GetNumberOfWhole() > 0)
+  if (mesh.Simplices.GetNumberOfInteriorCells() > 0)
   {
-    WholeOutput::SetCells(original, mesh, output);
+    InteriorCellOutput::SetCells(original, mesh, output);
   }
   else
   {
     GridCells::SetCellsOfOneType(output, context.GetSimplexSize() == 4 ? VTK_TETRA : VTK_TRIANGLE,
       mesh.Simplices.MakeCells(), ThreadGrain,
       [](vtkUnsignedCharArray* types, vtkIdType number)
-      { ExtractionMemory::SetNumberOfTuples(types, number); });
+      { OutputAllocation::SetNumberOfTuples(types, number); });
   }
   arrays.AddTo(output->GetPointData());
   this->Owner->UpdateProgress(0.95);
@@ -250,7 +250,7 @@ void Extraction::FillOutput(const ExtractionContext& context, ExtractionMesh& me
   {
     AddNamed(output->GetCellData(), mesh.ItemIds, this->IdName);
   }
-  if (this->KeepOrigins)
+  if (this->GenerateOriginArrays)
   {
     AddPointOrigins(mesh.Points, output->GetPointData());
     AddCellOrigins(mesh.CellIds.GetData(), mesh.CellIds.GetSize(), output->GetCellData());
@@ -274,7 +274,7 @@ void Extraction::FillBoundary(const ExtractionMesh& mesh, vtkDataSet* original,
     static_cast<vtkIdType>(mesh.TriangleCellIds.size()), boundary->GetCellData());
   AddNamed(boundary->GetCellData(), mesh.TriangleItemIds, "IntervalId");
   AddNamed(boundary->GetCellData(), mesh.TriangleSides, "BoundarySide");
-  if (this->KeepOrigins)
+  if (this->GenerateOriginArrays)
   {
     AddCellOrigins(
       mesh.TriangleCellIds.data(), mesh.TriangleCellIds.size(), boundary->GetCellData());

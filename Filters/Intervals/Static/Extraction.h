@@ -9,41 +9,41 @@ class vtkUnstructuredGrid;
 namespace interlume
 {
 
-struct WholePass;
+struct InteriorCellPass;
 
 /**
  * @class   Extraction
  * @brief   one pass of contouring or interval extraction over one dataset
  *
- * It chooses the way for the kind of grid, then gives the mesh its arrays.
+ * Selects the implementation for the type of grid and adds the arrays to the mesh.
  */
 class Extraction
 {
 public:
   vtkAlgorithm* Owner = nullptr;
   const ExtractionValues* Values = nullptr;
-  /// The index of value ranges; null for none.
+  /// Index of value ranges; null if not used.
   ExtractionIndex* Index = nullptr;
-  /// The name of the cell array of item indices; null for none.
+  /// Name of the cell array of item indices; null if not written.
   const char* IdName = nullptr;
   int OutputPointsPrecision = vtkAlgorithm::DEFAULT_PRECISION;
   bool GenerateBoundaries = false;
-  /// Whether triangles of contours have the points that they share but once.
+  /// Whether contour triangles share points.
   bool SharePoints = true;
-  /// Whether the outputs tell what each of their points and cells was made of.
-  bool KeepOrigins = false;
-  /// Whether the input's tetrahedra are oriented as they are stored, for a further criterion.
+  /// Whether the outputs contain arrays with the origin of each point and cell.
+  bool GenerateOriginArrays = false;
+  /// Whether tetrahedra keep their stored orientation; set for a further criterion.
   bool KeepOrientation = false;
-  /// What passes tell each other of cells that are passed on whole; null where none are.
-  WholePass* Whole = nullptr;
+  /// State of interior cells, passed from pass to pass; null if interior cells are cut too.
+  InteriorCellPass* InteriorPass = nullptr;
   /**
-   * The boundary of the input, as port 1 of the pass before, for a further criterion. Its triangles
-   * are cut like the tetrahedra they belong to. Null for none.
+   * Boundary of the input, port 1 of the previous pass, for a further criterion. Its triangles are
+   * cut like the tetrahedra they belong to. Null if there is none.
    */
   vtkUnstructuredGrid* InputBoundary = nullptr;
 
-  /// Runs the pass. \a boundary may be null. Returns false when the user aborted; then the outputs
-  /// are empty.
+  /// Runs the pass. \a boundary may be null. Returns false, with empty outputs, if the user
+  /// aborted.
   bool Execute(vtkDataSet* input, vtkDataArray* scalars, vtkUnstructuredGrid* output,
     vtkUnstructuredGrid* boundary, ExtractionReport& report);
 

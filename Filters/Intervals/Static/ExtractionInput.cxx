@@ -38,8 +38,8 @@ vtkDataArray* GetAxis(vtkRectilinearGrid* grid, int axis)
   return axes[axis];
 }
 
-// Returns an error if an array has fewer tuples than there are \a number things: it would be read
-// past its end.
+// Returns an error for the first array with fewer than \a number tuples, which would be read past
+// its end.
 Error FindShortArray(vtkDataSetAttributes* arrays, vtkIdType number, const char* thing)
 {
   for (int a = 0; a < arrays->GetNumberOfArrays(); ++a)
@@ -55,18 +55,17 @@ Error FindShortArray(vtkDataSetAttributes* arrays, vtkIdType number, const char*
   return {};
 }
 
-// Returns the least distance of two coordinates that follow each other and differ; 0 where there is
-// none.
-double FindLeastStep(vtkDataArray* coordinates)
+// Returns the smallest nonzero distance of successive coordinates, or 0.
+double FindMinimumStep(vtkDataArray* coordinates)
 {
-  double least = 0.0;
+  double minimum = 0.0;
   for (vtkIdType i = 1; i < coordinates->GetNumberOfTuples(); ++i)
   {
     const double step =
       std::abs(coordinates->GetComponent(i, 0) - coordinates->GetComponent(i - 1, 0));
-    least = step > 0.0 && (least == 0.0 || step < least) ? step : least;
+    minimum = step > 0.0 && (minimum == 0.0 || step < minimum) ? step : minimum;
   }
-  return least;
+  return minimum;
 }
 }
 
@@ -77,7 +76,7 @@ Error ExtractionInput::CheckScalars(
   {
     return "The input has no " + wanted + ".";
   }
-  // Grids of rows are cut in the order of their points.
+  // Structured grids do not use global ids.
   int dimensions[3];
   const bool usesIds = !ExtractionArrays::GetRowDimensions(input, dimensions);
   return ArrayCheck::MakeSentence(
@@ -113,7 +112,7 @@ std::string ExtractionInput::CheckPrecision(vtkDataSet* input, int precision)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      sizes[axis] = FindLeastStep(GetAxis(grid, axis));
+      sizes[axis] = FindMinimumStep(GetAxis(grid, axis));
     }
   }
   double size = 0.0;
@@ -132,32 +131,32 @@ std::string ExtractionInput::CheckPrecision(vtkDataSet* input, int precision)
   {
     farthest = std::max(farthest, std::abs(bound));
   }
-  constexpr double share = 0.01;
+  constexpr double tolerance = 0.01;
   const double rounding = 0.5 * farthest * std::numeric_limits<float>::epsilon();
-  if (rounding <= share * size || !std::isfinite(farthest))
+  if (rounding <= tolerance * size || !std::isfinite(farthest))
   {
     return std::string();
   }
-  std::ostringstream what;
-  what << "Points in single precision are off by up to " << rounding << ", and cells are " << size
-       << " wide: they lie as far as " << farthest
-       << " from the origin. Set OutputPointsPrecision to double, or move the origin.";
-  return what.str();
+  std::ostringstream message;
+  message << "Points in single precision have errors of up to " << rounding
+          << ", but cells are only " << size << " wide, at a distance of up to " << farthest
+          << " from the origin. Set OutputPointsPrecision to double, or move the origin.";
+  return message.str();
 }
 
 std::string ExtractionInput::CheckPolyhedra(vtkIdType numberOfConcave)
 {
   return numberOfConcave == 0 ? std::string()
                               : std::to_string(numberOfConcave) +
-      " polyhedra are not seen whole from the mean of their points, since they or their faces are "
-      "concave: the parts that they are cut into overlap, and volumes come out too large. Cut them "
-      "into convex cells before.";
+      " polyhedra cannot be split around the mean of their points, because they or their faces are "
+      "concave. Their tetrahedra overlap, and volumes are too large. Split them into convex cells "
+      "first.";
 }
 
 vtkIdType ExtractionInput::CountFoldedInRows(vtkDataSet* input)
 {
   vtkRectilinearGrid* grid = vtkRectilinearGrid::SafeDownCast(input);
-  vtkIdType straight = 1;
+  vtkIdType unfolded = 1;
   int size[3] = { 1, 1, 1 };
   if (grid)
   {
@@ -165,9 +164,9 @@ vtkIdType ExtractionInput::CountFoldedInRows(vtkDataSet* input)
   }
   for (int axis = 0; grid && axis < 3; ++axis)
   {
-    straight *= size[axis] - 1 - AxisCheck::Find(GetAxis(grid, axis), size[axis]).Number;
+    unfolded *= size[axis] - 1 - AxisCheck::Find(GetAxis(grid, axis), size[axis]).Number;
   }
-  return grid ? grid->GetNumberOfCells() - straight : 0;
+  return grid ? grid->GetNumberOfCells() - unfolded : 0;
 }
 
 std::string ExtractionInput::CheckFolding(vtkDataSet* input, vtkIdType numberOfFolded)
@@ -180,23 +179,22 @@ std::string ExtractionInput::CheckFolding(vtkDataSet* input, vtkIdType numberOfF
   if (!grid)
   {
     return std::to_string(numberOfFolded) +
-      " cells are folded or cross themselves: what is made of their parts overlaps. Check the "
-      "order "
-      "of their points (a voxel's is not that of a hexahedron), or move the points.";
+      " cells are folded or intersect themselves, so their output overlaps. Check the order of "
+      "their points (voxels and hexahedra have different orders), or move the points.";
   }
   std::string words;
   int size[3];
   grid->GetDimensions(size);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const AxisCheck turns = AxisCheck::Find(GetAxis(grid, axis), size[axis]);
-    if (turns.Number > 0)
+    const AxisCheck reversals = AxisCheck::Find(GetAxis(grid, axis), size[axis]);
+    if (reversals.Number > 0)
     {
-      words += (words.empty() ? "" : ", and ") + turns.Describe(axis, GetAxis(grid, axis));
+      words += (words.empty() ? "" : ", and ") + reversals.Describe(axis, GetAxis(grid, axis));
     }
   }
   return ArrayCheck::MakeSentence(words + ": " + std::to_string(numberOfFolded) +
-    " cells have no volume or lie over others. Let the coordinates ascend, or descend, throughout");
+    " cells have no volume or overlap others. Use coordinates that increase or decrease strictly");
 }
 
 std::vector<std::string> ExtractionInput::GetWarnings(
@@ -206,12 +204,12 @@ std::vector<std::string> ExtractionInput::GetWarnings(
   if (report.LinearizedCells > 0)
   {
     warnings.push_back(std::to_string(report.LinearizedCells) +
-      " quadratic or higher cells are taken as linear, by their corners.");
+      " quadratic or higher-order cells are treated as linear cells with the same corners.");
   }
   if (report.UnsupportedCells > 0)
   {
     warnings.push_back(std::to_string(report.UnsupportedCells) +
-      " cells have no linear counterpart and are left out.");
+      " cells are skipped because their type is not supported.");
   }
   for (const std::string& warning : { CheckPolyhedra(report.ConcavePolyhedra),
          CheckFolding(input, report.FoldedCells), CheckPrecision(input, precision),

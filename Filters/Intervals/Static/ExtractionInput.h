@@ -27,9 +27,9 @@ class ExtractionInput
 {
 public:
   /**
-   * Returns an error if \a array cannot be the scalar of \a input, or if the arrays of \a input
-   * contradict each other. \a association is that of the array; \a wanted describes the requested
-   * array.
+   * Returns an error if \a array is not a valid scalar of \a input, or if the arrays of \a input
+   * are inconsistent. \a association is the association of \a array. \a wanted describes the
+   * requested array.
    */
   static Error CheckScalars(
     vtkDataSet* input, vtkAbstractArray* array, int association, const std::string& wanted);
@@ -39,25 +39,25 @@ public:
 
   ///@{
   /**
-   * Return what is not right with an extraction that goes on, in words, or nothing: points that
-   * single precision moves by more than a hundredth of a cell, as of an image far from the origin;
-   * polyhedra that are cut into parts that overlap; cells that are folded.
+   * Return a warning, or an empty string. The checks find points whose single-precision coordinates
+   * are off by more than a hundredth of a cell, as in an image far from the origin, polyhedra that
+   * are split into overlapping cells, and folded cells.
    */
   static std::string CheckPrecision(vtkDataSet* input, int precision);
   static std::string CheckPolyhedra(vtkIdType numberOfConcave);
   static std::string CheckFolding(vtkDataSet* input, vtkIdType numberOfFolded);
   ///@}
 
-  /// Returns the number of cells where coordinates of a rectilinear grid turn back or repeat, and 0
-  /// for other datasets.
+  /// Returns the number of cells of a rectilinear grid where coordinates are not strictly
+  /// monotonic, or 0 for other datasets.
   static vtkIdType CountFoldedInRows(vtkDataSet* input);
 
-  /// Returns what an extraction of that \a report is to warn of, each in words: what is left
-  /// out or taken as something else, and the two above.
+  /// Returns the warnings of an extraction with the given report: skipped or simplified cells, and
+  /// the results of the three checks above.
   static std::vector<std::string> GetWarnings(
     vtkDataSet* input, int precision, const ExtractionReport& report);
 
-  /// Describes the array that input 0 of \a owner is set to process.
+  /// Returns a description of the array that input 0 of \a owner processes.
   static std::string DescribeArrayToProcess(vtkAlgorithm* owner);
 };
 

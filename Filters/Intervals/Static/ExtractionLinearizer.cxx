@@ -110,8 +110,8 @@ private:
     this->CellIds.push_back(cell);
   }
 
-  // Returns the one neighbour of a point, along edges of faces, that is not on a face; -1 if there
-  // are more.
+  // Returns the only neighbor of \a point along an edge that is not in \a face, or -1 if there are
+  // several.
   static vtkIdType GetNeighborOff(
     const std::map<vtkIdType, std::set<vtkIdType>>& neighbors, vtkIdType point, const Face& face)
   {
@@ -130,7 +130,8 @@ private:
     return found;
   }
 
-  // Returns the polyhedron as a cell with a table, or no points.
+  // If the polyhedron has the faces of a cell with an isotable, sets \a type to the type of that
+  // cell and returns the points in its order. Otherwise returns no points.
   static Face Recognize(const std::vector<Face>& faces, int& type)
   {
     std::map<vtkIdType, std::set<vtkIdType>> neighbors;
@@ -176,7 +177,8 @@ private:
         }
         points.push_back(above);
       }
-      // A tetrahedron and a pyramid have one point above all.
+      // In a tetrahedron or pyramid, all base points have the same neighbor, the apex. Keep it
+      // once.
       points.resize(pattern.Points);
       return points;
     }
@@ -206,14 +208,15 @@ private:
     {
       return;
     }
-    // In the order that all pieces have, by which the mean is rounded alike.
+    // Sorts the vertices in the global order, so that the mean is rounded identically in all
+    // pieces.
     std::sort(vertices.begin(), vertices.end(),
       [this](vtkIdType a, vtkIdType b) { return this->GetOrder(a) < this->GetOrder(b); });
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     const vtkIdType center =
       this->Input->GetNumberOfPoints() + static_cast<vtkIdType>(this->Centers.size());
     this->Centers.push_back(vertices);
-    this->NumberOfConcave += !this->IsSeenWhole(faces, this->Centers.back());
+    this->NumberOfConcave += !this->IsStarShaped(faces, this->Centers.back());
     for (const Face& face : faces)
     {
       if (face.size() == 4)
@@ -228,7 +231,8 @@ private:
     }
   }
 
-  // Visits the fan of a face from its first point in the order.
+  // Calls visit(a, b, c) for the triangles of a fan of a face, from the face's first point in the
+  // global order.
   template <typename Visitor>
   void ForEachTriangle(const Face& face, Visitor&& visit) const
   {
@@ -241,8 +245,8 @@ private:
     }
   }
 
-  // Turns faces until all are outward, or all inward: two have a common edge in opposite
-  // directions.
+  // Orients faces consistently, all outward or all inward: two faces traverse their common edge in
+  // opposite directions.
   static void Orient(std::vector<Face>& faces)
   {
     std::map<std::pair<vtkIdType, vtkIdType>, std::vector<std::size_t>> facesOf;
@@ -258,9 +262,9 @@ private:
       const auto at = std::find(face.begin(), face.end(), a);
       return at != face.end() && (at + 1 == face.end() ? face.front() : at[1]) == b;
     };
-    std::vector<bool> isMet(faces.size(), false);
+    std::vector<bool> isVisited(faces.size(), false);
     std::vector<std::size_t> next = { 0 };
-    isMet[0] = true;
+    isVisited[0] = true;
     while (!next.empty())
     {
       const Face face = faces[next.back()];
@@ -271,13 +275,13 @@ private:
         const vtkIdType b = face[(i + 1) % face.size()];
         for (const std::size_t other : facesOf[std::minmax({ a, b })])
         {
-          if (!isMet[other])
+          if (!isVisited[other])
           {
             if (hasEdge(faces[other], a, b))
             {
               std::reverse(faces[other].begin(), faces[other].end());
             }
-            isMet[other] = true;
+            isVisited[other] = true;
             next.push_back(other);
           }
         }
@@ -285,13 +289,13 @@ private:
     }
   }
 
-  // Returns whether the mean of its vertices sees every part of a polyhedron from inside.
-  bool IsSeenWhole(std::vector<Face> faces, const Face& vertices) const
+  // Returns whether a polyhedron is star-shaped around the mean of its vertices.
+  bool IsStarShaped(std::vector<Face> faces, const Face& vertices) const
   {
     const glm::dvec3 center = this->GetMeanPoint(vertices);
     if (!Vectors::IsFinite(center))
     {
-      // It is skipped.
+      // The polyhedron is skipped.
       return true;
     }
     Orient(faces);
@@ -311,7 +315,7 @@ private:
         });
     }
     constexpr double rounding = 1e-6;
-    // A flat polyhedron has volumes of rounding alone.
+    // The volumes of a degenerate polyhedron are rounding errors.
     constexpr double flat = 1e-12;
     return std::min(inside, outside) <= std::max(rounding * (inside + outside), flat * size);
   }
@@ -333,28 +337,31 @@ private:
     return mean;
   }
 
-  // Computes the mean. For whole numbers their sum is divided, so that the mean of numbers that
-  // equal a bound equals it too; sums of others might be out of range.
+  // Computes the mean. For integer values, the sum is divided at the end, so that the mean of
+  // values equal to a bound equals it too. For other values, each term is divided, since the sum
+  // might overflow.
   double GetMean(vtkDataArray* array, const Face& vertices, int component) const
   {
-    constexpr double most = 4503599627370496.0; // 2^52
+    constexpr double maximumExactInteger = 4503599627370496.0; // 2^52
     const double number = static_cast<double>(vertices.size());
     double sum = 0.0;
-    double whole = 0.0;
+    double integerSum = 0.0;
     double magnitude = 0.0;
-    bool isWhole = true;
+    bool areIntegers = true;
     bool isConstant = true;
     const double first = array->GetComponent(vertices.front(), component);
     for (vtkIdType vertex : vertices)
     {
       const double value = array->GetComponent(vertex, component);
       sum += value / number;
-      whole += value;
+      integerSum += value;
       magnitude += std::abs(value);
-      isWhole = isWhole && value == std::floor(value);
+      areIntegers = areIntegers && value == std::floor(value);
       isConstant = isConstant && value == first;
     }
-    return isConstant ? first : isWhole && magnitude < most ? whole / number : sum;
+    return isConstant                                  ? first
+      : areIntegers && magnitude < maximumExactInteger ? integerSum / number
+                                                       : sum;
   }
 
   void AddPoints()
@@ -390,7 +397,7 @@ private:
       to->ShallowCopy(from);
       return;
     }
-    // The centres stand for points of the inside; a grid point keeps its exact values.
+    // Centers get mean values below; grid points keep their exact values.
     ExtractionBuffer<ExtractionPoint> same;
     same.Allocate(after);
     for (vtkIdType p = 0; p < after; ++p)
@@ -413,7 +420,7 @@ private:
     }
     if (vtkDataArray* ids = vtkDataArray::SafeDownCast(from->GetPedigreeIds()))
     {
-      // They may be the scalar.
+      // The pedigree ids may be the scalar that is extracted.
       const auto extended = vtk::TakeSmartPointer(ids->NewInstance());
       extended->DeepCopy(ids);
       extended->Resize(after);
@@ -433,7 +440,7 @@ private:
     }
   }
 
-  // Sets the tuples from \a before on, those of the centers.
+  // Sets the tuples of the centers, which start at \a before.
   void FillMeans(vtkDataArray* source, vtkDataArray* array, vtkIdType before) const
   {
     for (std::size_t center = 0; center < this->Centers.size(); ++center)
@@ -446,7 +453,7 @@ private:
     }
   }
 
-  // A centre comes after all points in the order, as its id does.
+  // In the global order, as in the order of ids, centers come after all other points.
   void AddOrder(vtkIdType before, vtkIdType after)
   {
     if (!this->Order)
@@ -468,11 +475,11 @@ private:
 
   vtkDataSet* Input;
   std::vector<vtkIdType>& CellIds;
-  // The global ids, or null.
+  // Global ids, or null.
   vtkSmartPointer<GlobalIds::Array> Order;
   vtkNew<vtkUnstructuredGrid> Output;
   vtkNew<vtkGenericCell> Generic;
-  // The vertices of each coned polyhedron.
+  // Vertices of each split polyhedron.
   std::vector<Face> Centers;
   vtkIdType NumberOfConcave = 0;
 };
@@ -488,15 +495,15 @@ bool ExtractionLinearizer::IsNeeded(vtkDataSet* input)
   const vtkIdType number = grid->GetNumberOfCells();
   const auto stored = GridCells::GetTypes(grid);
   const unsigned char* types = stored->GetPointer(0);
-  bool isMet[256] = {};
+  bool isVisited[256] = {};
   const vtkIdType first = number > 0 && GridCells::AreOfOneType(types, number) ? number - 1 : 0;
   for (vtkIdType cell = first; cell < number; ++cell)
   {
-    isMet[types[cell]] = true;
+    isVisited[types[cell]] = true;
   }
   for (int type = 0; type < 256; ++type)
   {
-    if (isMet[type] && CellCorners::Of(type).Kind == CellCorners::POLYHEDRAL)
+    if (isVisited[type] && CellCorners::Of(type).Kind == CellCorners::POLYHEDRAL)
     {
       return true;
     }

@@ -15,26 +15,27 @@ namespace interlume
 
 /**
  * @class   ExtractionLinearizer
- * @brief   makes an unstructured grid of cells that have tables
+ * @brief   converts a grid to an unstructured grid of cells with isotables
  *
  * A convex polyhedron with the faces of a tetrahedron, pyramid, wedge or hexahedron becomes that
- * cell. Any other is coned from the mean of its vertices: a triangle gives a tetrahedron, a
- * quadrilateral a pyramid, a larger face a fan of tetrahedra from its point of lowest id. Shared
- * faces stay shared and whole, so neighbours of any type agree; the point arrays take their mean at
- * the new point, which is exact where they are linear. (The hull of a larger face's prism depends
- * on the shape of the face, so a table could not make two polyhedra agree there.)
+ * cell. Any other polyhedron is split around a center, the mean of its vertices: a triangle becomes
+ * a tetrahedron, a quadrilateral a pyramid, and a larger face a fan of tetrahedra from its point of
+ * lowest id. Shared faces are preserved, so neighbors of any type conform. The value of a point
+ * array at the center is the mean over the vertices, which is exact for linear fields. (An isotable
+ * of a polyhedron with larger faces would not work: the hull of such a face's prism depends on the
+ * shape of the face, so two polyhedra would not agree on it.)
  *
- * Cells that have no table are kept, for the extraction to count.
+ * Other cells without an isotable are copied, so that the extraction counts them.
  */
 class ExtractionLinearizer
 {
 public:
-  /// Returns whether \a input is not an unstructured grid or has polyhedra.
+  /// Returns whether \a input is not an unstructured grid, or contains polyhedra.
   static bool IsNeeded(vtkDataSet* input);
 
-  /// Makes the grid. \a cellIds gets the input cell of each cell made, which has the ghost level of
-  /// that cell, \a numberOfConcave the number of coned polyhedra that are not seen whole from the
-  /// mean of their vertices, whose parts overlap.
+  /// Creates the grid. \a cellIds receives the input cell of each cell; a cell inherits the ghost
+  /// flags of its input cell. \a numberOfConcave receives the number of split polyhedra that are
+  /// not star-shaped around their center. Their cells overlap.
   static vtkSmartPointer<vtkUnstructuredGrid> Execute(
     vtkDataSet* input, std::vector<vtkIdType>& cellIds, vtkIdType& numberOfConcave);
 };

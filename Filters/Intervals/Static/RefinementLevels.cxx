@@ -24,10 +24,10 @@ namespace
 using Index = std::array<int, 3>;
 using Position = std::array<double, 3>;
 
-// Mark of a covered cell; bits below it are the faces 0 to 5 (-x, +x, -y, ...).
+// Mark of a covered cell. The lower bits mark faces 0 to 5 (-x, +x, -y, ...).
 constexpr unsigned char Covered = 1 << 6;
 
-// One dataset of a level, and marks of its cells.
+// One dataset of a level, with marks of its cells.
 class Block
 {
 public:
@@ -61,7 +61,7 @@ public:
     return this->Spacing[0] < ratio * other.Spacing[0];
   }
 
-  // Marks the cells that a finer block covers, and the faces that it begins at.
+  // Marks the cells covered by a finer block, and the faces where the finer block starts.
   void Mark(const Block& finer)
   {
     Index first;
@@ -70,7 +70,7 @@ public:
     {
       const double begin = (finer.Base[axis] - this->Base[axis]) / this->Spacing[axis];
       const double length = finer.Cells[axis] * finer.Spacing[axis] / this->Spacing[axis];
-      // One cell more on each side, and another for rounding errors.
+      // Include the adjacent cell on each side, and another one because of rounding errors.
       first[axis] = static_cast<int>(std::max(0.0, std::floor(begin) - 2.0));
       last[axis] =
         static_cast<int>(std::min<double>(this->Cells[axis], std::ceil(begin + length) + 2.0));
@@ -93,7 +93,7 @@ public:
     }
   }
 
-  // Counts the marks of cells and faces that intervals meet.
+  // Counts the marked cells and faces that intersect intervals.
   void Count(vtkDataArray* scalars, const std::vector<vtkIntervalList::Interval>& intervals,
     ExtractionReport& report) const
   {
@@ -150,13 +150,13 @@ private:
     {
       return;
     }
-    // The center, moved off the faces of finer cells.
-    constexpr double aside = 0.25;
+    // The center of the cell, shifted so that it is not on a face of a finer cell.
+    constexpr double offset = 0.25;
     Position center;
     for (int axis = 0; axis < 3; ++axis)
     {
       center[axis] =
-        this->Base[axis] + this->Spacing[axis] * (at[axis] + 0.5) + aside * finer.Spacing[axis];
+        this->Base[axis] + this->Spacing[axis] * (at[axis] + 0.5) + offset * finer.Spacing[axis];
     }
     if (finer.Holds(center))
     {
@@ -169,7 +169,7 @@ private:
       const int side = face % 2;
       Position outside = center;
       outside[axis] = this->Base[axis] + this->Spacing[axis] * (at[axis] + side) +
-        (2 * side - 1) * aside * finer.Spacing[axis];
+        (2 * side - 1) * offset * finer.Spacing[axis];
       if (finer.Holds(outside))
       {
         this->Marks[cell] |= static_cast<unsigned char>(1 << face);
@@ -177,7 +177,7 @@ private:
     }
   }
 
-  // Returns the range of the scalars in a cell, or in a face of it; empty if one is not finite.
+  // Returns the scalar range in a cell or in one of its faces; empty if a scalar is not finite.
   std::array<double, 2> GetRange(vtkIdType cell, int face, vtkDataArray* scalars) const
   {
     constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -261,16 +261,14 @@ std::vector<std::string> RefinementLevels::GetWarnings(const ExtractionReport& r
   if (report.CoveredCells > 0)
   {
     warnings.push_back(std::to_string(report.CoveredCells) +
-      " cells of AMR levels are not blanked although cells of a finer level lie over them: both "
-      "levels are extracted there. Blank them before (vtkAMRUtilities::BlankCells).");
+      " cells of AMR levels are covered by a finer level but not blanked. Both levels are "
+      "extracted there. Blank the covered cells first (vtkAMRUtilities::BlankCells).");
   }
   if (report.LevelFaces > 0)
   {
     warnings.push_back("Two AMR levels meet at " + std::to_string(report.LevelFaces) +
-      " faces that an isovalue crosses: the cells of each level are cut by their own points, so "
-      "that surfaces have gaps there. Resample the levels to one image (vtkResampleToImage) if "
-      "they "
-      "have to be closed.");
+      " faces that an isovalue intersects. Each level is extracted separately, so surfaces have "
+      "gaps there. For closed surfaces, resample the levels to one image (vtkResampleToImage).");
   }
   return warnings;
 }

@@ -17,25 +17,26 @@ namespace interlume
 
 struct ExtractionReport;
 
-/// Returns the array of a dataset that a filter processes, and its association.
+/// Returns the array that a filter processes in a dataset, and its association.
 using ArrayFinder = std::function<vtkAbstractArray*(vtkDataSet* input, int& association)>;
 
 /**
  * @class   RefinementLevels
- * @brief   checks the levels of an AMR dataset, which are extracted one by one
+ * @brief   checks the levels of an AMR dataset, which are extracted independently
  *
- * Finds cells with output that cells of a finer level cover, and faces between cells of two levels
- * that an isovalue crosses: the surfaces of the two levels do not fit together there. Other
- * datasets are ignored.
+ * Finds cells with output that are covered by cells of a finer level, and faces between two levels
+ * that an isovalue intersects, where the surfaces of the levels do not match. Other datasets are
+ * ignored.
  */
 class RefinementLevels
 {
 public:
-  /// Adds the counts to \a report. An isosurface is an interval of zero width.
+  /// Counts such cells and faces and adds the counts to \a report. An isosurface is an interval of
+  /// zero width.
   static void Count(vtkDataObject* input, const std::vector<vtkIntervalList::Interval>& intervals,
     const ArrayFinder& findArray, ExtractionReport& report);
 
-  /// Returns warnings for the counts.
+  /// Returns warnings for nonzero counts.
   static std::vector<std::string> GetWarnings(const ExtractionReport& report);
 };
 

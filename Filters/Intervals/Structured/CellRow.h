@@ -11,15 +11,16 @@ namespace interlume
 
 /**
  * @class   CellRow
- * @brief   a row of cells and the rows of grid points around it, in the order of SlotPlace::Row
+ * @brief   a row of cells and the four rows of grid points around it, in the order of
+ * SlotLocation::Row
  *
- * Vertices of a cell are in the order of VTK_VOXEL; \a i is its column.
+ * The vertices of a cell are in the order of VTK_VOXEL. \a i is the column of a cell.
  */
 struct CellRow
 {
   using Code = ExtractionValues::Code;
 
-  /// The place where the ids of a slot's points begin, and how they go on along the row.
+  /// Ids of a slot's points along the row: First + Starts[i] + Offsets[i] for the cell at column i.
   struct SlotRow
   {
     vtkIdType First;
@@ -29,7 +30,7 @@ struct CellRow
 
   vtkIdType J;
   vtkIdType K;
-  /// Of the cell at column 0.
+  /// Ids of the first grid point and of the cell at column 0.
   vtkIdType FirstPoint;
   vtkIdType FirstCell;
   const Code* Codes[4];
@@ -48,13 +49,13 @@ struct CellRow
     }
   }
 
-  /// Returns the output id of a vertex that is a point of the output.
+  /// Returns the output id of a vertex. The vertex must be an output point.
   vtkIdType GetVertexId(vtkIdType i, int vertex) const
   {
     return this->Slots[vertex].First + this->Slots[vertex].Starts[i];
   }
 
-  /// Returns whether no vertex of a cell has the code \a nonFinite.
+  /// Returns true if no vertex of a cell has the code \a nonFinite.
   bool IsCellFinite(vtkIdType i, Code nonFinite) const
   {
     for (const Code* codes : this->Codes)
@@ -67,7 +68,8 @@ struct CellRow
     return true;
   }
 
-  /// Returns whether \a ties or the code of a vertex is one of a tie.
+  /// Returns true if \a ties or the code of a vertex indicates a tie, that is, a scalar equal to an
+  /// isovalue.
   bool HasTiedPoints(vtkIdType i, Code ties = 0) const
   {
     for (const Code* codes : this->Codes)

@@ -12,23 +12,24 @@ namespace interlume
 {
 
 /**
- * Where the points of an extraction by rows go: into the arrays of the output, where the context
- * has them, or else into the list of the mesh, which is interpolated later.
+ * Writes the points of a structured extraction directly to the output arrays if the context refers
+ * to such arrays. Otherwise the points are stored in the mesh and interpolated later.
  */
 namespace PointOutput
 {
-/// Puts \a points in their places on the edges, then writes them from \a place on.
+/// Computes the position of \a points on their edges and writes them, beginning at index \a
+/// position.
 inline void Write(const ExtractionContext& context, const ExtractionScalars& scalars,
-  ExtractionPoint* points, vtkIdType number, vtkIdType place, ExtractionMesh& mesh)
+  ExtractionPoint* points, vtkIdType number, vtkIdType position, ExtractionMesh& mesh)
 {
   scalars.Place(points, number);
   if (context.Arrays)
   {
-    context.Arrays->Write(points, number, place);
+    context.Arrays->Write(points, number, position);
   }
   else
   {
-    std::copy_n(points, number, mesh.Points.GetData() + place);
+    std::copy_n(points, number, mesh.Points.GetData() + position);
   }
 }
 }

@@ -3,7 +3,7 @@
 #define interlume_RowCells_h
 
 #include "Cuts/ExtractionCell.h"
-#include "Grid/WholeCells.h"
+#include "Grid/InteriorCellFilter.h"
 #include "Pass/ExtractionIndex.h"
 #include "Scalars/ExtractionKernels.h"
 #include "Scalars/RowKernels.h"
@@ -24,32 +24,32 @@ namespace interlume
 {
 
 /**
- * What a thread keeps for the cells of a row.
+ * Buffers of a thread for a row of cells.
  */
 struct RowBuffers : RowNotes
 {
   RowPoints::Local Points;
   std::vector<ExtractionValues::Code> Columns;
   std::vector<ExtractionValues::Code> Keys;
-  /// A mark for each cell of the row that gives simplices (1) or boundary triangles only (2).
-  std::vector<std::uint8_t> Gave;
-  /// The columns [first, last) of the row of cells that give output.
-  RowPoints::ColumnRange Given = { 0, 0 };
-  /// The cells that are visited.
+  /// Marks of the cells of the row: 1 if a cell produces simplices, 2 if boundary triangles only.
+  std::vector<std::uint8_t> OutputMarks;
+  /// The columns [first, last) of the row that contain all cells with output.
+  RowPoints::ColumnRange OutputRange = { 0, 0 };
+  /// The columns of the cells to visit.
   std::vector<ExtractionIndex::Span> Spans;
   bool HasTies = false;
 };
 
 /**
  * @class   RowCells
- * @brief   counts or writes what the cells of a row have of an item
+ * @brief   counts or writes the output of an item in a row of cells
  */
 class RowCells
 {
 public:
   using Code = ExtractionValues::Code;
 
-  /// All of these must outlive this; \a nx is the number of points of a row.
+  /// All arguments must outlive this object. \a nx is the number of points in a row.
   RowCells(const ExtractionContext& context, const vtkIsotable& table,
     const vtkIsotable::RankArray& ranks, const RowIndex& rows, vtkIdType nx, ExtractionMesh& mesh)
     : Context(context)
@@ -68,16 +68,16 @@ public:
   RowWriter& GetWriter() { return this->Writer; }
   const RowWriter& GetWriter() const { return this->Writer; }
 
-  /// Counts or writes the cells of \a local's spans, and moves \a place on.
+  /// Counts or writes the cells in the spans of \a local, and advances \a position.
   template <bool Write>
-  void Process(RowBuffers& local, const CellRow& around, int item, RowCount& place)
+  void Process(RowBuffers& local, const CellRow& around, int item, RowCount& position)
   {
     RowWriter::CellInside inside;
     const auto& what = this->Values.GetItems()[item];
     this->FillKeys(local, around, what);
     const Code last = static_cast<Code>(this->Table.GetNumberOfCases() - 1);
     const bool hasTies = around.HasTies || what.IsFlat;
-    const bool passesInterior = this->Context.Whole != nullptr;
+    const bool passesInterior = this->Context.InteriorFilter != nullptr;
     for (const auto& span : local.Spans)
     {
       for (vtkIdType i = span[0]; i < span[1]; ++i)
@@ -94,7 +94,7 @@ public:
         }
         if (passesInterior && key == this->KeyInside && this->MayBeInterior(around, i))
         {
-          this->ProcessInterior<Write>(local, around, i, item, place);
+          this->ProcessInterior<Write>(local, around, i, item, position);
           continue;
         }
         const vtkIsotable::Case& found = this->Table.GetCase(key);
@@ -103,36 +103,37 @@ public:
           : i;
         if (end > i)
         {
-          this->ProcessInside<Write>(local, around, { i, end }, item, found, inside, place);
+          this->ProcessInside<Write>(local, around, { i, end }, item, found, inside, position);
           i = end - 1;
           continue;
         }
-        const RowCount before = place;
+        const RowCount before = position;
         const bool isTied = hasTies && around.HasTiedPoints(i, what.IsFlat) &&
-          this->ProcessTies<Write>(local, around, i, item, found, place);
+          this->ProcessTies<Write>(local, around, i, item, found, position);
         if (!isTied && Write)
         {
-          this->Writer.WriteCell(around, i, item, found, place);
+          this->Writer.WriteCell(around, i, item, found, position);
         }
         else if (!isTied)
         {
-          place.Simplices += found.Simplices.size();
-          place.Triangles += this->Context.GenerateBoundaries ? found.Boundary.size() : 0;
+          position.Simplices += found.Simplices.size();
+          position.Triangles += this->Context.GenerateBoundaries ? found.Boundary.size() : 0;
         }
-        if (!Write && place.Simplices != before.Simplices)
+        if (!Write && position.Simplices != before.Simplices)
         {
-          NoteGiven(local, { i, i + 1 }, 1);
+          MarkOutput(local, { i, i + 1 }, 1);
         }
-        else if (!Write && place.Triangles != before.Triangles)
+        else if (!Write && position.Triangles != before.Triangles)
         {
-          NoteGiven(local, { i, i + 1 }, std::max<std::uint8_t>(local.Gave[i], 2));
+          MarkOutput(local, { i, i + 1 }, std::max<std::uint8_t>(local.OutputMarks[i], 2));
         }
       }
     }
   }
 
 private:
-  // Returns the type of cells in rows that are passed on: a voxel lies along the axes of space.
+  // Returns the type of cells that are passed through uncut. A voxel must be aligned with the
+  // coordinate axes.
   static unsigned char GetTypeInRows(vtkDataSet* input)
   {
     vtkImageData* image = vtkImageData::SafeDownCast(input);
@@ -155,8 +156,8 @@ private:
     }
   }
 
-  // Returns the end of the cells from \a first on that are inside of an interval, finite and not
-  // tied.
+  // Returns the end of the range of cells, starting at \a first, that are inside an interval,
+  // finite and without ties.
   static vtkIdType FindEndInside(
     const RowBuffers& local, const CellRow& around, vtkIdType first, vtkIdType last)
   {
@@ -166,40 +167,41 @@ private:
     {
       return end;
     }
-    // A cell ends at the column after it.
+    // A tie at the column after a cell affects that cell as well.
     const vtkIdType tie = ExtractionKernels::FindOdd(around.Codes, first, end + 1);
     return tie > end ? end : std::max(first, tie - 1);
   }
 
-  // Counts or writes cells inside of an interval. Without ties they have no boundary.
+  // Counts or writes cells inside an interval. Without ties, they have no boundary.
   template <bool Write>
   void ProcessInside(RowBuffers& local, const CellRow& around, const RowPoints::ColumnRange& cells,
-    int item, const vtkIsotable::Case& found, RowWriter::CellInside& inside, RowCount& place)
+    int item, const vtkIsotable::Case& found, RowWriter::CellInside& inside, RowCount& position)
   {
     if (!Write)
     {
-      place.Simplices += (cells.Last - cells.First) * found.Simplices.size();
-      NoteGiven(local, cells, 1);
+      position.Simplices += (cells.Last - cells.First) * found.Simplices.size();
+      MarkOutput(local, cells, 1);
       return;
     }
-    this->Writer.WriteInside(around, cells.First, cells.Last, item, found, inside, place);
+    this->Writer.WriteInside(around, cells.First, cells.Last, item, found, inside, position);
   }
 
-  // Notes that cells give output.
-  static void NoteGiven(RowBuffers& local, const RowPoints::ColumnRange& cells, std::uint8_t mark)
+  // Records that cells have output.
+  static void MarkOutput(RowBuffers& local, const RowPoints::ColumnRange& cells, std::uint8_t mark)
   {
-    std::fill(local.Gave.begin() + cells.First, local.Gave.begin() + cells.Last, mark);
-    const bool isFirst = local.Given.First == local.Given.Last;
-    local.Given = { isFirst ? cells.First : std::min(local.Given.First, cells.First),
-      isFirst ? cells.Last : std::max(local.Given.Last, cells.Last) };
+    std::fill(
+      local.OutputMarks.begin() + cells.First, local.OutputMarks.begin() + cells.Last, mark);
+    const bool isFirst = local.OutputRange.First == local.OutputRange.Last;
+    local.OutputRange = { isFirst ? cells.First : std::min(local.OutputRange.First, cells.First),
+      isFirst ? cells.Last : std::max(local.OutputRange.Last, cells.Last) };
   }
 
-  // Returns whether no criterion excludes a corner of a cell.
+  // Returns true if no criterion excludes a corner of a cell.
   bool MayBeInterior(const CellRow& around, vtkIdType i) const
   {
     for (int v = 0; v < 8; ++v)
     {
-      if (!this->Context.Whole->MayHave(this->Rows.GetVertex(around.FirstPoint + i, v)))
+      if (!this->Context.InteriorFilter->MayHave(this->Rows.GetVertex(around.FirstPoint + i, v)))
       {
         return false;
       }
@@ -207,41 +209,41 @@ private:
     return true;
   }
 
-  // Counts or writes a cell that is passed on.
+  // Counts or writes a cell that is passed through uncut.
   template <bool Write>
   void ProcessInterior(
-    RowBuffers& local, const CellRow& around, vtkIdType i, int item, RowCount& place)
+    RowBuffers& local, const CellRow& around, vtkIdType i, int item, RowCount& position)
   {
     if (Write)
     {
       vtkIdType ids[8];
       for (int v = 0; v < 8; ++v)
       {
-        // The points of a hexahedron go around its faces.
+        // VTK_HEXAHEDRON orders the points around a face, VTK_VOXEL along the axes.
         const int corner = this->InteriorType == VTK_HEXAHEDRON ? v ^ ((v >> 1) & 1) : v;
         ids[v] = around.GetVertexId(i, corner);
         this->Writer.Use(ids[v]);
       }
-      this->Mesh.WriteWhole(
-        place.Interior, 8 * place.Interior, this->InteriorType, ids, 8, item, around.FirstCell + i);
+      this->Mesh.WriteInteriorCell(position.Interior, 8 * position.Interior, this->InteriorType,
+        ids, 8, item, around.FirstCell + i);
     }
     else
     {
-      NoteGiven(local, { i, i + 1 }, 1);
+      MarkOutput(local, { i, i + 1 }, 1);
     }
-    ++place.Interior;
+    ++position.Interior;
   }
 
-  // Cuts a case where values equal isovalues: slots that are one point are made one before the case
-  // is cut. Returns false if none are.
+  // Counts or writes a cell where values equal isovalues. Slots of the same point are merged before
+  // the case is cut. Returns false if no slots have to be merged.
   template <bool Write>
   bool ProcessTies(RowBuffers& local, const CellRow& around, vtkIdType i, int item,
-    const vtkIsotable::Case& found, RowCount& place)
+    const vtkIsotable::Case& found, RowCount& position)
   {
     const auto& what = this->Values.GetItems()[item];
     Code codes[8];
     around.GetCodes(i, codes);
-    TiedCases::Tied& tied = local.TiedCases.Find(
+    TieCaseCache::Tied& tied = local.TieCaseCache.Find(
       this->Table, this->Ranks, what, item, codes, found, this->Context.GenerateBoundaries);
     if (!tied.IsMerged)
     {
@@ -250,13 +252,13 @@ private:
     if (Write)
     {
       this->Writer.WriteTied(
-        around, i, item, tied.Cut, place, local.TiedSimplices, local.TiedTriangles);
+        around, i, item, tied.Cut, position, local.TiedSimplices, local.TiedTriangles);
     }
     else
     {
       local.Report.CollapsedSimplices += tied.Cut.GetNumberCollapsed();
-      place.Simplices += static_cast<vtkIdType>(tied.Cut.GetSimplices().size());
-      place.Triangles += static_cast<vtkIdType>(tied.Cut.GetTriangles().size());
+      position.Simplices += static_cast<vtkIdType>(tied.Cut.GetSimplices().size());
+      position.Triangles += static_cast<vtkIdType>(tied.Cut.GetTriangles().size());
     }
     return true;
   }
@@ -269,7 +271,7 @@ private:
   vtkIdType Nx;
   ExtractionMesh& Mesh;
   RowWriter Writer;
-  // The key of a cell inside of an interval, and the type that it is passed on as.
+  // The key of a cell inside an interval, and the type of such a cell in the output.
   Code KeyInside;
   unsigned char InteriorType;
 };

@@ -21,11 +21,13 @@ namespace
 using Code = ExtractionValues::Code;
 
 constexpr int Vertices = 8;
-// What a grid point may own: itself, and the crossings of its edges along i, j and k.
-constexpr int Places = 4;
+// Maximum number of points that a grid point owns: itself and the crossings of its edges along i, j
+// and k.
+constexpr int MaximumOwned = 4;
 
-// The rows of points around a row of cells: (j, k), (j + 1, k), (j, k + 1), (j + 1, k + 1). Where
-// there is none, or it is not compared and so on the same side, it is the first.
+// The rows of points around a row of cells: (j, k), (j + 1, k), (j, k + 1), (j + 1, k + 1). A row
+// is replaced by the first row if it does not exist, or if it was not compared because the surface
+// does not reach it.
 struct Around
 {
   vtkIdType J;
@@ -35,10 +37,10 @@ struct Around
   std::array<BitRows::Row, 4> Rows;
   BitRows::Kinds Kinds;
 
-  // The rows that decide on what the first one owns.
+  // Returns the rows that determine which points the first row owns.
   std::array<BitRows::Row, 3> GetOwners() const { return { { Rows[0], Rows[1], Rows[2] } }; }
 
-  // Returns whether a bit of any corner of a cell is set.
+  // Returns true if a bit of any corner of a cell is set.
   bool Has(BitRows::Word* BitRows::Row::*bits, vtkIdType column) const
   {
     return std::any_of(this->Rows.begin(), this->Rows.end(),
@@ -54,9 +56,9 @@ struct Around
     return !IsSet(row.Above, corner) ? 0 : IsSet(row.Ties, corner) ? 1 : 2;
   }
 
-  // Returns whether points that the row owns may be left without triangles. Where its own cells are
-  // cut by the table, each of its crossings is in one of these.
-  bool MayLeavePoints() const { return !this->HasCells || this->Kinds.IsAny(); }
+  // Returns true if points that the row owns may be unused. They are all used if the row has cells
+  // and all values are finite and differ from the isovalue.
+  bool MayHaveUnusedPoints() const { return !this->HasCells || this->Kinds.IsAny(); }
 
   static bool IsSet(const BitRows::Word* words, vtkIdType column)
   {
@@ -64,8 +66,8 @@ struct Around
   }
 };
 
-// Calls visit(column, owned, bit) for the points of a row of \a nx points that own something; their
-// bits in the words of owned are at place bit.
+// Calls visit(column, owned, bit) for each point of a row of \a nx points that owns output points.
+// \a bit is the position of the point in the words of \a owned.
 template <bool IsSpecial, typename Visitor>
 void ForEachOwner(const Around& around, vtkIdType nx, Visitor&& visit)
 {
@@ -78,14 +80,15 @@ void ForEachOwner(const Around& around, vtkIdType nx, Visitor&& visit)
   }
 }
 
-// Writes the ids of what a row of \a nx points owns, from \a next on, Places for each point.
+// Writes the ids of the points that a row of \a nx points owns, starting with \a next. Each grid
+// point has MaximumOwned entries.
 template <bool IsSpecial, typename Id>
 void FillIds(const Around& around, vtkIdType nx, Id next, Id* ids)
 {
   ForEachOwner<IsSpecial>(around, nx,
     [&](vtkIdType column, const BitKernels::Owned& owned, int bit)
     {
-      Id* const at = ids + Places * column;
+      Id* const at = ids + MaximumOwned * column;
       if (IsSpecial)
       {
         at[0] = next;
@@ -99,11 +102,11 @@ void FillIds(const Around& around, vtkIdType nx, Id next, Id* ids)
     });
 }
 
-// The bits of all rows that may give output.
+// The comparison bits of all rows that may have output.
 class ComparedRows
 {
 public:
-  ComparedRows(const ExtractionContext& context, const RowIndex& rows, const GridWindow& window)
+  ComparedRows(const ExtractionContext& context, const RowIndex& rows, const GridCellRange& window)
     : Index(context.Index)
     , Rows(rows)
     , Nx(window.Last[0] - window.First[0] + 1)
@@ -134,7 +137,7 @@ public:
     Around around;
     around.J = this->Rows.GetJ(row);
     around.K = this->Rows.GetK(row);
-    around.HasCells = this->MayGive(around.J, around.K);
+    around.HasCells = this->MayHaveOutput(around.J, around.K);
     for (int r = 0; r < 4; ++r)
     {
       const vtkIdType j = around.J + (r & 1);
@@ -148,7 +151,7 @@ public:
     return around;
   }
 
-  // Returns whether any value equals the isovalue or is not finite.
+  // Returns true if any value equals the isovalue or is not finite.
   bool HasSpecial()
   {
     BitRows::Kinds kinds;
@@ -162,8 +165,8 @@ public:
   std::size_t GetBytes() const { return this->Bits.GetBytes(); }
 
 private:
-  // Finds by the index which rows of points have to be compared: those around rows of cells that
-  // may give output.
+  // Uses the index to find the rows of points to compare: those around rows of cells that may have
+  // output.
   void FindActive(vtkIdType rows)
   {
     this->Compared.assign(rows, false);
@@ -171,7 +174,7 @@ private:
     {
       const vtkIdType j = this->Rows.GetJ(row);
       const vtkIdType k = this->Rows.GetK(row);
-      const int corners = this->MayGive(j, k) ? 4 : 0;
+      const int corners = this->MayHaveOutput(j, k) ? 4 : 0;
       for (int r = 0; r < corners; ++r)
       {
         this->Compared[this->Rows.GetRow(j + (r & 1), k + (r >> 1))] = true;
@@ -179,14 +182,14 @@ private:
     }
   }
 
-  // Returns whether the cells at a row of points may give output.
-  bool MayGive(vtkIdType j, vtkIdType k) const
+  // Returns true if the row of cells that starts at the row of points (j, k) may have output.
+  bool MayHaveOutput(vtkIdType j, vtkIdType k) const
   {
     return this->Rows.HasCells(j, k) &&
       (!this->Index || this->Index->IsRowActive(this->Rows.GetCellRow(j, k)));
   }
 
-  // Null where all rows are compared.
+  // Null if all rows are compared.
   const ExtractionIndex* Index;
   const RowIndex& Rows;
   vtkIdType Nx;
@@ -200,17 +203,17 @@ private:
 template <typename Id>
 struct RowIds
 {
-  // The ids of what a row of grid points owns, Places for each point.
+  // The ids of the points that a row of grid points owns, with MaximumOwned entries per grid point.
   struct Row
   {
     vtkIdType Number = -1;
     std::vector<Id> Ids;
   };
 
-  // By the last bits of k and j.
+  // Indexed by the lowest bits of k and j.
   std::array<std::array<Row, 2>, 2> Rows;
-  // For each slot the id in the first cell of a row of cells, or null; those of the next cells are
-  // Places further on.
+  // Pointer to the id of each slot in the first cell of the row, or null. The ids of the next cell
+  // are MaximumOwned entries further.
   std::array<const Id*, vtkIsotable::MaximumNumberOfSlots> Slots{};
 };
 
@@ -225,12 +228,12 @@ struct ContourLocal : RowNotes
 class BitPass : public RowPass<BitPass, ContourLocal>
 {
 public:
-  BitPass(ExtractionContext& context, const int dimensions[3], const GridWindow& window,
+  BitPass(ExtractionContext& context, const int dimensions[3], const GridCellRange& window,
     ExtractionMesh& mesh)
     : RowPass(context, dimensions, window, mesh)
     , Item(context.Values->GetItems()[0])
     , Scalars(context.MakeScalars())
-    , Slots(SlotPlace::FindAll(Table, *context.Values))
+    , Slots(SlotLocation::FindAll(Table, *context.Values))
     , Orientation(context.Input)
     , Bits(context, Rows, window)
   {
@@ -263,7 +266,7 @@ public:
   void Allocate()
   {
     this->AllocateRows();
-    // A point is in the output unless its simplices have collapsed, or are in cells left out.
+    // A point is in the output unless all its simplices have collapsed or are in skipped cells.
     this->MarksUsed = this->Bits.HasSpecial();
     if (this->MarksUsed)
     {
@@ -273,10 +276,10 @@ public:
 
   void WritePart(vtkIdType row, ContourLocal& local)
   {
-    const RowCount& place = this->Offsets[row];
+    const RowCount& position = this->Offsets[row];
     const RowCount& next = this->Offsets[row + 1];
-    const bool hasPoints = place.Points != next.Points;
-    const bool hasTriangles = place.HasCells(next);
+    const bool hasPoints = position.Points != next.Points;
+    const bool hasTriangles = position.HasCells(next);
     if (!hasPoints && !hasTriangles)
     {
       return;
@@ -284,20 +287,20 @@ public:
     const Around around = this->Bits.GetAround(row);
     if (hasPoints)
     {
-      this->WritePoints(local, around, place.Points, next.Points - place.Points);
+      this->WritePoints(local, around, position.Points, next.Points - position.Points);
     }
     if (hasTriangles)
     {
       this->Mesh.Simplices.Visit(
-        [&](auto* ids) { this->WriteCells(local, around, place.Simplices, ids); });
+        [&](auto* ids) { this->WriteCells(local, around, position.Simplices, ids); });
     }
   }
 
   void Finish()
   {
-    // The bytes of columns and keys, of the points of a row, of four rows of ids.
+    // The size of columns and keys, of the points of a row, and of four rows of ids.
     constexpr std::size_t bytesOfColumn = sizeof(std::uint32_t) + sizeof(std::uint8_t) +
-      Places * (sizeof(ExtractionPoint) + 4 * sizeof(vtkIdType));
+      MaximumOwned * (sizeof(ExtractionPoint) + 4 * sizeof(vtkIdType));
     const std::ptrdiff_t threads = std::distance(this->Locals.begin(), this->Locals.end());
     this->Gather(this->Bits.GetBytes() +
       static_cast<std::size_t>(threads) * static_cast<std::size_t>(this->Nx) * bytesOfColumn);
@@ -315,7 +318,7 @@ private:
     }
     const vtkIdType firstPoint = this->Rows.GetFirstPoint(around.Numbers[0]);
     this->ForEachCell(local, around,
-      [&](vtkIdType column, const vtkIsotable::Case& found, TiedCases::Tied* tied)
+      [&](vtkIdType column, const vtkIsotable::Case& found, TieCaseCache::Tied* tied)
       {
         const std::size_t number = tied ? tied->Cut.GetSimplices().size() : found.Simplices.size();
         local.Report.CollapsedSimplices += tied ? tied->Cut.GetNumberCollapsed() : 0;
@@ -327,8 +330,8 @@ private:
     return triangles;
   }
 
-  // Calls visit(column, case, tied) for the cells of a row that the surface meets; tied is null
-  // where the table's own cut serves.
+  // Calls visit(column, case, tied) for the cells of a row that the surface intersects. \a tied is
+  // null if the cut of the table applies.
   template <typename Visitor>
   void ForEachCell(ContourLocal& local, const Around& around, Visitor&& visit) const
   {
@@ -340,7 +343,7 @@ private:
     {
       const vtkIdType column = local.Columns[c];
       const vtkIsotable::Case& found = this->Table.GetCase(local.Keys[c]);
-      TiedCases::Tied* tied = nullptr;
+      TieCaseCache::Tied* tied = nullptr;
       if (around.Kinds.IsAny())
       {
         if (around.Has(&BitRows::Row::NonFinite, column))
@@ -356,8 +359,9 @@ private:
     }
   }
 
-  // Returns the cut of a cell where values equal the isovalue, or null where the table's serves.
-  TiedCases::Tied* FindTied(ContourLocal& local, const Around& around, vtkIdType column,
+  // Returns the cut of a cell where values equal the isovalue, or null if the cut of the table
+  // applies.
+  TieCaseCache::Tied* FindTied(ContourLocal& local, const Around& around, vtkIdType column,
     const vtkIsotable::Case& found) const
   {
     Code codes[Vertices];
@@ -365,8 +369,8 @@ private:
     {
       codes[v] = around.GetCode(column, v);
     }
-    TiedCases::Tied& tied =
-      local.TiedCases.Find(this->Table, this->Ranks, this->Item, 0, codes, found, false);
+    TieCaseCache::Tied& tied =
+      local.TieCaseCache.Find(this->Table, this->Ranks, this->Item, 0, codes, found, false);
     return tied.IsMerged ? &tied : nullptr;
   }
 
@@ -374,7 +378,7 @@ private:
   {
     around.Kinds.IsAny() ? this->MakePoints<true>(local, around)
                          : this->MakePoints<false>(local, around);
-    if (this->MarksUsed && !around.MayLeavePoints())
+    if (this->MarksUsed && !around.MayHaveUnusedPoints())
     {
       std::for_each_n(this->Mesh.Used.GetData() + first, number,
         [](auto& mark) { mark.store(1, std::memory_order_relaxed); });
@@ -383,12 +387,13 @@ private:
       this->Context, *this->Scalars, local.Points.data(), number, first, this->Mesh);
   }
 
-  // Lists the points that a row owns. Each is written, whether it is there or not, and the next one
-  // over it if not: which are there cannot be predicted.
+  // Lists the points that a row owns. Each candidate is written unconditionally, which avoids a
+  // branch that is hard to predict. If the row does not own the candidate, the next point
+  // overwrites it.
   template <bool IsSpecial>
   void MakePoints(ContourLocal& local, const Around& around) const
   {
-    local.Points.resize(Places * (this->Nx + 1));
+    local.Points.resize(MaximumOwned * (this->Nx + 1));
     ExtractionPoint* out = local.Points.data();
     const vtkIdType firstPoint = this->Rows.GetFirstPoint(around.Numbers[0]);
     ForEachOwner<IsSpecial>(around, this->Nx,
@@ -408,7 +413,7 @@ private:
       });
   }
 
-  // Finds where the ids of each slot are for a row of cells.
+  // Finds the ids of each slot along a row of cells.
   template <typename Id>
   void FindSlots(RowIds<Id>& rows, const Around& around)
   {
@@ -419,8 +424,8 @@ private:
     }
     for (int slot = 0; slot < Vertices + this->Table.GetNumberOfEdges(); ++slot)
     {
-      const SlotPlace& at = this->Slots[slot];
-      rows.Slots[slot] = ids[at.Row] + Places * at.Column + at.Direction;
+      const SlotLocation& at = this->Slots[slot];
+      rows.Slots[slot] = ids[at.Row] + MaximumOwned * at.Column + at.Direction;
     }
   }
 
@@ -432,7 +437,7 @@ private:
     if (row.Number != number)
     {
       row.Number = number;
-      row.Ids.resize(Places * this->Nx);
+      row.Ids.resize(MaximumOwned * this->Nx);
       if (this->Offsets[number].Points != this->Offsets[number + 1].Points)
       {
         const Around around = this->Bits.GetAround(number);
@@ -456,16 +461,16 @@ private:
     const vtkIdType first = triangle;
     const std::size_t firstTied = local.TiedSimplices.size();
     this->ForEachCell(local, around,
-      [&](vtkIdType column, const vtkIsotable::Case& found, TiedCases::Tied* tied)
+      [&](vtkIdType column, const vtkIsotable::Case& found, TieCaseCache::Tied* tied)
       {
         const auto& triangles = tied ? tied->Cut.GetSimplices() : found.Simplices;
         const bool isInverted = this->Orientation.IsInverted(this->Rows, firstPoint + column);
-        const vtkIdType place = Places * column;
+        const vtkIdType position = MaximumOwned * column;
         for (const vtkIsotable::Simplex& corners : triangles)
         {
-          out[isInverted] = slots[corners[0]][place];
-          out[!isInverted] = slots[corners[1]][place];
-          out[2] = slots[corners[2]][place];
+          out[isInverted] = slots[corners[0]][position];
+          out[!isInverted] = slots[corners[1]][position];
+          out[2] = slots[corners[2]][position];
           out += 3;
         }
         if (tied)
@@ -477,7 +482,7 @@ private:
       });
     const bool marks = this->MarksUsed &&
       std::any_of(around.Numbers.begin(), around.Numbers.end(),
-        [this](vtkIdType row) { return this->Bits.GetAround(row).MayLeavePoints(); });
+        [this](vtkIdType row) { return this->Bits.GetAround(row).MayHaveUnusedPoints(); });
     auto tied = local.TiedSimplices.begin() + static_cast<std::ptrdiff_t>(firstTied);
     for (vtkIdType t = first; marks && t < triangle; ++t)
     {
@@ -491,8 +496,8 @@ private:
     }
   }
 
-  // Notes the triangles that the neighbour of a cell may have turned over.
-  void NoteTied(ContourLocal& local, TiedCases::Tied& tied, vtkIdType triangle) const
+  // Records the triangles of a cell that a neighbor cell may also have, with opposite orientation.
+  void NoteTied(ContourLocal& local, TieCaseCache::Tied& tied, vtkIdType triangle) const
   {
     for (const vtkIsotable::Simplex& corners : tied.Cut.GetSimplices())
     {
@@ -506,7 +511,7 @@ private:
 
   const ExtractionValues::Item& Item;
   std::unique_ptr<ExtractionScalars> Scalars;
-  std::vector<SlotPlace> Slots;
+  std::vector<SlotLocation> Slots;
   CellOrientation Orientation;
   ComparedRows Bits;
   bool MarksUsed = false;
@@ -516,12 +521,12 @@ private:
 bool RowContour::IsSuited(const ExtractionContext& context)
 {
   return context.Values->GetKind() == vtkIsotable::CONTOUR &&
-    context.Values->GetItems().size() == 1 && !context.Whole && !context.TakeDuplicates &&
-    !context.GenerateBoundaries;
+    context.Values->GetItems().size() == 1 && !context.InteriorFilter &&
+    !context.IncludeGhostCells && !context.GenerateBoundaries;
 }
 
 bool RowContour::Execute(ExtractionContext& context, const int dimensions[3],
-  const GridWindow& window, ExtractionMesh& mesh)
+  const GridCellRange& window, ExtractionMesh& mesh)
 {
   return BitPass(context, dimensions, window, mesh).Execute();
 }

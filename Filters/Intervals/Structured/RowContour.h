@@ -2,7 +2,7 @@
 #ifndef interlume_RowContour_h
 #define interlume_RowContour_h
 
-#include "Grid/GridWindow.h"
+#include "Grid/GridCellRange.h"
 #include "Pass/ExtractionContext.h"
 
 namespace interlume
@@ -10,22 +10,23 @@ namespace interlume
 
 /**
  * @class   RowContour
- * @brief   the contour of one value in image data, rectilinear and structured grids
+ * @brief   contour of one value in image data, rectilinear and structured grids
  *
- * It gives what StructuredExtraction gives for any values, byte by byte, from one bit a grid point:
- * which cells the surface meets and how many points each row owns are counted in words, and ids run
- * along a row. Where no value equals the isovalue, coordinates and arrays are made row by row, and
- * there is no list of points.
+ * The output is identical to that of StructuredExtraction, but the extraction is faster. Comparing
+ * the values with the isovalue gives one bit per grid point. Bit operations on words then find the
+ * cells that the surface intersects and the number of points that each row owns. Point ids are
+ * consecutive along a row. If no value equals the isovalue, coordinates and arrays are computed row
+ * by row, without a list of points.
  */
 class RowContour
 {
 public:
-  /// Returns whether an extraction is one. Its window has no blanked cells.
+  /// Returns true if this class can run the extraction. The window must not have blanked cells.
   static bool IsSuited(const ExtractionContext& context);
 
-  /// Extracts the cells of a window. Returns false when the user aborted.
-  static bool Execute(ExtractionContext& context, const int dimensions[3], const GridWindow& window,
-    ExtractionMesh& mesh);
+  /// Extracts the cells of a window. Returns false if the user aborted.
+  static bool Execute(ExtractionContext& context, const int dimensions[3],
+    const GridCellRange& window, ExtractionMesh& mesh);
 };
 
 }

@@ -8,8 +8,8 @@ namespace interlume
 {
 
 /**
- * The counts of a row: points owned, simplices, boundary triangles and interior cells; after
- * summing, the places where those of the row begin.
+ * Numbers of the points that a row owns and of the simplices, boundary triangles and interior cells
+ * of its cells. After summation, these are the positions where the output of the row begins.
  */
 struct RowCount
 {
@@ -26,7 +26,8 @@ struct RowCount
     this->Interior += other.Interior;
   }
 
-  /// Returns whether cells of a row that begins here have output, where the next begins at \a next.
+  /// Returns true if the cells of a row have output. This object and \a next hold the positions of
+  /// the row and the next row.
   bool HasCells(const RowCount& next) const
   {
     return this->Simplices != next.Simplices || this->Triangles != next.Triangles ||

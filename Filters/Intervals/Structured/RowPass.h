@@ -4,11 +4,11 @@
 
 #include "Output/ExtractionReport.h"
 #include "Arrays/PointArrays.h"
-#include "Cuts/TiedCases.h"
+#include "Cuts/TieCaseCache.h"
 #include "Grid/RowIndex.h"
 #include "Pass/ExtractionFrame.h"
 #include "Structured/RowCount.h"
-#include "Structured/SlotPlace.h"
+#include "Structured/SlotLocation.h"
 
 #include "vtkIsotable.h"
 #include "vtkSMPTools.h"
@@ -22,11 +22,11 @@ namespace interlume
 {
 
 /**
- * What a thread keeps while it extracts from rows.
+ * Results that a thread collects during a structured extraction.
  */
 struct RowNotes
 {
-  interlume::TiedCases TiedCases;
+  interlume::TieCaseCache TieCaseCache;
   std::vector<vtkIdType> TiedTriangles;
   std::vector<vtkIdType> TiedSimplices;
   ExtractionReport Report;
@@ -34,9 +34,10 @@ struct RowNotes
 
 /**
  * @class   RowPass
- * @brief   shares the stages of extractions by rows: a row owns points, its cells give simplices
+ * @brief   base class of structured extractions, where rows own points and rows of cells produce
+ * simplices
  *
- * \a Local derives from RowNotes.
+ * \a Local must derive from RowNotes.
  */
 template <typename Pass, typename Local>
 class RowPass : public ExtractionFrame<Pass, Local>
@@ -50,19 +51,19 @@ public:
   }
 
 protected:
-  RowPass(const ExtractionContext& context, const int dimensions[3], const GridWindow& window,
+  RowPass(const ExtractionContext& context, const int dimensions[3], const GridCellRange& window,
     ExtractionMesh& mesh)
     : ExtractionFrame<Pass, Local>(context)
     , Mesh(mesh)
     , Table(vtkIsotable::Get(context.Values->GetKind(), vtkIsotable::HEXAHEDRON))
-    , Ranks(SlotPlace::FindRanks(Table))
+    , Ranks(SlotLocation::FindRanks(Table))
     , Rows(dimensions, window)
     , Nx(window.Last[0] - window.First[0] + 1)
     , Offsets(Rows.GetNumberOfRows() + 1)
   {
   }
 
-  /// Turns the counts of rows into the places where they begin, and allocates all.
+  /// Converts the counts of rows to start positions, and allocates the output.
   void AllocateRows()
   {
     RowCount total;
@@ -84,8 +85,8 @@ protected:
       context.KeepCellIds, total.Interior, 8 * total.Interior);
   }
 
-  /// Gathers what threads have noted: reports, and ties in ascending order. Notes the memory, of
-  /// which \a bytes are the pass's own.
+  /// Gathers the results of all threads: the reports, and the ties in ascending order. Records the
+  /// working memory, including \a bytes of the derived class.
   void Gather(std::size_t bytes)
   {
     for (const Local& local : this->Locals)
@@ -102,11 +103,12 @@ protected:
 
   ExtractionMesh& Mesh;
   const vtkIsotable& Table;
-  // The order of slots in rows.
+  // Ranks of the slots, which are the same in all cells.
   vtkIsotable::RankArray Ranks;
   RowIndex Rows;
   vtkIdType Nx;
-  // The count of a row at the place after it; then where the row begins.
+  // The count of row r is at index r + 1. After summation, the start position of row r is at index
+  // r.
   std::vector<RowCount> Offsets;
 
 private:

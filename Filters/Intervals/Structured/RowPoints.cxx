@@ -16,19 +16,20 @@ namespace
 {
 using Code = ExtractionValues::Code;
 
-// The codes of all rows are kept where they take no more bytes than this; elsewhere a thread makes
-// those that it needs, each several times.
-constexpr std::size_t MostBytesOfCodes = std::size_t(1) << 26;
-// Where an index leaves fewer rows to be looked at, only their codes are made, about four times.
-constexpr double LeastShareOfRows = 0.25;
+// The codes of all rows are cached if they do not exceed this size. Otherwise each thread computes
+// the codes that it needs, and computes a row several times.
+constexpr std::size_t MaximumBytesOfCodes = std::size_t(1) << 26;
+// If the index selects a smaller fraction of the rows, codes are not cached but computed for the
+// selected rows only, about four times each.
+constexpr double MinimumFractionOfRows = 0.25;
 
-// The bytes that owners take for a grid point, and how many may be kept by a thread, so that they
-// stay in its cache: rows are asked for again in the next layer.
+// Size of the owner data per grid point, and the maximum size that a thread caches. The data should
+// fit in the CPU cache because the rows are requested again in the next layer.
 constexpr std::size_t BytesOfOwner = sizeof(std::uint32_t) + 4 * sizeof(Code);
-constexpr std::size_t MostBytesOfOwners = std::size_t(1) << 22;
+constexpr std::size_t MaximumBytesOfOwners = std::size_t(1) << 22;
 
-// Writes the crossings of an edge. The first is written, whether it is there or not, and the next
-// one over it if not: which are there cannot be predicted.
+// Writes the crossings of an edge. Writing the first crossing unconditionally avoids a branch that
+// is hard to predict. If the edge has no crossing, the next point overwrites it.
 void WriteCrossings(
   vtkIdType a, vtkIdType b, Code codeA, Code codeB, int number, ExtractionPoint*& out)
 {
@@ -42,7 +43,7 @@ void WriteCrossings(
 }
 }
 
-RowPoints::RowPoints(ExtractionContext& context, const RowIndex& rows, const GridWindow& window)
+RowPoints::RowPoints(ExtractionContext& context, const RowIndex& rows, const GridCellRange& window)
   : Context(context)
   , Values(*context.Values)
   , Scalars(context.MakeScalars())
@@ -50,7 +51,8 @@ RowPoints::RowPoints(ExtractionContext& context, const RowIndex& rows, const Gri
   , Nx(window.Last[0] - window.First[0] + 1)
   , Ny(window.Last[1] - window.First[1] + 1)
   , Nz(window.Last[2] - window.First[2] + 1)
-  , KeptRows(static_cast<std::size_t>(2 * this->Nx * this->Ny) * BytesOfOwner > MostBytesOfOwners
+  , CachedRows(
+      static_cast<std::size_t>(2 * this->Nx * this->Ny) * BytesOfOwner > MaximumBytesOfOwners
         ? 2
         : this->Ny)
   , PointsBelow(1, 0)
@@ -67,8 +69,8 @@ bool RowPoints::MakeCodes()
   const vtkIdType rows = this->Rows.GetNumberOfRows();
   const std::size_t points = static_cast<std::size_t>(rows * this->Nx);
   const bool areFewUsed =
-    this->Context.Index && this->Context.Index->GetActiveShare() < LeastShareOfRows;
-  if (areFewUsed || points * sizeof(Code) > MostBytesOfCodes)
+    this->Context.Index && this->Context.Index->GetActiveFraction() < MinimumFractionOfRows;
+  if (areFewUsed || points * sizeof(Code) > MaximumBytesOfCodes)
   {
     return true;
   }
@@ -104,8 +106,8 @@ const CodeRow& RowPoints::GetCodes(Local& local, vtkIdType j, vtkIdType k) const
 const RowPoints::Owners& RowPoints::GetOwners(Local& local, vtkIdType j, vtkIdType k) const
 {
   std::vector<Owners>& layer = local.Layers[k & 1];
-  layer.resize(this->KeptRows);
-  Owners& owners = layer[j % this->KeptRows];
+  layer.resize(this->CachedRows);
+  Owners& owners = layer[j % this->CachedRows];
   if (owners.Row == this->Rows.GetRow(j, k))
   {
     return owners;
@@ -129,8 +131,8 @@ const RowPoints::Owners& RowPoints::GetOwners(Local& local, vtkIdType j, vtkIdTy
   return owners;
 }
 
-// Returns the codes that tell what a row of grid points owns: its own, and those of the next rows
-// along j and k.
+// Returns the codes that determine which points a row of grid points owns: those of the row itself
+// and of the next rows along j and k.
 std::array<const CodeRow*, 3> RowPoints::GetOwnerCodes(Local& local, vtkIdType j, vtkIdType k) const
 {
   const CodeRow* here = &this->GetCodes(local, j, k);
@@ -165,7 +167,7 @@ vtkIdType RowPoints::Count(Local& local, vtkIdType j, vtkIdType k) const
   return points + crossings;
 }
 
-// Returns how many of the grid points of a row are points of the output.
+// Returns the number of grid points of a row that are output points.
 vtkIdType RowPoints::CountOwnPoints(const CodeRow& row, const Code* codes, vtkIdType number) const
 {
   const int points = this->CountCodesOfPoints(row);
@@ -177,8 +179,8 @@ vtkIdType RowPoints::CountOwnPoints(const CodeRow& row, const Code* codes, vtkId
     codes, codes + number, [this](Code code) { return this->Values.IsPoint(code); });
 }
 
-// Returns how many of the codes between the least and the greatest of a row are of points of the
-// output.
+// Returns the number of codes, between the minimum and maximum of a row, that make a grid point an
+// output point.
 int RowPoints::CountCodesOfPoints(const CodeRow& row) const
 {
   return this->PointsBelow[row.Maximum + 1] - this->PointsBelow[row.Minimum];
@@ -210,7 +212,7 @@ void RowPoints::CountOwned(const std::array<const CodeRow*, 3>& rows, Owners& ow
   }
 }
 
-// Notes which grid points are points of the output. Mostly none of a row is, or all are.
+// Marks the grid points that are output points. In most rows, either none or all of them are.
 void RowPoints::FindPoints(
   const CodeRow& row, const Code* codes, vtkIdType number, Code* arePoints) const
 {
@@ -227,12 +229,12 @@ void RowPoints::FindPoints(
 }
 
 void RowPoints::Write(
-  Local& local, vtkIdType row, vtkIdType place, vtkIdType number, ExtractionMesh& mesh) const
+  Local& local, vtkIdType row, vtkIdType position, vtkIdType number, ExtractionMesh& mesh) const
 {
   const vtkIdType j = this->Rows.GetJ(row);
   const vtkIdType k = this->Rows.GetK(row);
   const Owners& owners = this->GetOwners(local, j, k);
-  // There is room for one more, which is written but not there.
+  // One more point is needed because WriteCrossings() writes unconditionally.
   if (local.Points.size() <= static_cast<std::size_t>(number))
   {
     local.Points.resize(number + 1);
@@ -255,7 +257,7 @@ void RowPoints::Write(
     const Code all = owners.Counts[i];
     *out = { id, id, 0.0 };
     out += own;
-    // Most points own nothing else.
+    // Most of these grid points own no edge crossing.
     if (all != own)
     {
       const Code second = owners.Offsets[1][i];
@@ -265,7 +267,7 @@ void RowPoints::Write(
       WriteCrossings(id, id + this->Rows.GetStep(2), here[i], above[i], all - third, out);
     }
   }
-  PointOutput::Write(this->Context, *this->Scalars, local.Points.data(), number, place, mesh);
+  PointOutput::Write(this->Context, *this->Scalars, local.Points.data(), number, position, mesh);
 }
 
 std::size_t RowPoints::GetBytes() const
@@ -275,9 +277,9 @@ std::size_t RowPoints::GetBytes() const
 
 std::size_t RowPoints::GetBytes(const Local& local) const
 {
-  // Nine rows of codes, and two layers of owners.
+  // Nine rows of codes and two layers of owners.
   const std::size_t bytesOfColumn =
-    9 * sizeof(Code) + 2 * static_cast<std::size_t>(this->KeptRows) * BytesOfOwner;
+    9 * sizeof(Code) + 2 * static_cast<std::size_t>(this->CachedRows) * BytesOfOwner;
   return static_cast<std::size_t>(this->Nx) * bytesOfColumn +
     local.Points.capacity() * sizeof(ExtractionPoint);
 }

@@ -2,7 +2,7 @@
 #ifndef interlume_RowPoints_h
 #define interlume_RowPoints_h
 
-#include "Grid/GridWindow.h"
+#include "Grid/GridCellRange.h"
 #include "Grid/RowIndex.h"
 #include "Pass/ExtractionContext.h"
 #include "Scalars/CodeRow.h"
@@ -18,12 +18,12 @@ namespace interlume
 
 /**
  * @class   RowPoints
- * @brief   the codes of rows of grid points, and the points of the output that these rows own
+ * @brief   codes of the grid points, row by row, and the output points that each row owns
  *
- * A grid point owns itself, where its value equals an isovalue, and the crossings of its edges
- * along i, j and k, in this order; a row owns what its grid points own, in theirs. So the id of a
- * point of the output is the place where those of its row begin, which the caller sums up, and a
- * place in the row.
+ * A grid point owns these output points, in this order: itself, if its value equals an isovalue,
+ * and the crossings of its edges along +i, +j and +k. A row owns the points of its grid points, in
+ * their order. Therefore the id of an output point is the start position of its row plus its index
+ * in the row. The caller computes the start positions from the counts.
  */
 class RowPoints
 {
@@ -37,12 +37,13 @@ public:
     std::int64_t Last;
   };
 
-  /// The places where the points that a row owns begin, relative to the row's first: those of a
-  /// grid point at Starts, those of its edge along i, j, k by Offsets[0], [1], [2] further on.
+  /// Indices of the points owned by each grid point, relative to the first point of the row. Starts
+  /// holds the index of the grid point itself. Adding Offsets[0], [1] or [2] yields the index of
+  /// its edge along i, j or k.
   struct Owners
   {
     vtkIdType Row = -1;
-    /// Only these columns own points; elsewhere the arrays mean nothing.
+    /// The columns that own points. The arrays are undefined elsewhere.
     ColumnRange Range = { 0, 0 };
     std::vector<std::uint32_t> Starts;
     std::array<std::vector<Code>, 3> Offsets;
@@ -59,23 +60,24 @@ public:
       std::vector<Code> Memory;
     };
     std::array<std::array<OwnCodeRow, 3>, 3> Codes;
-    // Of two layers of rows, where they are kept whole, or else of two rows of each.
+    // All rows of two layers if their size is small enough, otherwise two rows of each layer.
     std::array<std::vector<Owners>, 2> Layers;
     std::vector<ExtractionPoint> Points;
   };
 
-  /// \a context and \a rows, which are those of \a window, must outlive this.
-  RowPoints(ExtractionContext& context, const RowIndex& rows, const GridWindow& window);
+  /// \a context and \a rows must outlive this object. \a rows are the rows of \a window.
+  RowPoints(ExtractionContext& context, const RowIndex& rows, const GridCellRange& window);
 
-  /// Makes the codes of all rows, where they are kept. Returns false when the user aborted.
+  /// Computes and caches the codes of all rows. If they need too much memory or few rows are used,
+  /// codes are computed on demand instead. Returns false if the user aborted.
   bool MakeCodes();
 
-  /// Returns the codes of a row; a row of cells goes by the number of its first row of grid points.
-  /// What a thread gets stays in place until it asks for a row three further on along j or k.
+  /// Returns the codes of the row of grid points (j, k), where the row of cells (j, k) begins. The
+  /// reference remains valid until the thread requests a row that is three rows away along j or k.
   const CodeRow& GetCodes(Local& local, vtkIdType j, vtkIdType k) const;
 
-  /// Returns the columns of points between which all that differs lies: outside of them the codes
-  /// of all rows are one and the same, and no output.
+  /// Returns the range of columns of grid points that contains all output. Outside this range, the
+  /// codes of all rows are equal and constant along the row.
   template <std::size_t Number>
   ColumnRange GetRange(const std::array<const CodeRow*, Number>& rows) const
   {
@@ -96,20 +98,20 @@ public:
     return range.First < range.Last ? range : ColumnRange{ 0, 0 };
   }
 
-  /// Returns where the points begin that a row owns.
+  /// Returns the indices of the points that a row owns.
   const Owners& GetOwners(Local& local, vtkIdType j, vtkIdType k) const;
 
-  /// Returns how many points a row owns.
+  /// Returns the number of points that a row owns.
   vtkIdType Count(Local& local, vtkIdType j, vtkIdType k) const;
 
-  /// Writes the \a number points that a row owns from \a place on.
+  /// Writes the \a number points that a row owns, beginning at \a position.
   void Write(
-    Local& local, vtkIdType row, vtkIdType place, vtkIdType number, ExtractionMesh& mesh) const;
+    Local& local, vtkIdType row, vtkIdType position, vtkIdType number, ExtractionMesh& mesh) const;
 
-  /// Returns the bytes of what is kept for all threads.
+  /// Returns the size of the data shared by all threads, in bytes.
   std::size_t GetBytes() const;
 
-  /// Returns the bytes of what a thread keeps.
+  /// Returns the size of the buffers of a thread, in bytes.
   std::size_t GetBytes(const Local& local) const;
 
 private:
@@ -126,11 +128,11 @@ private:
   vtkIdType Nx;
   vtkIdType Ny;
   vtkIdType Nz;
-  // How many rows of owners a thread keeps of a layer.
-  vtkIdType KeptRows;
-  // For each code the number of smaller ones of which grid points are points of the output.
+  // Number of rows per layer whose owners a thread caches.
+  vtkIdType CachedRows;
+  // For each code, the number of smaller codes for which a grid point is an output point.
   std::vector<int> PointsBelow;
-  // All rows of codes, where they are kept.
+  // The codes of all rows, if they are cached.
   ExtractionBuffer<Code> AllCodes;
   std::vector<CodeRow> CodeRows;
 };

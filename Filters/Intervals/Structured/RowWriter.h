@@ -8,7 +8,7 @@
 #include "Pass/ExtractionContext.h"
 #include "Structured/CellRow.h"
 #include "Structured/RowCount.h"
-#include "Structured/SlotPlace.h"
+#include "Structured/SlotLocation.h"
 
 #include <algorithm>
 #include <atomic>
@@ -19,10 +19,10 @@ namespace interlume
 
 /**
  * @class   RowWriter
- * @brief   writes what the cells of a row give into a mesh that has room for it
+ * @brief   writes the output of rows of cells to a mesh with allocated arrays
  *
- * Each call writes at a place and moves it on. Threads may write rows at the same time. Points of
- * the output are marked as used, if asked for.
+ * Each call writes at a position and advances it. Threads may write different rows at the same
+ * time. If requested, the output points in use are marked.
  */
 class RowWriter
 {
@@ -30,7 +30,7 @@ public:
   using Code = ExtractionValues::Code;
   using Slot = vtkIsotable::Slot;
 
-  /// The cell inside of an interval that was written last in a row.
+  /// The previous cell inside an interval in a row.
   struct CellInside
   {
     vtkIdType Column = -1;
@@ -38,7 +38,7 @@ public:
     bool IsInverted = false;
   };
 
-  /// All of these must outlive this.
+  /// All arguments must outlive this object.
   RowWriter(const ExtractionContext& context, const vtkIsotable& table, const RowIndex& rows,
     ExtractionMesh& mesh)
     : Context(context)
@@ -46,16 +46,16 @@ public:
     , Table(table)
     , Rows(rows)
     , Mesh(mesh)
-    , Places(SlotPlace::FindAll(table, *context.Values))
+    , SlotLocations(SlotLocation::FindAll(table, *context.Values))
     , Orientation(context.Input)
     , SimplexSize(context.GetSimplexSize())
   {
   }
 
-  const std::vector<SlotPlace>& GetPlaces() const { return this->Places; }
+  const std::vector<SlotLocation>& GetSlotLocations() const { return this->SlotLocations; }
   const CellOrientation& GetOrientation() const { return this->Orientation; }
 
-  /// Makes room for the marks of \a points points, of which none is used yet.
+  /// Allocates a cleared mark for each of \a points points.
   void StartMarks(vtkIdType points)
   {
     this->MarksUsed = true;
@@ -71,9 +71,9 @@ public:
     }
   }
 
-  /// Writes a cell by its case of the table.
+  /// Writes the output of a cell, using its table case.
   void WriteCell(
-    const CellRow& row, vtkIdType i, int item, const vtkIsotable::Case& found, RowCount& place)
+    const CellRow& row, vtkIdType i, int item, const vtkIsotable::Case& found, RowCount& position)
   {
     const auto& what = this->Values.GetItems()[item];
     vtkIdType ids[vtkIsotable::MaximumNumberOfSlots];
@@ -83,16 +83,16 @@ public:
     }
     this->Use(found.Slots.data(), found.Slots.size(), ids);
     const bool isInverted = this->Orientation.IsInverted(this->Rows, row.FirstPoint + i);
-    this->WriteSimplices(row, i, item, found.Simplices, ids, isInverted, place);
+    this->WriteSimplices(row, i, item, found.Simplices, ids, isInverted, position);
     for (std::size_t t = 0; this->Context.GenerateBoundaries && t < found.Boundary.size(); ++t)
     {
-      this->WriteTriangle(row, i, item, found.Boundary[t], ids, isInverted, place);
+      this->WriteTriangle(row, i, item, found.Boundary[t], ids, isInverted, position);
     }
   }
 
-  /// Writes a cell whose slots that are one point have been made one, and lists its simplices that
-  /// lie in a face, and its triangles.
-  void WriteTied(const CellRow& row, vtkIdType i, int item, MergedCut& cut, RowCount& place,
+  /// Writes the output of a cell with merged slots. Appends its boundary triangles to \a
+  /// tiedTriangles, and its simplices that lie in a face to \a tiedSimplices.
+  void WriteTied(const CellRow& row, vtkIdType i, int item, MergedCut& cut, RowCount& position,
     std::vector<vtkIdType>& tiedSimplices, std::vector<vtkIdType>& tiedTriangles)
   {
     const auto& what = this->Values.GetItems()[item];
@@ -105,40 +105,40 @@ public:
       std::for_each_n(simplex.begin(), this->SimplexSize, find);
       if (cut.IsInFace(this->Table, simplex))
       {
-        tiedSimplices.push_back(place.Simplices + (&simplex - simplices.data()));
+        tiedSimplices.push_back(position.Simplices + (&simplex - simplices.data()));
       }
       else
       {
         this->Use(simplex.data(), this->SimplexSize, ids);
       }
     }
-    this->WriteSimplices(row, i, item, simplices, ids, isInverted, place);
+    this->WriteSimplices(row, i, item, simplices, ids, isInverted, position);
     for (const vtkIsotable::Triangle& triangle : cut.GetTriangles())
     {
       std::for_each_n(triangle.begin(), 3, find);
       this->Use(triangle.data(), 3, ids);
-      tiedTriangles.push_back(place.Triangles);
-      this->WriteTriangle(row, i, item, triangle, ids, isInverted, place);
+      tiedTriangles.push_back(position.Triangles);
+      this->WriteTriangle(row, i, item, triangle, ids, isInverted, position);
     }
   }
 
-  /// Writes the cells [first, last) inside of an interval, which have no boundary.
+  /// Writes the cells [first, last) inside an interval. They have no boundary.
   void WriteInside(const CellRow& row, vtkIdType first, vtkIdType last, int item,
-    const vtkIsotable::Case& found, CellInside& before, RowCount& place)
+    const vtkIsotable::Case& found, CellInside& before, RowCount& position)
   {
     while (first < last)
     {
-      this->WriteInside(row, first, item, found, before, place);
+      this->WriteInside(row, first, item, found, before, position);
       const vtkIdType next =
         this->Orientation.IsPerCell() ? first + 1 : FindBreak(row, first, last);
-      this->WriteRun(row, first + 1, next, item, found.Simplices.size(), before, place);
+      this->WriteRun(row, first + 1, next, item, found.Simplices.size(), before, position);
       first = next;
     }
   }
 
 private:
-  // Marks the points of some slots as used; apart from other work, since a compiler has to think
-  // that a mark may change anything.
+  // Marks the points of the slots as used. This is a separate loop because the compiler must assume
+  // that a mark may alias any other data.
   void Use(const Slot* slots, std::size_t number, const vtkIdType* ids)
   {
     std::atomic<unsigned char>* used = this->MarksUsed ? this->Mesh.Used.GetData() : nullptr;
@@ -152,7 +152,7 @@ private:
   vtkIdType GetId(
     const CellRow& row, vtkIdType i, const ExtractionValues::Item& item, Slot slot) const
   {
-    const SlotPlace& at = this->Places[slot];
+    const SlotLocation& at = this->SlotLocations[slot];
     const CellRow::SlotRow& owner = row.Slots[slot];
     const vtkIdType id = owner.First + owner.Starts[i] + owner.Offsets[i];
     if (!at.MayFollow)
@@ -163,28 +163,30 @@ private:
       ExtractionValues::GetFirstCrossing(row.GetCode(i, at.Ends[0]), row.GetCode(i, at.Ends[1]));
   }
 
-  // A call of its own for each cell would take 3 % of an extraction.
+  // Inlined because a function call per cell would take measurable time.
   [[gnu::always_inline]] void WriteSimplices(const CellRow& row, vtkIdType i, int item,
     const std::vector<vtkIsotable::Simplex>& simplices, const vtkIdType* ids, bool isInverted,
-    RowCount& place)
+    RowCount& position)
   {
     this->Mesh.Simplices.Write(
-      place.Simplices, simplices.data(), simplices.size(), ids, isInverted);
-    this->Mesh.NoteSimplices(place.Simplices, simplices.size(), item, row.FirstCell + i);
-    place.Simplices += static_cast<vtkIdType>(simplices.size());
+      position.Simplices, simplices.data(), simplices.size(), ids, isInverted);
+    this->Mesh.NoteSimplices(position.Simplices, simplices.size(), item, row.FirstCell + i);
+    position.Simplices += static_cast<vtkIdType>(simplices.size());
   }
 
   void WriteTriangle(const CellRow& row, vtkIdType i, int item, const vtkIsotable::Triangle& slots,
-    const vtkIdType* ids, bool isInverted, RowCount& place)
+    const vtkIdType* ids, bool isInverted, RowCount& position)
   {
-    this->Mesh.WriteTriangle(place.Triangles++, { { ids[slots[0]], ids[slots[1]], ids[slots[2]] } },
-      isInverted, item, slots[3], row.FirstCell + i);
+    this->Mesh.WriteTriangle(position.Triangles++,
+      { { ids[slots[0]], ids[slots[1]], ids[slots[2]] } }, isInverted, item, slots[3],
+      row.FirstCell + i);
   }
 
-  // Writes a cell inside of an interval. Along a row of such cells each point's id is mostly one
-  // more than that of the cell before, and so are those of the simplices.
+  // Writes a cell inside an interval. Along a row of such cells, each corner's id usually exceeds
+  // the id of the same corner of the previous cell by 1. Then the point ids of the simplices do so
+  // too.
   void WriteInside(const CellRow& row, vtkIdType i, int item, const vtkIsotable::Case& found,
-    CellInside& before, RowCount& place)
+    CellInside& before, RowCount& position)
   {
     const bool isInverted = this->Orientation.IsInverted(this->Rows, row.FirstPoint + i);
     bool isNext = before.Column + 1 == i && before.IsInverted == isInverted;
@@ -199,20 +201,20 @@ private:
     this->Use(found.Slots.data(), found.Slots.size(), before.Corners);
     if (!isNext)
     {
-      this->WriteSimplices(row, i, item, found.Simplices, before.Corners, isInverted, place);
+      this->WriteSimplices(row, i, item, found.Simplices, before.Corners, isInverted, position);
       return;
     }
     const std::size_t number = found.Simplices.size();
-    this->Mesh.Simplices.WriteNext(place.Simplices, number, 1);
-    this->Mesh.NoteSimplices(place.Simplices, number, item, row.FirstCell + i);
-    place.Simplices += static_cast<vtkIdType>(number);
+    this->Mesh.Simplices.WriteNext(position.Simplices, number, 1);
+    this->Mesh.NoteSimplices(position.Simplices, number, item, row.FirstCell + i);
+    position.Simplices += static_cast<vtkIdType>(number);
   }
 
-  // Returns the end of the cells inside after the first each of whose points has an id one more
-  // than that of the cell before.
+  // Returns the end of the range of cells, starting at \a first, in which each corner's id exceeds
+  // the id of the same corner of the previous cell by 1.
   static vtkIdType FindBreak(const CellRow& row, vtkIdType first, vtkIdType last)
   {
-    // Vertices 0, 2, 4 and 6 are at the columns' beginnings, in the four rows.
+    // Vertices 0, 2, 4 and 6 are at the start of a column, one in each of the four rows.
     const std::uint32_t* starts[4];
     for (int r = 0; r < 4; ++r)
     {
@@ -228,25 +230,26 @@ private:
     {
       ++i;
     }
-    // The last cell's points end a column later.
+    // A cell also uses the points of the next column.
     return std::max(first + 1, i - 1);
   }
 
-  // Writes the cells [first, last) inside of an interval that follow one, where each id is one more
-  // than that of the cell before.
+  // Writes the cells [first, last) inside an interval after a previous cell. Each corner's id
+  // exceeds the id of the same corner of the previous cell by 1.
   void WriteRun(const CellRow& row, vtkIdType first, vtkIdType last, int item, std::size_t number,
-    CellInside& before, RowCount& place)
+    CellInside& before, RowCount& position)
   {
     const vtkIdType length = last - first;
     if (length == 0)
     {
       return;
     }
-    this->Mesh.Simplices.WriteNext(place.Simplices, number, length);
-    this->Mesh.NoteRun(place.Simplices, number, length, item, row.FirstCell + first);
-    place.Simplices += static_cast<vtkIdType>(number) * length;
+    this->Mesh.Simplices.WriteNext(position.Simplices, number, length);
+    this->Mesh.NoteRun(position.Simplices, number, length, item, row.FirstCell + first);
+    position.Simplices += static_cast<vtkIdType>(number) * length;
     before.Column += length;
-    // The last cell's points end a column later; each row's are those of two corners.
+    // The last cell also uses the points of the next column. Each row of points contains two
+    // corners of a cell.
     for (int v = 0; this->MarksUsed && v < 8; v += 2)
     {
       for (vtkIdType id = before.Corners[v] + 1; id <= before.Corners[v] + length + 1; ++id)
@@ -265,7 +268,7 @@ private:
   const vtkIsotable& Table;
   const RowIndex& Rows;
   ExtractionMesh& Mesh;
-  std::vector<SlotPlace> Places;
+  std::vector<SlotLocation> SlotLocations;
   CellOrientation Orientation;
   int SimplexSize;
   bool MarksUsed = false;

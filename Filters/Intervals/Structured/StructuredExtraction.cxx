@@ -16,7 +16,7 @@ namespace
 using Code = ExtractionValues::Code;
 using Spans = std::vector<ExtractionIndex::Span>;
 
-// Tells which cells of a row are blanked.
+// Finds the blanked cells of a row.
 class RowBlanking
 {
 public:
@@ -27,11 +27,11 @@ public:
   {
   }
 
-  // Returns whether any cell may be blanked.
+  // Returns true if any cell may be blanked.
   bool IsAny() const { return this->Any; }
 
-  // Leaves blanked cells out of the columns; returns how many there were. Notes whether one is
-  // another piece's cell and tied.
+  // Removes blanked cells from the spans and returns their number. Sets \a hasTiedGhost if such a
+  // cell belongs to another piece and has a tie.
   vtkIdType Cut(const CellRow& around, Spans& spans, std::atomic<bool>& hasTiedGhost) const
   {
     vtkIdType number = 0;
@@ -78,7 +78,7 @@ private:
     return false;
   }
 
-  // Returns the first blanked cell of [first, last), or last.
+  // Returns the first blanked cell in [first, last), or \a last.
   vtkIdType FindBlanked(const CellRow& around, vtkIdType first, vtkIdType last) const
   {
     while (first < last && !this->IsBlanked(around, first))
@@ -99,7 +99,7 @@ private:
 class CodePass : public RowPass<CodePass, RowBuffers>
 {
 public:
-  CodePass(ExtractionContext& context, const int dimensions[3], const GridWindow& window,
+  CodePass(ExtractionContext& context, const int dimensions[3], const GridCellRange& window,
     bool hasBlanking, ExtractionMesh& mesh)
     : RowPass(context, dimensions, window, mesh)
     , Settings(context)
@@ -118,9 +118,9 @@ public:
     const vtkIdType j = this->Rows.GetJ(row);
     const vtkIdType k = this->Rows.GetK(row);
     const ExtractionIndex* index = this->Context.Index;
-    // Once a tied ghost cell is found, all is counted again.
-    const bool isInVain = this->HasTiedGhost && !this->Context.TakeDuplicates;
-    if (isInVain || (index && !index->IsRowActive(this->Rows.GetCellRow(j, k))))
+    // Once a tied ghost cell is found, these counts are not needed: all cells are counted again.
+    const bool isObsolete = this->HasTiedGhost && !this->Context.IncludeGhostCells;
+    if (isObsolete || (index && !index->IsRowActive(this->Rows.GetCellRow(j, k))))
     {
       return;
     }
@@ -140,7 +140,7 @@ public:
         local.Spans.push_back({ 0, this->Nx - 1 });
       }
       this->ProcessCells<false>(local, row, count);
-      this->Columns[row] = local.Given;
+      this->Columns[row] = local.OutputRange;
     }
     this->Offsets[row + 1] = count;
   }
@@ -151,8 +151,8 @@ public:
     {
       return true;
     }
-    // What there is at the faces of a ghost cell follows from the cell too.
-    this->Settings.TakeDuplicates = true;
+    // The output at the faces of a ghost cell also depends on that cell.
+    this->Settings.IncludeGhostCells = true;
     for (RowBuffers& local : this->Locals)
     {
       local.Report = ExtractionReport();
@@ -178,17 +178,18 @@ public:
 
   void WritePart(vtkIdType row, RowBuffers& local)
   {
-    RowCount place = this->Offsets[row];
+    RowCount position = this->Offsets[row];
     const RowCount& next = this->Offsets[row + 1];
-    if (place.Points != next.Points)
+    if (position.Points != next.Points)
     {
-      this->Points.Write(local.Points, row, place.Points, next.Points - place.Points, this->Mesh);
+      this->Points.Write(
+        local.Points, row, position.Points, next.Points - position.Points, this->Mesh);
     }
-    if (place.HasCells(next))
+    if (position.HasCells(next))
     {
       local.Spans.clear();
       local.Spans.push_back({ this->Columns[row].First, this->Columns[row].Last });
-      this->ProcessCells<true>(local, row, place);
+      this->ProcessCells<true>(local, row, position);
     }
   }
 
@@ -196,7 +197,7 @@ public:
   {
     std::size_t bytes =
       this->Columns.capacity() * sizeof(this->Columns[0]) + this->Points.GetBytes();
-    // The bytes of columns, keys and marks.
+    // The size of columns, keys and marks.
     constexpr std::size_t bytesOfColumn = 2 * sizeof(Code) + sizeof(std::uint8_t);
     for (const RowBuffers& local : this->Locals)
     {
@@ -208,7 +209,7 @@ public:
 
 private:
   template <bool Write>
-  void ProcessCells(RowBuffers& local, vtkIdType row, RowCount& place)
+  void ProcessCells(RowBuffers& local, vtkIdType row, RowCount& position)
   {
     CellRow around;
     around.J = this->Rows.GetJ(row);
@@ -230,8 +231,8 @@ private:
       maximum = std::max(maximum, codes.Maximum);
       rows[r] = &codes;
     }
-    // The rows of owners come after all codes, since they reach further: only now may the places of
-    // codes change.
+    // Find the owners only now: this reads the codes of further rows, which may invalidate pointers
+    // to codes.
     if (Write)
     {
       this->FindSlotRows(local, around);
@@ -240,7 +241,7 @@ private:
         this->Blanking.Cut(around, local.Spans, this->HasTiedGhost);
       }
     }
-    local.Given = { 0, 0 };
+    local.OutputRange = { 0, 0 };
     if (!Write)
     {
       this->CountInput(local, around);
@@ -250,19 +251,20 @@ private:
         return;
       }
       Trim(range, local.Spans);
-      local.Gave.assign(this->Nx, 0);
+      local.OutputMarks.assign(this->Nx, 0);
     }
     const auto& items = this->Values.GetItems();
     for (std::size_t item = 0; item < items.size(); ++item)
     {
       if (!this->Values.IsOutside(items[item], minimum, maximum) || !around.IsFinite)
       {
-        this->Cells.Process<Write>(local, around, static_cast<int>(item), place);
+        this->Cells.Process<Write>(local, around, static_cast<int>(item), position);
       }
     }
     if (!Write)
     {
-      local.Report.CellsWithOutput += std::count(local.Gave.begin(), local.Gave.end(), 1);
+      local.Report.CellsWithOutput +=
+        std::count(local.OutputMarks.begin(), local.OutputMarks.end(), 1);
       this->CountFolded(local, around.FirstPoint);
     }
   }
@@ -272,7 +274,8 @@ private:
     const CellOrientation& orientation = this->Cells.GetWriter().GetOrientation();
     for (vtkIdType i = 0; orientation.IsPerCell() && i + 1 < this->Nx; ++i)
     {
-      local.Report.FoldedCells += local.Gave[i] && orientation.IsFolded(this->Rows, firstPoint + i);
+      local.Report.FoldedCells +=
+        local.OutputMarks[i] && orientation.IsFolded(this->Rows, firstPoint + i);
     }
   }
 
@@ -288,17 +291,17 @@ private:
       firsts[r] = this->Offsets[this->Rows.GetRow(j, k)].Points;
     }
     CellRow::SlotRow* slot = around.Slots;
-    for (const SlotPlace& at : this->Cells.GetWriter().GetPlaces())
+    for (const SlotLocation& at : this->Cells.GetWriter().GetSlotLocations())
     {
       const RowPoints::Owners& owner = *owners[at.Row];
-      // A row that owns nothing has no arrays, and its slots no points.
+      // A row that owns no points has empty arrays, and its slots are not used.
       const vtkIdType column = owner.Starts.empty() ? 0 : at.Column;
       *slot++ = { firsts[at.Row], owner.Starts.data() + column,
         at.Direction == 0 ? this->Zeros.data() : owner.Offsets[at.Direction - 1].data() + column };
     }
   }
 
-  // Leaves the cells between the columns of points in range.
+  // Restricts the spans to cells between the columns of points in \a range.
   static void Trim(const RowPoints::ColumnRange& range, Spans& spans)
   {
     for (auto& span : spans)
@@ -332,9 +335,9 @@ private:
   RowCells Cells;
   RowBlanking Blanking;
   std::atomic<bool> HasTiedGhost{ false };
-  // The columns [first, last) of a row of cells that give output.
+  // The columns [first, last) of each row that contain all cells with output.
   std::vector<RowPoints::ColumnRange> Columns;
-  // What a grid point that is a point of the output adds to its own place.
+  // Offsets, all 0, of grid points that are themselves output points.
   std::vector<Code> Zeros;
 };
 }
@@ -342,16 +345,16 @@ private:
 bool StructuredExtraction::Execute(
   ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh)
 {
-  GridWindow window(dimensions);
+  GridCellRange window(dimensions);
   const vtkIdType cells = window.GetNumberOfCells();
-  // An index is of the rows of the whole grid.
+  // The index refers to the rows of the full grid.
   const bool isRowContour = RowContour::IsSuited(context);
   const bool isBox = (!context.Index || isRowContour) && window.Shrink(context, dimensions) &&
-    !GhostCells::AreTiedBeyond(context, dimensions, window);
-  window = isBox ? window : GridWindow(dimensions);
-  const vtkIdType beyond = cells - window.GetNumberOfCells();
-  context.Report->CellsVisited += beyond;
-  context.Report->BlankedCells += beyond;
+    !GhostCells::AreTiedOutside(context, dimensions, window);
+  window = isBox ? window : GridCellRange(dimensions);
+  const vtkIdType outside = cells - window.GetNumberOfCells();
+  context.Report->CellsVisited += outside;
+  context.Report->BlankedCells += outside;
   const bool hasBlanking = context.HasBlanking() && !isBox;
   if (!hasBlanking && isRowContour)
   {

@@ -9,18 +9,18 @@ namespace interlume
 
 /**
  * @class   StructuredExtraction
- * @brief   extraction from a grid of rows, where a point's id is arithmetic on its edge
+ * @brief   extraction from a structured grid, where point ids are computed from the edge
  *
- * A grid point owns itself and the edges that leave it along +i, +j, +k. Output points are numbered
- * by owner; a first pass over the rows counts the points that a row owns and the simplices that a
- * row of cells gives, a prefix sum gives every row its place, a second pass writes. Nothing is
- * shared between rows, so the bytes do not depend on the threads.
+ * A grid point owns itself and its edges along +i, +j and +k. Output points are numbered by owner.
+ * The first pass counts the points that each row owns and the simplices of each row of cells. A
+ * prefix sum computes the start position of each row, and the second pass writes. Rows share no
+ * data, so the output is independent of the number of threads.
  */
 class StructuredExtraction
 {
 public:
-  /// Runs the extraction, with other pieces' cells where one of them is tied: see GhostCells.
-  /// Returns false when the user aborted.
+  /// Runs the extraction. Ghost cells are extracted too if one of them has a tie (see GhostCells).
+  /// Returns false if the user aborted.
   static bool Execute(ExtractionContext& context, const int dimensions[3], ExtractionMesh& mesh);
 };
 

@@ -16,14 +16,14 @@ FacePlanarity::FacePlanarity(const TimeStep& first, const TimeStep& second)
 {
 }
 
-unsigned FacePlanarity::GetPlanar(const TimeVaryingCell& cell, const TimeVaryingSlots& slots) const
+unsigned FacePlanarity::GetPlanar(const TimeVaryingCell& cell, const SpaceTimeSlots& slots) const
 {
   if (this->Flat)
   {
-    return (1u << TimeVaryingSlots::MaximumNumberOfFaces) - 1;
+    return (1u << SpaceTimeSlots::MaximumNumberOfFaces) - 1;
   }
   unsigned planar = 0;
-  for (int f = 0; f < TimeVaryingSlots::MaximumNumberOfFaces; ++f)
+  for (int f = 0; f < SpaceTimeSlots::MaximumNumberOfFaces; ++f)
   {
     planar |= this->IsPlanar(cell, slots.GetFace(f)) ? 1u << f : 0u;
   }
@@ -49,7 +49,7 @@ bool FacePlanarity::IsPlanar(const TimeVaryingCell& cell, unsigned corners) cons
   {
     vtkMath::Subtract(x[k], x[0], x[k]);
   }
-  // The part of a volume that is left by rounding alone.
+  // Maximum relative volume that rounding alone may cause.
   constexpr double small = 1e-13;
   const double size = vtkMath::Norm(x[1]) * vtkMath::Norm(x[2]) * vtkMath::Norm(x[3]);
   return std::abs(vtkMath::Determinant3x3(x[1], x[2], x[3])) <= small * size;

@@ -3,29 +3,29 @@
 #define interlume_FacePlanarity_h
 
 #include "TimeVarying/TimeVaryingCells.h"
-#include "TimeVarying/TimeVaryingSlots.h"
+#include "TimeVarying/SpaceTimeSlots.h"
 
 namespace interlume
 {
 
 /**
  * @class   FacePlanarity
- * @brief   which faces of a cell are planar at all times of a slab
+ * @brief   finds the cell faces that are planar at all times of a slab
  *
- * Where points stay in place, points above one face of a cell lie in a plane, if the face is
- * planar: triangles, all faces of image data and rectilinear grids, and quadrilaterals whose
- * corners are.
+ * If the grid points do not move, output points whose positions lie in a planar face are coplanar
+ * at all times. Planar faces are triangles, all faces of image data and rectilinear grids, and
+ * quadrilaterals with coplanar points.
  */
 class FacePlanarity
 {
 public:
   FacePlanarity(const TimeStep& first, const TimeStep& second);
 
-  /// Returns whether points stay in place.
+  /// Returns true if the grid points do not move.
   bool IsStatic() const { return this->Static; }
 
-  /// Returns which faces are planar, with one bit for each face, in the order of TimeVaryingSlots.
-  unsigned GetPlanar(const TimeVaryingCell& cell, const TimeVaryingSlots& slots) const;
+  /// Returns the planar faces as a bit mask, in the face order of SpaceTimeSlots.
+  unsigned GetPlanar(const TimeVaryingCell& cell, const SpaceTimeSlots& slots) const;
 
 private:
   bool IsPlanar(const TimeVaryingCell& cell, unsigned corners) const;

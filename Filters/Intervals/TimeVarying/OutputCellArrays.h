@@ -2,7 +2,7 @@
 #ifndef interlume_OutputCellArrays_h
 #define interlume_OutputCellArrays_h
 
-#include "Output/ExtractionMemory.h"
+#include "Output/OutputAllocation.h"
 
 #include "vtkCellData.h"
 #include "vtkNew.h"
@@ -13,15 +13,14 @@ namespace interlume
 
 namespace OutputCellArrays
 {
-/// Adds an array of cells to an output, which has one value for each and keeps it. The values are
-/// not set.
+/// Adds a cell array with \a number uninitialized values to an output. The output owns the array.
 template <typename Array>
 Array* Add(vtkUnstructuredGrid* output, const char* name, vtkIdType number)
 {
   vtkNew<Array> array;
   array->SetName(name);
   array->SetNumberOfValues(number);
-  ExtractionMemory::PreferLargePages(array);
+  OutputAllocation::PreferLargePages(array);
   output->GetCellData()->AddArray(array);
   return array;
 }

@@ -19,7 +19,7 @@ namespace interlume
 namespace
 {
 constexpr int NumberOfPoints = SimplexProjection::NumberOfPoints;
-// Simplices that are projected in one go: what is known of them stays in the nearest cache.
+// Number of simplices projected at a time. Their data should fit in the L1 cache.
 constexpr int BatchSize = 64;
 
 constexpr unsigned char ClassNames[SimplexSigns::NumberOfClasses] = {
@@ -28,7 +28,7 @@ constexpr unsigned char ClassNames[SimplexSigns::NumberOfClasses] = {
   vtkTimeVaryingSettings::CLASS_4, vtkTimeVaryingSettings::CLASS_5
 };
 
-// Calls visit with the values of an array of float or of double; returns whether it is one.
+// Calls visit with the values of a float or double array. Returns false for other types.
 template <typename Visitor>
 bool VisitNumbers(vtkAbstractArray* array, Visitor&& visit)
 {
@@ -45,7 +45,7 @@ bool VisitNumbers(vtkAbstractArray* array, Visitor&& visit)
   return false;
 }
 
-// Moves tuples of an array of numbers to where those before them end.
+// Moves tuples of an array from index \a from to index \a to.
 void MoveTuples(vtkDataArray* array, vtkIdType from, vtkIdType to, vtkIdType number)
 {
   const std::size_t size =
@@ -55,15 +55,15 @@ void MoveTuples(vtkDataArray* array, vtkIdType from, vtkIdType to, vtkIdType num
 }
 }
 
-// Some simplices of a slab.
+// A range of simplices of a slab.
 struct ProjectedTetrahedra::Block
 {
   const Slab* TheSlab;
   vtkIdType First;
   vtkIdType Last;
-  // The place of the first simplex among those of all slabs.
-  vtkIdType Place;
-  // The numbers of thick points and of tetrahedra; then where these begin.
+  // Index of the first simplex, counted over all slabs.
+  vtkIdType FirstIndex;
+  // Number of thick points and tetrahedra, later replaced by their start positions.
   vtkIdType ThickPoints = 0;
   vtkIdType Tetrahedra = 0;
   std::array<vtkIdType, SimplexSigns::NumberOfClasses> Classes{};
@@ -82,17 +82,17 @@ struct ProjectedTetrahedra::Block
   }
 };
 
-// Simplices in a row, projected.
+// Consecutive simplices and their projections.
 struct ProjectedTetrahedra::Batch
 {
   const Simplex* Simplices;
   int Number;
   SimplexProjection::Corners Corners[BatchSize];
   SimplexProjection Projections[BatchSize];
-  // Where their thick points begin.
+  // Index of the first thick point.
   vtkIdType ThickPoint;
 
-  // Calls visit(simplex, thickPoint) for those that are not flat.
+  // Calls visit(simplex, thickPoint) for the simplices that are not degenerate.
   template <typename Visitor>
   void ForEach(Visitor&& visit) const
   {
@@ -136,9 +136,9 @@ bool ProjectedTetrahedra::Fill(TimeVaryingReport& report)
   }
   for (Block& block : this->Blocks)
   {
-    this->Place(block, report);
+    this->AssignStart(block, report);
   }
-  this->LeaveOutFlat();
+  this->RemoveDegenerate();
   this->AllocateTetrahedra();
   if (!this->Context.Run(blocks, 0.7, 1.0,
         [this](vtkIdType first, vtkIdType last)
@@ -177,7 +177,7 @@ void ProjectedTetrahedra::AllocatePoints()
   this->Signs.Allocate(this->Simplices);
   this->Points.TakeReference(vtkPoints::New(this->Mesh.GetPoints()->GetDataType()));
   this->Points->SetNumberOfPoints(points);
-  ExtractionMemory::PreferLargePages(this->Points->GetData());
+  OutputAllocation::PreferLargePages(this->Points->GetData());
   this->Output->SetPoints(this->Points);
   VisitNumbers(this->Points->GetData(), [this](auto* values) { this->CopyPoints(values); });
   vtkPointData* to = this->Output->GetPointData();
@@ -190,7 +190,7 @@ void ProjectedTetrahedra::AllocatePoints()
   to->AddArray(this->MakeArray(this->Mesh.GetTimes()));
   this->Thickness->SetName("DeltaT");
   this->Thickness->SetNumberOfValues(points);
-  ExtractionMemory::PreferLargePages(this->Thickness);
+  OutputAllocation::PreferLargePages(this->Thickness);
   double* thickness = this->Thickness->GetPointer(0);
   vtkSMPTools::Fill(thickness, thickness + this->BasePoints, 0.0);
   to->AddArray(this->Thickness);
@@ -214,25 +214,26 @@ void ProjectedTetrahedra::CopyPoints(Value* values)
     });
 }
 
-// Makes an array of the points; its values at the thick points are yet to be written.
+// Creates a point array. Its values at the thick points are written later.
 vtkSmartPointer<vtkAbstractArray> ProjectedTetrahedra::MakeArray(vtkAbstractArray* from)
 {
-  vtkSmartPointer<vtkAbstractArray> made;
-  made.TakeReference(from->NewInstance());
-  made->SetName(from->GetName());
-  made->SetNumberOfComponents(from->GetNumberOfComponents());
-  made->SetNumberOfTuples(this->BasePoints + this->Simplices);
-  if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(made))
+  vtkSmartPointer<vtkAbstractArray> created;
+  created.TakeReference(from->NewInstance());
+  created->SetName(from->GetName());
+  created->SetNumberOfComponents(from->GetNumberOfComponents());
+  created->SetNumberOfTuples(this->BasePoints + this->Simplices);
+  if (vtkDataArray* numbers = vtkDataArray::SafeDownCast(created))
   {
-    ExtractionMemory::PreferLargePages(numbers);
+    OutputAllocation::PreferLargePages(numbers);
   }
-  made->InsertTuples(0, this->BasePoints, 0, from);
+  created->InsertTuples(0, this->BasePoints, 0, from);
   const int components = from->GetNumberOfComponents();
-  if (!VisitNumbers(made, [this, components](auto* values) { this->AddMeans(values, components); }))
+  if (!VisitNumbers(
+        created, [this, components](auto* values) { this->AddMeans(values, components); }))
   {
-    this->Others.push_back(made);
+    this->Others.push_back(created);
   }
-  return made;
+  return created;
 }
 
 template <typename Value>
@@ -251,7 +252,7 @@ void ProjectedTetrahedra::AddMeans(Value* values, int components)
             double mean = 0.0;
             for (int p = 0; p < NumberOfPoints; ++p)
             {
-              // A value without weight may not be finite.
+              // A value with zero weight may be NaN or infinite.
               const double part = weights[p] * values[simplex[p] * components + c];
               mean += weights[p] == 0.0 ? 0.0 : part;
             }
@@ -268,10 +269,10 @@ void ProjectedTetrahedra::ProjectBlock(Block& block)
   Batch batch;
   for (vtkIdType first = block.First; first < block.Last; first += BatchSize)
   {
-    const vtkIdType place = block.Place + first - block.First;
+    const vtkIdType index = block.FirstIndex + first - block.First;
     batch.Simplices = slab.Simplices.GetData() + first;
     batch.Number = static_cast<int>(std::min<vtkIdType>(BatchSize, block.Last - first));
-    batch.ThickPoint = this->BasePoints + block.Place + block.ThickPoints;
+    batch.ThickPoint = this->BasePoints + block.FirstIndex + block.ThickPoints;
     this->Mesh.GetProjected(batch.Simplices, batch.Number, batch.Corners);
     SimplexProjection::Project(
       batch.Corners, slab.Flats.GetData() + first, batch.Number, batch.Projections);
@@ -279,11 +280,11 @@ void ProjectedTetrahedra::ProjectBlock(Block& block)
     {
       const SimplexProjection& projection = batch.Projections[s];
       block.Add(projection);
-      this->Signs[place + s] = projection.IsFlat() ? SimplexSigns() : projection.GetSigns();
+      this->Signs[index + s] = projection.IsFlat() ? SimplexSigns() : projection.GetSigns();
       if (!this->Others.empty())
       {
         const auto& weights = projection.GetWeights();
-        this->Heaviest[place + s] = static_cast<std::uint8_t>(
+        this->Heaviest[index + s] = static_cast<std::uint8_t>(
           std::max_element(weights.begin(), weights.end()) - weights.begin());
       }
     }
@@ -312,8 +313,8 @@ void ProjectedTetrahedra::WritePoints(const Batch& batch, Value* values) const
     });
 }
 
-// Turns the size of a block into the places where it begins.
-void ProjectedTetrahedra::Place(Block& block, TimeVaryingReport& report)
+// Replaces the counts of a block by start positions.
+void ProjectedTetrahedra::AssignStart(Block& block, TimeVaryingReport& report)
 {
   report.FlatSimplices += block.Last - block.First - block.ThickPoints;
   report.InvertedSimplices += block.Inverted;
@@ -329,7 +330,7 @@ void ProjectedTetrahedra::Place(Block& block, TimeVaryingReport& report)
   this->Tetrahedra += tetrahedra;
 }
 
-void ProjectedTetrahedra::LeaveOutFlat()
+void ProjectedTetrahedra::RemoveDegenerate()
 {
   if (this->ThickPoints == this->Simplices)
   {
@@ -340,13 +341,13 @@ void ProjectedTetrahedra::LeaveOutFlat()
   const auto shorten = [&](vtkAbstractArray* array)
   {
     vtkDataArray* numbers = vtkDataArray::SafeDownCast(array);
-    const bool isOther =
+    const bool isFilledLater =
       std::find(this->Others.begin(), this->Others.end(), array) != this->Others.end();
-    for (std::size_t b = 0; b < this->Blocks.size() && !isOther; ++b)
+    for (std::size_t b = 0; b < this->Blocks.size() && !isFilledLater; ++b)
     {
       const vtkIdType begin = this->Blocks[b].ThickPoints;
       const vtkIdType end = b + 1 < this->Blocks.size() ? this->Blocks[b + 1].ThickPoints : points;
-      MoveTuples(numbers, this->BasePoints + this->Blocks[b].Place, begin, end - begin);
+      MoveTuples(numbers, this->BasePoints + this->Blocks[b].FirstIndex, begin, end - begin);
     }
     array->Resize(points);
   };
@@ -373,7 +374,7 @@ void ProjectedTetrahedra::WriteBlock(const Block& block)
 {
   const Slab& slab = *block.TheSlab;
   const Simplex* const simplices = slab.Simplices.GetData() + block.First;
-  const SimplexSigns* const signs = this->Signs.GetData() + block.Place;
+  const SimplexSigns* const signs = this->Signs.GetData() + block.FirstIndex;
   const vtkIdType number = block.Last - block.First;
   vtkIdType tetrahedron = block.Tetrahedra;
   this->Cells.Visit(
@@ -407,7 +408,7 @@ void ProjectedTetrahedra::WriteBlock(const Block& block)
   std::fill(this->Slabs + block.Tetrahedra, this->Slabs + tetrahedron, slab.Number);
 }
 
-// Fills in values that have no mean by those of the point with the most weight.
+// Copies values that cannot be averaged from the point with the largest weight.
 void ProjectedTetrahedra::FillOthers()
 {
   if (this->Others.empty())
@@ -419,10 +420,10 @@ void ProjectedTetrahedra::FillOthers()
     vtkIdType thickPoint = block.ThickPoints;
     for (vtkIdType s = block.First; s < block.Last; ++s)
     {
-      const vtkIdType place = block.Place + s - block.First;
-      if (this->Signs[place].GetCut().NumberOfTetrahedra > 0)
+      const vtkIdType index = block.FirstIndex + s - block.First;
+      if (this->Signs[index].GetCut().NumberOfTetrahedra > 0)
       {
-        const vtkIdType heaviest = block.TheSlab->Simplices[s][this->Heaviest[place]];
+        const vtkIdType heaviest = block.TheSlab->Simplices[s][this->Heaviest[index]];
         for (vtkAbstractArray* array : this->Others)
         {
           array->SetTuple(thickPoint, heaviest, array);

@@ -24,12 +24,13 @@ struct TimeVaryingReport;
 
 /**
  * @class   ProjectedTetrahedra
- * @brief   makes the tetrahedra of all projections, with the points of a mesh and thick points
+ * @brief   creates the tetrahedra of all projected 4-simplices
  *
- * A thick point is a point of its own for each 4-simplex that is not flat. In the first pass each
- * 4-simplex is projected, its thick point is written, and the signs are kept, of which the second
- * pass makes tetrahedra once it is known how many come before. Thick points are written as if no
- * 4-simplex were flat; where any is, the others are moved up.
+ * The output has the points of a mesh, followed by one thick point per 4-simplex that is not
+ * degenerate (see SimplexProjection). The first pass projects each 4-simplex, writes its thick
+ * point and stores its signs. The second pass generates the tetrahedra from the signs. Thick points
+ * are first written to one position per 4-simplex. If some 4-simplices are degenerate, the gaps are
+ * removed afterward.
  */
 class ProjectedTetrahedra
 {
@@ -38,8 +39,7 @@ public:
     const ExtractionContext& context, const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output);
   ~ProjectedTetrahedra();
 
-  /// Fills the output. Returns false when the user aborted. The counts of what is made are added to
-  /// the report.
+  /// Fills the output and adds the counts to the report. Returns false if the user aborted.
   bool Fill(TimeVaryingReport& report);
 
 private:
@@ -61,8 +61,8 @@ private:
   void ProjectBlock(Block& block);
   template <typename Value>
   void WritePoints(const Batch& batch, Value* values) const;
-  void Place(Block& block, TimeVaryingReport& report);
-  void LeaveOutFlat();
+  void AssignStart(Block& block, TimeVaryingReport& report);
+  void RemoveDegenerate();
   void AllocateTetrahedra();
   void WriteBlock(const Block& block);
   void FillOthers();
@@ -75,12 +75,13 @@ private:
   vtkIdType ThickPoints = 0;
   vtkIdType Tetrahedra = 0;
   std::vector<Block> Blocks;
-  // Of each simplex, all zero where it is flat.
+  // The signs of the affine dependency of each simplex, all zero for a degenerate simplex.
   ExtractionBuffer<SimplexSigns> Signs;
   vtkSmartPointer<vtkPoints> Points;
   vtkNew<vtkDoubleArray> Thickness;
   std::vector<MeanWriter> Means;
-  // Arrays of values that have no mean, and the place of the heaviest point of each simplex.
+  // Arrays of values that cannot be averaged, and for each simplex the index of the point with the
+  // largest weight.
   std::vector<vtkAbstractArray*> Others;
   ExtractionBuffer<std::uint8_t> Heaviest;
   SimplexList Cells;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/SimplexProjection.h"
 
-#include "Common/FunctionClones.h"
-#include "Common/Lanes.h"
+#include "Common/SimdDispatch.h"
+#include "Common/SimdPack.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,12 @@ namespace interlume
 
 namespace
 {
-using Four = Lanes<4>;
-// What takes the place of double where that would lose too many digits.
+// Two number types: Four, a SIMD pack, projects four simplices at once, one per lane. Extended, a
+// long double, projects a simplex for which double precision would lose too many digits.
+using Four = SimdPack<4>;
 using Extended = long double;
 
-// What Lanes have, for one number.
+// Scalar counterparts of the SIMD functions.
 Extended Select(bool mask, Extended a, Extended b)
 {
   return mask ? a : b;
@@ -78,7 +79,7 @@ template <typename Number>
   return a.X[0] * x + a.X[1] * y + a.X[2] * z;
 }
 
-// The sums of the positive and of the negative numbers, both as amounts.
+// The sums of the positive and the negative numbers, both as absolute values.
 template <typename Number>
 struct Sums
 {
@@ -94,7 +95,7 @@ struct Sums
   }
 };
 
-// The dependency of one simplex, as Extended, or of several, as Four.
+// The affine dependency of one simplex (Extended) or of several simplices (Four).
 template <typename Number>
 struct Dependency
 {
@@ -102,17 +103,17 @@ struct Dependency
   static constexpr int NumberOfPoints = SimplexProjection::NumberOfPoints;
 
   Number Weights[NumberOfPoints];
-  // The time at the thick point on one face less that on the other.
+  // Signed difference of the times of the two faces at the thick point.
   Number Thickness;
   Mask IsPositive[NumberOfPoints];
   Mask IsNegative[NumberOfPoints];
-  // Whether there is a thick point.
+  // If true, the simplex has a thick point.
   Mask IsSolid;
-  // Whether few digits were lost.
+  // If true, double precision is sufficient.
   Mask IsExact;
 
-  // A point is x, y, z and the coordinate that is projected along; isZero tells which lambda are
-  // known to be.
+  // A point is x, y, z and the coordinate along the projection. \a isZero marks each lambda that is
+  // known to be zero.
   [[gnu::always_inline]] Dependency(
     const Number (&points)[NumberOfPoints][4], const Mask (&isZero)[NumberOfPoints])
   {
@@ -131,7 +132,7 @@ struct Dependency
       }
     }
     const Mask hasExtent = zero < longest;
-    // Edges are scaled to size 1, so that no product overflows or vanishes.
+    // Scale the edges so that their largest coordinate is 1 and no product overflows or underflows.
     const Number scale = Select(hasExtent, longest, one);
     for (Vector<Number>& edge : edges)
     {
@@ -140,7 +141,7 @@ struct Dependency
         x = x / scale;
       }
     }
-    // Times are counted from one among them.
+    // Use times relative to the first point.
     Number times[NumberOfPoints];
     for (int i = 0; i < NumberOfPoints; ++i)
     {
@@ -159,25 +160,25 @@ struct Dependency
       content = content + lambda[i] * times[i];
       longestTime = Max(longestTime, Abs(times[i]));
     }
-    const Number most = Max(all.Positive, all.Negative);
-    // For a simplex that is thin in time, less may be left out.
-    const Number share = Select(zero < longestTime, Abs(content) / (longestTime * most), one);
-    Mask isExact = Of<Number>(enough) < most;
-    Sums<Number> kept;
+    const Number largest = Max(all.Positive, all.Negative);
+    // The threshold is smaller for a simplex that is thin relative to its extent in time.
+    const Number fraction = Select(zero < longestTime, Abs(content) / (longestTime * largest), one);
+    Mask isExact = Of<Number>(enough) < largest;
+    Sums<Number> retained;
     for (int i = 0; i < NumberOfPoints; ++i)
     {
       const Number size = Abs(lambda[i]);
-      isExact = isExact & (Mask(small * most < size) | Mask(lambda[i] == zero));
-      lambda[i] = Select(small * share * most < size, lambda[i], zero);
+      isExact = isExact & (Mask(small * largest < size) | Mask(lambda[i] == zero));
+      lambda[i] = Select(small * fraction * largest < size, lambda[i], zero);
       this->IsPositive[i] = zero < lambda[i];
       this->IsNegative[i] = lambda[i] < zero;
-      kept.Add(lambda[i]);
+      retained.Add(lambda[i]);
     }
-    this->IsSolid = Mask(zero < kept.Positive) & Mask(zero < kept.Negative);
+    this->IsSolid = Mask(zero < retained.Positive) & Mask(zero < retained.Negative);
     this->Thickness = zero;
     for (int i = 0; i < NumberOfPoints; ++i)
     {
-      const Number sum = Select(this->IsNegative[i], kept.Negative, kept.Positive);
+      const Number sum = Select(this->IsNegative[i], retained.Negative, retained.Positive);
       const Number part = Select(this->IsSolid, lambda[i] / sum, zero);
       this->Thickness = this->Thickness + part * times[i];
       this->Weights[i] = 0.5 * Abs(part);
@@ -190,7 +191,7 @@ struct Dependency
   }
 };
 
-// The results of four simplices, one after the other.
+// The results of four simplices, one SIMD lane each.
 struct FourResults
 {
   static constexpr int NumberOfPoints = SimplexProjection::NumberOfPoints;
@@ -202,51 +203,42 @@ struct FourResults
   unsigned int AreExact;
 };
 
-[[gnu::always_inline]] inline void ProjectFour(
+void ProjectFour(
   const SimplexProjection::Corners* points, const std::uint8_t* flats, FourResults& results)
 {
-  using Mask = Four::Mask;
-  constexpr int size = SimplexProjection::NumberOfPoints;
-  Four coordinates[size][4];
-  Mask isZero[size];
-  const Mask flat{ flats[0], flats[1], flats[2], flats[3] };
-  for (int i = 0; i < size; ++i)
-  {
-    for (int axis = 0; axis < 4; ++axis)
+  SimdDispatch::Call(
+    [&]
     {
-      coordinates[i][axis] = Four::OfEach([=](int lane) { return points[lane][i][axis]; });
-    }
-    isZero[i] = (flat & (1LL << i)) != 0;
-  }
-  const Dependency<Four> found(coordinates, isZero);
-  Mask positive{};
-  Mask negative{};
-  for (int i = 0; i < size; ++i)
-  {
-    results.Weights[i] = found.Weights[i];
-    positive |= found.IsPositive[i] & found.IsSolid & (1LL << i);
-    negative |= found.IsNegative[i] & found.IsSolid & (1LL << i);
-  }
-  results.Thickness = found.Thickness;
-  for (int lane = 0; lane < Four::Number; ++lane)
-  {
-    results.Positive[lane] = positive[lane];
-    results.Negative[lane] = negative[lane];
-  }
-  results.AreExact = Four::GetBits(found.IsExact);
-}
-
-INTERLUME_AVX2_FUNCTION
-void ProjectFourByAVX2(
-  const SimplexProjection::Corners* points, const std::uint8_t* flats, FourResults& results)
-{
-  ProjectFour(points, flats, results);
-}
-
-void ProjectFourPlainly(
-  const SimplexProjection::Corners* points, const std::uint8_t* flats, FourResults& results)
-{
-  ProjectFour(points, flats, results);
+      using Mask = Four::Mask;
+      constexpr int size = SimplexProjection::NumberOfPoints;
+      Four coordinates[size][4];
+      Mask isZero[size];
+      const Mask flat{ flats[0], flats[1], flats[2], flats[3] };
+      for (int i = 0; i < size; ++i)
+      {
+        for (int axis = 0; axis < 4; ++axis)
+        {
+          coordinates[i][axis] = Four::OfEach([=](int lane) { return points[lane][i][axis]; });
+        }
+        isZero[i] = (flat & (1LL << i)) != 0;
+      }
+      const Dependency<Four> found(coordinates, isZero);
+      Mask positive{};
+      Mask negative{};
+      for (int i = 0; i < size; ++i)
+      {
+        results.Weights[i] = found.Weights[i];
+        positive |= found.IsPositive[i] & found.IsSolid & (1LL << i);
+        negative |= found.IsNegative[i] & found.IsSolid & (1LL << i);
+      }
+      results.Thickness = found.Thickness;
+      for (int lane = 0; lane < Four::Number; ++lane)
+      {
+        results.Positive[lane] = positive[lane];
+        results.Negative[lane] = negative[lane];
+      }
+      results.AreExact = Four::GetBits(found.IsExact);
+    });
 }
 }
 
@@ -278,9 +270,8 @@ void SimplexProjection::ProjectExtended(const Corners& points, unsigned flat)
   this->Signs = SimplexSigns(positive, negative, found.Thickness < 0);
 }
 
-template <typename ProjectFourOnes>
-void SimplexProjection::ProjectEach(const Corners* points, const std::uint8_t* flats, int number,
-  SimplexProjection* projections, ProjectFourOnes&& projectFour)
+void SimplexProjection::Project(
+  const Corners* points, const std::uint8_t* flats, int number, SimplexProjection* projections)
 {
   for (int first = 0; first < number; first += Four::Number)
   {
@@ -288,7 +279,7 @@ void SimplexProjection::ProjectEach(const Corners* points, const std::uint8_t* f
     FourResults results;
     if (lanes == Four::Number)
     {
-      projectFour(points + first, flats + first, results);
+      ProjectFour(points + first, flats + first, results);
     }
     else
     {
@@ -300,7 +291,7 @@ void SimplexProjection::ProjectEach(const Corners* points, const std::uint8_t* f
         fourPoints[lane] = points[one];
         fourFlats[lane] = flats[one];
       }
-      projectFour(fourPoints, fourFlats, results);
+      ProjectFour(fourPoints, fourFlats, results);
     }
     for (int lane = 0; lane < lanes; ++lane)
     {
@@ -320,25 +311,6 @@ void SimplexProjection::ProjectEach(const Corners* points, const std::uint8_t* f
         static_cast<unsigned int>(results.Negative[lane]), thickness < 0);
     }
   }
-}
-
-void SimplexProjection::Project(
-  const Corners* points, const std::uint8_t* flats, int number, SimplexProjection* projections)
-{
-  if (INTERLUME_HAS_AVX2)
-  {
-    ProjectEach(points, flats, number, projections, ProjectFourByAVX2);
-  }
-  else
-  {
-    ProjectPlainly(points, flats, number, projections);
-  }
-}
-
-void SimplexProjection::ProjectPlainly(
-  const Corners* points, const std::uint8_t* flats, int number, SimplexProjection* projections)
-{
-  ProjectEach(points, flats, number, projections, ProjectFourPlainly);
 }
 
 }

@@ -8,9 +8,9 @@ namespace
 {
 using Signs = std::array<int, SimplexSigns::NumberOfPoints>;
 
-constexpr int GetClass(int most, int least)
+constexpr int GetClass(int larger, int smaller)
 {
-  switch (10 * most + least)
+  switch (10 * larger + smaller)
   {
     case 32:
       return 0;
@@ -27,7 +27,7 @@ constexpr int GetClass(int most, int least)
   }
 }
 
-// Returns the points of the tetrahedron where a positive and a negative one are taken away.
+// Returns the points of the tetrahedron without the given positive and negative point.
 constexpr std::array<std::uint8_t, 3> GetTetrahedron(int positive, int negative)
 {
   std::array<std::uint8_t, 3> rest{};
@@ -38,8 +38,8 @@ constexpr std::array<std::uint8_t, 3> GetTetrahedron(int positive, int negative)
       rest[n++] = static_cast<std::uint8_t>(k);
     }
   }
-  // With p_i in place of the thick point the tetrahedron is the one without p_j, whose sign is
-  // (-1)^j lambda_j, but for the place that p_i has in the order.
+  // If the thick point is replaced by p_i, the result is the tetrahedron without p_j. Its sign is
+  // (-1)^j lambda_j, apart from the position of p_i in the order.
   if ((positive + negative + (negative < positive ? 1 : 0)) % 2 == 0)
   {
     return rest;
@@ -64,7 +64,7 @@ constexpr SimplexSigns::Cut MakeCut(const Signs& signs)
   {
     if (signs[i] == meant)
     {
-      cut.Meant[cut.NumberOfMeant++] = static_cast<std::uint8_t>(i);
+      cut.MeanPoints[cut.NumberOfMeanPoints++] = static_cast<std::uint8_t>(i);
     }
     for (int j = 0; j < SimplexSigns::NumberOfPoints && signs[i] > 0; ++j)
     {
@@ -85,7 +85,7 @@ constexpr SimplexSigns::CutArray SimplexSigns::MakeCuts()
   {
     const unsigned int positive = bits & ((1u << NumberOfPoints) - 1);
     const unsigned int negative = bits >> NumberOfPoints;
-    // No number has both signs.
+    // Skip combinations in which a number is both positive and negative.
     if ((positive & negative) == 0)
     {
       Signs signs{};

@@ -10,10 +10,10 @@ namespace interlume
 
 /**
  * @class   SimplexSigns
- * @brief   the signs of a 4-simplex's dependency, and what of its projection they tell alone
+ * @brief   signs of the affine dependency of a 4-simplex, in two bytes
  *
- * See SimplexProjection. They take two bytes: what an output keeps of a projection until its
- * tetrahedra are written.
+ * The signs determine the tetrahedra of the projection (see SimplexProjection). They are stored for
+ * each 4-simplex until its tetrahedra are written.
  */
 class SimplexSigns
 {
@@ -24,31 +24,32 @@ public:
     NumberOfClasses = 6
   };
 
-  /// What follows from the signs.
+  /// Properties that follow from the signs.
   struct Cut
   {
     std::uint8_t Class = NumberOfClasses - 1;
     std::uint8_t NumberOfTetrahedra = 0;
-    /// The points whose mean is the thick point: those of the side with fewer, or the negative one.
-    std::uint8_t NumberOfMeant = 0;
-    std::array<std::uint8_t, NumberOfPoints> Meant{};
-    /// Three points of each tetrahedron, the fourth of which is the thick point, in the order that
-    /// is positive for a simplex that is not inverted.
+    /// The points whose weighted mean is the thick point: the positive or the negative points,
+    /// whichever are fewer, or the negative points if their numbers are equal.
+    std::uint8_t NumberOfMeanPoints = 0;
+    std::array<std::uint8_t, NumberOfPoints> MeanPoints{};
+    /// Three points of each tetrahedron; the fourth one is the thick point. In this order, the
+    /// tetrahedron is positively oriented if the simplex is not inverted.
     std::array<std::array<std::uint8_t, 3>, 6> Tetrahedra{};
   };
 
-  /// Makes signs that are all zero.
+  /// Sets all signs to zero.
   SimplexSigns() = default;
 
-  /// Bit i of \a positive is set where lambda_i is, bit i of \a negative likewise. \a isInverted is
-  /// as in SimplexProjection.
+  /// Set bit i of \a positive if lambda_i is positive, and bit i of \a negative if it is negative.
+  /// See SimplexProjection for \a isInverted.
   SimplexSigns(unsigned int positive, unsigned int negative, bool isInverted)
     : Bits(static_cast<std::uint16_t>(
         positive | (negative << NumberOfPoints) | (isInverted ? InvertedBit : 0u)))
   {
   }
 
-  /// Returns 1, 0 or -1 for lambda_i.
+  /// Returns 1, 0 or -1, the sign of lambda_i.
   int Get(int i) const
   {
     return static_cast<int>((this->Bits >> i) & 1u) -
@@ -59,8 +60,8 @@ public:
   const Cut& GetCut() const { return Cuts[this->Bits & (InvertedBit - 1)]; }
 
   /**
-   * Calls visit(a, b, c) for each tetrahedron of the points a, b, c and the thick point. Its volume
-   * has the sign of the determinant of the simplex.
+   * Calls visit(a, b, c) for each tetrahedron, which consists of the points a, b, c and the thick
+   * point. Its volume has the sign of the determinant of the simplex.
    */
   template <typename Visitor>
   void ForEachTetrahedron(Visitor&& visit) const

@@ -15,30 +15,31 @@ using Slot = SimplexSliceTable::Slot;
 constexpr int NumberOfVertices = 5;
 constexpr unsigned int NumberOfCases = 1u << NumberOfVertices;
 
-// The vertices of one side before those of the other, both in ascending order.
+// The vertices on one side of the hyperplane, then those on the other side, both in ascending
+// order.
 struct Sides
 {
   std::array<Slot, NumberOfVertices> Vertices{};
   int NumberOfFirst = 0;
-  // Whether this is an odd permutation of the vertices.
+  // If true, this is an odd permutation of the vertices.
   bool IsOdd = false;
 };
 
-Sides Part(unsigned int first)
+Sides Partition(unsigned int first)
 {
   Sides sides;
   int number = 0;
-  int passed = 0;
+  int skipped = 0;
   for (int v = 0; v < NumberOfVertices; ++v)
   {
     if ((first >> v) & 1)
     {
       sides.Vertices[number++] = static_cast<Slot>(v);
-      sides.IsOdd ^= (passed & 1) != 0;
+      sides.IsOdd ^= (skipped & 1) != 0;
     }
     else
     {
-      ++passed;
+      ++skipped;
     }
   }
   sides.NumberOfFirst = number;
@@ -55,11 +56,11 @@ Sides Part(unsigned int first)
 Slice Make(unsigned int above)
 {
   unsigned int first = above;
-  Sides sides = Part(first);
+  Sides sides = Partition(first);
   if (sides.NumberOfFirst > 2)
   {
     first = ~above & (NumberOfCases - 1);
-    sides = Part(first);
+    sides = Partition(first);
   }
   Slice slice;
   if (sides.NumberOfFirst == 0)
@@ -76,14 +77,14 @@ Slice Make(unsigned int above)
       slice.Edges[slice.NumberOfSlots++] = { { ends.first, ends.second } };
     }
   }
-  // The first tetrahedron of a prism is positive where its edge is below; the slice of one vertex,
-  // with its edges in order, where that is above. Tetrahedra next to each other on the staircase
-  // differ in one point in the same place: they alternate.
+  // Orientation: the first tetrahedron of a prism is positive if the edge is below. The slice at a
+  // single vertex, with its edges in order, is positive if the vertex is above. Consecutive
+  // tetrahedra of a prism differ in one point at the same index, so their orientation alternates.
   const bool isFirstInverted = sides.IsOdd != ((first == above) == (rows == 2));
   slice.NumberOfTetrahedra = rows == 1 ? 1 : columns;
   for (int t = 0; t < slice.NumberOfTetrahedra; ++t)
   {
-    // Along the first row to where the staircase turns, and along the last to its end.
+    // Points up to \a turn lie in the first row, and all later points in the last row.
     const int turn = columns - 1 - t;
     vtkIsotable::Simplex& points = slice.Tetrahedra[t];
     for (int p = 0; p < 4; ++p)

@@ -11,17 +11,18 @@ namespace interlume
 
 /**
  * @class   SimplexSliceTable
- * @brief   the slice of a 4-simplex by a hyperplane, for each set of vertices above it
+ * @brief   case table for slicing a 4-simplex with a hyperplane, by the set of vertices above it
  *
- * Every edge with one end above and one below has a point of the slice, its slot. With one vertex
- * on a side the slice is the tetrahedron of its four edges. With an edge a < b on one side and a
- * triangle c < d < e on the other it is their product, a prism, which is cut along the staircases
- * (ac,ad,ae,be), (ac,ad,bd,be), (ac,bc,bd,be). The cut of a side of the prism follows from the
- * order of that side's own vertices, so that neighbours agree where all take one order of the
- * points.
+ * Each edge with one end above and one end below the hyperplane contains a point of the slice, the
+ * edge's slot. With a single vertex on one side, the slice is a tetrahedron with a point on each of
+ * the vertex's four edges. With an edge a < b on one side and a triangle c < d < e on the other,
+ * the slice is a prism, the product of the edge and the triangle. It is split into the tetrahedra
+ * (ac,ad,ae,be), (ac,ad,bd,be) and (ac,bc,bd,be). How a quadrilateral face of the prism is split
+ * depends only on the order of the vertices whose edges the face crosses. Therefore neighbors match
+ * if all simplices use the same point order.
  *
- * The vertices are numbered in ascending order. Tetrahedra have a positive volume where the
- * vertices in this order are positively oriented in (x,y,z,t) and those of greater t are above.
+ * Number the vertices in ascending order. If they are positively oriented in (x,y,z,t) and vertices
+ * with larger t are above, the tetrahedra have positive volume.
  */
 class SimplexSliceTable
 {
@@ -33,12 +34,11 @@ public:
     int NumberOfTetrahedra = 0;
     int NumberOfSlots = 0;
     std::array<vtkIsotable::Simplex, 3> Tetrahedra{};
-    /// The vertices at the ends of each slot's edge, in ascending order.
+    /// The end vertices of each slot's edge, in ascending order.
     std::array<std::array<Slot, 2>, 6> Edges{};
   };
 
-  /// Returns the slices of all sets of vertices: bit v of a slice's number is set where vertex v is
-  /// above.
+  /// Returns all slices. Bit v of the index is set if vertex v is above.
   static const std::array<Slice, 32>& GetAll();
 };
 

@@ -31,7 +31,7 @@ namespace interlume
 namespace
 {
 using Code = ExtractionValues::Code;
-using Meeting = SliceMeeting;
+using Intersection = SliceIntersection;
 using Slot = vtkIsotable::Slot;
 using Case = SimplexSliceTable::Slice;
 using Parts = vtkTimeVaryingSettings::PartsAtStep;
@@ -41,10 +41,10 @@ constexpr Code AtValue = SlicedSimplex::AtValue;
 constexpr Code AboveValue = SlicedSimplex::AboveValue;
 constexpr Code NonFinite = AboveValue + 1;
 
-// The result of the counting pass for a chunk of cells, which the writing pass uses.
+// Result of counting a chunk of cells, used for writing the chunk.
 struct Chunk : SliceFaces::Chunk
 {
-  // The place of the first tetrahedron in the slice.
+  // Index in the slice of the chunk's first tetrahedron.
   vtkIdType First = 0;
   vtkIdType InvalidCell = -1;
   vtkIdType NonFiniteCells = 0;
@@ -65,55 +65,58 @@ bool IsCollapsed(const vtkIsotable::Simplex& tetrahedron, const SlicePoint* poin
   return false;
 }
 
-// Adds a tetrahedron of a cell; \a places has the place of each slot's point.
+// Adds a tetrahedron of a cell. \a indices holds the index of each slot's point in the chunk.
 template <typename Id>
-void AddTetrahedron(const vtkIsotable::Simplex& slots, const std::uint16_t* places, bool isInverted,
-  std::uint16_t cell, SliceChunkBuilder<Id>& builder)
+void AddTetrahedron(const vtkIsotable::Simplex& slots, const std::uint16_t* indices,
+  bool isInverted, std::uint16_t cell, SliceChunkBuilder<Id>& builder)
 {
   const int first = isInverted ? 1 : 0;
-  builder.Add(
-    { { { places[slots[first]], places[slots[1 - first]], places[slots[2]], places[slots[3]] } },
-      cell });
+  builder.Add({ { { indices[slots[first]], indices[slots[1 - first]], indices[slots[2]],
+                  indices[slots[3]] } },
+    cell });
 }
 
-// How 4-simplices meet the value, by the cell arrays of a time-varying interval volume.
-class SimplexMeetings
+// Classifies the intersection of 4-simplices with the slice value, using the cell arrays of
+// vtkTimeVaryingIntervalVolume.
+class SimplexIntersections
 {
 public:
-  explicit SimplexMeetings(vtkCellData* cells)
+  explicit SimplexIntersections(vtkCellData* cells)
     : Intervals(cells->GetArray("IntervalId"))
     , AtStep(cells->GetArray("AtStep"))
   {
   }
 
-  Meeting Meet(vtkIdType cell, const Code* codes) const
+  Intersection Intersect(vtkIdType cell, const Code* codes) const
   {
-    Code least = AboveValue;
-    Code greatest = 0;
+    Code minimum = AboveValue;
+    Code maximum = 0;
     int numberAt = 0;
     for (int v = 0; v < SimplexSize; ++v)
     {
-      least = std::min(least, codes[v]);
-      greatest = std::max(greatest, codes[v]);
+      minimum = std::min(minimum, codes[v]);
+      maximum = std::max(maximum, codes[v]);
       numberAt += codes[v] == AtValue;
     }
-    if (greatest < AtValue)
+    if (maximum < AtValue)
     {
-      return Meeting::None;
+      return Intersection::None;
     }
     if (numberAt == SimplexSize)
     {
-      return this->GetPart(cell) == Parts::TETRAHEDRON_AT_STEP ? Meeting::Lies : Meeting::None;
+      return this->GetPart(cell) == Parts::TETRAHEDRON_AT_STEP ? Intersection::InSlice
+                                                               : Intersection::None;
     }
     if (numberAt == SimplexSize - 1)
     {
-      const Meeting meeting = least < AtValue ? Meeting::Ends : Meeting::Begins;
-      return this->GetPart(cell) == Parts::FACES_AT_STEP ? meeting : Meeting::None;
+      const Intersection intersection =
+        minimum < AtValue ? Intersection::Ends : Intersection::Begins;
+      return this->GetPart(cell) == Parts::FACES_AT_STEP ? intersection : Intersection::None;
     }
-    return least < AtValue ? Meeting::Crosses : Meeting::None;
+    return minimum < AtValue ? Intersection::Crosses : Intersection::None;
   }
 
-  // Returns the interval that a cell belongs to: intervals may overlap, and each has its own slice.
+  // Returns the interval of a cell. Intervals may overlap, and each has a separate slice.
   vtkIdType GetInterval(vtkIdType cell) const
   {
     return this->Intervals ? static_cast<vtkIdType>(this->Intervals->GetComponent(cell, 0)) : 0;
@@ -126,13 +129,13 @@ private:
                         : Parts::FACES_AT_STEP;
   }
 
-  // The intervals of the cells; null where cells have none.
+  // The interval of each cell, or null if the cells have no intervals.
   vtkDataArray* Intervals;
-  // Null where all faces count.
+  // Null if all faces are part of the slice.
   vtkDataArray* AtStep;
 };
 
-// Stored is the type of the cell array's numbers.
+// Stored is the value type of the cell array.
 template <typename Stored>
 class SlicePass : public ExtractionFrame<SlicePass<Stored>, SliceChunkBuilder<Stored>>
 {
@@ -151,7 +154,7 @@ public:
     , Ids(ids)
     , Scalars(context.MakeScalars())
     , Order(grid->GetPointData())
-    , Meetings(grid->GetCellData())
+    , Intersections(grid->GetCellData())
     , Lists(grid->GetNumberOfPoints(), true)
     , Chunks((grid->GetNumberOfCells() + SliceChunk::Size - 1) / SliceChunk::Size)
     , Slice(slice)
@@ -186,19 +189,19 @@ public:
         work.Made.InvalidCell = cell;
         return;
       }
-      // The numbers of vertices of each code, four bits each.
-      unsigned int met = 0;
+      // Number of vertices per code, in four bits each.
+      unsigned int counts = 0;
       bool areAbove[SimplexSize];
       for (int v = 0; v < SimplexSize; ++v)
       {
         const Code code = this->Codes[ids[v]];
-        met += 1u << (4 * code);
+        counts += 1u << (4 * code);
         areAbove[v] = code >= AboveValue;
       }
       constexpr unsigned int below = 0xf;
       constexpr unsigned int above = 0xf << (4 * AboveValue);
-      const bool isPlain = (met & ~(below | above)) == 0;
-      if (isPlain && ((met & below) == 0 || (met & above) == 0))
+      const bool isPlain = (counts & ~(below | above)) == 0;
+      if (isPlain && ((counts & below) == 0 || (counts & above) == 0))
       {
         continue;
       }
@@ -206,7 +209,7 @@ public:
       {
         continue;
       }
-      if ((met >> (4 * NonFinite)) != 0)
+      if ((counts >> (4 * NonFinite)) != 0)
       {
         ++work.Made.NonFiniteCells;
         continue;
@@ -232,7 +235,7 @@ public:
   {
     if (this->FindInvalidCell())
     {
-      // There is no slice.
+      // If a cell is invalid, there is no slice.
       std::fill(this->Chunks.begin(), this->Chunks.end(), Chunk());
       return true;
     }
@@ -244,9 +247,9 @@ public:
       faces.Add(chunk);
     }
     faces.Sort();
-    if (faces.HasGiven() &&
+    if (faces.HasDuplicates() &&
       !this->ForEachPart(this->GetNumberOfParts(), Progress[1], Progress[2],
-        [&](vtkIdType chunk, Builder&) { faces.LeaveOutGiven(this->Chunks[chunk]); }))
+        [&](vtkIdType chunk, Builder&) { faces.RemoveDuplicates(this->Chunks[chunk]); }))
     {
       return false;
     }
@@ -254,7 +257,7 @@ public:
     return true;
   }
 
-  // Finds the places where chunks begin, and makes room for all.
+  // Computes the start positions of the chunks and allocates the slice.
   void Allocate()
   {
     vtkIdType tetrahedra = 0;
@@ -299,18 +302,19 @@ public:
   void Finish() {}
 
 private:
-  // Vertices with a bit more fit 32 bits without a sign, or 64 bits with one.
+  // A vertex id and one more bit fit in this type.
   using Key = std::conditional_t<sizeof(Stored) == 4, std::uint32_t, std::int64_t>;
   using Batch = SortedSimplices<Key>;
 
-  // A chunk as a thread fills it.
+  // State of a thread while it fills a chunk.
   struct Work
   {
     Chunk& Made;
     Builder& Points;
     CrossingLists::Arena& Arena;
     const vtkIdType Begin;
-    // Cells that are crossed and have no ties are counted some at a time, before the next that has.
+    // Cells without ties are counted in batches. The batch is flushed before each cell with ties,
+    // to preserve the order of the cells.
     Batch Plain;
     std::array<std::uint16_t, Batch::Size> Positions;
   };
@@ -322,8 +326,8 @@ private:
         [this](Stored point) { return this->Context.IsPointBlanked(point); });
   }
 
-  // Counts the cells that wait for it: no two points of a slice are one, but where a vertex of the
-  // cell is there twice.
+  // Counts the batched cells. All points of their slices are distinct, unless a cell contains a
+  // vertex twice.
   void CountPlain(Work& work)
   {
     Batch& batch = work.Plain;
@@ -337,37 +341,39 @@ private:
         continue;
       }
       const Case& what = this->Cases[batch.Above[s]];
-      std::uint16_t places[6];
+      std::uint16_t indices[6];
       for (int slot = 0; slot < what.NumberOfSlots; ++slot)
       {
         const auto& [near, far] = what.Edges[slot];
-        places[slot] = work.Points.Find(
+        indices[slot] = work.Points.Find(
           batch.GetId(near, s), CrossingKey(batch.GetId(far, s), 0), this->Lists, work.Arena);
       }
       for (int t = 0; t < what.NumberOfTetrahedra; ++t)
       {
-        AddTetrahedron(what.Tetrahedra[t], places, batch.IsOdd[s] != 0, position, work.Points);
+        AddTetrahedron(what.Tetrahedra[t], indices, batch.IsOdd[s] != 0, position, work.Points);
       }
     }
     batch.Number = 0;
   }
 
-  // Counts a cell of which slots may be one point.
+  // Counts a cell in which slots may be the same point.
   void CountTied(vtkIdType cell, Work& work)
   {
     const Stored* const ids = this->Ids + this->Offsets[cell];
     Code codes[SimplexSize];
     std::transform(ids, ids + SimplexSize, codes, [this](Stored id) { return this->Codes[id]; });
-    const Meeting meeting = this->Meetings.Meet(cell, codes);
-    if (meeting == Meeting::None)
+    const Intersection intersection = this->Intersections.Intersect(cell, codes);
+    if (intersection == Intersection::None)
     {
       return;
     }
     SlicedSimplex simplex;
-    simplex.Sort(ids, codes, this->Order, meeting);
-    // Where a 4-simplex begins, its slice is the limit of those above the value.
-    const Code first =
-      meeting == Meeting::Begins || meeting == Meeting::Lies ? AboveValue : AtValue;
+    simplex.Sort(ids, codes, this->Order, intersection);
+    // If the 4-simplex begins at the value, its slice is the limit of the slices just above the
+    // value.
+    const Code first = intersection == Intersection::Begins || intersection == Intersection::InSlice
+      ? AboveValue
+      : AtValue;
     const Case& what = this->Cases[simplex.FindAbove(first)];
     SlicePoint points[6];
     for (int slot = 0; slot < what.NumberOfSlots; ++slot)
@@ -381,21 +387,21 @@ private:
       {
         continue;
       }
-      std::uint16_t places[6];
+      std::uint16_t indices[6];
       for (const Slot slot : slots)
       {
-        places[slot] =
+        indices[slot] =
           work.Points.Find(points[slot].Owner, points[slot].Key, this->Lists, work.Arena);
       }
-      if (meeting != Meeting::Crosses)
+      if (intersection != Intersection::Crosses)
       {
         // All four points are vertices.
-        work.Made.Places.push_back(work.Points.GetNumberOfTetrahedra());
+        work.Made.FaceTetrahedra.push_back(work.Points.GetNumberOfTetrahedra());
         work.Made.Faces.push_back(
           { { { points[0].Owner, points[1].Owner, points[2].Owner, points[3].Owner } },
-            this->Meetings.GetInterval(cell), meeting });
+            this->Intersections.GetInterval(cell), intersection });
       }
-      AddTetrahedron(slots, places, simplex.IsInverted(),
+      AddTetrahedron(slots, indices, simplex.IsInverted(),
         static_cast<std::uint16_t>(cell - work.Begin), work.Points);
     }
   }
@@ -409,13 +415,13 @@ private:
   }
 
   vtkUnstructuredGrid* Grid;
-  // The cells as they are stored.
+  // The cell types, and the cell arrays in their storage type.
   vtkSmartPointer<GridCells::Types> Types;
   const Stored* Offsets;
   const Stored* Ids;
   std::unique_ptr<ExtractionScalars> Scalars;
   CornerOrder Order;
-  SimplexMeetings Meetings;
+  SimplexIntersections Intersections;
   ExtractionBuffer<Code> Codes;
   CrossingLists Lists;
   const std::array<Case, 32>& Cases = SimplexSliceTable::GetAll();
@@ -429,7 +435,7 @@ bool SimplexSlicer::Execute(
 {
   if (grid->GetNumberOfCells() == 0)
   {
-    // A grid that was given none has no cell array.
+    // A grid without cells may have no cell array.
     return true;
   }
   return VisitCellArrays(grid,

@@ -11,16 +11,17 @@ namespace interlume
 
 /**
  * @class   SimplexSlicer
- * @brief   the contour of one value in a grid of 4-simplices, as tetrahedra
+ * @brief   contour of one value in a grid of 4-simplices, as tetrahedra
  *
- * Cells are counted first and then written, in chunks. A vertex at the value itself is above, and a
- * crossing at the end of its edge is that vertex: the slice is the limit of those below the value,
- * less what has collapsed there. That misses a 4-simplex that begins at the value with four of its
- * vertices; the tetrahedron of these is added, unless a 4-simplex of the same interval that ends
- * there has given it. The cell array AtStep tells of 4-simplices that give nothing there, and of
- * tetrahedra, which are added likewise.
+ * Cells are counted and then written, in chunks. A vertex at the slice value counts as above, and
+ * an edge crossing at such a vertex is the vertex itself. Thus the slice is the limit of the slices
+ * just below the value, without collapsed tetrahedra. It misses a 4-simplex that has four vertices
+ * at the value and one above. The tetrahedron of the four vertices is added, unless a 4-simplex of
+ * the same interval that ends there already contributes it. The cell array AtStep marks 4-simplices
+ * that contribute no tetrahedra at a step, and cells that are tetrahedra at a step and are added
+ * too.
  *
- * Points are numbered as by UnstructuredExtraction: the bytes depend on the grid alone.
+ * Points are numbered as in UnstructuredExtraction, so the output depends only on the grid.
  */
 class SimplexSlicer
 {
@@ -29,17 +30,17 @@ public:
   {
     ExtractionBuffer<ExtractionPoint> Points;
     SimplexList Tetrahedra;
-    /// The cell of each tetrahedron, where the context keeps them.
+    /// The cell of each tetrahedron, if the context requests cell ids.
     ExtractionBuffer<vtkIdType> CellIds;
-    /// The first cell that is no VTK_POLY_VERTEX of five points, because of which there is no
-    /// slice; -1 for none.
+    /// The first cell that is not a VTK_POLY_VERTEX of five points, or -1. There is no slice if
+    /// such a cell exists.
     vtkIdType InvalidCell = -1;
-    /// The number of cells skipped because a time or a coordinate is NaN or infinite.
+    /// Number of cells skipped because a time or a coordinate is NaN or infinite.
     vtkIdType NonFiniteCells = 0;
   };
 
-  /// Makes the slice. Returns false when the user aborted. The contour of \a context has one value,
-  /// its input is \a grid.
+  /// Computes the slice. \a context must have one contour value and \a grid as input. Returns false
+  /// if the user aborted.
   static bool Execute(const ExtractionContext& context, vtkUnstructuredGrid* grid, Slice& slice);
 };
 

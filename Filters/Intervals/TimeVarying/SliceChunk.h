@@ -17,21 +17,21 @@ namespace interlume
 
 /**
  * @class   SliceChunk
- * @brief   the tetrahedra that some 4-simplices have in a slice, before points have their ids
+ * @brief   slice tetrahedra of a chunk of 4-simplices, before their points have ids
  *
- * Points go by 16 bits, as the places of their nodes in the chunk, and so do the cells: what is
- * kept from the counting to the writing of a slice is less than what is written.
+ * Points and cells are stored as 16-bit indices within the chunk. The data is therefore smaller
+ * than the output.
  */
 struct SliceChunk
 {
-  /// The most cells of a chunk: each has at most six points.
+  /// Maximum number of cells in a chunk. Each cell has at most six points.
   static constexpr vtkIdType Size = 4096;
-  static_assert(6 * Size <= 1 << 16, "points of a chunk have numbers of 16 bits");
+  static_assert(6 * Size <= 1 << 16, "point indices within a chunk have 16 bits");
 
   struct Tetrahedron
   {
     std::array<std::uint16_t, 4> Points;
-    /// The place of the cell, counted from the chunk's first.
+    /// Index of the cell in the chunk.
     std::uint16_t Cell;
   };
 
@@ -42,11 +42,11 @@ struct SliceChunk
 
 /**
  * @class   SliceChunkBuilder
- * @brief   what one thread needs to fill chunks: room, and the points that it met last
+ * @brief   buffers with which a thread fills chunks, and a cache of the latest points
  *
- * 4-simplices in a row have most of their points in common, so that few of them are looked for in
- * the lists. A point that was forgotten meanwhile has a second place in the chunk, to no effect. \a
- * Id is the type of the grid's point ids.
+ * Consecutive 4-simplices share most of their points, so the cache avoids most searches in the
+ * lists. A point evicted from the cache gets a second index in the chunk, which is harmless. \a Id
+ * is the type of the grid's point ids.
  */
 template <typename Id>
 class SliceChunkBuilder
@@ -65,11 +65,12 @@ public:
     this->NumberOfTetrahedra = 0;
   }
 
-  /// Returns the place of a point in the chunk.
+  /// Returns the index of a point in the chunk.
   std::uint16_t Find(
     vtkIdType owner, CrossingKey key, CrossingLists& lists, CrossingLists::Arena& arena)
   {
-    // No edge goes to point 0, which is its own owner: the far end tells one key from another.
+    // The far end alone identifies the key: all keys have value 0, and only the key of the owner
+    // itself has far end 0.
     const Id near = static_cast<Id>(owner);
     const Id far = static_cast<Id>(key.GetFar());
     const std::uint64_t hash = static_cast<std::uint64_t>(owner + key.GetFar() * 0x2c9277b5);
@@ -79,17 +80,17 @@ public:
       entry = { near, far, static_cast<std::uint16_t>(this->Nodes.size()) };
       this->Nodes.push_back(lists.Enter(owner, key, arena));
     }
-    return entry.Place;
+    return entry.Index;
   }
 
-  /// Adds a tetrahedron; a cell has at most three.
+  /// Adds a tetrahedron. A cell has at most three.
   void Add(const SliceChunk::Tetrahedron& tetrahedron)
   {
     this->Tetrahedra[this->NumberOfTetrahedra++] = tetrahedron;
   }
   std::size_t GetNumberOfTetrahedra() const { return this->NumberOfTetrahedra; }
 
-  /// Gives a chunk what was made, without the room for more.
+  /// Copies the results to a chunk, without unused capacity.
   void Finish(SliceChunk& chunk) const
   {
     const auto begin = this->Tetrahedra.begin();
@@ -105,7 +106,7 @@ private:
   {
     Id Owner = -1;
     Id Far = 0;
-    std::uint16_t Place = 0;
+    std::uint16_t Index = 0;
   };
 
   std::vector<Entry> Entries;

@@ -18,36 +18,37 @@ void SliceFaces::Sort()
   vtkSMPTools::Sort(this->All.begin(), this->All.end());
 }
 
-bool SliceFaces::HasGiven() const
+bool SliceFaces::HasDuplicates() const
 {
   return std::any_of(this->All.begin(), this->All.end(),
-    [](const Face& face) { return face.How != SliceMeeting::Ends; });
+    [](const Face& face) { return face.Intersection != SliceIntersection::Ends; });
 }
 
-bool SliceFaces::IsGiven(const Face& face) const
+bool SliceFaces::IsDuplicate(const Face& face) const
 {
-  const auto alike = std::equal_range(this->All.begin(), this->All.end(), face);
-  return std::any_of(alike.first, alike.second,
-    [&face](const Face& other) { return other.Interval == face.Interval && other.How < face.How; });
+  const auto matches = std::equal_range(this->All.begin(), this->All.end(), face);
+  return std::any_of(matches.first, matches.second,
+    [&face](const Face& other)
+    { return other.Interval == face.Interval && other.Intersection < face.Intersection; });
 }
 
-void SliceFaces::LeaveOutGiven(Chunk& chunk) const
+void SliceFaces::RemoveDuplicates(Chunk& chunk) const
 {
   std::vector<SliceChunk::Tetrahedron>& all = chunk.Tetrahedra;
-  std::size_t kept = 0;
-  auto place = chunk.Places.begin();
+  std::size_t numberRetained = 0;
+  auto faceTetrahedron = chunk.FaceTetrahedra.begin();
   for (std::size_t t = 0; t < all.size(); ++t)
   {
-    bool isGiven = false;
-    if (place != chunk.Places.end() && *place == t)
+    bool isDuplicate = false;
+    if (faceTetrahedron != chunk.FaceTetrahedra.end() && *faceTetrahedron == t)
     {
-      isGiven = this->IsGiven(chunk.Faces[place - chunk.Places.begin()]);
-      ++place;
+      isDuplicate = this->IsDuplicate(chunk.Faces[faceTetrahedron - chunk.FaceTetrahedra.begin()]);
+      ++faceTetrahedron;
     }
-    all[kept] = all[t];
-    kept += isGiven ? 0 : 1;
+    all[numberRetained] = all[t];
+    numberRetained += isDuplicate ? 0 : 1;
   }
-  all.resize(kept);
+  all.resize(numberRetained);
 }
 
 }

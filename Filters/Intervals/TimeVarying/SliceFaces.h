@@ -14,43 +14,43 @@ namespace interlume
 
 /**
  * @class   SliceFaces
- * @brief   the tetrahedra of a slice whose points are all vertices at the value
+ * @brief   slice tetrahedra whose points are all vertices at the slice value
  *
- * Of one interval, what begins at the value is given by what ends there, and a tetrahedron by
- * either: each is to be in the slice once.
+ * Within an interval, the same tetrahedron may come from a 4-simplex that ends at the value, from
+ * one that begins there, and from a tetrahedron at the step. The slice must contain it once.
  */
 class SliceFaces
 {
 public:
   struct Face
   {
-    /// Its points in the global order.
+    /// Point ids in the global order.
     std::array<vtkIdType, 4> Ids;
-    /// Intervals may overlap, and each has its own slice.
+    /// The interval. Intervals may overlap, and each has a separate slice.
     vtkIdType Interval;
-    SliceMeeting How;
+    SliceIntersection Intersection;
 
     bool operator<(const Face& other) const { return this->Ids < other.Ids; }
   };
 
-  /// A chunk with its faces, in the order of the cells, and which of its tetrahedra they are.
+  /// A chunk with its faces in the order of the cells, and the tetrahedron index of each face.
   struct Chunk : SliceChunk
   {
     std::vector<Face> Faces;
-    std::vector<std::size_t> Places;
+    std::vector<std::size_t> FaceTetrahedra;
   };
 
   void Add(const Chunk& chunk);
-  /// Sorts all that were added.
+  /// Sorts the faces after all of them were added.
   void Sort();
 
-  /// Returns whether any may be given by another.
-  bool HasGiven() const;
-  /// Leaves out the tetrahedra of a chunk that others give; all are sorted.
-  void LeaveOutGiven(Chunk& chunk) const;
+  /// Returns true if any face may be a duplicate.
+  bool HasDuplicates() const;
+  /// Removes the tetrahedra of a chunk that duplicate others. The faces must be sorted.
+  void RemoveDuplicates(Chunk& chunk) const;
 
 private:
-  bool IsGiven(const Face& face) const;
+  bool IsDuplicate(const Face& face) const;
 
   std::vector<Face> All;
 };

@@ -15,20 +15,20 @@
 namespace interlume
 {
 
-/// The ways in which a 4-simplex meets the value of a slice.
-enum class SliceMeeting
+/// Intersection of a 4-simplex with the slice value.
+enum class SliceIntersection
 {
   None,
   Crosses,
-  /// The 4-simplex crosses with one vertex below and four at the value.
+  /// One vertex is below and four are at the value.
   Ends,
   /// Four vertices are at the value and one is above.
   Begins,
-  /// All are at the value: a tetrahedron whose last point is there twice.
-  Lies
+  /// All vertices are at the value. The cell is a tetrahedron with its last point repeated.
+  InSlice
 };
 
-/// A point of a slice: its owner, and its key there.
+/// A point of a slice: its owner, and its key in the owner's list.
 struct SlicePoint
 {
   vtkIdType Owner;
@@ -42,7 +42,7 @@ struct SlicePoint
 
 /**
  * @class   SlicedSimplex
- * @brief   a 4-simplex, its vertices in the global order, with their codes for one value
+ * @brief   a 4-simplex with its vertices in the global order, and their codes for one value
  */
 class SlicedSimplex
 {
@@ -54,9 +54,10 @@ public:
   static constexpr Code AtValue = 1;
   static constexpr Code AboveValue = 2;
 
-  /// Sorts a 4-simplex; of equal ids the first one is the lower.
+  /// Sorts the vertices of a 4-simplex. Of two equal ids, the first one is lower.
   template <typename Id>
-  void Sort(const Id* stored, const Code* codes, const CornerOrder& order, SliceMeeting meeting)
+  void Sort(
+    const Id* stored, const Code* codes, const CornerOrder& order, SliceIntersection intersection)
   {
     vtkIdType ids[Size];
     std::copy_n(stored, Size, ids);
@@ -72,17 +73,17 @@ public:
         this->IsOdd ^= ranks[before] > ranks[v];
       }
     }
-    if (meeting == SliceMeeting::Lies)
+    if (intersection == SliceIntersection::InSlice)
     {
-      // As if a 4-simplex began with the tetrahedron.
+      // Treat the tetrahedron as the beginning of a 4-simplex.
       this->Codes[ranks[Size - 1]] = AboveValue;
     }
   }
 
-  /// Returns whether it took an odd number of exchanges to sort it.
+  /// Returns true if sorting took an odd number of exchanges.
   bool IsInverted() const { return this->IsOdd; }
 
-  /// Returns the vertices whose code is \a first or more, as bits.
+  /// Returns the vertices whose code is at least \a first, as a bit mask.
   unsigned int FindAbove(Code first) const
   {
     unsigned int above = 0;
@@ -93,7 +94,7 @@ public:
     return above;
   }
 
-  /// Returns the point of the slice on an edge: a vertex where that is at the value.
+  /// Returns the slice point on an edge. It is a vertex if that vertex is at the value.
   SlicePoint FindPoint(const std::array<Slot, 2>& edge) const
   {
     for (const Slot end : edge)

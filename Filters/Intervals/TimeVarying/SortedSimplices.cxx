@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TimeVarying/SortedSimplices.h"
 
-#include "Common/FunctionClones.h"
+#include "Common/SimdDispatch.h"
 
 #include <algorithm>
 
@@ -10,8 +10,7 @@ namespace interlume
 
 namespace
 {
-// Written so that compilers make vector code of it: a number of simplices that is known, and no
-// branches.
+// Compilers can vectorize this function: the trip count is constant and there are no branches.
 template <typename Key>
 inline void SortEach(SortedSimplices<Key>& simplices)
 {
@@ -33,7 +32,7 @@ inline void SortEach(SortedSimplices<Key>& simplices)
         high = std::max(before, high);
         isOdd ^= static_cast<Key>(low != before ? 1 : 0);
       };
-      // A network that sorts five.
+      // Sorting network for five values.
       exchange(a, d);
       exchange(b, e);
       exchange(a, c);
@@ -58,16 +57,14 @@ inline void SortEach(SortedSimplices<Key>& simplices)
 }
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
 void SimplexSorting::Sort(SortedSimplices<std::uint32_t>& simplices)
 {
-  SortEach(simplices);
+  SimdDispatch::Call([&] { SortEach(simplices); });
 }
 
-INTERLUME_FUNCTION_CLONES("avx2")
 void SimplexSorting::Sort(SortedSimplices<std::int64_t>& simplices)
 {
-  SortEach(simplices);
+  SimdDispatch::Call([&] { SortEach(simplices); });
 }
 
 }

@@ -9,10 +9,11 @@ namespace interlume
 
 /**
  * @class   SortedSimplices
- * @brief   4-simplices that a value crosses, none of their vertices at it, sorted many at a time
+ * @brief   batch of 4-simplices whose vertices are sorted with SIMD instructions
  *
- * A vertex is a number: twice its id, and one more where it is above the value. \a Key is an
- * unsigned number of 32 bits for ids that fit 31, or a signed one of 64 bits.
+ * The slice value crosses each 4-simplex, and no vertex is at the value. A vertex is stored as
+ * twice its id, plus 1 if it is above the value. \a Key must be unsigned 32-bit for ids that fit in
+ * 31 bits, and signed 64-bit otherwise.
  */
 template <typename Key>
 struct SortedSimplices
@@ -21,16 +22,16 @@ struct SortedSimplices
   static constexpr int NumberOfVertices = 5;
 
   int Number = 0;
-  /// The vertices, in ascending order once they are sorted.
+  /// The vertices, in ascending order after sorting.
   Key Vertices[NumberOfVertices][Size];
-  /// Which of the sorted vertices are above the value, as bits.
+  /// Bit mask of the sorted vertices that are above the value.
   Key Above[Size];
-  /// 1 where it took an odd number of exchanges to sort the vertices, else 0.
+  /// 1 if sorting the vertices took an odd number of exchanges, otherwise 0.
   Key IsOdd[Size];
-  /// 0 where all vertices differ.
+  /// 0 if all vertices are distinct.
   Key HasEqual[Size];
 
-  /// Adds a 4-simplex; there are fewer than Size.
+  /// Adds a 4-simplex. The batch must not be full.
   template <typename Id>
   void Add(const Id* ids, const bool* areAbove)
   {
@@ -45,7 +46,7 @@ struct SortedSimplices
   Key GetId(int vertex, int simplex) const { return this->Vertices[vertex][simplex] >> 1; }
 };
 
-/// Sorts the vertices of all simplices, for wider vectors where the machine has them.
+/// Sorts the vertices of all simplices, with the widest SIMD instructions of the machine.
 namespace SimplexSorting
 {
 void Sort(SortedSimplices<std::uint32_t>& simplices);

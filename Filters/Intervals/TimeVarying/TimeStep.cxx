@@ -94,7 +94,8 @@ const void* GetMemory(vtkDataArray* array)
 std::string DescribeChange(const char* what, vtkIdType before, vtkIdType now)
 {
   std::ostringstream words;
-  words << "its number of " << what << " is " << now << ", before it was " << before;
+  words << "the number of " << what << " is " << now << " but was " << before
+        << " at the previous time step";
   return words.str();
 }
 }
@@ -183,8 +184,8 @@ bool TimeStep::IsOverwritten(vtkDataSet* next, vtkDataArray* scalars) const
       const void* memory = GetMemory(array);
       const auto source = std::find_if(this->Sources.begin(), this->Sources.end(),
         [memory](const Source& one) { return GetMemory(one.Array) == memory; });
-      // A source that writes over scalars does not always say so, and steps that differ have
-      // scalars that differ.
+      // Not every source marks overwritten scalars as modified. The scalars of two different steps
+      // must differ, so sharing memory is sufficient evidence.
       return source != this->Sources.end() &&
         (array == scalars || array->GetMTime() > source->Time);
     });
@@ -194,8 +195,8 @@ Error TimeStep::FindDifference(const TimeStep& before) const
 {
   if (std::strcmp(this->Grid->GetClassName(), before.Grid->GetClassName()) != 0)
   {
-    return std::string("it is a ") + this->Grid->GetClassName() + ", before it was a " +
-      before.Grid->GetClassName();
+    return std::string("the dataset is a ") + this->Grid->GetClassName() + " but was a " +
+      before.Grid->GetClassName() + " at the previous time step";
   }
   if (this->GetNumberOfPoints() != before.GetNumberOfPoints())
   {
@@ -209,7 +210,7 @@ Error TimeStep::FindDifference(const TimeStep& before) const
   {
     return std::equal(this->Dimensions, this->Dimensions + 3, before.Dimensions)
       ? Error()
-      : "its dimensions have changed";
+      : "the dimensions differ from the previous time step";
   }
   vtkUnstructuredGrid* now = this->GetUnstructuredGrid();
   vtkUnstructuredGrid* then = before.GetUnstructuredGrid();
@@ -218,7 +219,7 @@ Error TimeStep::FindDifference(const TimeStep& before) const
       HasSameValues(now->GetCells()->GetOffsetsArray(), then->GetCells()->GetOffsetsArray()) &&
       HasSameValues(
         now->GetCells()->GetConnectivityArray(), then->GetCells()->GetConnectivityArray()));
-  return isSame ? Error() : "its cells have other points or types";
+  return isSame ? Error() : "the cell types or the cell points differ from the previous time step";
 }
 
 bool TimeStep::HasSamePoints(const TimeStep& other) const

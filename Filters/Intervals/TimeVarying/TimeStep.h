@@ -22,13 +22,13 @@ namespace interlume
 
 /**
  * @class   TimeStep
- * @brief   one time step of one dataset, as an extraction between two of them needs it
+ * @brief   one time step of a dataset, prepared for the extraction between two steps
  */
 class TimeStep : public Blanking
 {
 public:
-  /// Keeps the arrays of \a input, not the object, or copies of them where \a isCopied; polyhedra
-  /// are made cells that have tables.
+  /// References the arrays of \a input, or copies them if \a isCopied is true. Polyhedra are
+  /// replaced by cells that have case tables.
   TimeStep(vtkDataSet* input, vtkDataArray* scalars, double time, bool isCopied);
 
   vtkDataSet* GetGrid() const { return this->Grid; }
@@ -36,42 +36,42 @@ public:
   double GetTime() const { return this->Time; }
   vtkIdType GetNumberOfPoints() const { return this->Grid->GetNumberOfPoints(); }
   vtkIdType GetNumberOfCells() const { return this->Grid->GetNumberOfCells(); }
-  /// Returns the points along each axis, or null for an unstructured grid.
+  /// Returns the number of points along each axis, or null for an unstructured grid.
   const int* GetDimensions() const { return this->HasRows ? this->Dimensions : nullptr; }
   vtkUnstructuredGrid* GetUnstructuredGrid() const;
 
-  /// Returns the number of cells before polyhedra were cut.
+  /// Returns the number of cells before polyhedra were split.
   vtkIdType GetNumberOfInputCells() const { return this->NumberOfInputCells; }
-  /// Returns how many of these cells are polyhedra that are cut into parts that overlap.
+  /// Returns the number of polyhedra that were split into overlapping parts.
   vtkIdType GetNumberOfConcave() const { return this->NumberOfConcave; }
 
-  /// Returns a warning about the cells of \a input, the step as it was given, that are skipped
-  /// because of their coordinates, or an empty string.
+  /// Returns a warning about skipped cells with non-finite coordinates, or an empty string. \a
+  /// input must be the original dataset of the step.
   std::string DescribeNonFinite(vtkDataSet* input) const { return this->NonFinite.Describe(input); }
 
-  /// Makes the codes of all points at the first call, while progress goes from \a from to \a to.
-  /// Returns false when the user aborted.
+  /// Computes the codes of all points in the first call, while the progress advances from \a from
+  /// to \a to. Returns false if the user aborted.
   bool MakeCodes(const ExtractionContext& context, double from, double to);
   const ExtractionValues::Code* GetCodes() const { return this->Codes.GetData(); }
-  /// Returns whether a value equals a bound, once there are codes.
+  /// Returns true if a value equals a bound. Call MakeCodes() first.
   bool HasTies() const { return this->Ties; }
 
   std::size_t GetBytes() const { return this->Codes.GetBytes(); }
 
   /**
-   * Returns whether the next step has been written over this one: its scalars are in the same
-   * memory, or its points or another array are and have changed since.
+   * Returns true if the next step was written over this one. This is the case if its scalars use
+   * the same memory, or if its points or another array use the same memory and have changed since.
    */
   bool IsOverwritten(vtkDataSet* next, vtkDataArray* scalars) const;
 
-  /// Returns an error if the cells of two steps differ.
+  /// Returns an error if the cells differ from those of the previous step.
   Error FindDifference(const TimeStep& before) const;
-  /// Returns whether the points of two steps are in the same places.
+  /// Returns true if two steps have the same points.
   bool HasSamePoints(const TimeStep& other) const;
 
 private:
-  // An array that the step was read from, held so that its memory is not another's, and when it had
-  // changed last.
+  // An array of the input and its modification time. Holding a reference ensures that its memory is
+  // not reused.
   struct Source
   {
     vtkSmartPointer<vtkDataArray> Array;
@@ -88,7 +88,7 @@ private:
   NonFinitePoints NonFinite;
   ExtractionBuffer<ExtractionValues::Code> Codes;
   std::atomic<bool> Ties{ false };
-  // The arrays that the step was read from; empty where the step is a copy.
+  // The arrays of the input, or empty if the step is a copy.
   std::vector<Source> Sources;
 };
 

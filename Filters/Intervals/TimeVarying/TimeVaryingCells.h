@@ -27,13 +27,14 @@ namespace interlume
 using TimeVaryingCell = TableCell<2>;
 
 /**
- * The common part of the cells of rows and of unstructured cells: which of them are left out. Where
- * values equal bounds, those of other pieces are not, so that what is between them can be settled.
+ * Base class of structured and unstructured cells, which finds the cells to skip. Cells of other
+ * pieces are included if values equal bounds, because the output at the faces between pieces
+ * depends on them.
  */
 class TimeVaryingCellsBase
 {
 public:
-  /// Returns whether a cell that is not left out is another piece's.
+  /// Returns true if a cell belongs to another piece. The cell must not be blanked.
   bool IsDuplicate(vtkIdType cell) const
   {
     return GhostCells::IsOne(*this->Steps[0], cell) || GhostCells::IsOne(*this->Steps[1], cell);
@@ -42,7 +43,7 @@ public:
 protected:
   TimeVaryingCellsBase(const TimeStep& first, const TimeStep& second)
     : Steps{ &first, &second }
-    , TakesDuplicates(first.HasTies() || second.HasTies())
+    , IncludesDuplicates(first.HasTies() || second.HasTies())
   {
   }
 
@@ -51,21 +52,21 @@ protected:
     return this->Steps[0]->HasBlanking() || this->Steps[1]->HasBlanking();
   }
 
-  /// Returns whether a cell is left out at either step.
+  /// Returns true if a cell is skipped at either step.
   bool IsBlanked(const TimeVaryingCell& cell) const
   {
     return std::any_of(this->Steps, this->Steps + 2,
       [this, &cell](const TimeStep* step)
       {
-        return (this->TakesDuplicates ? step->IsCellHidden(cell.Id)
-                                      : step->IsCellBlanked(cell.Id)) ||
+        return (this->IncludesDuplicates ? step->IsCellHidden(cell.Id)
+                                         : step->IsCellBlanked(cell.Id)) ||
           std::any_of(cell.Ids, cell.Ids + cell.NumberOfCorners,
             [step](vtkIdType point) { return step->IsPointBlanked(point); });
       });
   }
 
   const TimeStep* Steps[2];
-  bool TakesDuplicates;
+  bool IncludesDuplicates;
 };
 
 /**
@@ -99,39 +100,39 @@ public:
     }
   }
 
-  /// There is nothing to be made, since rows of codes are looked at as they are.
+  /// Structured cells need no marks because the codes are read directly.
   bool MakeMarks(const ExtractionContext&) { return true; }
   void FreeMarks() {}
   std::size_t GetMarkBytes() const { return 0; }
 
-  /// Appends the cells first ... last - 1 that are near an item.
+  /// Appends the cells in [first, last) that an item may intersect.
   void FindNear(
     vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near, ExtractionReport& report) const
   {
-    constexpr vtkIdType most = 512;
-    Code least[most + 1];
-    Code greatest[most + 1];
-    Code all[most];
+    constexpr vtkIdType blockSize = 512;
+    Code minimum[blockSize + 1];
+    Code maximum[blockSize + 1];
+    Code all[blockSize];
     TimeVaryingCell cell;
     while (first < last)
     {
       this->Read(first, cell);
       const vtkIdType inRow = this->CellsInRow - first % this->CellsInRow;
-      const vtkIdType number = std::min({ last - first, inRow, most });
+      const vtkIdType number = std::min({ last - first, inRow, blockSize });
       const Code* rows[8];
       for (int row = 0; row < 8; ++row)
       {
-        // The even corners are those at the beginnings of rows.
+        // The even corners are at the start of the rows.
         rows[row] = this->Steps[row / 4]->GetCodes() + cell.Ids[2 * (row % 4)];
       }
-      RowKernels::FindRanges(rows, number, least, greatest, all);
+      RowKernels::FindRanges(rows, number, minimum, maximum, all);
       for (vtkIdType i = 0; i < number;)
       {
         const vtkIdType end = all[i] == ExtractionKernels::Mixed
           ? i + 1
           : ExtractionKernels::FindChange(all, i, number);
-        const bool isNonFinite = greatest[i] == this->Values.GetNonFiniteCode();
-        const bool isNear = this->IsNear(least[i], greatest[i]);
+        const bool isNonFinite = maximum[i] == this->Values.GetNonFiniteCode();
+        const bool isNear = this->IsNear(minimum[i], maximum[i]);
         for (; i < end && (isNear || isNonFinite || this->HasBlanking()); ++i)
         {
           this->Sort(first + i, isNear, isNonFinite, near, report);
@@ -143,12 +144,12 @@ public:
   }
 
 private:
-  bool IsNear(Code least, Code greatest) const
+  bool IsNear(Code minimum, Code maximum) const
   {
     const auto& items = this->Values.GetItems();
     return std::any_of(items.begin(), items.end(),
       [&](const ExtractionValues::Item& item)
-      { return !this->Values.IsOutside(item, least, greatest); });
+      { return !this->Values.IsOutside(item, minimum, maximum); });
   }
 
   void Sort(vtkIdType id, bool isNear, bool isNonFinite, std::vector<vtkIdType>& near,
@@ -186,7 +187,7 @@ private:
  * @class   TimeVaryingUnstructured
  * @brief   the cells of an unstructured grid
  *
- * \a Stored is the type of the cell array's numbers.
+ * \a Stored is the value type of the cell array.
  */
 template <typename Stored>
 class TimeVaryingUnstructured : public TimeVaryingCellsBase
@@ -202,8 +203,8 @@ public:
   }
 
   ///@{
-  /// The marks of all points at both steps, by which FindNear goes. MakeMarks returns false when
-  /// the user aborted.
+  /// Compute, free and measure the marks for FindNear(): for each point, the union of its marks at
+  /// both steps. MakeMarks() returns false if the user aborted.
   bool MakeMarks(const ExtractionContext& context)
   {
     return context.Run(this->Steps[0]->GetNumberOfPoints(), 0.1, 0.2,

@@ -14,11 +14,11 @@ namespace interlume
 namespace
 {
 using Kinds = vtkTimeVaryingSettings::BoundaryKinds;
-using Sides = TimeVaryingSlots::Sides;
+using Sides = SpaceTimeSlots::Sides;
 using Slot = SpaceTimeTable::Slot;
 using SideArray = std::array<std::uint8_t, SpaceTimeTable::MaximumNumberOfSlots>;
 
-// A bit beside those of Sides: the corner is equal to the value of a flat interval.
+// Bit in addition to Sides: the corner equals the value of an interval of zero width.
 constexpr unsigned Equal = 16;
 
 int GetNumberOfSlots(const SpaceTimeTable& table)
@@ -27,7 +27,7 @@ int GetNumberOfSlots(const SpaceTimeTable& table)
 }
 }
 
-void TimeVaryingCut::Make(const SpaceTimeTable& table, const TimeVaryingSlots& slots,
+void TimeVaryingCut::Make(const SpaceTimeTable& table, const SpaceTimeSlots& slots,
   const Item& item, const Code* codes, const SpaceTimeTable::Case& what,
   const SpaceTimeTable::Case& inside, const SpaceTimeTable::RankArray& ranks, const Slot* same,
   bool hasSides)
@@ -58,7 +58,7 @@ void TimeVaryingCut::Make(const SpaceTimeTable& table, const TimeVaryingSlots& s
   }
 }
 
-void TimeVaryingCut::Add(int kind, int number, const Slot* points, bool isTurned)
+void TimeVaryingCut::Add(int kind, int number, const Slot* points, bool isReversed)
 {
   if (ExtractionCell::IsCollapsed(points, number))
   {
@@ -66,14 +66,14 @@ void TimeVaryingCut::Add(int kind, int number, const Slot* points, bool isTurned
   }
   Side side{ {}, number, kind };
   std::copy_n(points, number, side.Points.begin());
-  if (isTurned)
+  if (isReversed)
   {
     std::swap(side.Points[0], side.Points[1]);
   }
   this->Sides.push_back(side);
 }
 
-void TimeVaryingCut::AddSides(const SpaceTimeTable& table, const TimeVaryingSlots& slots,
+void TimeVaryingCut::AddSides(const SpaceTimeTable& table, const SpaceTimeSlots& slots,
   const SpaceTimeTable::Case& what, const SpaceTimeTable::RankArray& ranks, const Slot* same)
 {
   SideArray sides{};
@@ -109,19 +109,20 @@ void TimeVaryingCut::AddSides(const SpaceTimeTable& table, const TimeVaryingSlot
     });
 }
 
-void TimeVaryingCut::AddFlatSides(const SpaceTimeTable& table, const TimeVaryingSlots& slots,
+void TimeVaryingCut::AddFlatSides(const SpaceTimeTable& table, const SpaceTimeSlots& slots,
   const Item& item, const Code* codes, const SpaceTimeTable::Case& inside,
   const SpaceTimeTable::RankArray& ranks, const Slot* same)
 {
   const int vertices = table.GetNumberOfVertices();
   const Code tie = item.First;
-  // The upper side counts, unless a corner is below: for the whole, and for each step.
+  // The side is the lower one if a corner is below the value, otherwise the upper one. Determine
+  // this for all corners together, and for each step.
   const int corners = vertices / 2;
   const int upper = *std::min_element(codes, codes + vertices) < tie ? 0 : 1;
   const int upperAt[2] = { *std::min_element(codes, codes + corners) < tie ? 0 : 1,
     *std::min_element(codes + corners, codes + vertices) < tie ? 0 : 1 };
   SideArray sides{};
-  // Whether all corners at a step are equal to the value.
+  // The steps at which all corners equal the value.
   unsigned full = Sides::START | Sides::END;
   for (int v = 0; v < vertices; ++v)
   {
@@ -136,7 +137,7 @@ void TimeVaryingCut::AddFlatSides(const SpaceTimeTable& table, const TimeVarying
     {
       if (on & Equal)
       {
-        // The side is seen from what lies beyond.
+        // The side is oriented outward from the neighbor cell.
         this->Add(Kinds::LOWER_SURFACE_IN_TIME + upper, 4, points.data(), true);
         if (on & full)
         {

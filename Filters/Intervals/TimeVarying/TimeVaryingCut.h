@@ -3,7 +3,7 @@
 #define interlume_TimeVaryingCut_h
 
 #include "Scalars/ExtractionValues.h"
-#include "TimeVarying/TimeVaryingSlots.h"
+#include "TimeVarying/SpaceTimeSlots.h"
 
 #include "SpaceTime/SpaceTimeTable.h"
 
@@ -15,11 +15,12 @@ namespace interlume
 
 /**
  * @class   TimeVaryingCut
- * @brief   a case between two steps as it is cut in a cell of which slots are the same point
+ * @brief   cut of a case between two time steps, in a cell where several slots are the same point
  *
- * It is what MergedCut is for a cell of one step, with all kinds of boundary cells: the sides of
- * the pieces are cut by themselves, since a piece without hypervolume has sides too. The volume and
- * its surfaces at a step are those of that step alone, as vtkIntervalVolume has them.
+ * This class corresponds to MergedCut with an additional time axis. It also finds all kinds of
+ * boundary cells. The sides of the convex pieces are triangulated separately because a piece
+ * without hypervolume also has sides. The volume and its surfaces at a step equal the result of
+ * vtkIntervalVolume for that step.
  */
 class TimeVaryingCut
 {
@@ -29,7 +30,7 @@ public:
   using Slot = SpaceTimeTable::Slot;
   using Simplex = SpaceTimeTable::Simplex;
 
-  /// A cell of a boundary; see vtkTimeVaryingSettings::BoundaryKinds.
+  /// A boundary cell, see vtkTimeVaryingSettings::BoundaryKinds.
   struct Side
   {
     std::array<Slot, 4> Points;
@@ -37,9 +38,9 @@ public:
     int Kind;
   };
 
-  /// Cuts the case in the order of \a ranks; \a same has for each slot the one that it goes by. \a
-  /// inside is the case where all corners are in the interval.
-  void Make(const SpaceTimeTable& table, const TimeVaryingSlots& slots, const Item& item,
+  /// Cuts the case in the order of \a ranks. \a same maps each slot to the slot that represents its
+  /// point. \a inside is the case with all corners inside the interval.
+  void Make(const SpaceTimeTable& table, const SpaceTimeSlots& slots, const Item& item,
     const Code* codes, const SpaceTimeTable::Case& what, const SpaceTimeTable::Case& inside,
     const SpaceTimeTable::RankArray& ranks, const Slot* same, bool hasSides);
 
@@ -47,12 +48,12 @@ public:
   const std::vector<Side>& GetSides() const { return this->Sides; }
 
 private:
-  void AddSides(const SpaceTimeTable& table, const TimeVaryingSlots& slots,
+  void AddSides(const SpaceTimeTable& table, const SpaceTimeSlots& slots,
     const SpaceTimeTable::Case& what, const SpaceTimeTable::RankArray& ranks, const Slot* same);
-  void AddFlatSides(const SpaceTimeTable& table, const TimeVaryingSlots& slots, const Item& item,
+  void AddFlatSides(const SpaceTimeTable& table, const SpaceTimeSlots& slots, const Item& item,
     const Code* codes, const SpaceTimeTable::Case& inside, const SpaceTimeTable::RankArray& ranks,
     const Slot* same);
-  void Add(int kind, int number, const Slot* points, bool isTurned);
+  void Add(int kind, int number, const Slot* points, bool isReversed);
 
   std::vector<Simplex> Simplices;
   std::vector<Side> Sides;

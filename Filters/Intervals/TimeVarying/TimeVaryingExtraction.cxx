@@ -6,12 +6,12 @@
 #include "Scalars/ExtractionScalars.h"
 #include "SpaceTime/SpaceTimeTable.h"
 #include "TimeVarying/FacePlanarity.h"
-#include "TimeVarying/FlatSides.h"
+#include "TimeVarying/FlatFacetCache.h"
 #include "TimeVarying/TimeVaryingBoundary.h"
 #include "TimeVarying/TimeVaryingCells.h"
 #include "TimeVarying/TimeVaryingCut.h"
 #include "TimeVarying/TimeVaryingMesh.h"
-#include "TimeVarying/TimeVaryingSlots.h"
+#include "TimeVarying/SpaceTimeSlots.h"
 #include "Unstructured/CrossingLists.h"
 
 #include "vtkPointData.h"
@@ -36,18 +36,19 @@ using Slot = SpaceTimeTable::Slot;
 using Simplex = SpaceTimeTable::Simplex;
 using Tables = SlotTables<SpaceTimeTable>;
 
-// Chunks are small, since cells that matter lie in clusters, and threads are to share them.
+// Chunks are small to balance the load of the threads, because cells with output lie in clusters.
 constexpr vtkIdType ChunkSize = 512;
 constexpr int MaximumNumberOfVertices = SpaceTimeTable::MaximumNumberOfVertices;
 constexpr int MaximumNumberOfSlots = SpaceTimeTable::MaximumNumberOfSlots;
 
-// A case met in a chunk of cells.
+// A case of a cell in a chunk.
 struct Found
 {
   vtkIdType Cell;
   const SpaceTimeTable::Case* Case;
   int Item;
-  // Whether the table's own cut serves: corners in ascending order, no two slots one point.
+  // If true, the cut of the table applies: the corner ids are in ascending order and all slots are
+  // distinct points.
   bool IsPlain;
 };
 
@@ -55,24 +56,25 @@ struct Chunk
 {
   std::vector<Found> Cases;
   std::vector<TimeVaryingMesh::BoundaryCell> Boundary;
-  // The volume at the two steps of cells where slots were made one.
+  // The parts of the volume at the two steps that lie in cells with merged slots.
   std::vector<TimeVaryingMesh::BoundaryCell> StepVolume;
-  // The 4-simplices above one face of a cell where slots were made one.
+  // The 4-simplices above one face of a cell with merged slots.
   std::vector<vtkIdType> Tied;
   vtkIdType Simplices = 0;
   bool HasDuplicates = false;
   ExtractionReport Report;
 };
 
-// A case as it is cut in a cell whose corners are not in ascending order, or of which two slots are
-// one point.
+// Cut of a case in a cell to which the cut of the table does not apply: the corner ids are not in
+// ascending order, or several slots are the same point.
 struct OwnCut
 {
   std::vector<Simplex> Simplices;
-  // The boundary cells, where slots were made one; otherwise they follow from the simplices.
+  // The simplices and boundary cells if slots were merged. Otherwise the boundary cells follow from
+  // the simplices.
   TimeVaryingCut Merged;
   bool IsMerged = false;
-  // The slots in use, increasing.
+  // The slots in use, in ascending order.
   std::vector<Slot> Slots;
 
   const std::vector<Simplex>& GetSimplices() const
@@ -81,11 +83,11 @@ struct OwnCut
   }
 };
 
-// The access of one thread to the tables, and its buffers.
+// The table readers and the buffers of a thread.
 struct Local
 {
   std::array<std::optional<SpaceTimeTable::Reader>, vtkIsotable::NUMBER_OF_SHAPES> Readers;
-  std::optional<FlatSides> Flats;
+  std::optional<FlatFacetCache> Flats;
   std::vector<vtkIdType> Near;
   OwnCut Own;
 
@@ -99,7 +101,7 @@ struct Local
     return reader->GetCase(key);
   }
 
-  FlatSides& GetFlats()
+  FlatFacetCache& GetFlats()
   {
     if (!this->Flats)
     {
@@ -125,9 +127,9 @@ public:
     }
   }
 
-  const TimeVaryingSlots& GetSlots(vtkIsotable::Shapes shape) const { return this->Slots[shape]; }
+  const SpaceTimeSlots& GetSlots(vtkIsotable::Shapes shape) const { return this->Slots[shape]; }
 
-  // Calls visit(slot, owner, key) for the points of some slots.
+  // Calls visit(slot, owner, key) for the points of the given slots.
   template <typename Visitor>
   void ForEachPoint(
     const Cell& cell, const Item& item, const std::vector<Slot>& slots, Visitor&& visit) const
@@ -151,8 +153,8 @@ public:
     return local.GetCase(cell.Shape, key);
   }
 
-  // Cuts a case in the global order, with slots that are the same point made one, where the table's
-  // own cut does not serve. Returns whether it does.
+  // Returns true if the cut of the table applies. Otherwise merges the slots of the same point and
+  // cuts the case in the global order.
   bool Cut(const Cell& cell, const Item& item, const Case& what, Local& local) const
   {
     OwnCut& cut = local.Own;
@@ -163,12 +165,12 @@ public:
       return true;
     }
     const SpaceTimeTable& table = this->TheTables[cell.Shape];
-    // The corners at the first step come before those at the second.
+    // The corners at the first step precede those at the second step.
     constexpr int most = MaximumNumberOfVertices / 2;
     const int corners = std::min(cell.NumberOfCorners, most);
     Slot vertexRanks[MaximumNumberOfVertices];
     this->Order.Rank(cell.Ids, corners, vertexRanks);
-    for (int v = 0; v < corners && v < most; ++v) // GCC sees the bound.
+    for (int v = 0; v < corners && v < most; ++v) // The second condition shows GCC the array bound.
     {
       vertexRanks[v + corners] = static_cast<Slot>(vertexRanks[v] + corners);
     }
@@ -178,7 +180,7 @@ public:
       const Case& inside =
         item.IsFlat ? local.GetCase(cell.Shape, ExtractionCell::GetKeyInside(2 * corners)) : what;
       cut.Merged.Make(table, this->Slots[cell.Shape], item, cell.Codes, what, inside, ranks, same,
-        this->Mesh.HasWantedKinds() || this->Mesh.GetOptions().Settings.GenerateSimplices);
+        this->Mesh.HasRequiredKinds() || this->Mesh.GetOptions().Settings.GenerateSimplices);
     }
     else
     {
@@ -201,7 +203,8 @@ private:
     {
       for (const TimeVaryingCut::Side& side : cut.Merged.GetSides())
       {
-        std::for_each_n(side.Points.begin(), this->Mesh.IsWantedOfTied(side.Kind) ? side.Number : 0,
+        std::for_each_n(side.Points.begin(),
+          this->Mesh.IsRequiredIfTied(side.Kind) ? side.Number : 0,
           [&](Slot slot) { isUsed[slot] = true; });
       }
     }
@@ -218,10 +221,10 @@ private:
   const CornerOrder& Order;
   const TimeVaryingMesh& Mesh;
   Tables TheTables;
-  std::vector<TimeVaryingSlots> Slots;
+  std::vector<SpaceTimeSlots> Slots;
 };
 
-// Writes the cuts of cells into a mesh.
+// Writes the cuts of cells to a mesh.
 class SlabWriter
 {
 public:
@@ -250,14 +253,14 @@ public:
     return (sign != 0 ? sign : this->Orientations[1].GetSign(cell.Shape, cell.Ids)) < 0;
   }
 
-  // Writes the 4-simplices of a case from \a next on; \a ids has the id of each slot.
+  // Writes the 4-simplices of a case, beginning at index \a next. \a ids holds the id of each slot.
   void WriteSimplices(const Cell& cell, const Found& found, Local& local, const vtkIdType* ids,
     bool isInverted, bool isDuplicate, vtkIdType next)
   {
     TimeVaryingMesh::Slab& slab = this->Mesh.GetSlab();
     const auto& simplices = found.IsPlain ? found.Case->Simplices : local.Own.GetSimplices();
     const std::size_t number = slab.Simplices.GetSize() > 0 ? simplices.size() : 0;
-    // The first two points change places in a left-handed cell.
+    // The first two points are swapped in a left-handed cell.
     const int first = isInverted ? 1 : 0;
     for (std::size_t s = 0; s < number; ++s)
     {
@@ -280,14 +283,14 @@ public:
       note(slab.Flats, std::uint8_t(0));
       return;
     }
-    const TimeVaryingSlots& meaning = this->Cutter.GetSlots(cell.Shape);
+    const SpaceTimeSlots& meaning = this->Cutter.GetSlots(cell.Shape);
     const unsigned planar = this->Planarity.GetPlanar(cell, meaning);
     const std::uint8_t* const known =
       found.IsPlain ? local.GetFlats().Find(*found.Case, meaning, planar).data() : nullptr;
     for (std::size_t s = 0; s < number; ++s)
     {
       const std::uint8_t flat = known ? known[s] : meaning.FindFlat(simplices[s], planar);
-      slab.Flats[next + s] = isInverted ? FlatSides::Turn(flat) : flat;
+      slab.Flats[next + s] = isInverted ? FlatFacetCache::SwapFirst(flat) : flat;
     }
   }
 
@@ -315,12 +318,12 @@ public:
       const bool hasSteps = this->Mesh.GetOptions().Settings.GenerateSimplices;
       for (const TimeVaryingCut::Side& side : cut.Merged.GetSides())
       {
-        if (!this->Mesh.IsWantedOfTied(side.Kind))
+        if (!this->Mesh.IsRequiredIfTied(side.Kind))
         {
           continue;
         }
         const auto made = make(side.Kind, side.Points.data(), side.Number);
-        if (this->Mesh.IsWanted(side.Kind))
+        if (this->Mesh.IsRequired(side.Kind))
         {
           chunk.Boundary.push_back(made);
         }
@@ -344,7 +347,7 @@ private:
   FacePlanarity Planarity;
   const SlabCutter& Cutter;
   TimeVaryingMesh& Mesh;
-  // Whether sides of 4-simplices that are flat are noted.
+  // If true, degenerate facets of the 4-simplices are recorded.
   bool MarksFlat;
 };
 
@@ -368,7 +371,7 @@ public:
     , Report(report)
     , NumberOfPoints(first.GetNumberOfPoints())
     , NumberOfCells(first.GetNumberOfCells())
-    , HasBoundary(mesh.HasWantedKinds())
+    , HasBoundary(mesh.HasRequiredKinds())
     , Points(2 * first.GetNumberOfPoints(), false)
     , Chunks((first.GetNumberOfCells() + ChunkSize - 1) / ChunkSize)
   {
@@ -420,7 +423,7 @@ public:
     }
     const vtkTimeVaryingSettings& settings = this->Mesh.GetOptions().Settings;
     TimeVaryingMesh::Slab& slab = this->Mesh.GetSlab();
-    // With values equal to bounds those of the boundary are told by the 4-simplices.
+    // If values equal bounds, the 4-simplices decide which boundary cells remain.
     const bool isNeeded = settings.GenerateTetrahedra || settings.GenerateSimplices ||
       (this->HasBoundary && (this->Steps[0]->HasTies() || this->Steps[1]->HasTies()));
     slab.Simplices.Allocate(isNeeded ? simplices : 0);
@@ -473,8 +476,9 @@ public:
     }
   }
 
-  // Gives the mesh the boundary cells of all chunks in their order, and removes opposite
-  // 4-simplices: a neighbor may have the same one above the common face, turned over.
+  // Adds the boundary cells of all chunks to the mesh in order, and removes opposite 4-simplices.
+  // Two neighbor cells may have the same 4-simplex above their common face with opposite
+  // orientation.
   void Finish()
   {
     std::vector<vtkIdType> tied;
@@ -519,7 +523,7 @@ private:
       const auto& simplices = isPlain ? what.Simplices : local.Own.GetSimplices();
       if (!isPlain && local.Own.IsMerged)
       {
-        // In an order other than that of the table there may be more simplices.
+        // A cut with another slot order than the table's may have more simplices.
         const std::size_t left = std::min(simplices.size(), what.Simplices.size());
         chunk.Report.CollapsedSimplices += static_cast<vtkIdType>(what.Simplices.size() - left);
       }
@@ -565,7 +569,7 @@ private:
   vtkIdType NumberOfCells;
   bool HasBoundary;
   CrossingLists Points;
-  // The id in the mesh of each point of the slab.
+  // The mesh id of each point of the slab.
   ExtractionBuffer<vtkIdType> Ids;
   std::vector<Chunk> Chunks;
 };
@@ -590,7 +594,7 @@ bool TimeVaryingExtraction::Execute(const ExtractionContext& context, const Time
       return true;
     }
     TimeVaryingRows cells(first, second, *context.Values);
-    // The corners of rows ascend in the order of their ids.
+    // The corner ids of a structured cell are always in ascending order.
     const vtkNew<vtkPointData> noOrder;
     return Extract(context, first, second, cells, CornerOrder(noOrder), mesh, report);
   }

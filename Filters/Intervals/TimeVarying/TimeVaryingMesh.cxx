@@ -4,7 +4,7 @@
 #include "Arrays/ExtractionArrays.h"
 #include "Arrays/PointArrays.h"
 #include "Common/ArrayMatch.h"
-#include "Output/KeptRuns.h"
+#include "Output/RetainedIdRanges.h"
 #include "Output/TiedFaces.h"
 #include "TimeVarying/TimeStep.h"
 #include "Unstructured/CrossingLists.h"
@@ -27,7 +27,7 @@ vtkIdType GetOwner(const ExtractionPoint& point)
   return std::min(point.Near, point.Far);
 }
 
-// Turns points of two steps into points of the first, where all stay in place.
+// Maps points at both steps to points at the first step, if the grid points do not move.
 PointList Fold(const PointList& points, vtkIdType split)
 {
   const auto fold = [split](vtkIdType id) { return id < split ? id : id - split; };
@@ -44,9 +44,9 @@ PointList Fold(const PointList& points, vtkIdType split)
   return folded;
 }
 
-// Computes the places of points that move.
+// Interpolates the positions of moving points.
 void InterpolatePoints(
-  vtkDataSet* first, vtkDataSet* second, const PointList& points, vtkPoints* places)
+  vtkDataSet* first, vtkDataSet* second, const PointList& points, vtkPoints* positions)
 {
   const vtkIdType split = first->GetNumberOfPoints();
   const auto getPoint = [&](vtkIdType id, double x[3])
@@ -64,7 +64,7 @@ void InterpolatePoints(
         {
           near[axis] += points[p].Weight * (far[axis] - near[axis]);
         }
-        places->SetPoint(p, near);
+        positions->SetPoint(p, near);
       }
     });
 }
@@ -89,7 +89,7 @@ bool IsSurfaceAtStep(int kind)
   return kind < Kinds::LOWER_SURFACE_IN_TIME;
 }
 
-// Returns one number for an interval at the first or at the last step.
+// Returns a unique number for an interval at the first or at the last step.
 vtkIdType GetGroup(int item, int kind)
 {
   const bool isAtEnd = kind == Kinds::VOLUME_AT_END || kind == Kinds::LOWER_SURFACE_AT_END ||
@@ -97,7 +97,7 @@ vtkIdType GetGroup(int item, int kind)
   return 2 * static_cast<vtkIdType>(item) + isAtEnd;
 }
 
-// Calls visit(face) for the faces of a simplex, outward.
+// Calls visit(face) for the outward faces of a simplex.
 template <std::size_t Size, typename Visitor>
 void ForEachFace(const std::array<vtkIdType, Size>& simplex, Visitor&& visit)
 {
@@ -106,8 +106,8 @@ void ForEachFace(const std::array<vtkIdType, Size>& simplex, Visitor&& visit)
     std::array<vtkIdType, Size - 1> face;
     std::copy_n(simplex.begin(), i, face.begin());
     std::copy(simplex.begin() + i + 1, simplex.end(), face.begin() + i);
-    // The face of a positive tetrahedron without an even point is outward, and so is that of a
-    // 4-simplex.
+    // The face opposite a point with an even index is outward, for a positive tetrahedron as well
+    // as for a positive 4-simplex.
     if (i % 2 == 1)
     {
       std::swap(face[0], face[1]);
@@ -128,16 +128,16 @@ void AppendCells(const std::vector<TimeVaryingMesh::BoundaryCell>& cells, int sl
 
 using Entry = OppositePairs::Entry<vtkIdType, 6>;
 
-// A 4-simplex of a slab, to be compared with others of its interval.
-Entry MakeEntry(const TimeVaryingMesh::Slab& slab, std::size_t s, std::size_t place)
+// Returns the key of a 4-simplex for comparison with others of its interval.
+Entry MakeEntry(const TimeVaryingMesh::Slab& slab, std::size_t s, std::size_t index)
 {
-  Entry entry{ { { slab.GetItem(static_cast<vtkIdType>(s)) } }, false, place };
+  Entry entry{ { { slab.GetItem(static_cast<vtkIdType>(s)) } }, false, index };
   std::copy(slab.Simplices[s].begin(), slab.Simplices[s].end(), entry.Key.begin() + 1);
   entry.IsOdd = OppositePairs::Sort(entry.Key.data() + 1, 5);
   return entry;
 }
 
-// Leaves out the 4-simplices that are marked; returns how many.
+// Removes the marked 4-simplices and returns their number.
 vtkIdType RemoveMarked(TimeVaryingMesh::Slab& slab, const std::vector<bool>& isRemoved)
 {
   const vtkIdType number = static_cast<vtkIdType>(slab.Simplices.GetSize());
@@ -149,13 +149,13 @@ vtkIdType RemoveMarked(TimeVaryingMesh::Slab& slab, const std::vector<bool>& isR
       removed.push_back(s);
     }
   }
-  const KeptRuns kept(removed, number);
-  const auto keep = [&kept](auto& values)
+  const RetainedIdRanges retained(removed, number);
+  const auto keep = [&retained](auto& values)
   {
     if (values.GetSize() > 0)
     {
-      kept.Compact(values.GetData(), 1);
-      values.Truncate(static_cast<std::size_t>(kept.GetNumber()));
+      retained.Compact(values.GetData(), 1);
+      values.Truncate(static_cast<std::size_t>(retained.GetNumber()));
     }
   };
   keep(slab.Simplices);
@@ -192,24 +192,24 @@ vtkSmartPointer<vtkDoubleArray> MakeTimes(
 void TimeVaryingMesh::BeginSlab(int number, bool isFirst, bool isLast, bool isJoined, bool hasTies)
 {
   this->IsLast = isLast;
-  this->WantedKinds = this->Options.Settings.GenerateBoundary;
+  this->RequiredKinds = this->Options.Settings.GenerateBoundary;
   this->HasTies = this->HasTies || hasTies;
-  // The volume at a step tells surfaces there from surfaces that bound nothing.
-  this->WantedKinds[Kinds::VOLUME_AT_START] |= hasTies &&
-    (this->WantedKinds[Kinds::LOWER_SURFACE_AT_START] ||
-      this->WantedKinds[Kinds::UPPER_SURFACE_AT_START]);
-  this->WantedKinds[Kinds::VOLUME_AT_END] |= hasTies &&
-    (this->WantedKinds[Kinds::LOWER_SURFACE_AT_END] ||
-      this->WantedKinds[Kinds::UPPER_SURFACE_AT_END]);
+  // The volume at a step is needed to decide which surfaces at the step bound a volume.
+  this->RequiredKinds[Kinds::VOLUME_AT_START] |= hasTies &&
+    (this->RequiredKinds[Kinds::LOWER_SURFACE_AT_START] ||
+      this->RequiredKinds[Kinds::UPPER_SURFACE_AT_START]);
+  this->RequiredKinds[Kinds::VOLUME_AT_END] |= hasTies &&
+    (this->RequiredKinds[Kinds::LOWER_SURFACE_AT_END] ||
+      this->RequiredKinds[Kinds::UPPER_SURFACE_AT_END]);
   for (const int kind :
     { Kinds::LOWER_SURFACE_AT_START, Kinds::UPPER_SURFACE_AT_START, Kinds::VOLUME_AT_START })
   {
-    this->WantedKinds[kind] = this->WantedKinds[kind] && isFirst;
+    this->RequiredKinds[kind] = this->RequiredKinds[kind] && isFirst;
   }
   for (const int kind :
     { Kinds::LOWER_SURFACE_AT_END, Kinds::UPPER_SURFACE_AT_END, Kinds::VOLUME_AT_END })
   {
-    this->WantedKinds[kind] = this->WantedKinds[kind] && isLast;
+    this->RequiredKinds[kind] = this->RequiredKinds[kind] && isLast;
   }
   this->Slabs.emplace_back();
   this->Slabs.back().Number = number;
@@ -219,10 +219,10 @@ void TimeVaryingMesh::BeginSlab(int number, bool isFirst, bool isLast, bool isJo
   }
 }
 
-bool TimeVaryingMesh::HasWantedKinds() const
+bool TimeVaryingMesh::HasRequiredKinds() const
 {
-  return std::find(this->WantedKinds.begin(), this->WantedKinds.end(), true) !=
-    this->WantedKinds.end();
+  return std::find(this->RequiredKinds.begin(), this->RequiredKinds.end(), true) !=
+    this->RequiredKinds.end();
 }
 
 ExtractionBuffer<vtkIdType> TimeVaryingMesh::AddPoints(const TimeStep& first,
@@ -235,7 +235,7 @@ ExtractionBuffer<vtkIdType> TimeVaryingMesh::AddPoints(const TimeStep& first,
   ids.Allocate(number);
   PointList added;
   added.Allocate(number);
-  // Points are sorted by owner: those that the slab before may have come first.
+  // Points are sorted by owner. Those shared with the previous slab therefore precede the others.
   vtkIdType unshared = 0;
   vtkIdType numberShared = 0;
   auto shared = this->EndPoints.begin();
@@ -251,9 +251,9 @@ ExtractionBuffer<vtkIdType> TimeVaryingMesh::AddPoints(const TimeStep& first,
     }
     else
     {
-      const vtkIdType place = unshared - numberShared;
-      ids[unshared] = before + place;
-      added[place] = points[unshared];
+      const vtkIdType index = unshared - numberShared;
+      ids[unshared] = before + index;
+      added[index] = points[unshared];
     }
   }
   vtkSMPTools::For(unshared, number,
@@ -285,7 +285,7 @@ void TimeVaryingMesh::FindEndPoints(const PointList& points, const CrossingLists
   this->EndPoints.reserve(end - begin);
   for (const ExtractionPoint* point = begin; point != end; ++point)
   {
-    // The point goes by the name that the next slab will give it.
+    // Use the key that the point will have in the next slab.
     const vtkIdType p = point - points.GetData();
     const CrossingKey key = lists.GetKey(p);
     const bool isGridPoint = key == CrossingKey();
@@ -297,7 +297,7 @@ void TimeVaryingMesh::FindEndPoints(const PointList& points, const CrossingLists
 void TimeVaryingMesh::AppendPoints(
   const TimeStep& first, const TimeStep& second, const PointList& points, bool isStatic)
 {
-  const vtkSmartPointer<vtkPoints> places =
+  const vtkSmartPointer<vtkPoints> positions =
     MakePoints(first, second, points, this->Options.Precision, isStatic);
   const vtkSmartPointer<vtkDoubleArray> times = MakeTimes(first, second, points);
   vtkNew<vtkPointData> arrays;
@@ -316,20 +316,20 @@ void TimeVaryingMesh::AppendPoints(
     const std::string key = ArrayMatch::GetKey(from, array);
     if (ExtractionArrays::IsCarried(from, array) && !arrays->HasArray(key.c_str()))
     {
-      this->ArraysLeftOut.push_back(key);
+      this->SkippedArrays.push_back(key);
     }
   }
   if (!this->Points)
   {
-    this->Points = places;
+    this->Points = positions;
     this->Times = times;
     this->Arrays->ShallowCopy(arrays);
     this->FindCoordinates();
     return;
   }
   const vtkIdType before = this->Points->GetNumberOfPoints();
-  const vtkIdType number = places->GetNumberOfPoints();
-  this->Points->GetData()->InsertTuples(before, number, 0, places->GetData());
+  const vtkIdType number = positions->GetNumberOfPoints();
+  this->Points->GetData()->InsertTuples(before, number, 0, positions->GetData());
   this->Points->Modified();
   this->FindCoordinates();
   this->Times->InsertTuples(before, number, 0, times);
@@ -343,13 +343,13 @@ void TimeVaryingMesh::AppendArrays(vtkPointData* more)
   {
     vtkAbstractArray* array = this->Arrays->GetAbstractArray(a);
     vtkAbstractArray* added = more->GetAbstractArray(array->GetName());
-    if (ExtractionArrays::IsAlike(array, added))
+    if (ExtractionArrays::IsCompatible(array, added))
     {
       array->InsertTuples(before, added->GetNumberOfTuples(), 0, added);
     }
     else
     {
-      this->ArraysLeftOut.emplace_back(array->GetName());
+      this->SkippedArrays.emplace_back(array->GetName());
       this->Arrays->RemoveArray(a);
     }
   }
@@ -375,7 +375,7 @@ vtkIdType TimeVaryingMesh::RemoveOppositeSimplices(const std::vector<vtkIdType>&
   }
   std::vector<bool> isRemoved(slab.Simplices.GetSize(), false);
   bool isAny = false;
-  OppositePairs::Find(entries, [&](std::size_t place) { isAny = isRemoved[place] = true; });
+  OppositePairs::Find(entries, [&](std::size_t index) { isAny = isRemoved[index] = true; });
   return isAny ? RemoveMarked(slab, isRemoved) : 0;
 }
 
@@ -396,10 +396,10 @@ vtkIdType TimeVaryingMesh::RemoveOppositeAtSteps()
   }
   std::vector<bool> isRemoved;
   OppositePairs::Find(entries,
-    [&](std::size_t place)
+    [&](std::size_t index)
     {
       isRemoved.resize(first, false);
-      isRemoved[place] = true;
+      isRemoved[index] = true;
     });
   vtkIdType removed = 0;
   auto begin = isRemoved.begin();
@@ -427,9 +427,9 @@ void TimeVaryingMesh::SettleTiedBoundary()
   }
   const std::size_t points = static_cast<std::size_t>(this->Points->GetNumberOfPoints());
   std::vector<bool> isRemoved(this->Boundary.size(), false);
-  const auto remove = [&isRemoved](std::size_t place) { isRemoved[place] = true; };
-  const auto settle = [&isRemoved](std::size_t place, bool isFace, vtkIdType)
-  { isRemoved[place] = !isFace; };
+  const auto remove = [&isRemoved](std::size_t index) { isRemoved[index] = true; };
+  const auto settle = [&isRemoved](std::size_t index, bool isFace, vtkIdType)
+  { isRemoved[index] = !isFace; };
   TiedFaces<4> inTime(points);
   TiedFaces<4> volumes(points);
   TiedFaces<3> surfaces(points);
@@ -485,15 +485,15 @@ void TimeVaryingMesh::SettleTiedBoundary()
       });
   }
   inTime.Visit(settle);
-  std::size_t kept = 0;
+  std::size_t retained = 0;
   for (std::size_t c = 0; c < this->Boundary.size(); ++c)
   {
     if (!isRemoved[c] && this->Options.Settings.GenerateBoundary[this->Boundary[c].Kind])
     {
-      this->Boundary[kept++] = this->Boundary[c];
+      this->Boundary[retained++] = this->Boundary[c];
     }
   }
-  this->Boundary.resize(kept);
+  this->Boundary.resize(retained);
 }
 
 void TimeVaryingMesh::FindCoordinates()
@@ -514,27 +514,27 @@ void TimeVaryingMesh::SettleStepVolume()
     entry.Key[0] = this->StepVolume[c].Item;
     std::copy_n(this->StepVolume[c].Ids.begin(), 4, entry.Key.begin() + 1);
     entry.IsOdd = OppositePairs::Sort(entry.Key.data() + 1, 4);
-    entry.Place = c;
+    entry.Index = c;
   }
   vtkSMPTools::Sort(entries.begin(), entries.end());
-  std::vector<bool> isKept(entries.size(), false);
+  std::vector<bool> isRetained(entries.size(), false);
   for (auto first = entries.begin(); first != entries.end();)
   {
     const auto last = std::find_if(first, entries.end(),
       [first](const TetrahedronEntry& entry) { return entry.Key != first->Key; });
-    isKept[first->Place] = std::all_of(
+    isRetained[first->Index] = std::all_of(
       first, last, [first](const TetrahedronEntry& entry) { return entry.IsOdd == first->IsOdd; });
     first = last;
   }
-  std::size_t kept = 0;
-  for (std::size_t c = 0; c < isKept.size(); ++c)
+  std::size_t retained = 0;
+  for (std::size_t c = 0; c < isRetained.size(); ++c)
   {
-    if (isKept[c])
+    if (isRetained[c])
     {
-      this->StepVolume[kept++] = this->StepVolume[c];
+      this->StepVolume[retained++] = this->StepVolume[c];
     }
   }
-  this->StepVolume.resize(kept);
+  this->StepVolume.resize(retained);
 }
 
 vtkIdType TimeVaryingMesh::RemoveDuplicates()
@@ -553,10 +553,10 @@ vtkIdType TimeVaryingMesh::RemoveDuplicates()
   }
   for (std::vector<BoundaryCell>* cells : { &this->Boundary, &this->StepVolume })
   {
-    const auto kept = std::remove_if(
+    const auto retained = std::remove_if(
       cells->begin(), cells->end(), [](const BoundaryCell& cell) { return cell.IsDuplicate; });
-    hasChanged |= kept != cells->end();
-    cells->erase(kept, cells->end());
+    hasChanged |= retained != cells->end();
+    cells->erase(retained, cells->end());
   }
   if (hasChanged)
   {
@@ -587,35 +587,35 @@ void TimeVaryingMesh::RemoveUnusedPoints()
     }
   };
   forEachId([&isUsed](vtkIdType id) { isUsed[id] = true; });
-  vtkNew<vtkIdList> kept;
+  vtkNew<vtkIdList> retained;
   std::vector<vtkIdType> newIds(isUsed.size());
   for (vtkIdType id = 0; id < number; ++id)
   {
-    newIds[id] = kept->GetNumberOfIds();
+    newIds[id] = retained->GetNumberOfIds();
     if (isUsed[id])
     {
-      kept->InsertNextId(id);
+      retained->InsertNextId(id);
     }
   }
   forEachId([&newIds](vtkIdType& id) { id = newIds[id]; });
-  const auto take = [&kept](auto* array)
+  const auto extract = [&retained](auto* array)
   {
-    const auto taken = vtk::TakeSmartPointer(array->NewInstance());
-    taken->SetName(array->GetName());
-    taken->SetNumberOfComponents(array->GetNumberOfComponents());
-    taken->SetNumberOfTuples(kept->GetNumberOfIds());
-    array->GetTuples(kept, taken);
-    return taken;
+    const auto extracted = vtk::TakeSmartPointer(array->NewInstance());
+    extracted->SetName(array->GetName());
+    extracted->SetNumberOfComponents(array->GetNumberOfComponents());
+    extracted->SetNumberOfTuples(retained->GetNumberOfIds());
+    array->GetTuples(retained, extracted);
+    return extracted;
   };
   vtkNew<vtkPoints> points;
-  points->SetData(take(this->Points->GetData()));
+  points->SetData(extract(this->Points->GetData()));
   this->Points = points;
-  this->Times = take(this->Times.GetPointer());
+  this->Times = extract(this->Times.GetPointer());
   vtkNew<vtkPointData> arrays;
   for (int a = 0; a < this->Arrays->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = this->Arrays->GetAbstractArray(a);
-    ExtractionArrays::AddLike(this->Arrays, array, arrays, take(array));
+    ExtractionArrays::AddLike(this->Arrays, array, arrays, extract(array));
   }
   this->Arrays->ShallowCopy(arrays);
   this->FindCoordinates();

@@ -28,10 +28,11 @@ class TimeStep;
 
 /**
  * @class   TimeVaryingMesh
- * @brief   the 4-simplices of one dataset over all slabs, their points and their boundary
+ * @brief   the 4-simplices of a dataset over all slabs, with their points and boundary
  *
- * A point is a place in space, a time, and the arrays of the input. Points that a slab shares with
- * the one before it are found by walking along both lists, which are sorted alike.
+ * A point has a position, a time and the arrays of the input. Adjacent slabs share the points at
+ * their common step. The shared points are found by merging the two point lists, which have the
+ * same order.
  */
 class TimeVaryingMesh
 {
@@ -43,14 +44,16 @@ public:
   {
     int Number = 0;
     ExtractionBuffer<Simplex> Simplices;
-    /// The interval of each 4-simplex; empty where there is only one.
+    /// The interval of each 4-simplex. Empty if there is one interval.
     ExtractionBuffer<int> Items;
-    /// The sides of each 4-simplex that are known to be flat, see SimplexProjection; empty where no
-    /// projection is asked for.
+    /// The degenerate facets of each 4-simplex (see SimplexProjection). Empty if no projection is
+    /// requested.
     ExtractionBuffer<std::uint8_t> Flats;
-    /// Of each whether values equal a bound in its cell; empty where 4-simplices are not asked for.
+    /// For each 4-simplex, 1 if values equal a bound in its cell. Empty if 4-simplices are not
+    /// requested.
     ExtractionBuffer<std::uint8_t> Ties;
-    /// Of each whether its cell is another piece's; empty where no such cell is extracted.
+    /// For each 4-simplex, 1 if its cell belongs to another piece. Empty if no such cell was
+    /// extracted.
     ExtractionBuffer<std::uint8_t> Duplicates;
 
     int GetItem(vtkIdType simplex) const
@@ -59,16 +62,17 @@ public:
     }
   };
 
-  /// A triangle, with a last id of -1, or a tetrahedron on the boundary.
+  /// A boundary tetrahedron, or a triangle with -1 as the last id.
   struct BoundaryCell
   {
     std::array<vtkIdType, 4> Ids;
     int Kind;
     int Item;
     int Slab;
-    /// Whether values equal a bound there, so that the cell may cancel another or bound nothing.
+    /// If true, values equal a bound in the cell. The boundary cell may then cancel another one or
+    /// bound no volume.
     bool IsTied;
-    /// Whether it comes of another piece's cell.
+    /// If true, the cell belongs to another piece.
     bool IsDuplicate;
   };
 
@@ -79,19 +83,20 @@ public:
 
   const TimeVaryingOptions& GetOptions() const { return this->Options; }
 
-  /// Begins a slab. Boundaries at the start and end are in the first and last one only. Points are
-  /// shared with the slab before where that ends at the step at which this one begins. \a hasTies
-  /// tells whether a value equals a bound.
+  /// Starts a slab. The first slab has the boundary at the start, and the last slab the boundary at
+  /// the end. If \a isJoined is true, the slab shares points with the previous slab, which must end
+  /// at the same step. Set \a hasTies if a value equals a bound.
   void BeginSlab(int number, bool isFirst, bool isLast, bool isJoined, bool hasTies);
 
-  /// Returns whether boundary cells of a kind are asked for, or needed to settle others, and can be
-  /// in this slab.
-  bool IsWanted(int kind) const { return this->WantedKinds[kind]; }
-  bool HasWantedKinds() const;
-  /// The same of a cell where values equal a bound, of which the volume at both steps is needed.
-  bool IsWantedOfTied(int kind) const
+  /// Returns true if boundary cells of a kind are possible in this slab, and are requested or
+  /// needed to decide which other boundary cells to keep.
+  bool IsRequired(int kind) const { return this->RequiredKinds[kind]; }
+  bool HasRequiredKinds() const;
+  /// Same as IsRequired(), for a cell where values equal a bound. If 4-simplices are requested, the
+  /// volume at both steps is also required.
+  bool IsRequiredIfTied(int kind) const
   {
-    return this->IsWanted(kind) || (this->Options.Settings.GenerateSimplices && IsVolume(kind));
+    return this->IsRequired(kind) || (this->Options.Settings.GenerateSimplices && IsVolume(kind));
   }
   static bool IsVolume(int kind)
   {
@@ -100,48 +105,49 @@ public:
   }
 
   /**
-   * Takes over the points of the slab and gives the id of each. \a points and \a lists are as
-   * CrossingLists makes them; \a isStatic tells that the points of the grid stay in place.
+   * Adds the points of the slab and returns their ids. \a points and \a lists are the results of
+   * CrossingLists::MakePoints(). Set \a isStatic if the grid points do not move.
    */
   ExtractionBuffer<vtkIdType> AddPoints(const TimeStep& first, const TimeStep& second,
     const ExtractionBuffer<ExtractionPoint>& points, const CrossingLists& lists, bool isStatic);
 
-  /// Adds boundary cells of the slab, and fills in the number of the slab.
+  /// Adds boundary cells of the slab and sets their slab number.
   void AddBoundary(const std::vector<BoundaryCell>& cells);
 
-  /// Adds parts of the volume at the two steps of the slab, of cells where values equal a bound.
+  /// Adds parts of the volume at the two steps of the slab, in cells where values equal a bound.
   void AddStepVolume(const std::vector<BoundaryCell>& cells);
 
-  /// Removes pairs of 4-simplices of the slab, out of those in \a tied, that have the same points
-  /// and opposite orientation. Returns how many are removed.
+  /// Removes pairs of 4-simplices with the same points and opposite orientation from the
+  /// 4-simplices \a tied of the slab. Returns the number of removed 4-simplices.
   vtkIdType RemoveOppositeSimplices(const std::vector<vtkIdType>& tied);
 
-  /// The same of 4-simplices that lie in a step, of the slab before it and the one after; only
-  /// where 4-simplices are asked for.
+  /// Removes pairs of 4-simplices that lie in a time step and have the same points and opposite
+  /// orientation. They may belong to the slabs before and after the step. Applies only if
+  /// 4-simplices are requested.
   vtkIdType RemoveOppositeAtSteps();
 
   /**
-   * Settles boundary cells where values equal a bound, once all slabs are there. Pairs with the
-   * same points and opposite orientation go. Among the others, tetrahedra in time stay where they
-   * are faces of 4-simplices, counted with their orientation, and triangles where they are faces of
-   * the volume at their step.
+   * Decides which boundary cells to keep where values equal a bound. Call this after all slabs were
+   * added. Pairs with the same points and opposite orientation are removed. Of the remaining cells,
+   * tetrahedra in time are kept if they are faces of 4-simplices, counted with orientation, and
+   * triangles are kept if they are faces of the volume at their step.
    */
   void SettleTiedBoundary();
 
-  /// Leaves each part of the volume at a step once, where two slabs have it, and takes away pairs
-  /// of opposite orientation.
+  /// Removes the second copy of volume parts that both slabs at a step contain, and pairs of parts
+  /// with opposite orientation.
   void SettleStepVolume();
 
-  /// Leaves out what comes of other pieces' cells, once all else is settled, and points that only
-  /// they use. Returns how many 4-simplices are removed.
+  /// Removes the cells of other pieces, and points that only these cells use. Call this last.
+  /// Returns the number of removed 4-simplices.
   vtkIdType RemoveDuplicates();
 
-  /// The slab begun last.
+  /// Returns the slab started last.
   Slab& GetSlab() { return this->Slabs.back(); }
 
   ///@{
   /**
-   * Return the points and their arrays; null where there is nothing.
+   * Return the points and their times, or null if the mesh is empty.
    */
   vtkPoints* GetPoints() const { return this->Points; }
   vtkDoubleArray* GetTimes() const { return this->Times; }
@@ -151,19 +157,20 @@ public:
   const std::vector<BoundaryCell>& GetBoundary() const { return this->Boundary; }
   const std::vector<BoundaryCell>& GetStepVolume() const { return this->StepVolume; }
 
-  /// Returns the keys (ArrayMatch) of point arrays that were left out since a step lacks them.
-  const std::vector<std::string>& GetArraysLeftOut() const { return this->ArraysLeftOut; }
+  /// Returns the keys (see ArrayMatch) of point arrays that were skipped because a step lacks them.
+  const std::vector<std::string>& GetSkippedArrays() const { return this->SkippedArrays; }
 
   std::size_t GetBytes() const;
 
-  /// Returns a point as it is projected, the coordinate along the projection last.
+  /// Returns a point in the coordinates of the projection. The last coordinate is along the
+  /// projection.
   SimplexProjection::Point GetProjected(vtkIdType id) const
   {
     return this->Floats ? this->GetProjected(this->Floats, id)
                         : this->GetProjected(this->Doubles, id);
   }
 
-  /// Finds the corners of some simplices as they are projected.
+  /// Gets the corners of the given simplices in the coordinates of the projection.
   void GetProjected(const Simplex* simplices, int number, SimplexProjection::Corners* corners) const
   {
     this->Floats ? this->GetProjected(this->Floats, simplices, number, corners)
@@ -171,7 +178,7 @@ public:
   }
 
 private:
-  // A point at the end of a slab: its origin, and its id.
+  // A point at the end of a slab: its origin and its id.
   struct SharedPoint
   {
     vtkIdType Owner;
@@ -208,7 +215,7 @@ private:
     }
   }
 
-  // Notes the points at the second step, for the next slab.
+  // Stores the points at the second step for the next slab.
   void FindEndPoints(const ExtractionBuffer<ExtractionPoint>& points, const CrossingLists& lists,
     vtkIdType split, const ExtractionBuffer<vtkIdType>& ids);
 
@@ -220,14 +227,14 @@ private:
   void FindCoordinates();
 
   TimeVaryingOptions Options;
-  std::array<bool, vtkTimeVaryingSettings::NUMBER_OF_BOUNDARY_KINDS> WantedKinds{};
+  std::array<bool, vtkTimeVaryingSettings::NUMBER_OF_BOUNDARY_KINDS> RequiredKinds{};
   vtkSmartPointer<vtkPoints> Points;
-  // The coordinates, as floats or as doubles.
+  // The coordinates, either as float or as double.
   const float* Floats = nullptr;
   const double* Doubles = nullptr;
   vtkSmartPointer<vtkDoubleArray> Times;
   vtkNew<vtkPointData> Arrays;
-  std::vector<std::string> ArraysLeftOut;
+  std::vector<std::string> SkippedArrays;
   bool IsLast = true;
   bool HasTies = false;
   std::vector<SharedPoint> EndPoints;

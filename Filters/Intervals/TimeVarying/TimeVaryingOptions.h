@@ -12,7 +12,7 @@ namespace interlume
 
 /**
  * @class   TimeVaryingOptions
- * @brief   the settings of one execution, and the projection that they stand for
+ * @brief   settings of one execution, and the projection derived from them
  */
 class TimeVaryingOptions
 {
@@ -28,7 +28,7 @@ public:
     {
       length = std::hypot(length, direction[axis]);
     }
-    // The line stays the same, and never points away from time.
+    // The sign of the direction is irrelevant. Make the time component nonnegative.
     length = direction[3] < 0.0 ? -length : length;
     for (int axis = 0; axis < 4; ++axis)
     {
@@ -36,17 +36,18 @@ public:
     }
   }
 
-  /// Their direction of projection is not zero.
+  /// The settings. The projection direction must not be zero.
   const vtkTimeVaryingSettings Settings;
   const int Precision;
-  /// Whether steps are copied, since the input writes each over the one before.
+  /// If true, steps are copied because the input writes each one over the previous one.
   const bool CopiesSteps;
 
   bool IsAlongTime() const { return this->Direction[3] == 1.0; }
 
   /**
-   * Turns a place in space and time into the axes of the projection, of which the last is along it:
-   * those of x, y, z, t turned by the smallest rotation that takes t to the direction.
+   * Transforms a point in (x,y,z,t) to the axes of the projection: the axes of x, y, z, t rotated
+   * by the smallest rotation that takes t to the direction. The last coordinate is along the
+   * projection.
    */
   void Project(double x[4]) const
   {

@@ -27,8 +27,8 @@ using Simplex = TimeVaryingMesh::Simplex;
 using Slab = TimeVaryingMesh::Slab;
 constexpr int NumberOfPoints = SimplexProjection::NumberOfPoints;
 
-// Shares the points and point arrays of the mesh itself.
-void ShareArrays(const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output)
+// Assigns the points and point arrays of the mesh to the output without copying.
+void AssignArrays(const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output)
 {
   output->SetPoints(mesh.GetPoints());
   output->GetPointData()->ShallowCopy(mesh.GetArrays());
@@ -49,7 +49,7 @@ void TimeVaryingOutput::FillBoundary(
   {
     return;
   }
-  ShareArrays(mesh, output);
+  AssignArrays(mesh, output);
   const auto& cells = mesh.GetBoundary();
   const vtkIdType number = static_cast<vtkIdType>(cells.size());
   auto* kinds = OutputCellArrays::Add<vtkIntArray>(output, "BoundaryKind", number);
@@ -79,7 +79,7 @@ void TimeVaryingOutput::FillSimplices(const TimeVaryingMesh& mesh, vtkUnstructur
   {
     return;
   }
-  ShareArrays(mesh, output);
+  AssignArrays(mesh, output);
   vtkIdType number = 0;
   for (const Slab& slab : mesh.GetSlabs())
   {

@@ -14,21 +14,21 @@ struct ExtractionContext;
 
 /**
  * @class   TimeVaryingOutput
- * @brief   makes the outputs of a finished mesh of 4-simplices
+ * @brief   creates the outputs of a finished mesh of 4-simplices
  *
- * The counts of what is made are added to the report.
+ * The number of cells created is added to the report.
  */
 class TimeVaryingOutput
 {
 public:
-  /// Makes the tetrahedra of all projections, with the points of the mesh and one thick point for
-  /// each 4-simplex after them. Returns false when the user aborted.
+  /// Creates the tetrahedra of all projections. The output has the points of the mesh, followed by
+  /// one thick point per 4-simplex. Returns false if the user aborted.
   static bool FillTetrahedra(const ExtractionContext& context, const TimeVaryingMesh& mesh,
     vtkUnstructuredGrid* output, TimeVaryingReport& report);
-  /// Makes the boundary, with the points of the mesh.
+  /// Creates the boundary cells, with the points of the mesh.
   static void FillBoundary(
     const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output, TimeVaryingReport& report);
-  /// Makes the 4-simplices, with the points of the mesh.
+  /// Creates the 4-simplices, with the points of the mesh.
   static void FillSimplices(const TimeVaryingMesh& mesh, vtkUnstructuredGrid* output);
 };
 

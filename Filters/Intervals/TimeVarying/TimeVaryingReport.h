@@ -17,24 +17,22 @@ namespace interlume
  */
 struct TimeVaryingReport : ExtractionReport
 {
-  /// The numbers of time steps requested, and of slabs between them that were not skipped.
+  /// Number of requested time steps, and number of slabs between them that were not skipped.
   int TimeSteps = 0;
   int Slabs = 0;
-  /// The number of 4-simplices.
+  /// Number of 4-simplices.
   vtkIdType Simplices = 0;
-  /// The number of these 4-simplices that have no volume when projected, or no extent along the
-  /// projection, counted if tetrahedra are generated. They have no tetrahedra.
+  /// Number of degenerate 4-simplices, which have no volume when projected or no extent along the
+  /// projection, and produce no tetrahedra. Counted if tetrahedra are generated.
   vtkIdType FlatSimplices = 0;
-  /// The number of these 4-simplices that are negatively oriented, counted if tetrahedra are
-  /// generated.
+  /// Number of negatively oriented 4-simplices. Counted if tetrahedra are generated.
   vtkIdType InvertedSimplices = 0;
-  /// The numbers of tetrahedra of the classes 1, 2, 3a, 3b, 4, 5, in this order; 0 if not
-  /// requested.
+  /// Number of tetrahedra of each class: 1, 2, 3a, 3b, 4, 5. All 0 if tetrahedra are not requested.
   std::array<vtkIdType, 6> Tetrahedra{};
-  /// The numbers of boundary cells of each kind; 0 if not requested.
+  /// Number of boundary cells of each kind. 0 if a kind is not requested.
   std::array<vtkIdType, 8> Boundaries{};
-  /// The numbers of lookups in run-time tables, and of cases computed for them. (If several users
-  /// in a process need a case at once, either of them may compute it.)
+  /// Number of lookups in tables computed at run time, and number of cases computed for them. If
+  /// several filters in a process need a case at the same time, any of them may compute it.
   vtkIdType TableLookups = 0;
   vtkIdType TableCasesComputed = 0;
 

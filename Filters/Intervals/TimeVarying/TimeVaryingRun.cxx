@@ -21,8 +21,9 @@ namespace interlume
 
 namespace
 {
-// The part of the progress until the outputs are made.
-constexpr double ExtractionShare = 0.7;
+// Fraction of the progress assigned to the extraction. The rest is assigned to generating the
+// outputs.
+constexpr double ExtractionFraction = 0.7;
 }
 
 TimeVaryingRun::TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
@@ -90,8 +91,9 @@ Error TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
   if (leaves.size() != this->Leaves.size())
   {
     std::ostringstream why;
-    why << this->DescribeStep() << ": its number of blocks is " << leaves.size()
-        << ", before it was " << this->Leaves.size() << ". Cells must be the same at all steps.";
+    why << this->DescribeStep() << ": the number of datasets is " << leaves.size() << " but was "
+        << this->Leaves.size()
+        << " at the previous time step. The cells must be the same at all time steps.";
     return why.str();
   }
   this->Owner->SetProgressText(
@@ -107,8 +109,8 @@ Error TimeVaryingRun::AddStep(vtkDataObject* input, Results& result)
   error = error.Within(this->DescribeStep() + ": ");
   if (this->NextStep > 0 && !hasSlab)
   {
-    this->Warn(
-      this->DescribeStep() + " has the time of the step before: there is nothing between them.");
+    this->Warn(this->DescribeStep() +
+      " has the same time as the previous step. The slab between them is skipped.");
   }
   this->NoteEmptiness();
   if (hasSlab)
@@ -141,7 +143,7 @@ void TimeVaryingRun::NoteEmptiness()
   }
   else if (this->NextStep > 0)
   {
-    // Steps do not stay, so that they are looked at now; two of them are held in any case.
+    // Examine the steps now because at most two of them remain in memory.
     this->Empty.Look();
   }
 }
@@ -162,8 +164,9 @@ Error TimeVaryingRun::AddLeafStep(
   const bool isEmpty = !input || input->GetNumberOfPoints() == 0;
   if (this->NextStep > 0 && isEmpty != !leaf.Before)
   {
-    return "a dataset has points that has none before, or the other way round. Cells must be the "
-           "same at all steps.";
+    return "a dataset is empty at either this or the previous time step, but not at both. The "
+           "cells "
+           "must be the same at all time steps.";
   }
   if (isEmpty)
   {
@@ -175,7 +178,8 @@ Error TimeVaryingRun::AddLeafStep(
   {
     return error;
   }
-  // The dataset of the first step may have become that of the second; its cells are the same.
+  // The source may already have written the second step into the dataset of the first step. The
+  // cells are the same.
   this->Empty.Add(this->NextStep == 1 ? input : nullptr, scalars, 0);
   leaf.ScalarsKey = ArrayMatch::GetKey(input->GetPointData(), scalars);
   if (leaf.Before && leaf.Before->IsOverwritten(input, scalars))
@@ -197,11 +201,11 @@ Error TimeVaryingRun::AddLeafStep(
   const double leaves = static_cast<double>(this->Leaves.size());
   const double slab = std::max(this->NextStep - 1, 0);
   this->Owner->SetProgressShiftScale(
-    ExtractionShare * (slab + static_cast<double>(number) / leaves) / slabs,
-    ExtractionShare / (slabs * leaves));
+    ExtractionFraction * (slab + static_cast<double>(number) / leaves) / slabs,
+    ExtractionFraction / (slabs * leaves));
   if (const Error error = leaf.Before ? step->FindDifference(*leaf.Before) : Error())
   {
-    return error.Within("", ". Cells must be the same at all steps.");
+    return error.Within("", ". The cells must be the same at all time steps.");
   }
   if (leaf.Before && step->GetTime() > leaf.Before->GetTime())
   {
@@ -242,12 +246,12 @@ bool TimeVaryingRun::FillOutputs(
     bytes += leaf->Mesh.GetBytes();
   }
   context.NoteWorkingBytes(bytes);
-  this->Owner->SetProgressText("Making the outputs");
+  this->Owner->SetProgressText("Generating the outputs");
   double filled = 0.0;
   for (std::unique_ptr<Leaf>& leaf : this->Leaves)
   {
-    const double share = (1.0 - ExtractionShare) / static_cast<double>(this->Leaves.size());
-    this->Owner->SetProgressShiftScale(ExtractionShare + filled++ * share, share);
+    const double fraction = (1.0 - ExtractionFraction) / static_cast<double>(this->Leaves.size());
+    this->Owner->SetProgressShiftScale(ExtractionFraction + filled++ * fraction, fraction);
     const bool isNeeded = leaf->Before != nullptr;
     leaf->Before.reset();
     leaf->Mesh.SettleTiedBoundary();
@@ -274,11 +278,13 @@ bool TimeVaryingRun::FillOutputs(
     }
     this->Report.ArraysInterpolated =
       std::max(this->Report.ArraysInterpolated, mesh.GetArrays()->GetNumberOfArrays());
-    for (const std::string& key : mesh.GetArraysLeftOut())
+    for (const std::string& key : mesh.GetSkippedArrays())
     {
       this->Warn((key[0] == ArrayMatch::KeyMark ? "A point array without a name"
                                                 : "Point array \"" + key + "\"") +
-        " is left out: it is not at all steps, or has the name of an array that is made here.");
+        " is skipped: a time step lacks it, or it has the name of an array that this filter "
+        "creates "
+        "(Time or DeltaT).");
     }
     leaf.reset();
   }

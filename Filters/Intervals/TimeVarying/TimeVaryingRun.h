@@ -3,7 +3,7 @@
 #define interlume_TimeVaryingRun_h
 
 #include "Scalars/ExtractionValues.h"
-#include "Static/EmptyResult.h"
+#include "Static/EmptyOutputDiagnosis.h"
 #include "Static/RefinementLevels.h"
 #include "TimeVarying/TimeStep.h"
 #include "TimeVarying/TimeVaryingMesh.h"
@@ -25,7 +25,7 @@ namespace interlume
  * @class   TimeVaryingRun
  * @brief   one execution of vtkTimeVaryingIntervalVolume, step by step
  *
- * Holds a mesh and the step before for each dataset of the input.
+ * Stores a mesh and the previous step for each dataset of the input.
  */
 class TimeVaryingRun
 {
@@ -33,15 +33,14 @@ public:
   enum Results
   {
     DONE,
-    /// The user ended the run, or there is an error.
+    /// The user aborted the run, or an error occurred.
     ABORTED,
-    /// The input writes each step over the one before, so that the run has to begin anew, with
-    /// copies.
+    /// The input writes each step over the previous one. The run has to restart and copy the steps.
     OVERWRITTEN
   };
 
-  /// Begins a run. \a times are those of the steps to be taken, of which the first is step \a
-  /// firstStep of the input.
+  /// Starts a run. \a times holds the times of the steps to use. The first one is step \a firstStep
+  /// of the input.
   TimeVaryingRun(vtkAlgorithm* owner, const ArrayFinder& findArray,
     const std::vector<vtkIntervalList::Interval>& intervals, const TimeVaryingOptions& options,
     int firstStep, const std::vector<double>& times);
@@ -49,22 +48,22 @@ public:
   bool IsFinished() const { return this->NextStep == static_cast<int>(this->Times.size()); }
   double GetNextTime() const { return this->Times[this->NextStep]; }
 
-  /// Takes the next step. Returns an error if it cannot be used.
+  /// Processes the next step. Returns an error if the step is invalid.
   Error AddStep(vtkDataObject* input, Results& result);
 
-  /// Fills unstructured grids or composite datasets of the input's structure. Returns false when
-  /// the user aborted.
+  /// Fills the outputs, which are unstructured grids or composite datasets with the structure of
+  /// the input. Returns false if the user aborted.
   bool FillOutputs(vtkDataObject* tetrahedra, vtkDataObject* boundary, vtkDataObject* simplices);
 
   const TimeVaryingReport& GetReport() const { return this->Report; }
 
-  /// Returns the warnings, each once.
+  /// Returns the warnings without duplicates.
   const std::vector<std::string>& GetWarnings() const { return this->Warnings; }
 
-  /// Returns the object that says why there is nothing, once all steps are taken.
-  EmptyResult& GetEmptyResult() { return this->Empty; }
+  /// Returns the object that explains an empty output. Call this after the last step.
+  EmptyOutputDiagnosis& GetEmptyResult() { return this->Empty; }
 
-  /// Gives a composite output the blocks of its input.
+  /// Creates the blocks of the input in a composite output.
   static void CopyStructure(vtkDataObject* input, vtkDataObject* output);
 
 private:
@@ -77,7 +76,7 @@ private:
     }
     std::unique_ptr<TimeStep> Before;
     TimeVaryingMesh Mesh;
-    // The key of the scalars, see ArrayMatch.
+    // The key of the scalars (see ArrayMatch).
     std::string ScalarsKey;
   };
 
@@ -87,7 +86,7 @@ private:
   void NoteEmptiness();
   Error CheckScalars(vtkDataSet* input, vtkDataArray*& scalars) const;
   std::string DescribeStep() const;
-  // Keeps a warning, unless it is empty or there already.
+  // Stores a warning unless it is empty or already stored.
   void Warn(const std::string& what);
 
   vtkAlgorithm* Owner;
@@ -99,14 +98,15 @@ private:
   std::vector<double> Times;
   TimeVaryingReport Report;
   int NextStep = 0;
-  // The cells of the report's FoldedCells that are of rectilinear grids.
+  // Number of folded cells of rectilinear grids, which the report includes in FoldedCells.
   vtkIdType FoldedInRows = 0;
-  // Whether the slab before had a duration, so that this one is joined to it.
+  // If true, the previous slab had a nonzero duration, so the next slab shares points with it.
   bool IsJoined = false;
   std::vector<std::unique_ptr<Leaf>> Leaves;
-  EmptyResult Empty;
+  EmptyOutputDiagnosis Empty;
   std::vector<std::string> Warnings;
-  // Whether one of them is about non-finite coordinates: the first step that has some is named.
+  // If true, one of the warnings is about non-finite coordinates. Only the first such step is
+  // reported.
   bool HasNonFiniteWarning = false;
 };
 

@@ -37,11 +37,11 @@ public:
   const ShapeTables& GetTables() const { return this->Tables; }
   const ChunkCuts::Kind& GetKind() const { return this->Kind; }
 
-  /// Cuts a cell by its case for item \a number. Returns what is to be noted of the case. The cut
-  /// is kept in \a cuts if the table's own does not serve; \a slots is a buffer for it, \a
-  /// collapsed counts simplices without volume.
+  /// Cuts a cell by its case for item \a number, and returns the record of the case. If the cut of
+  /// the table does not apply, the new cut is stored in \a cuts. \a slots is a buffer for the slots
+  /// of the cut. Adds the number of removed degenerate simplices to \a collapsed.
   ChunkCuts::Found Cut(const Cell& cell, std::size_t number, vtkIdType position, bool isInverted,
-    MergedCut& merged, ChunkCuts& cuts, ChunkCuts::SlotRoom& slots, CellCut& cut,
+    MergedCut& merged, ChunkCuts& cuts, ChunkCuts::SlotBuffer& slots, CellCut& cut,
     vtkIdType& collapsed) const
   {
     const Item& item = this->Values.GetItems()[number];
@@ -60,8 +60,8 @@ public:
     return { position, key, number, isPlain, isMerged, isInverted };
   }
 
-  /// Calls visit(cell, shape, found, cut) for each case of the cuts of a chunk, whose first cell is
-  /// \a begin.
+  /// Calls visit(cell, shape, found, cut) for each case in \a cuts. \a begin is the first cell of
+  /// the chunk.
   template <typename Stored, typename Visitor>
   void ForEachCut(vtkIdType begin, const UnstructuredCells<Stored>& cells, const ChunkCuts& cuts,
     Visitor&& visit) const
@@ -72,13 +72,13 @@ public:
   }
 
 private:
-  // Cuts a case in the global order, and keeps the cut; \a same tells which slots are the same
-  // point, where there are such.
+  // Cuts a case in the global order and stores the cut. \a same maps each slot to the slot that
+  // represents its point. It is null if all slots are distinct points.
   CellCut MakeCut(const Cell& cell, const Item& item, const vtkIsotable::Case& what,
-    const Slot* same, MergedCut& merged, ChunkCuts& cuts, ChunkCuts::SlotRoom& slots) const
+    const Slot* same, MergedCut& merged, ChunkCuts& cuts, ChunkCuts::SlotBuffer& slots) const
   {
     const vtkIsotable& table = this->Tables[cell.Shape];
-    const ChunkCuts::Place begin = cuts.Begin();
+    const ChunkCuts::CutStart begin = cuts.Begin();
     Slot vertexRanks[8];
     this->Order.Rank(cell.Ids, cell.NumberOfCorners, vertexRanks);
     const vtkIsotable::RankArray ranks = table.GetSlotRanks(vertexRanks);

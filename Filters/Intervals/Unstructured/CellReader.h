@@ -23,9 +23,9 @@ namespace interlume
 
 /**
  * @class   CellReader
- * @brief   reads the cells of an unstructured grid that are near an item
+ * @brief   reads the cells of an unstructured grid that an item may intersect
  *
- * \a Stored is the type of the cell array's numbers.
+ * \a Stored is the value type of the cell array.
  */
 template <typename Stored>
 class CellReader
@@ -34,7 +34,7 @@ public:
   using Cell = TableCell<1>;
   using Code = ExtractionValues::Code;
 
-  /// Reads \a grid, whose cell arrays \a offsets and \a ids are.
+  /// Reads \a grid with the cell arrays \a offsets and \a ids.
   CellReader(const ExtractionContext& context, vtkUnstructuredGrid* grid, const Stored* offsets,
     const Stored* ids)
     : Context(context)
@@ -70,15 +70,16 @@ public:
     this->Marks.Free();
   }
 
-  /// Finds the cells begin ... end - 1 that are near an item, by their distance from \a begin.
-  /// Cells from \a firstPassed on all are, and come first in each run. Returns their number.
+  /// Finds the cells in [begin, end) that an item may intersect, and stores their offsets from \a
+  /// begin. All cells from \a firstPassed on are included, and are listed first in each run of
+  /// cells. Returns the number of cells found.
   int FindNear(vtkIdType begin, vtkIdType end, vtkIdType firstPassed, std::uint16_t* near,
     ExtractionReport& report) const
   {
     constexpr vtkIdType run = ExtractionIndex::RunLength;
     const ExtractionIndex* const index = this->Context.Index;
-    // Without an index, and if no cells are passed on, all runs are one.
-    const vtkIdType length = index || this->Context.Whole ? run : end - begin;
+    // If there is neither an index nor interior cells, treat all cells as one run.
+    const vtkIdType length = index || this->Context.InteriorFilter ? run : end - begin;
     int number = 0;
     for (vtkIdType first = begin; first < end; first += length)
     {
@@ -102,7 +103,7 @@ public:
     }
   }
 
-  /// Reads a cell except its codes.
+  /// Reads a cell without its codes.
   void Read(vtkIdType id, Cell& cell) const
   {
     if (this->ReadCorners(id, cell))
@@ -111,7 +112,7 @@ public:
     }
   }
 
-  /// Reads what names the points of a cell unless it is the one that was read last.
+  /// Reads the point ids of a cell, unless \a cell already holds them.
   void ReadNext(vtkIdType id, Cell& cell) const
   {
     if (id != cell.Id)
@@ -120,28 +121,28 @@ public:
     }
   }
 
-  /// Reads the codes of a cell's corners. Returns the least and the greatest.
+  /// Reads the codes of a cell's corners. Returns the minimum and the maximum.
   std::pair<Code, Code> ReadCodes(Cell& cell) const
   {
-    Code least = std::numeric_limits<Code>::max();
-    Code greatest = 0;
+    Code minimum = std::numeric_limits<Code>::max();
+    Code maximum = 0;
     for (int v = 0; v < cell.NumberOfCorners; ++v)
     {
       cell.Codes[v] = this->Codes[cell.Ids[v]];
-      least = std::min(least, cell.Codes[v]);
-      greatest = std::max(greatest, cell.Codes[v]);
+      minimum = std::min(minimum, cell.Codes[v]);
+      maximum = std::max(maximum, cell.Codes[v]);
     }
-    return { least, greatest };
+    return { minimum, maximum };
   }
 
-  /// Returns whether a cell is left-handed.
+  /// Returns true if a cell is left-handed.
   bool IsInverted(const Cell& cell) const
   {
     return this->Context.KeepOrientation ? cell.IsReflected
                                          : this->Orientation.IsInverted(cell.Shape, cell.Ids);
   }
 
-  /// Counts a cell with output, and whether it is folded.
+  /// Counts a cell with output in the report, and counts it as folded if it is.
   void CountOutput(const Cell& cell, bool hasOutput, ExtractionReport& report) const
   {
     report.CellsWithOutput += hasOutput;
@@ -194,8 +195,8 @@ private:
         [this](vtkIdType point) { return this->Context.IsPointBlanked(point); });
   }
 
-  // Returns whether a cell is near an item and can give output; if it cannot, the reason is
-  // counted.
+  // Returns true if an item may intersect a cell and the cell can produce output. If the cell
+  // cannot, counts the reason.
   bool Accept(vtkIdType id, ExtractionReport& report) const
   {
     const CellCorners& corners = this->Cells.GetCorners(id);
@@ -221,8 +222,9 @@ private:
     return this->Marks.IsNear(marks);
   }
 
-  // Reads what names the points of a cell; one whose corners do not ascend is turned until most of
-  // them do. Returns whether it was turned, after which it is left open whether they ascend.
+  // Reads the point ids of a cell. If the ids are not in ascending order, rotates or reflects the
+  // cell so that its first ids are. Returns true if the cell was reordered. IsAscending is then
+  // false, even if all ids of the reordered cell ascend.
   bool ReadCorners(vtkIdType id, Cell& cell) const
   {
     const CellCorners& corners = this->Cells.GetCorners(id);

@@ -11,12 +11,12 @@
 namespace interlume
 {
 
-/// The tables of the cells of one step.
+/// The case tables of the cells of one time step.
 using ShapeTables = SlotTables<vtkIsotable>;
 
 /**
  * @class   CellCut
- * @brief   a case as it is cut in a cell
+ * @brief   cut of a case in a cell
  */
 struct CellCut
 {
@@ -24,22 +24,21 @@ struct CellCut
   std::size_t NumberOfSimplices;
   const vtkIsotable::Triangle* Triangles;
   std::size_t NumberOfTriangles;
-  /// Those that the cut uses.
+  /// The slots that the cut uses.
   const vtkIsotable::Slot* Slots;
   std::size_t NumberOfSlots;
 };
 
 /**
  * @class   ChunkCuts
- * @brief   the cases met in a chunk of cells, and the cuts of those for which their table's own
- *          does not serve
+ * @brief   the cases of a chunk of cells, and the cuts that differ from the case tables
  */
 class ChunkCuts
 {
 public:
   using Slot = vtkIsotable::Slot;
 
-  /// A case met in a chunk.
+  /// A case of a cell in the chunk.
   struct Found
   {
     Found(
@@ -53,33 +52,34 @@ public:
     {
     }
 
-    /// The place of the cell, counted from the chunk's first.
+    /// Index of the cell in the chunk.
     std::uint16_t Position;
     std::uint16_t Key;
     std::uint16_t Item;
-    /// Whether the table's own cut serves: corners in ascending order, no two slots one point.
+    /// If true, the cut of the table applies: the corner ids are in ascending order and all slots
+    /// are distinct points.
     bool IsPlain;
-    /// Whether slots were made one.
+    /// If true, slots of the same point were merged.
     bool IsMerged;
     bool IsInverted;
   };
 
-  /// What all cuts have in common.
+  /// Properties that all cuts share.
   struct Kind
   {
     int SimplexSize;
     bool HasBoundaries;
   };
 
-  /// The place where a cut of its own begins.
-  struct Place
+  /// Position where a stored cut begins.
+  struct CutStart
   {
     std::size_t Simplex = 0;
     std::size_t Triangle = 0;
   };
 
-  /// Room for the slots that a cut uses.
-  using SlotRoom = Slot[vtkIsotable::MaximumNumberOfSlots];
+  /// Buffer for the slots of a cut.
+  using SlotBuffer = Slot[vtkIsotable::MaximumNumberOfSlots];
 
   static CellCut GetTableCut(const vtkIsotable::Case& what, const Kind& kind)
   {
@@ -89,39 +89,40 @@ public:
 
   void Reserve(std::size_t cases) { this->Cases.reserve(cases); }
 
-  /// Notes a case. Cuts are kept in the order of the cases that are not plain.
+  /// Adds a case. Store the cuts of the cases that are not plain in the order of the cases.
   void Add(const Found& found) { this->Cases.push_back(found); }
 
   ///@{
-  /// Keep a cut: call Begin, add what there is in it, and call End with what Begin returned.
-  Place Begin() const { return { this->Simplices.size(), this->Triangles.size() }; }
+  /// Store a cut: call Begin(), add the simplices and triangles, and call End() with the result of
+  /// Begin().
+  CutStart Begin() const { return { this->Simplices.size(), this->Triangles.size() }; }
   void AddSimplex(const vtkIsotable::Simplex& simplex) { this->Simplices.push_back(simplex); }
   void AddTriangle(const vtkIsotable::Triangle& triangle) { this->Triangles.push_back(triangle); }
-  void End(const Place& begin)
+  void End(const CutStart& begin)
   {
     this->Sizes.push_back({ static_cast<std::uint8_t>(this->Simplices.size() - begin.Simplex),
       static_cast<std::uint8_t>(this->Triangles.size() - begin.Triangle) });
   }
   ///@}
 
-  /// Returns the cut that was kept last. Any cut uses all points of the case, but for one in which
-  /// slots were made one: of that only the points of simplices that keep all their points are used;
-  /// their slots are put into \a slots.
-  CellCut GetLast(const Place& begin, const vtkIsotable::Case& what, bool isMerged,
-    const Kind& kind, SlotRoom& slots) const
+  /// Returns the cut stored last. If slots were merged, the cut uses only the points of the
+  /// remaining simplices, and their slots are written to \a slots. Otherwise it uses all points of
+  /// the case.
+  CellCut GetLast(const CutStart& begin, const vtkIsotable::Case& what, bool isMerged,
+    const Kind& kind, SlotBuffer& slots) const
   {
     return this->GetOwnCut(begin, this->Sizes.back(), what, isMerged, kind, slots);
   }
 
-  /// Calls visit(cell, shape, found, cut) for each case, in the order in which they were added;
-  /// \a first is the chunk's first cell and getShape(cell) tells its shape.
+  /// Calls visit(cell, shape, found, cut) for each case in the order of addition. \a first is the
+  /// first cell of the chunk and getShape(cell) returns the shape of a cell.
   template <typename GetShape, typename Visitor>
   void ForEach(vtkIdType first, const ShapeTables& tables, const Kind& kind, GetShape&& getShape,
     Visitor&& visit) const
   {
     auto own = this->Sizes.begin();
-    Place place;
-    SlotRoom slots;
+    CutStart start;
+    SlotBuffer slots;
     for (const Found& found : this->Cases)
     {
       const vtkIdType id = first + found.Position;
@@ -129,11 +130,11 @@ public:
       const vtkIsotable::Case& what = tables[shape].GetCase(found.Key);
       const CellCut cut = found.IsPlain
         ? GetTableCut(what, kind)
-        : this->GetOwnCut(place, *own, what, found.IsMerged, kind, slots);
+        : this->GetOwnCut(start, *own, what, found.IsMerged, kind, slots);
       if (!found.IsPlain)
       {
-        place.Simplex += own->Simplices;
-        place.Triangle += own->Triangles;
+        start.Simplex += own->Simplices;
+        start.Triangle += own->Triangles;
         ++own;
       }
       visit(id, shape, found, cut);
@@ -148,15 +149,15 @@ public:
   }
 
 private:
-  // The size of what a cut of its own left.
+  // Number of simplices and triangles of a stored cut.
   struct Size
   {
     std::uint8_t Simplices;
     std::uint8_t Triangles;
   };
 
-  CellCut GetOwnCut(const Place& begin, Size size, const vtkIsotable::Case& what, bool isMerged,
-    const Kind& kind, SlotRoom& slots) const
+  CellCut GetOwnCut(const CutStart& begin, Size size, const vtkIsotable::Case& what, bool isMerged,
+    const Kind& kind, SlotBuffer& slots) const
   {
     CellCut cut{ this->Simplices.data() + begin.Simplex, size.Simplices,
       this->Triangles.data() + begin.Triangle, size.Triangles, what.Slots.data(),
@@ -186,7 +187,7 @@ private:
   }
 
   std::vector<Found> Cases;
-  // The cuts of cases for which that of the table does not serve, one after the other.
+  // The stored cuts, one after the other.
   std::vector<Size> Sizes;
   std::vector<vtkIsotable::Simplex> Simplices;
   std::vector<vtkIsotable::Triangle> Triangles;

@@ -13,7 +13,7 @@ namespace interlume
 
 namespace
 {
-// The number of owners that a thread numbers in one go: their points stay in its cache.
+// Number of owners that a thread numbers at a time, so that their points remain in its cache.
 constexpr vtkIdType OwnersInBlock = 2048;
 constexpr vtkIdType OwnersInWord = 64;
 constexpr int OwnersAhead = 8;
@@ -39,12 +39,12 @@ const CrossingLists::Node* CrossingLists::Add(
   while (!first.compare_exchange_weak(
     added->Next, added, std::memory_order_acq_rel, std::memory_order_acquire))
   {
-    // The nodes that others have put before the head that was searched.
+    // Search the nodes that other threads added since the last search.
     for (const Node* node = added->Next; node != head; node = node->Next)
     {
       if (node->Key == key)
       {
-        arena.GiveBackLast();
+        arena.ReleaseLast();
         return node;
       }
     }

@@ -19,40 +19,41 @@ class ExtractionScalars;
 
 /**
  * @class   CrossingLists
- * @brief   the points of an extraction, each once, in lists of the grid points that own them
+ * @brief   lists of output points per owning grid point, without duplicates
  *
- * A crossed edge belongs to the lower of its two points; a grid point that is itself in the output
- * is its own first. Any number of threads may enter points; each list is a chain that only grows,
- * at its head, by a compare-and-swap, so that no point is ever in it twice. MakePoints sorts the
- * lists and numbers all points in the order of their owners: the numbers do not depend on who
- * entered what when.
+ * Of the two ends of a crossed edge, the end with the lower id owns the crossing. A grid point that
+ * is itself an output point is the first point in its own list. Any number of threads may enter
+ * points. Each list is a chain that grows only at its head, by compare-and-swap, so no point is
+ * entered twice. MakePoints() sorts the lists and numbers all points in the order of their owners.
+ * The numbers are therefore independent of the thread schedule.
  */
 class CrossingLists
 {
 public:
   class Arena;
 
-  /// A point that was entered.
+  /// An entered point.
   struct Node
   {
     CrossingKey Key;
     union
     {
       Node* Next;
-      /// The number of the point, after MakePoints, where nodes are kept.
+      /// Id of the point after MakePoints(), if nodes are stored.
       vtkIdType Id;
     };
   };
 
-  /// Begins with an empty list for each of \a owners grid points. Nodes are kept for as long as the
-  /// lists, or until they are numbered: then GetId still finds them.
+  /// Creates an empty list for each of \a owners grid points. If \a keepNodes is true, nodes remain
+  /// valid as long as the lists exist. Otherwise they are freed when the points are numbered.
+  /// GetId() works in both cases.
   CrossingLists(vtkIdType owners, bool keepNodes);
   ~CrossingLists();
 
-  /// Returns the memory in which the calling thread keeps what it enters.
+  /// Returns the memory for the nodes of the calling thread.
   Arena& GetArena() { return this->Arenas.Local(); }
 
-  /// Enters a point; the key of a grid point's own is the default one.
+  /// Enters a point. The default key represents the owner itself.
   const Node* Enter(vtkIdType owner, CrossingKey key, Arena& arena)
   {
     Node* const head = this->Heads[owner].First.load(std::memory_order_acquire);
@@ -66,13 +67,13 @@ public:
     return this->Add(owner, key, head, arena);
   }
 
-  /// Prefetches a list that will be asked for soon.
+  /// Prefetches the list of a point that will be entered or searched soon.
   void Prefetch(vtkIdType owner) const { interlume::Prefetch::Read(&this->Heads[owner]); }
 
-  /// Numbers the points and tells what they are made of. Nothing may be entered afterwards.
+  /// Numbers the points and computes their origins. Do not enter points afterward.
   void MakePoints(const ExtractionScalars& scalars, ExtractionBuffer<ExtractionPoint>& points);
 
-  /// Returns the number of a point that was entered.
+  /// Returns the id of an entered point.
   vtkIdType GetId(vtkIdType owner, CrossingKey key) const
   {
     vtkIdType id = this->Heads[owner].FirstId;
@@ -86,11 +87,11 @@ public:
   /// Returns the key of a numbered point.
   CrossingKey GetKey(vtkIdType id) const { return this->Keys[id]; }
 
-  /// Returns how many bytes the lists held at most.
+  /// Returns the peak size of the lists in bytes.
   std::size_t GetBytes() const { return this->Bytes; }
 
 private:
-  // The chain of an owner; once points are numbered, the number of its first point.
+  // The chain of an owner, or the id of its first point once the points are numbered.
   union Head
   {
     std::atomic<Node*> First;
@@ -110,7 +111,7 @@ public:
       }
       return &this->Blocks.back()[this->Used++];
     }
-    void GiveBackLast() { --this->Used; }
+    void ReleaseLast() { --this->Used; }
     std::size_t GetBytes() const { return this->Blocks.size() * BlockSize * sizeof(Node); }
     void Free() { std::vector<std::vector<Node>>().swap(this->Blocks); }
 
@@ -122,16 +123,16 @@ public:
 
 private:
   const Node* Add(vtkIdType owner, CrossingKey key, Node* head, Arena& arena);
-  // Finds the owners of a block, in ascending order; returns their number.
+  // Finds the owners in a block, in ascending order. Returns their number.
   int FindOwners(vtkIdType block, vtkIdType* found) const;
-  // Numbers the points of an owner from id on, and returns the next number.
+  // Numbers the points of an owner, starting with \a id. Returns the next free id.
   vtkIdType NumberList(vtkIdType owner, vtkIdType id, ExtractionBuffer<ExtractionPoint>& points);
 
   bool KeepNodes;
   ExtractionBuffer<Head> Heads;
-  // A bit for each grid point, set where it owns any point.
+  // One bit per grid point, set if the grid point owns a point.
   std::vector<std::atomic<std::uint64_t>> Owners;
-  // The number of points that the owners of a block have.
+  // Number of points owned by the grid points of each block.
   std::vector<std::atomic<vtkIdType>> Counts;
   ExtractionBuffer<CrossingKey> Keys;
   ThreadLocals<Arena> Arenas;

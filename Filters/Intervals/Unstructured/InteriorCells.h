@@ -2,11 +2,11 @@
 #ifndef interlume_InteriorCells_h
 #define interlume_InteriorCells_h
 
-#include "Grid/WholeCells.h"
+#include "Grid/InteriorCellFilter.h"
 #include "Unstructured/CellReader.h"
 #include "Unstructured/CrossingLists.h"
 #include "Unstructured/UnstructuredChunk.h"
-#include "Unstructured/WholePolyhedra.h"
+#include "Unstructured/InteriorPolyhedra.h"
 
 #include <algorithm>
 #include <vector>
@@ -16,10 +16,9 @@ namespace interlume
 
 /**
  * @class   InteriorCells
- * @brief   the cells of an unstructured grid that are inside of an interval and passed on as they
- *          are
+ * @brief   passes the cells inside an interval through uncut
  *
- * \a Stored is the type of the cell array's numbers. \a points is a buffer of the calling thread.
+ * \a Stored is the value type of the cell array. \a points is a buffer of the calling thread.
  */
 template <typename Stored>
 class InteriorCells
@@ -32,47 +31,47 @@ public:
 
   InteriorCells(const ExtractionContext& context, const CellReader<Stored>& reader)
     : Values(*context.Values)
-    , Whole(*context.Whole)
+    , Filter(*context.InteriorFilter)
     , Reader(reader)
     , Cells(reader.GetCells())
     , Polyhedra(context, Cells)
   {
   }
 
-  /// Finds the ranges of polyhedra; call it first. Returns false if the user aborted.
+  /// Computes the value ranges of polyhedra. Call this first. Returns false if the user aborted.
   bool FindRanges(vtkIdType numberOfCells)
   {
     return this->Polyhedra.FindRanges(this->Reader.GetCodes(), numberOfCells, 0.05, 0.05);
   }
 
-  /// Returns the first of the cells that the pass before has passed on.
-  vtkIdType GetFirstPassed() const { return this->Whole.GetFirstPassed(); }
+  /// Returns the first cell that the previous pass passed through.
+  vtkIdType GetFirstPassed() const { return this->Filter.GetFirstPassed(); }
 
-  /// Returns whether a cell whose codes are least ... greatest is passed on. A tetrahedron is not:
-  /// its case is that tetrahedron.
-  bool IsInside(vtkIdType cell, const Item& item, Code least, Code greatest) const
+  /// Returns true if a cell with codes from \a minimum to \a maximum is passed through. Tetrahedra
+  /// are not, because their case is the tetrahedron itself.
+  bool IsInside(vtkIdType cell, const Item& item, Code minimum, Code maximum) const
   {
-    if (this->Whole.IsPart(cell))
+    if (this->Filter.IsPart(cell))
     {
       return this->Polyhedra.IsInside(cell, item);
     }
     const CellCorners& corners = this->Cells.GetCorners(cell);
-    if (corners.Shape == vtkIsotable::TETRAHEDRON || !item.IsInside(least, greatest))
+    if (corners.Shape == vtkIsotable::TETRAHEDRON || !item.IsInside(minimum, maximum))
     {
       return false;
     }
     vtkIdType ids[8];
     this->Cells.GetIds(cell, corners, ids);
     return std::all_of(ids, ids + corners.NumberOfCorners,
-      [this](vtkIdType point) { return this->Whole.MayHave(point); });
+      [this](vtkIdType point) { return this->Filter.MayHave(point); });
   }
 
-  /// Counts a cell that is passed on in each interval that it touches. Returns false, and counts
-  /// nothing, if it is not.
+  /// Counts a cell that is passed through in every interval that it intersects. If the cell has to
+  /// be cut in an interval, returns false and counts nothing.
   bool Count(vtkIdType id, vtkIdType position, Chunk& chunk, CrossingLists& lists,
     CrossingLists::Arena& arena, std::vector<vtkIdType>& points) const
   {
-    if (this->Whole.IsPassed(id))
+    if (this->Filter.IsPassed(id))
     {
       this->Enter(id, position, 0, chunk, lists, arena, points);
       ++chunk.Report.CellsWithOutput;
@@ -83,12 +82,12 @@ public:
     cell.Shape = corners.Shape;
     cell.NumberOfCorners = corners.NumberOfCorners;
     this->Cells.GetIds(id, corners, cell.Ids);
-    const auto [least, greatest] = this->Reader.ReadCodes(cell);
+    const auto [minimum, maximum] = this->Reader.ReadCodes(cell);
     const auto& items = this->Values.GetItems();
     for (const Item& item : items)
     {
-      if (!this->Values.IsOutside(item, least, greatest) &&
-        !this->IsInside(id, item, least, greatest))
+      if (!this->Values.IsOutside(item, minimum, maximum) &&
+        !this->IsInside(id, item, minimum, maximum))
       {
         return false;
       }
@@ -96,7 +95,7 @@ public:
     const vtkIdType before = chunk.GetOutput();
     for (std::size_t number = 0; number < items.size(); ++number)
     {
-      if (!this->Values.IsOutside(items[number], least, greatest))
+      if (!this->Values.IsOutside(items[number], minimum, maximum))
       {
         this->Enter(id, position, number, chunk, lists, arena, points);
       }
@@ -105,7 +104,7 @@ public:
     return true;
   }
 
-  /// Notes a cell that is passed on in an item, and enters its points.
+  /// Records that a cell is passed through in an item, and enters its points.
   void Enter(vtkIdType id, vtkIdType position, std::size_t item, Chunk& chunk, CrossingLists& lists,
     CrossingLists::Arena& arena, std::vector<vtkIdType>& points) const
   {
@@ -124,12 +123,12 @@ public:
       { static_cast<std::uint16_t>(position), static_cast<std::uint16_t>(item) });
   }
 
-  /// Writes the cells of a chunk that are passed on; its first one is \a begin.
+  /// Writes the interior cells of a chunk. \a begin is the first cell of the chunk.
   void Write(vtkIdType begin, const Chunk& chunk, const CrossingLists& lists, ExtractionMesh& mesh,
     std::vector<vtkIdType>& points) const
   {
     vtkIdType cell = chunk.Interior;
-    vtkIdType place = chunk.InteriorIds;
+    vtkIdType firstId = chunk.InteriorIds;
     for (const Chunk::InteriorCell& found : chunk.InteriorCells)
     {
       const vtkIdType id = begin + found.Position;
@@ -139,25 +138,25 @@ public:
         point = lists.GetId(point, {});
       }
       const int number = static_cast<int>(points.size());
-      mesh.WriteWhole(cell++, place, type, points.data(), number, found.Item, id);
-      place += number;
+      mesh.WriteInteriorCell(cell++, firstId, type, points.data(), number, found.Item, id);
+      firstId += number;
     }
   }
 
 private:
-  // Gives the points of a cell that is passed on, in their order in the input; none of a part of a
-  // polyhedron but the first. Returns its type.
+  // Returns the type of an interior cell, and gets its points in the order of the input. For a part
+  // of a polyhedron, only the first part has points.
   unsigned char GetPoints(vtkIdType cell, std::vector<vtkIdType>& points) const
   {
-    if (this->Whole.IsPassed(cell))
+    if (this->Filter.IsPassed(cell))
     {
       this->Cells.GetStored(cell, points);
       return this->Cells.GetType(cell);
     }
-    if (this->Whole.IsPart(cell))
+    if (this->Filter.IsPart(cell))
     {
       points.clear();
-      if (this->Whole.IsFirstPart(cell))
+      if (this->Filter.IsFirstPart(cell))
       {
         this->Polyhedra.GetPoints(cell, points);
       }
@@ -171,10 +170,10 @@ private:
   }
 
   const ExtractionValues& Values;
-  const WholeCells& Whole;
+  const InteriorCellFilter& Filter;
   const CellReader<Stored>& Reader;
   const UnstructuredCells<Stored>& Cells;
-  WholePolyhedra<Stored> Polyhedra;
+  InteriorPolyhedra<Stored> Polyhedra;
 };
 
 }

@@ -16,11 +16,13 @@ namespace interlume
 
 /**
  * @class   PointMarks
- * @brief   one byte for each point, of which the union over a cell tells whether it matters
+ * @brief   one byte per point; the bitwise union over a cell's corners shows whether an item may
+ *          intersect the cell
  *
- * The codes are grouped into at most seven ranges, with one bit each; the eighth bit stands for
- * NaN and infinities. The ranges are single codes for up to three isovalues; with more of them a
- * cell may be called near that is not, never the other way round.
+ * The codes are grouped into at most seven ranges with one bit each. The eighth bit marks NaN and
+ * infinities. With up to three isovalues, each range is a single code. With more isovalues the test
+ * is conservative: it may accept a cell that no item intersects, but never rejects one that an item
+ * intersects.
  */
 class PointMarks
 {
@@ -47,29 +49,29 @@ public:
       {
         ++last;
       }
-      const Code least = static_cast<Code>(first << this->Shift);
-      const Code greatest = static_cast<Code>(
+      const Code minimum = static_cast<Code>(first << this->Shift);
+      const Code maximum = static_cast<Code>(
         std::min(((last + 1) << this->Shift) - 1, static_cast<int>(this->NonFinite) - 1));
       const auto& items = values.GetItems();
       this->Near[all] = std::any_of(items.begin(), items.end(),
         [&](const ExtractionValues::Item& item)
-        { return !values.IsOutside(item, least, greatest); });
+        { return !values.IsOutside(item, minimum, maximum); });
     }
     for (int code = 0; code < this->NonFinite; ++code)
     {
-      this->OfCodes.push_back(static_cast<Mark>(1u << (code >> this->Shift)));
+      this->CodeMarks.push_back(static_cast<Mark>(1u << (code >> this->Shift)));
     }
-    this->OfCodes.push_back(NonFiniteMark);
+    this->CodeMarks.push_back(NonFiniteMark);
     for (int code = 0; code < this->NonFinite; ++code)
     {
-      this->Steps.push_back(static_cast<Mark>(this->OfCodes[code + 1] - this->OfCodes[code]));
+      this->Steps.push_back(static_cast<Mark>(this->CodeMarks[code + 1] - this->CodeMarks[code]));
     }
     this->Marks.Allocate(points);
   }
 
   void Fill(const Code* codes, vtkIdType first, vtkIdType last)
   {
-    const Mark* const ofCodes = this->OfCodes.data();
+    const Mark* const codeMarks = this->CodeMarks.data();
     Mark* const marks = this->Marks.GetData();
     const int steps = static_cast<int>(this->Steps.size());
     if (steps == 3 || steps == 5)
@@ -79,18 +81,18 @@ public:
     }
     for (vtkIdType p = first; p < last; ++p)
     {
-      marks[p] = ofCodes[codes[p]];
+      marks[p] = codeMarks[codes[p]];
     }
   }
 
   /// Computes the union of the marks of each point at two time steps.
   void Fill(const Code* codes, const Code* codesAfter, vtkIdType first, vtkIdType last)
   {
-    const Mark* const ofCodes = this->OfCodes.data();
+    const Mark* const codeMarks = this->CodeMarks.data();
     Mark* const marks = this->Marks.GetData();
     for (vtkIdType p = first; p < last; ++p)
     {
-      marks[p] = static_cast<Mark>(ofCodes[codes[p]] | ofCodes[codesAfter[p]]);
+      marks[p] = static_cast<Mark>(codeMarks[codes[p]] | codeMarks[codesAfter[p]]);
     }
   }
 
@@ -98,16 +100,17 @@ public:
   void Free() { this->Marks.Free(); }
   std::size_t GetBytes() const { return this->Marks.GetBytes(); }
 
-  /// Returns whether the marks are of one value's codes: below, equal or above.
+  /// Returns true if there is a single isovalue: the marks are below, equal and above.
   bool AreOfOneValue() const { return this->NonFinite == 3; }
   ///@{
-  /// Of one value: whether a point's mark says that the value is reached, and whether the marks of
-  /// all corners, or-ed, say that one is equal to it.
+  /// For a single isovalue: the first function returns true if a point's value is at least the
+  /// isovalue, the second if the value of any corner equals it. \a all is the bitwise union of the
+  /// marks of all corners.
   static bool IsReached(Mark mark) { return mark > 1; }
   static bool HasTie(Mark all) { return all & 2; }
   ///@}
 
-  /// The following functions take the marks of all corners, or-ed.
+  /// The following functions take the bitwise union of the marks of all corners.
   static bool IsNonFinite(Mark all) { return all & NonFiniteMark; }
   bool IsNear(Mark all) const { return this->Near[all]; }
 
@@ -118,8 +121,9 @@ private:
   Code NonFinite;
   int Shift = 0;
   std::array<bool, 256> Near{};
-  std::vector<Mark> OfCodes;
-  // By how much the mark of each code but the first is greater than that of the one before.
+  std::vector<Mark> CodeMarks;
+  // Difference between the mark of each code and the mark of the previous code, from the second
+  // code on.
   std::vector<Mark> Steps;
   ExtractionBuffer<Mark> Marks;
 };

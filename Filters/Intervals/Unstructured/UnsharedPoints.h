@@ -17,17 +17,17 @@ namespace interlume
 
 /**
  * @class   UnsharedPoints
- * @brief   collects triangles that share no points, cut by cut
+ * @brief   collects triangles that share no points
  *
- * What cells near each other have in common is computed once: a small table remembers the last
- * points. It may forget one, which is then computed again and comes out the same.
+ * A small hash table caches the latest points, so that neighboring cells compute a common point
+ * once. A point evicted from the table is computed again with the same result.
  */
 class UnsharedPoints
 {
 public:
   using Index = PointArrays::Part::Index;
 
-  /// Begins a part without triangles.
+  /// Starts a part without triangles.
   void Begin()
   {
     this->Number = 0;
@@ -35,7 +35,7 @@ public:
     this->Recent.assign(std::size_t(1) << TableBits, Known());
   }
 
-  /// Makes sure that one cut more finds room.
+  /// Allocates capacity for the points of one more cut if needed.
   void Reserve()
   {
     if (this->Number + vtkIsotable::MaximumNumberOfSlots > this->Points.size())
@@ -44,7 +44,7 @@ public:
     }
   }
 
-  /// Returns the index of a point, which is given as in CrossingLists.
+  /// Returns the index of a point. See CrossingLists for \a owner and \a key.
   Index Enter(vtkIdType owner, CrossingKey key)
   {
     Known& recent = this->Recent[GetHash(owner, key)];
@@ -58,7 +58,7 @@ public:
     return this->Number++;
   }
 
-  /// Adds the triangles of a cut; \a points has the index of each slot.
+  /// Adds the triangles of a cut. \a points holds the index of each slot.
   void Add(
     const vtkIsotable::Simplex* triangles, std::size_t number, const Index* points, bool isInverted)
   {
@@ -86,7 +86,7 @@ public:
   std::size_t GetNumberOfPoints() const { return this->Number; }
   ///@}
   ///@{
-  /// Return the points of the corners, three for each triangle, and their number.
+  /// Return the point indices of the corners, three per triangle, and their number.
   const Index* GetCorners() const { return this->Corners.data(); }
   std::size_t GetNumberOfCorners() const { return this->NumberOfCorners; }
   ///@}
@@ -94,7 +94,7 @@ public:
 private:
   static constexpr int TableBits = 9;
 
-  // A point and its index.
+  // A cached point and its index.
   struct Known
   {
     vtkIdType Owner = -1;
@@ -110,7 +110,7 @@ private:
     return (0x9E3779B97F4A7C15u * sum) >> (64 - TableBits);
   }
 
-  // There is room for more than the points and corners that there are.
+  // The arrays have unused capacity at the end.
   std::vector<ExtractionPoint> Points;
   std::vector<Index> Corners;
   Index Number = 0;

@@ -18,9 +18,9 @@ namespace interlume
 
 /**
  * @class   UnsharedTriangles
- * @brief   counts the triangles of a contour that share no points
+ * @brief   counts contour triangles that share no points
  *
- * \a Stored is the type of the cell array's numbers.
+ * \a Stored is the value type of the cell array.
  */
 template <typename Stored>
 class UnsharedTriangles
@@ -44,9 +44,9 @@ public:
   {
   }
 
-  /// Counts a cell of one value's contour in which no two slots are one point: nearly all are.
-  /// Returns false, and does nothing, where some may be, and where corners are neither in ascending
-  /// order nor ordered by ids that are small.
+  /// Counts a cell in the common case: the contour has one value and all slots are distinct points.
+  /// Returns false and does nothing if slots may coincide, or if the corner ids are not in
+  /// ascending order and cannot serve as 32-bit ranks either.
   bool CountPlain(
     const Cell& cell, vtkIdType position, Chunk& chunk, UnsharedPoints& unshared) const
   {
@@ -77,7 +77,7 @@ public:
     }
   }
 
-  /// Interpolates the points of a chunk's triangles, which are in the cache by now.
+  /// Interpolates the points of a chunk's triangles while they are in the cache.
   void Interpolate(UnsharedPoints& unshared, Chunk& chunk) const
   {
     ExtractionPoint* const points = unshared.GetPoints();
@@ -88,7 +88,8 @@ public:
       points, number, unshared.GetCorners(), unshared.GetNumberOfCorners());
   }
 
-  /// Returns whether triangles lie in one face of a cell, where the neighbor may have them too.
+  /// Returns true if triangles lie in one face of a cell. The neighbor may then have the same
+  /// triangles.
   bool HasTiedFaces() const { return this->TiedFaces; }
 
 private:
@@ -116,12 +117,12 @@ private:
     const bool isInverted = this->Reader.IsInverted(cell);
     const Item& item = this->Context.Values->GetItems().front();
     Index points[vtkIsotable::MaximumNumberOfSlots];
-    // The order of the slots is that of the edges' lower ends, then of the upper ones.
+    // Sort slots by the lower end of the edge, then by the upper end.
     std::uint64_t ranks[vtkIsotable::MaximumNumberOfSlots];
     unshared.Reserve();
     for (const Slot slot : what.Slots)
     {
-      // Without ties no slot is a corner, and a contour has one value on an edge.
+      // Without ties no slot is a corner. A contour of one value has one crossing per edge.
       const ShapeTables::SlotEnds& ends = tables.GetEnds(cell.Shape, slot);
       const auto [owner, far] = std::minmax({ cell.Ids[ends.A], cell.Ids[ends.B] });
       points[slot] = unshared.Enter(owner, CrossingKey(far, item.Lower));
@@ -131,12 +132,12 @@ private:
     std::size_t number = what.Simplices.size();
     if (!cell.IsAscending)
     {
-      const ChunkCuts::Place begin = chunk.Cuts.Begin();
+      const ChunkCuts::CutStart begin = chunk.Cuts.Begin();
       tables[cell.Shape].Cut(
         what, ranks, [&chunk](const vtkIsotable::Simplex& s) { chunk.Cuts.AddSimplex(s); },
         [](const vtkIsotable::Triangle&) {});
       chunk.Cuts.End(begin);
-      ChunkCuts::SlotRoom slots;
+      ChunkCuts::SlotBuffer slots;
       const CellCut cut = chunk.Cuts.GetLast(begin, what, false, this->Cutter.GetKind(), slots);
       simplices = cut.Simplices;
       number = cut.NumberOfSimplices;
@@ -152,9 +153,9 @@ private:
   const CellReader<Stored>& Reader;
   const CellCutter& Cutter;
   const ExtractionScalars& Scalars;
-  // Whether the contour has one value.
+  // If true, the contour has one value.
   bool HasOneValue;
-  // Whether corners are ordered by ids that fit in 32 bits.
+  // If true, corners are ordered by ids that fit in 32 bits.
   bool AreIdsRanks;
   std::atomic<bool> TiedFaces{ false };
 };

@@ -20,9 +20,9 @@ namespace interlume
 
 /**
  * @class   UnstructuredCells
- * @brief   the corners of an unstructured grid's cells, read from its arrays
+ * @brief   reads the corners of the cells of an unstructured grid from its arrays
  *
- * \a Stored is the type of the cell array's numbers.
+ * \a Stored is the value type of the cell array.
  */
 template <typename Stored>
 class UnstructuredCells
@@ -30,14 +30,15 @@ class UnstructuredCells
 public:
   using Mark = PointMarks::Mark;
 
-  /// Reads the cells of \a grid, whose arrays \a offsets and \a ids are.
+  /// Reads the cells of \a grid with the cell arrays \a offsets and \a ids.
   UnstructuredCells(vtkUnstructuredGrid* grid, const Stored* offsets, const Stored* ids)
     : TypeArray(GridCells::GetTypes(grid))
     , Types(this->TypeArray->GetPointer(0))
     , Offsets(offsets)
     , Ids(ids)
   {
-    // Cells of one type and of the least size that it has lie at equal distances.
+    // If all cells have the same type, and the connectivity array has no additional ids, cells are
+    // stored at a constant stride.
     const vtkIdType cells = grid->GetNumberOfCells();
     const CellCorners& first = this->GetCorners(0);
     const bool isUniform = first.Kind == CellCorners::LINEAR &&
@@ -46,7 +47,7 @@ public:
     this->Stride = isUniform ? first.NumberOfCorners : 0;
   }
 
-  /// Returns whether all cells are of one linear type, that of cell 0.
+  /// Returns true if all cells have the same linear type.
   bool IsUniform() const { return this->Stride > 0; }
 
   const CellCorners& GetCorners(vtkIdType cell) const
@@ -54,7 +55,7 @@ public:
     return this->CornersOfType[this->Types[cell]];
   }
 
-  /// Returns the marks of all corners of a cell, or-ed.
+  /// Returns the bitwise union of the marks of a cell's corners.
   Mark GetMarks(vtkIdType cell, int corners, const Mark* marks) const
   {
     const Stored* ids = this->GetFirst(cell);
@@ -66,7 +67,8 @@ public:
     return static_cast<Mark>(all);
   }
 
-  /// Does the same for the cells first ... last - 1 of a uniform grid, and calls visit(cell, all).
+  /// Calls visit(cell, all) with the union of the marks for the cells in [first, last) of a uniform
+  /// grid.
   template <typename Visitor>
   void ForEachMarks(vtkIdType first, vtkIdType last, const Mark* marks, Visitor&& visit) const
   {
@@ -83,7 +85,7 @@ public:
     }
   }
 
-  /// Gives the corners of a cell in the order of its table.
+  /// Gets the corners of a cell in the order of its table.
   void GetIds(vtkIdType cell, const CellCorners& corners, vtkIdType* ids) const
   {
     const Stored* from = this->GetFirst(cell);
@@ -98,8 +100,8 @@ public:
     }
   }
 
-  /// Calls visit(point) for every second of a cell's corners: in most grids the next one lies
-  /// beside it in memory.
+  /// Calls visit(point) for every second corner of a cell. In most grids, the next corner is
+  /// adjacent in memory.
   template <typename Visitor>
   void ForEachSecondPoint(vtkIdType cell, Visitor&& visit) const
   {
@@ -111,7 +113,7 @@ public:
     }
   }
 
-  /// Gives all points of a cell as they are stored.
+  /// Gets all points of a cell in storage order.
   void GetStored(vtkIdType cell, std::vector<vtkIdType>& points) const
   {
     points.assign(this->Ids + this->Offsets[cell], this->Ids + this->Offsets[cell + 1]);
@@ -159,7 +161,7 @@ private:
   const unsigned char* Types;
   const Stored* Offsets;
   const Stored* Ids;
-  // The number of corners of all cells of a uniform grid, else 0.
+  // Number of corners of each cell of a uniform grid, otherwise 0.
   int Stride = 0;
   const CellCorners* CornersOfType = GetCornersOfTypes();
 };
@@ -172,7 +174,8 @@ bool VisitCellArraysAs(vtkCellArray* cells, Visitor&& visit)
   return visit(offsets->GetPointer(0), ids->GetPointer(0));
 }
 
-/// Returns visit(offsets, ids) for the arrays of a grid's cells, in the type they are stored in.
+/// Calls visit(offsets, ids) with the cell arrays of a grid in their storage type. Returns its
+/// result.
 template <typename Visitor>
 bool VisitCellArrays(vtkUnstructuredGrid* grid, Visitor&& visit)
 {

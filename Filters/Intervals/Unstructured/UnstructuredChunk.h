@@ -16,30 +16,30 @@ namespace interlume
 {
 
 /**
- * The result of counting a chunk of cells, which the writing of the chunk uses.
+ * Result of counting a chunk of cells, used for writing the chunk.
  */
 struct UnstructuredChunk
 {
   static constexpr vtkIdType Size = 256 * ExtractionIndex::RunLength;
 
-  /// A cell that is passed on as it is.
+  /// A cell that is passed through uncut.
   struct InteriorCell
   {
-    /// The index of the cell, counted from the chunk's first.
+    /// Index of the cell in the chunk.
     std::uint16_t Position;
     std::uint16_t Item;
   };
 
   ChunkCuts Cuts;
-  /// The points of all cases, where nodes are kept.
+  /// The points of all cases, if nodes are stored.
   std::vector<const CrossingLists::Node*> Nodes;
   std::vector<vtkIdType> TiedTriangles;
   std::vector<vtkIdType> TiedSimplices;
-  /// The triangles that share no points.
+  /// Triangles that share no points.
   PointArrays::Part Unshared;
   std::vector<InteriorCell> InteriorCells;
   ///@{
-  /// The numbers of what the chunk has; then of what the chunks before it have.
+  /// Counts of this chunk, later replaced by the sums over all previous chunks.
   vtkIdType Simplices = 0;
   vtkIdType Triangles = 0;
   vtkIdType Interior = 0;
@@ -47,7 +47,7 @@ struct UnstructuredChunk
   ///@}
   ExtractionReport Report;
 
-  /// Returns how many cells the output has of the chunk.
+  /// Returns the number of output cells of the chunk.
   vtkIdType GetOutput() const { return this->Simplices + this->Interior; }
 
   std::size_t GetBytes() const

@@ -23,10 +23,10 @@ using Chunk = UnstructuredChunk;
 using Cell = TableCell<1>;
 using Item = ExtractionValues::Item;
 
-// How many cells ahead coordinates are asked for.
+// Prefetch distance in cells.
 constexpr int CellsAhead = 4;
 
-// What a thread keeps.
+// Buffers of a thread.
 struct Local
 {
   UnsharedPoints Unshared;
@@ -69,8 +69,8 @@ public:
   }
 
 private:
-  // Notes the simplices and triangles of a cell with merged slots that have to be compared with
-  // those of its neighbors.
+  // Records the simplices and boundary triangles of a cell with merged slots, which must be
+  // compared with those of the neighbor cells.
   void NoteTied(vtkIsotable::Shapes shape, const CellCut& cut)
   {
     for (std::size_t t = 0; t < cut.NumberOfTriangles; ++t)
@@ -114,11 +114,11 @@ public:
     , KeepsNodes(context.Values->GetKind() == vtkIsotable::CONTOUR)
     , Chunks((grid->GetNumberOfCells() + Chunk::Size - 1) / Chunk::Size)
   {
-    if (context.Whole)
+    if (context.InteriorFilter)
     {
       this->Interior.emplace(context, this->Reader);
     }
-    if (!context.Unshared || context.TakeDuplicates)
+    if (!context.Unshared || context.IncludeGhostCells)
     {
       this->Points.emplace(this->Reader.GetNumberOfPoints(), this->KeepsNodes);
     }
@@ -173,7 +173,7 @@ public:
 
   bool Settle()
   {
-    if (!this->ShareTied())
+    if (!this->EnterTiedPoints())
     {
       return false;
     }
@@ -201,7 +201,7 @@ public:
     vtkIdType interiorIds = 0;
     for (Chunk& chunk : this->Chunks)
     {
-      // After the exchange a chunk has the sum of those before it.
+      // Replace the counts of the chunk by the totals of all previous chunks.
       const auto sum = [](vtkIdType& count, vtkIdType& total)
       {
         std::swap(count, total);
@@ -273,24 +273,24 @@ private:
   void CountCell(
     Cell& cell, vtkIdType position, Chunk& chunk, CrossingLists::Arena* arena, Local& local)
   {
-    const auto [least, greatest] = this->Reader.ReadCodes(cell);
+    const auto [minimum, maximum] = this->Reader.ReadCodes(cell);
     const bool isInverted = this->Reader.IsInverted(cell);
     const vtkIdType before = chunk.GetOutput();
     const auto& items = this->Values.GetItems();
     for (std::size_t number = 0; number < items.size(); ++number)
     {
       const Item& item = items[number];
-      if (this->Values.IsOutside(item, least, greatest))
+      if (this->Values.IsOutside(item, minimum, maximum))
       {
         continue;
       }
-      if (this->Interior && this->Interior->IsInside(cell.Id, item, least, greatest))
+      if (this->Interior && this->Interior->IsInside(cell.Id, item, minimum, maximum))
       {
         this->Interior->Enter(
           cell.Id, position, number, chunk, *this->Points, *arena, local.Points);
         continue;
       }
-      ChunkCuts::SlotRoom slots;
+      ChunkCuts::SlotBuffer slots;
       CellCut cut;
       const ChunkCuts::Found found = this->Cutter.Cut(cell, number, position, isInverted,
         local.Merged, chunk.Cuts, slots, cut, chunk.Report.CollapsedSimplices);
@@ -325,9 +325,9 @@ private:
     }
   }
 
-  // Enters the points of all cases that were counted without, where triangles may have to be
-  // compared with those of the neighbors. Returns false if the user aborted.
-  bool ShareTied()
+  // If triangles have to be compared with those of neighbor cells, enters the points of all cases
+  // that were counted without entering points. Returns false if the user aborted.
+  bool EnterTiedPoints()
   {
     if (this->Points || !this->Unshared.HasTiedFaces())
     {
@@ -366,7 +366,7 @@ private:
     }
   }
 
-  // Finds the output ids of a cut's points, by slot.
+  // Finds the output id of each slot that a cut uses.
   void FindIds(const Cell& cell, const Item& item, const CellCut& cut, vtkIdType* ids) const
   {
     for (std::size_t s = 0; s < cut.NumberOfSlots; ++s)
@@ -381,15 +381,15 @@ private:
   CellReader<Stored> Reader;
   CellCutter Cutter;
   UnsharedTriangles<Stored> Unshared;
-  // Null where no cells are passed on.
+  // Empty if no cells are passed through uncut.
   std::optional<InteriorCells<Stored>> Interior;
   ExtractionMesh& Mesh;
   vtkIdType NumberOfCells;
-  // Whether the nodes of points are kept. A contour is small beside its grid: it is quicker to note
-  // the points of its cells than to look them up once more. For the tetrahedra of an interval that
-  // would take too much memory.
+  // If true, the nodes of points are stored. A contour is small compared with its grid, and storing
+  // the points of its cells is faster than searching them again. For the tetrahedra of an interval,
+  // the nodes would take too much memory.
   bool KeepsNodes;
-  // The points that cells share; none where every triangle has points of its own.
+  // The points that cells share. Empty if every triangle has its own points.
   std::optional<CrossingLists> Points;
   std::vector<Chunk> Chunks;
 };

@@ -11,20 +11,21 @@ namespace interlume
 
 /**
  * @class   UnstructuredExtraction
- * @brief   extraction from tetrahedra, pyramids, wedges, hexahedra and voxels in any mixture
+ * @brief   extraction from any mixture of tetrahedra, pyramids, wedges, hexahedra and voxels
  *
- * Every cell that gives output enters the crossed edges it uses with the lower of their two points,
- * their owner. Each owner's list is sorted and made unique; a prefix sum over the owners numbers
- * the output points. The numbers, and so the bytes, depend on the grid alone; on a grid whose
- * points are numbered in rows they are those of StructuredExtraction.
+ * Every cell with output enters its edge crossings in the list of the end point with the lower id,
+ * the owner. The lists are sorted and contain no duplicates. A prefix sum over the owners numbers
+ * the output points. The numbers depend on the grid only, not on the thread schedule. If the grid's
+ * points are numbered row by row, the numbers equal those of StructuredExtraction.
  *
- * The order in which shared faces are cut is that of the global point ids where the point data has
- * them, so that distributed pieces of a grid agree, and of the point ids otherwise.
+ * Shared faces are cut in the order of the global point ids if the point data has them, so that the
+ * pieces of a distributed grid match. Otherwise they are cut in the order of the point ids.
  */
 class UnstructuredExtraction
 {
 public:
-  /// Runs the extraction. Returns false when the user aborted. The context's input is \a grid.
+  /// Runs the extraction. \a grid must be the input of the context. Returns false if the user
+  /// aborted.
   static bool Execute(
     const ExtractionContext& context, vtkUnstructuredGrid* grid, ExtractionMesh& mesh);
 };

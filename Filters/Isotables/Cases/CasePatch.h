@@ -15,15 +15,15 @@ namespace interlume
  * @class   CasePatch
  * @brief   one case of an isotable: the isosurface patch inside a cell for given signs
  *
- * The patch is made of the facets of the convex hull of { positive vertices } and { midpoints of
- * the edges whose ends differ in sign } that lie in no facet of the cell (Bhaniramka, Wenger,
- * Crawfis 2004). These are the facets without a positive vertex. A patch point is named by its
- * edge.
+ * The patch consists of the facets of the convex hull of { positive vertices } and { midpoints of
+ * edges whose ends differ in sign } that do not lie in a facet of the cell (Bhaniramka, Wenger,
+ * Crawfis 2004). These are the facets without positive vertices. Each patch point is identified by
+ * its edge.
  */
 class CasePatch
 {
 public:
-  /// A list of patch points, each the index of an edge of the cell.
+  /// Patch points, each the index of an edge of the cell.
   using PointList = std::vector<int>;
   using Point = ConvexHull::Point;
   using Normal = ConvexHull::Normal;
@@ -31,17 +31,17 @@ public:
   struct Facet
   {
     PointSet HullPoints;
-    /// The points of the patch, in increasing order of edges.
+    /// Patch points of the facet, in increasing order of edges.
     PointList Points;
-    /// The normal that points from the positive side to the negative.
+    /// Normal from the positive to the negative side.
     Normal Outward;
   };
 
-  /// Returns which vertices are positive in the case of a key of vtkIsotable: those of the lifted
-  /// cell of an interval, of the cell itself for a contour.
+  /// Returns which vertices are positive in the case of a vtkIsotable key. For an interval, the
+  /// vertices are those of the lifted cell.
   static std::vector<bool> GetSigns(int numberOfVertices, bool isInterval, std::uint32_t key);
 
-  /// Computes the patch. \a positive has one entry for each vertex of \a cell.
+  /// Computes the patch. \a positive has one entry per vertex of \a cell.
   CasePatch(const Polytope& cell, const std::vector<bool>& positive);
 
   const Polytope& GetCell() const { return this->Cell; }
@@ -49,29 +49,29 @@ public:
   const ConvexHull& GetHull() const { return this->Hull; }
 
   /**
-   * Returns the faces of a facet in four dimensions, a solid, as polygons in cyclic order, seen
-   * counterclockwise from outside of the solid.
+   * For a four-dimensional cell, returns the faces of a facet, which is a solid. Each face is a
+   * polygon in cyclic order, counterclockwise as seen from outside the solid.
    */
   std::vector<PointList> GetFaces(const Facet& facet) const;
 
   /**
-   * Returns a facet in three dimensions as a polygon in cyclic order, seen counterclockwise from
-   * the negative side.
+   * For a three-dimensional cell, returns a facet as a polygon in cyclic order, counterclockwise as
+   * seen from the negative side.
    */
   PointList GetPolygon(const Facet& facet) const;
 
-  /// Returns the faces of any face of the hull, as sets of hull points.
+  /// Returns the facets of a face of the hull, as sets of hull points.
   std::vector<PointSet> GetFacesOf(const PointSet& face) const;
 
-  /// Returns for each hull point the edge it stands for, or -1 for a positive vertex.
+  /// Returns the edge of each hull point, or -1 for a positive vertex.
   const std::vector<int>& GetEdgesOfHullPoints() const { return this->EdgeOfPoint; }
 
-  /// Returns the edges that a set of hull points stands for.
+  /// Returns the edges of a set of hull points.
   PointList GetEdges(const PointSet& face) const;
 
   /**
-   * Returns whether the simplex of dimension d - 1 with these points has the orientation of the
-   * facet: the sign of det(p1 - p0, ..., outward). Zero never occurs for a simplex of the facet.
+   * Returns whether a simplex of dimension d - 1 has the orientation of the facet: the sign of
+   * det(p1 - p0, ..., outward). The determinant is never zero for a simplex of the facet.
    */
   bool IsPositive(const Facet& facet, const PointList& simplex) const;
 

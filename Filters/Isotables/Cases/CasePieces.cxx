@@ -9,12 +9,12 @@
 namespace interlume
 {
 
-// Reads the faces of a patch off its hull.
+// Collects the faces of a patch from its hull.
 class CasePieces::Builder
 {
 public:
-  Builder(CasePieces& made, const CasePatch& patch, int numberOfVertices, int numberOfEdges)
-    : Made(made)
+  Builder(CasePieces& result, const CasePatch& patch, int numberOfVertices, int numberOfEdges)
+    : Result(result)
     , Hull(patch.GetHull())
   {
     for (const int edge : patch.GetEdgesOfHullPoints())
@@ -22,7 +22,7 @@ public:
       const bool isPoint = edge >= 0;
       this->SlotOf.push_back(
         static_cast<Slot>(isPoint ? SlotOrder::GetSlot(numberOfVertices, numberOfEdges, edge) : 0));
-      this->Places.push_back(isPoint ? patch.GetCell().Midpoint(edge) : Point{});
+      this->Positions.push_back(isPoint ? patch.GetCell().Midpoint(edge) : Point{});
     }
   }
 
@@ -41,28 +41,29 @@ public:
     {
       this->AddSolid(piece, *neighbor);
     }
-    this->Made.Pieces.push_back(
-      { pointsEnd, static_cast<std::uint32_t>(this->Made.Solids.size()) });
+    this->Result.Pieces.push_back(
+      { pointsEnd, static_cast<std::uint32_t>(this->Result.Solids.size()) });
   }
 
 private:
   using Point = CasePatch::Point;
   using Normal = CasePatch::Normal;
 
-  // Three axes onto which a solid projects one to one, and whether that keeps its orientation.
+  // Three axes onto which a solid projects one-to-one, and whether the projection preserves
+  // orientation.
   struct Projection
   {
     std::array<int, 3> Axes;
-    bool Keeps;
+    bool PreservesOrientation;
   };
 
   std::uint32_t AddPoints(const PointSet& face)
   {
-    face.ForEach([this](int i) { this->Made.Points.push_back(this->SlotOf[i]); });
-    return static_cast<std::uint32_t>(this->Made.Points.size());
+    face.ForEach([this](int i) { this->Result.Points.push_back(this->SlotOf[i]); });
+    return static_cast<std::uint32_t>(this->Result.Points.size());
   }
 
-  // A polygon of a solid is what it has in common with another solid.
+  // A polygon of a solid is its intersection with another solid.
   void AddSolid(const CasePatch::Facet& piece, const ConvexHull::Facet& neighbor)
   {
     const PointSet solid = piece.HullPoints & neighbor.Points;
@@ -81,14 +82,14 @@ private:
     {
       this->AddPolygon(polygon, (solid - polygon).GetFirst(), projection);
     }
-    this->Made.Solids.push_back(
-      { pointsEnd, static_cast<std::uint32_t>(this->Made.Polygons.size()) });
+    this->Result.Solids.push_back(
+      { pointsEnd, static_cast<std::uint32_t>(this->Result.Polygons.size()) });
   }
 
-  // The solid is orthogonal to both normals. A determinant of three of its vectors and of both
-  // normals is the sum of the products of complementary minors, which are proportional, so that
-  // one product has the sign of them all. In a simplex that ends with a point of the piece beyond
-  // the solid, that point is on the side that the neighbour's normal points away from.
+  // The solid is orthogonal to both normals. The determinant of three vectors of the solid and both
+  // normals is a sum of products of complementary minors. These are proportional, so one product
+  // has the sign of the sum. In a simplex whose last point is a point of the piece outside the
+  // solid, that point is on the side opposite to the neighbor's normal.
   static Projection Project(const Normal& outward, const Normal& neighbor)
   {
     for (int k = 0;; ++k)
@@ -127,17 +128,17 @@ private:
     }
     for (const int i : this->Cycle)
     {
-      this->Made.Points.push_back(this->SlotOf[i]);
+      this->Result.Points.push_back(this->SlotOf[i]);
     }
-    this->Made.Polygons.push_back(static_cast<std::uint32_t>(this->Made.Points.size()));
+    this->Result.Polygons.push_back(static_cast<std::uint32_t>(this->Result.Points.size()));
   }
 
   bool IsPositive(int inside, const Projection& projection) const
   {
     std::array<std::array<int, 3>, 3> m;
-    const Point& origin = this->Places[this->Cycle[0]];
-    const std::array<const Point*, 3> ends{ { &this->Places[this->Cycle[1]],
-      &this->Places[this->Cycle[2]], &this->Places[inside] } };
+    const Point& origin = this->Positions[this->Cycle[0]];
+    const std::array<const Point*, 3> ends{ { &this->Positions[this->Cycle[1]],
+      &this->Positions[this->Cycle[2]], &this->Positions[inside] } };
     for (int row = 0; row < 3; ++row)
     {
       for (int i = 0; i < 3; ++i)
@@ -149,10 +150,10 @@ private:
     const int determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) +
       m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
       m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
-    return (determinant > 0) == projection.Keeps;
+    return (determinant > 0) == projection.PreservesOrientation;
   }
 
-  // An edge of a polygon is what it has in common with another one of the solid.
+  // An edge of a polygon is its intersection with another polygon of the solid.
   void OrderPolygon(const PointSet& polygon)
   {
     this->Sides.clear();
@@ -177,12 +178,12 @@ private:
     }
   }
 
-  CasePieces& Made;
+  CasePieces& Result;
   const ConvexHull& Hull;
-  /// The slot of each hull point.
+  /// Slot of each hull point.
   std::vector<Slot> SlotOf;
-  std::vector<Point> Places;
-  /// The facets of the hull that meet a piece in its solids.
+  std::vector<Point> Positions;
+  /// Hull facets that intersect the piece in its solids.
   std::vector<const ConvexHull::Facet*> Neighbors;
   std::vector<PointSet> Polygons;
   std::vector<PointSet> Sides;

@@ -15,24 +15,24 @@ class CasePatch;
 
 /**
  * @class   CasePieces
- * @brief   the convex pieces of one case of a four-dimensional cell, ready to be cut in any order
+ * @brief   convex pieces of one case of a four-dimensional cell, for triangulation in any order
  *
- * A piece is a facet of the patch in five dimensions, and is kept with its faces: its solids, their
- * polygons in cyclic order. Pull() cuts it as FacetTriangulation::PULLING does: it is coned
- * from its first point over its solids without it, each of which is coned from its first point over
- * its polygons without it, each of which is a fan from its first point.
+ * A piece is a facet of the patch in five dimensions, stored with its faces: its solids, and their
+ * polygons in cyclic order. Pull() computes the pulling triangulation. It joins the first point of
+ * the piece to each solid that does not contain it. Each solid is split the same way, from its
+ * first point over its polygons, and each polygon is a fan from its first point.
  *
- * Slots are those of SlotOrder.
+ * Slots are defined by SlotOrder.
  */
 class CasePieces
 {
 public:
   using Slot = std::uint8_t;
-  /// The slots of a 4-simplex.
+  /// Slots of a 4-simplex.
   using Simplex = std::array<Slot, 5>;
 
-  /// The properties of a point of the pieces in a cut: its place in the order, the least first, the
-  /// name it goes by in the simplices, and bits for the sides that it is on.
+  /// Properties of a point in a triangulation: its rank in the order (smallest first), the name
+  /// that identifies it in the simplices, and bits for the sides it is on.
   struct Label
   {
     std::uint16_t Rank;
@@ -40,19 +40,19 @@ public:
     std::uint8_t Sides;
   };
 
-  /// Collects the pieces of the patch of a lifted cell with that many vertices and edges before it
-  /// was lifted, and coordinates from -32 to 32.
+  /// Collects the pieces of the patch of a lifted cell. The numbers of vertices and edges are those
+  /// of the cell before lifting. Coordinates must be in -32 ... 32.
   CasePieces(const CasePatch& patch, int numberOfVertices, int numberOfEdges);
 
-  /// Returns the slots in use, increasing.
+  /// Returns the slots in use, in increasing order.
   const std::vector<Slot>& GetSlots() const { return this->Slots; }
 
   /**
-   * Calls visit(const Simplex&) for every simplex of the cut. \a labels has one entry for each slot
-   * in use; ranks of different names must be distinct. Slots of one name are one point: they are
-   * made one before anything is cut, so that a piece without hypervolume leaves less; a visited
-   * simplex may still have a name twice. Simplices have the orientation of the patch (see
-   * CasePatch::IsPositive), or the opposite one if \a reverse.
+   * Calls visit(const Simplex&) for each simplex of the triangulation. \a labels has one entry per
+   * slot in use. Ranks of different names must be distinct. Slots with the same name are one point.
+   * They are merged before the triangulation, so that a piece without hypervolume produces fewer
+   * simplices. A visited simplex may still contain a name twice. Simplices have the orientation of
+   * the patch (see CasePatch::IsPositive), or the opposite orientation if \a reverse is true.
    */
   template <typename Visitor>
   void Pull(const Label* labels, bool reverse, Visitor&& visit) const
@@ -78,7 +78,7 @@ public:
         for (; polygon < this->Solids[solid].PolygonsEnd; ++polygon)
         {
           points = { points.End, this->Polygons[polygon] };
-          const std::uint32_t start = this->FindFirstPlace(points, labels);
+          const std::uint32_t start = this->FindFirstIndex(points, labels);
           if (labels[this->Points[start]].Name == labels[first].Name)
           {
             continue;
@@ -103,10 +103,10 @@ public:
   }
 
   /**
-   * Cuts the solids whose points are all on one side as Pull() does. Calls solid(sides, points) for
-   * each of their tetrahedra, outward as the face of a simplex of Pull() that leaves out its last
-   * point, and polygon(sides, sidesOfPolygon, points) for the triangles around such a solid,
-   * outward from it. \a sides are the sides that all points of the solid are on.
+   * Triangulates the solids whose points share a side, as Pull() does. Calls solid(sides, points)
+   * for each of their tetrahedra, oriented outward: like the face opposite the last point of a
+   * simplex of Pull(). Calls polygon(sides, sidesOfPolygon, points) for each triangle of the
+   * solid's surface, outward. \a sides are the sides that all points of the solid share.
    */
   template <typename SolidVisitor, typename PolygonVisitor>
   void PullSides(
@@ -133,7 +133,7 @@ public:
         {
           points = { points.End, this->Polygons[p] };
           const std::uint8_t sidesOfPolygon = this->FindSides(points, labels);
-          const std::uint32_t start = this->FindFirstPlace(points, labels);
+          const std::uint32_t start = this->FindFirstIndex(points, labels);
           const Slot name = labels[this->Points[start]].Name;
           std::uint32_t at = this->GetNext(points, start);
           for (std::uint32_t i = points.Begin + 2; i < points.End; ++i)
@@ -156,12 +156,13 @@ public:
     }
   }
 
-  /// Returns the memory held, in bytes.
+  /// Returns the memory size in bytes.
   std::size_t GetBytes() const;
 
 private:
-  // The ends of the lists of points, solids and polygons; each begins at the end of the one before,
-  // and the points of a face come before those of its own faces.
+  // Ends of the lists of points, solids and polygons. Each list starts at the end of the previous
+  // one. The points of a piece precede those of its solids, and the points of a solid precede those
+  // of its polygons.
   struct Piece
   {
     std::uint32_t PointsEnd;
@@ -178,7 +179,7 @@ private:
     std::uint32_t End;
   };
 
-  std::uint32_t FindFirstPlace(const Range& range, const Label* labels) const
+  std::uint32_t FindFirstIndex(const Range& range, const Label* labels) const
   {
     std::uint32_t first = range.Begin;
     for (std::uint32_t i = range.Begin + 1; i < range.End; ++i)
@@ -190,7 +191,7 @@ private:
 
   Slot FindFirst(const Range& range, const Label* labels) const
   {
-    return this->Points[this->FindFirstPlace(range, labels)];
+    return this->Points[this->FindFirstIndex(range, labels)];
   }
 
   std::uint8_t FindSides(const Range& range, const Label* labels) const

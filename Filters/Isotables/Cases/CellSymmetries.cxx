@@ -19,19 +19,18 @@ using namespace IntegerAlgebra;
 using Slot = CellSymmetries::Slot;
 using Permutation = std::vector<int>;
 
-// Finds the automorphisms of the graph of vertices and edges, by backtracking, in lexicographic
-// order.
+// Finds the automorphisms of the vertex-edge graph by backtracking, in lexicographic order.
 class Automorphisms
 {
 public:
   explicit Automorphisms(const Polytope& cell)
     : Number(static_cast<int>(cell.Vertices.size()))
-    , Joined(Number)
+    , Neighbors(Number)
   {
     for (const auto& edge : cell.Edges)
     {
-      this->Joined[edge[0]].Insert(edge[1]);
-      this->Joined[edge[1]].Insert(edge[0]);
+      this->Neighbors[edge[0]].Insert(edge[1]);
+      this->Neighbors[edge[1]].Insert(edge[0]);
     }
     PointSet all;
     for (int v = 0; v < this->Number; ++v)
@@ -44,7 +43,7 @@ public:
   std::vector<Permutation> Found;
 
 private:
-  // Extends the images by one vertex; \a free are the vertices that are no images yet.
+  // Extends the images by one vertex. \a free contains the vertices that are not images yet.
   void Extend(const PointSet& free)
   {
     const int vertex = static_cast<int>(this->Images.size());
@@ -53,13 +52,14 @@ private:
       this->Found.push_back(this->Images);
       return;
     }
-    PointSet fitting = free;
+    PointSet candidates = free;
     for (int other = 0; other < vertex; ++other)
     {
-      const PointSet& joined = this->Joined[this->Images[other]];
-      fitting = this->Joined[vertex].Contains(other) ? fitting & joined : fitting - joined;
+      const PointSet& neighbors = this->Neighbors[this->Images[other]];
+      candidates =
+        this->Neighbors[vertex].Contains(other) ? candidates & neighbors : candidates - neighbors;
     }
-    fitting.ForEach(
+    candidates.ForEach(
       [&](int image)
       {
         PointSet rest = free;
@@ -71,11 +71,11 @@ private:
   }
 
   int Number;
-  std::vector<PointSet> Joined;
+  std::vector<PointSet> Neighbors;
   Permutation Images;
 };
 
-// The vertices of a cell as affine combinations of a few of them.
+// Affine basis of a cell's vertices, with the other vertices as affine combinations.
 class Frame
 {
 public:
@@ -83,22 +83,22 @@ public:
     : Cell(cell)
   {
     Span span(cell.Dimension);
-    Permutation still(cell.Vertices.size());
-    std::iota(still.begin(), still.end(), 0);
-    for (int v : still)
+    Permutation identity(cell.Vertices.size());
+    std::iota(identity.begin(), identity.end(), 0);
+    for (int v : identity)
     {
       if (span.Insert(cell.Vertices[v]))
       {
         this->Base.push_back(v);
       }
     }
-    this->Volume = this->GetVolume(still, -1, 0);
-    for (int v : still)
+    this->Volume = this->GetVolume(identity, -1, 0);
+    for (int v : identity)
     {
       std::vector<std::int64_t> weights;
       for (std::size_t i = 0; i < this->Base.size(); ++i)
       {
-        weights.push_back(this->GetVolume(still, static_cast<int>(i), v));
+        weights.push_back(this->GetVolume(identity, static_cast<int>(i), v));
       }
       this->Weights.push_back(weights);
     }
@@ -130,8 +130,8 @@ public:
   }
 
 private:
-  // Returns the determinant of the images of the base, with the image of \a v in the place of one
-  // of them.
+  // Returns the determinant of the images of the basis, with the basis vertex \a replaced, if any,
+  // replaced by \a v.
   std::int64_t GetVolume(const Permutation& images, int replaced, int v) const
   {
     Normal rows[MaximumDimension];
@@ -152,7 +152,7 @@ private:
   std::vector<std::vector<std::int64_t>> Weights;
 };
 
-// The edge between two vertices.
+// Lookup table of the edge between two vertices.
 class EdgeTable
 {
 public:
@@ -175,7 +175,7 @@ private:
   std::vector<int> Edges;
 };
 
-// Returns the slots that vertices, lower and upper crossings are moved to.
+// Returns the images of vertex, lower and upper slots.
 std::vector<Slot> MoveSlots(const Polytope& cell, const EdgeTable& edges, const Permutation& images)
 {
   const std::size_t m = cell.Edges.size();
@@ -209,7 +209,7 @@ void CellSymmetries::FillMovedKeys(int numberOfVertices)
 {
   const std::size_t number = this->Symmetries.size();
   this->NumberOfGroups = (numberOfVertices + GroupSize - 1) / GroupSize;
-  // The weight that each vertex's digit has after the inverse of each symmetry.
+  // Weight of each vertex digit after the inverse of each symmetry.
   std::vector<std::uint32_t> weights(this->NumberOfGroups * GroupSize * number, 0);
   std::uint32_t power = 1;
   for (int v = 0; v < numberOfVertices; ++v, power *= 3)
@@ -222,19 +222,19 @@ void CellSymmetries::FillMovedKeys(int numberOfVertices)
   this->MovedKeys.assign(number * this->NumberOfGroups * GroupCases, 0);
   for (int group = 0; group < this->NumberOfGroups; ++group)
   {
-    std::uint32_t* shares = this->MovedKeys.data() + group * GroupCases * number;
+    std::uint32_t* contributions = this->MovedKeys.data() + group * GroupCases * number;
     for (int value = 1; value < GroupCases; ++value)
     {
-      // The value is one more than a smaller one in its lowest digit.
+      // The value exceeds a smaller value by one in its lowest nonzero digit.
       int digit = group * GroupSize;
       int one = 1;
       for (; value / one % 3 == 0; one *= 3)
       {
         ++digit;
       }
-      const std::uint32_t* smaller = shares + (value - one) * number;
+      const std::uint32_t* smaller = contributions + (value - one) * number;
       std::transform(smaller, smaller + number, weights.data() + digit * number,
-        shares + value * number, std::plus<>());
+        contributions + value * number, std::plus<>());
     }
   }
 }
@@ -245,14 +245,14 @@ CellSymmetries::Origin CellSymmetries::FindOrigin(std::uint32_t key) const
   std::vector<std::uint32_t> moved(number, 0);
   for (int group = 0; group < this->NumberOfGroups; ++group, key /= GroupCases)
   {
-    const std::uint32_t* shares =
+    const std::uint32_t* contributions =
       this->MovedKeys.data() + (group * GroupCases + key % GroupCases) * number;
     for (std::size_t s = 0; s < number; ++s)
     {
-      moved[s] += shares[s];
+      moved[s] += contributions[s];
     }
   }
-  // There are two loops, of which the compiler makes vector instructions.
+  // Two separate loops, which compilers vectorize.
   std::uint32_t smallest = moved[0];
   for (const std::uint32_t other : moved)
   {

@@ -12,15 +12,14 @@ namespace interlume
 
 /**
  * @class   CellSymmetries
- * @brief   the affine maps of a cell onto itself, and what they do to the cases of its interval
- * table
+ * @brief   the affine symmetries of a cell and their action on the cases of its interval table
  *
- * They are the automorphisms of the graph of vertices and edges that are affine in the coordinates:
- * 384 for the four-dimensional cube, 48 for the prisms over tetrahedron and wedge, 16 for that over
- * the pyramid. Cases that one of them takes into each other are of one kind, and the smallest of
- * their keys stands for it.
+ * The symmetries are the automorphisms of the vertex-edge graph that are affine in the coordinates:
+ * 384 for the four-dimensional cube, 48 for the prisms over tetrahedron and wedge, 16 for the prism
+ * over the pyramid. Cases that a symmetry maps to each other form a class. The smallest key
+ * represents the class.
  *
- * A cell has at most 16 vertices. Slots are those of SlotOrder.
+ * A cell has at most 16 vertices. Slots are defined by SlotOrder.
  */
 class CellSymmetries
 {
@@ -29,13 +28,13 @@ public:
 
   struct Symmetry
   {
-    /// The slot that each slot is moved to; the first are the vertices.
+    /// Image of each slot, indexed by slot. Vertex slots come first.
     std::vector<Slot> Slots;
     /// Whether the symmetry is a reflection.
     bool Reverses;
   };
 
-  /// The smallest key of a kind, and the symmetry that moves its case to the case of a key.
+  /// Smallest key of a class, and the symmetry that maps its case to the case of a given key.
   struct Origin
   {
     std::uint32_t Key;
@@ -47,11 +46,12 @@ public:
   /// Returns the symmetries, the identity first.
   const std::vector<Symmetry>& Get() const { return this->Symmetries; }
 
-  /// Returns the smallest key of the kind of \a key, with the first of several symmetries.
+  /// Returns the smallest key in the class of \a key and the first symmetry that maps its case to
+  /// the case of \a key.
   Origin FindOrigin(std::uint32_t key) const;
 
 private:
-  // The number of digits in each of the groups that a key is taken apart into.
+  // Number of digits per group. Keys are processed group by group.
   static constexpr int GroupSize = 4;
   static constexpr int GroupCases = 81;
 
@@ -59,8 +59,8 @@ private:
 
   std::vector<Symmetry> Symmetries;
   int NumberOfGroups = 0;
-  /// The moved keys: for each group, each of its values and each symmetry, the group's share in the
-  /// key that the symmetry's inverse makes.
+  /// Mapped keys: for each group, each of its values and each symmetry, the contribution of the
+  /// group to the key mapped by the inverse symmetry.
   std::vector<std::uint32_t> MovedKeys;
 };
 

@@ -10,8 +10,8 @@ namespace interlume
 namespace
 {
 using Slot = MovedPieces::Slot;
-// A bit for each edge of the lifted cell: the lower ones, the upper ones, then the vertical ones,
-// that is, the vertices.
+// A bit per edge of the lifted cell: lower edges, upper edges, then vertical edges, which represent
+// the vertices.
 using EdgeSet = std::uint64_t;
 
 struct Polygon
@@ -62,7 +62,7 @@ public:
   }
 
 private:
-  // Returns the edge of the lifted cell that a slot is on.
+  // Returns the lifted edge of a slot.
   int GetEdge(Slot slot) const
   {
     return slot < this->Vertices ? 2 * this->Edges + slot : slot - this->Vertices;
@@ -81,7 +81,7 @@ private:
     result.insert(result.end(), points.begin(), points.end());
   }
 
-  // Reads a list of points and its length, and moves them.
+  // Reads a list of points with its length, and maps the points.
   std::vector<Slot> MovePoints(const Slot*& at, EdgeSet& edges) const
   {
     const int number = *at++;
@@ -116,8 +116,8 @@ private:
     return piece;
   }
 
-  // Has a polygon begin where CasePatch begins it: with the side whose greater edge is the
-  // greatest, and then the lesser one; or end there, where the side is passed the other way.
+  // Rotates a polygon to the start that CasePatch uses: its largest side, compared by the larger
+  // edge, then by the smaller. If that side is traversed backward, the polygon ends with it.
   void Rotate(std::vector<Slot>& points) const
   {
     const int number = static_cast<int>(points.size());

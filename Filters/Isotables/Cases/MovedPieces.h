@@ -13,18 +13,19 @@ namespace interlume
 
 /**
  * @class   MovedPieces
- * @brief   moves the pieces of an interval's case by a symmetry of the cell
+ * @brief   transforms the pieces of an interval case by a symmetry of the cell
  *
- * The result is, number by number, what the hull of the moved case gives: that lists points, faces
- * and pieces in the order of their sets of lifted edges, so that they only have to be sorted again.
+ * The result is identical to the pieces computed from the hull of the transformed case. Hulls list
+ * points, faces and pieces in the order of their sets of lifted edges, so the transformed pieces
+ * are sorted accordingly.
  */
 class MovedPieces
 {
 public:
   using Slot = vtkIsotable::Slot;
 
-  /// Returns the moved pieces of a cell of \a vertices and \a edges, in the form of
-  /// vtkIsotable::Case.
+  /// Returns the transformed pieces of a cell with \a vertices vertices and \a edges edges, in the
+  /// format of vtkIsotable::Case.
   static std::vector<Slot> Move(const std::vector<Slot>& pieces,
     const CellSymmetries::Symmetry& symmetry, int vertices, int edges);
 };

@@ -10,18 +10,18 @@ namespace interlume
 
 /**
  * @class   SlotOrder
- * @brief   the order of the points of a case that all isotables are cut in
+ * @brief   the point order in which all isotables are triangulated
  *
- * With n vertices and m edges, the points of an interval are slots: vertices 0 ... n-1, lower
- * crossings n ... n+m-1, upper crossings n+m ... n+2m-1. Vertices come first, then lower, then
- * upper crossings, each by the ranks of the edge's ends, the smaller rank first. Two cells that
- * rank the vertices they share alike rank the points on their common face alike.
+ * With n vertices and m edges, the points of an interval are slots: vertices 0 ... n-1, lower edge
+ * points n ... n+m-1, upper edge points n+m ... n+2m-1. Vertices rank first, then lower, then upper
+ * edge points. Edge points are ordered by the ranks of the edge's ends, smaller rank first. Two
+ * cells that agree on the order of shared vertices agree on the order of the points on their common
+ * face.
  */
 class SlotOrder
 {
 public:
-  /// Returns the slot of a point that is named by an edge of the lifted cell, as CasePatch
-  /// names it.
+  /// Returns the slot of a point that CasePatch identifies by an edge of the lifted cell.
   static int GetSlot(int numberOfVertices, int numberOfEdges, int liftedEdge)
   {
     return liftedEdge < 2 * numberOfEdges ? numberOfVertices + liftedEdge
@@ -29,8 +29,8 @@ public:
   }
 
   /**
-   * Fills \a ranks for all slots, without the upper ones unless \a isInterval. Vertices have ranks
-   * 0 ... n-1; ranks of slots are distinct and less than n + 2 n n.
+   * Fills \a ranks for all slots, including the upper slots if \a isInterval is true. Vertices have
+   * ranks 0 ... n-1. The ranks of slots are distinct and less than n + 2 n n.
    */
   template <typename EdgeList, typename VertexRank, typename SlotRank>
   static void RankSlots(int numberOfVertices, const EdgeList& edges, bool isInterval,

@@ -16,17 +16,18 @@ using namespace IntegerAlgebra;
 using Point = ConvexHull::Point;
 using Normal = ConvexHull::Normal;
 
-// A facet of the growing hull: Outward * x <= Offset.
+// A facet of the current hull: Outward * x <= Offset.
 struct Face
 {
   Normal Outward;
   std::int64_t Offset;
-  // The height of the point that is added: above the facet if positive.
+  // Height of the added point: positive above the facet.
   std::int64_t Height;
   PointSet Points;
 };
 
-// Finds affinely independent points, greedily in order; fewer than dimension + 1 for flat input.
+// Finds affinely independent points, greedily in order. Fewer than dimension + 1 points mean
+// degenerate input.
 std::vector<int> FindSpanningPoints(int dimension, const std::vector<Point>& points)
 {
   std::vector<int> chosen;
@@ -41,7 +42,7 @@ std::vector<int> FindSpanningPoints(int dimension, const std::vector<Point>& poi
   return chosen;
 }
 
-// Returns whether two facets share a ridge: no third one holds all that they share.
+// Returns whether two facets share a ridge: no third facet contains all of their common points.
 template <typename FaceType>
 bool MeetInRidge(
   int dimension, const std::vector<FaceType>& faces, const PointSet& a, const PointSet& b)
@@ -65,8 +66,7 @@ bool CanCombine(int dimension, std::int64_t a, const Normal& x, std::int64_t b, 
   return fits;
 }
 
-// Builds the hull by the double description method: facets with all of their points, however many
-// those are.
+// Builds the hull by the double description method. A facet keeps all of its points.
 class Builder
 {
 public:
@@ -107,7 +107,7 @@ public:
   std::vector<Face> Faces;
 
 private:
-  // Makes a face from points that span a hyperplane and one that lies below it.
+  // Creates a facet from points that span a hyperplane, and a point below it.
   Face MakeFace(const PointSet& points, int inside) const
   {
     const Point& origin = this->Points[points.GetFirst()];
@@ -135,8 +135,8 @@ private:
     return face;
   }
 
-  // Makes a face from the ridge between a facet that the point is above of and one that it is below
-  // of.
+  // Creates the facet through a point and the ridge between two facets. The point is above the
+  // first facet and below the second.
   Face MakeFace(const Face& above, const Face& below, int point) const
   {
     PointSet points = above.Points & below.Points;
@@ -225,16 +225,16 @@ bool ConvexHull::IsRidge(const PointSet& a, const PointSet& b) const
 
 PointSet ConvexHull::SmallestFace(std::initializer_list<int> points) const
 {
-  PointSet wanted;
+  PointSet required;
   for (int i : points)
   {
-    wanted.Insert(i);
+    required.Insert(i);
   }
   PointSet common;
   bool any = false;
   for (const Facet& facet : this->Facets)
   {
-    if (wanted.IsSubsetOf(facet.Points))
+    if (required.IsSubsetOf(facet.Points))
     {
       common = any ? (common & facet.Points) : facet.Points;
       any = true;

@@ -14,10 +14,10 @@ namespace interlume
 
 /**
  * @class   ConvexHull
- * @brief   the facets of the convex hull of lattice points, exactly
+ * @brief   exact facets of the convex hull of integer points
  *
- * Builds the hull incrementally in integer arithmetic. Points on one hyperplane form one facet,
- * however many they are: the result does not depend on the order of the points. At most 128 points,
+ * Builds the hull incrementally in integer arithmetic. All points on a supporting hyperplane form
+ * one facet, so the result does not depend on the order of the points. Supports at most 128 points,
  * in 2 to 6 dimensions.
  */
 class ConvexHull
@@ -28,29 +28,29 @@ public:
 
   struct Facet
   {
-    /// All points on the facet's hyperplane.
+    /// All points on the hyperplane of the facet.
     PointSet Points;
-    /// The outward normal, not normalised to a length.
+    /// Outward normal, not normalized.
     Normal Outward;
   };
 
-  /// Computes the hull. It has no facets when the points lie on one hyperplane.
+  /// Computes the hull. There are no facets if the points lie on one hyperplane.
   ConvexHull(int dimension, const std::vector<Point>& points);
 
   const std::vector<Facet>& GetFacets() const { return this->Facets; }
 
   /**
-   * Returns whether two facets, given by their points, meet in a ridge, a face of one dimension
-   * less: no third facet holds all points that they share.
+   * Returns whether two facets, given by their points, share a ridge (a face of dimension d - 2):
+   * no third facet contains all of their common points.
    */
   bool IsRidge(const PointSet& a, const PointSet& b) const;
 
-  /// Returns the points of the smallest face that holds all of \a points.
+  /// Returns the points of the smallest face that contains all of \a points.
   PointSet SmallestFace(std::initializer_list<int> points) const;
 
   /**
-   * Returns the facets of the face \a face, which is given by its points: the maximal proper
-   * intersections with facets of the hull, in increasing order of point sets.
+   * Returns the facets of a face, given by its points: its maximal proper intersections with facets
+   * of the hull, in increasing order of point sets.
    */
   std::vector<PointSet> FacetsOf(const PointSet& face) const;
 

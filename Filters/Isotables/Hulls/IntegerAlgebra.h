@@ -11,7 +11,7 @@ namespace interlume
 {
 
 /**
- * Exact integer algebra of hulls, pieces and symmetries.
+ * Exact integer algebra for hulls, pieces and symmetries.
  */
 namespace IntegerAlgebra
 {
@@ -19,7 +19,8 @@ using Point = ConvexHull::Point;
 using Normal = ConvexHull::Normal;
 constexpr int MaximumDimension = Polytope::MaximumDimension;
 
-/// Computes the determinant of the n x n matrix whose rows are \a m, over the columns listed.
+/// Computes the determinant of the n x n matrix with the rows \a m, restricted to the given
+/// columns.
 inline std::int64_t Determinant(const Normal* m, const int* columns, int n)
 {
   if (n == 1)
@@ -66,8 +67,8 @@ inline Normal Difference(const Point& a, const Point& b)
   return d;
 }
 
-/// Computes the generalised cross product, which is orthogonal to the first dimension - 1 rows,
-/// with a positive determinant as the last row below them.
+/// Computes the generalized cross product: a vector orthogonal to the first dimension - 1 rows. The
+/// determinant of these rows followed by the vector is positive.
 inline Normal CrossProduct(int dimension, const std::array<Normal, MaximumDimension - 1>& rows)
 {
   Normal normal{};
@@ -87,9 +88,9 @@ inline Normal CrossProduct(int dimension, const std::array<Normal, MaximumDimens
   return normal;
 }
 
-/// The affine span of points inserted one by one. It maps one to one onto the pivot columns: the
-/// minor of its rows there is not zero. A further row is outside of it when a minor with one more
-/// column is not zero; minors of coordinates up to MaximumCoordinate fit in 64 bits.
+/// Affine span of points that are inserted one by one. The span projects one-to-one onto the pivot
+/// columns, where the minor of its rows is nonzero. A further point is outside the span if a minor
+/// with one more column is nonzero. Minors of coordinates up to MaximumCoordinate fit in 64 bits.
 class Span
 {
 public:
@@ -98,7 +99,7 @@ public:
   {
   }
 
-  /// Returns whether \a p was outside the span of the points before it.
+  /// Adds a point. Returns whether it was outside the span of the previous points.
   bool Insert(const Point& p)
   {
     if (this->IsEmpty)

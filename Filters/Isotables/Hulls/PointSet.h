@@ -10,10 +10,10 @@ namespace interlume
 
 /**
  * @class   PointSet
- * @brief   a set of at most 128 small integers
+ * @brief   a set of integers from 0 to 127
  *
- * Holds which points of a hull lie on a face. Subset and intersection are what face lattices are
- * made of.
+ * Represents the hull points on a face. Face lattices are built with subset tests and
+ * intersections.
  */
 class PointSet
 {
@@ -42,7 +42,7 @@ public:
     return number <= 0;
   }
 
-  /// Returns the smallest member of a set that is not empty.
+  /// Returns the smallest member of a non-empty set.
   int GetFirst() const
   {
     return this->Words[0] != 0 ? FindBit(this->Words[0]) : 64 + FindBit(this->Words[1]);
@@ -60,7 +60,7 @@ public:
     return result;
   }
 
-  /// Returns the members that \a other lacks.
+  /// Returns the members that are not in \a other.
   PointSet operator-(const PointSet& other) const
   {
     PointSet result;
@@ -89,7 +89,7 @@ public:
   }
 
 private:
-  // Counts the bits by sums of 2, 4, 8 bits side by side, then of all.
+  // Counts bits by summing groups of 2, 4 and 8 bits in parallel, then the bytes.
   static int CountBits(std::uint64_t bits)
   {
     bits -= (bits >> 1) & 0x5555555555555555u;
@@ -98,7 +98,7 @@ private:
     return static_cast<int>((bits * 0x0101010101010101u) >> 56);
   }
 
-  // Returns the place of the lowest bit, which is the number of bits below it.
+  // Returns the index of the lowest set bit, which is the number of bits below it.
   static int FindBit(std::uint64_t bits) { return CountBits((bits & -bits) - 1); }
 
   std::array<std::uint64_t, 2> Words{ { 0, 0 } };

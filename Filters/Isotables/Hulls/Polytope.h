@@ -11,16 +11,16 @@ namespace interlume
 
 /**
  * @class   Polytope
- * @brief   a convex cell with lattice vertices, in 2 to 6 dimensions
+ * @brief   a convex cell with integer vertices, in 2 to 6 dimensions
  *
- * The cells that isotables are made for. Coordinates are even integers, so that the midpoint of an
- * edge is a lattice point too and every predicate is exact. The order of Edges is the order of the
- * points in the tables of C. Zhang, dissertation, Ohio State 2006, section 3.3.
+ * Isotables are computed for these cells. Coordinates are even integers, so that midpoints of edges
+ * are integer too and all predicates are exact. The order of Edges is the order of the points in
+ * the tables of C. Zhang, dissertation, Ohio State 2006, section 3.3.
  *
- * Cells have the vertex order of their VTK cell; Cube has vertex i at coordinate
- * 2 * ((i >> k) & 1) along axis k (the order of VTK_VOXEL).
+ * Cells have the vertex order of their VTK cell. Cube has vertex i at coordinate 2 * ((i >> k) & 1)
+ * along axis k (the order of VTK_VOXEL).
  *
- * The valid range of a coordinate is -128 to 128. A cell has at most 32 vertices and 96 edges.
+ * Coordinates must be in -128 ... 128. A cell has at most 32 vertices and 96 edges.
  */
 class Polytope
 {
@@ -33,13 +33,13 @@ public:
 
   int Dimension = 0;
   std::vector<Point> Vertices;
-  /// The edges as pairs of vertex indices.
+  /// Edges, as pairs of vertex indices.
   std::vector<std::array<int, 2>> Edges;
 
   ///@{
   /**
-   * Make the cells of VTK. The edges of the cube are in the order lower, vertical, upper along the
-   * last axis, recursively; those of the simplex are in lexicographic order.
+   * Create the cells of VTK. The edges of the cube are in the order lower, vertical, upper along
+   * the last axis, recursively. The edges of the simplex are in lexicographic order.
    */
   static Polytope Simplex(int dimension);
   static Polytope Cube(int dimension);
@@ -47,19 +47,19 @@ public:
   static Polytope Pyramid();
   ///@}
 
-  /// Makes the cell of a shape of vtkIsotable.
+  /// Creates the cell of a vtkIsotable::Shapes value.
   static Polytope OfShape(int shape);
 
   /**
-   * Makes any convex polytope from its vertices, and finds its edges, in lexicographic order.
-   * Returns a polytope without vertices when a point is not a vertex of the hull, a coordinate is
-   * odd or out of range, or there are too many points.
+   * Creates a convex polytope from its vertices, with edges in lexicographic order. Returns a
+   * polytope without vertices if a point is not a vertex of the hull, if a coordinate is odd or out
+   * of range, or if there are too many points or edges.
    */
   static Polytope FromVertices(int dimension, const std::vector<Point>& vertices);
 
   /**
-   * Returns the prism over this polytope, which has one dimension more: vertex i at 0, vertex i + n
-   * at 2 along the new axis. Its edges are those at 0, those at 2, then the vertical ones.
+   * Returns the prism over this polytope, in one more dimension. Vertex i is at 0 and vertex i + n
+   * at 2 along the new axis. The edges are the edges at 0, the edges at 2, then the vertical edges.
    */
   Polytope Prism() const;
 

@@ -22,19 +22,19 @@ namespace interlume
 
 /**
  * @class   SpaceTimeTable
- * @brief   the interval table of a four-dimensional cell, whose cases are made at run time
+ * @brief   interval table of a four-dimensional cell, with cases computed on demand
  *
- * For the four-dimensional cube there are 3^16 cases, of which a smooth field visits some ten
- * thousand. The first thread that requests a case makes it for all threads; a reference remains
- * valid as long as the table. Cases that a symmetry of the cell takes into each
- * other are of one kind (the 384 symmetries of the cube leave a few hundred), and share its convex
- * pieces; only they need a convex hull.
+ * The four-dimensional cube has 3^16 cases. A smooth field uses about ten thousand of them. The
+ * first thread that requests a case computes it for all threads. A reference to a case remains
+ * valid as long as the table exists. Cases that are equal up to a symmetry of the cell share their
+ * convex pieces, so a convex hull is computed only once per symmetry class. The 384 symmetries of
+ * the cube leave a few hundred classes.
  *
- * A case is keyed in base 3, and its points are slots, as in vtkIsotable: vertices, lower
- * crossings, upper crossings. Convex pieces are cut by pulling in the order of vtkIsotable.
- * Case::Simplices is the cut for ascending vertex ranks, as structured grids have it; Cut() does
- * any other. Simplices have the orientation of CasePatch, and their order depends on the key
- * alone.
+ * Keys and slots are as in vtkIsotable: keys in base 3, slots for vertices, lower and upper edge
+ * points. Convex pieces are triangulated by pulling in the order of vtkIsotable. Case::Simplices is
+ * the triangulation for ascending vertex ranks, as on structured grids. Cut() computes the
+ * triangulation for other ranks. Simplices have the orientation of CasePatch. Their order depends
+ * only on the key.
  *
  * @sa vtkIsotable CasePieces CellSymmetries
  */
@@ -43,7 +43,7 @@ class INTERLUMEISOTABLES_EXPORT SpaceTimeTable
 public:
   using Slot = CasePieces::Slot;
   using Simplex = CasePieces::Simplex;
-  /// The pieces of all cases that are one up to symmetry.
+  /// Pieces shared by all cases of one symmetry class.
   using Kind = CasePieces;
   static constexpr int MaximumNumberOfVertices = 16;
   static constexpr int MaximumNumberOfSlots = 96;
@@ -51,25 +51,26 @@ public:
 
   struct Case
   {
-    /// The simplices of the cut in ascending vertex order.
+    /// Simplices of the triangulation for ascending vertex ranks.
     std::vector<Simplex> Simplices;
-    /// The slots in use, increasing.
+    /// Slots in use, in increasing order.
     std::vector<Slot> Slots;
-    /// The pieces that any other cut is made from, moved by a symmetry of the cell.
+    /// Pieces for other triangulations, to be transformed by the symmetry with index \a Symmetry.
     const Kind* Pieces;
     int Symmetry;
   };
 
   /**
    * Returns the table of the prism of a three-dimensional cell with time, shared by all users in
-   * the process. With n vertices of the cell in the order of vtkIsotable (VTK_TETRA, VTK_PYRAMID,
-   * VTK_WEDGE, VTK_VOXEL), vertex v < n is v at the first time, v + n at the second. The edges are
-   * those of the cell at the first time, those at the second, then the n along time.
+   * the process. Let n be the number of vertices, in the order of vtkIsotable (VTK_TETRA,
+   * VTK_PYRAMID, VTK_WEDGE, VTK_VOXEL). Vertex v < n is v at the first time, and v + n is v at the
+   * second time. The edges are the edges of the cell at the first time, its edges at the second
+   * time, then the n edges along time.
    */
   static SpaceTimeTable& Get(vtkIsotable::Shapes shape);
 
-  /// Makes an empty table for a four-dimensional cell with at most 16 vertices, 96 slots, and
-  /// coordinates from -32 to 32.
+  /// Creates an empty table for a four-dimensional cell with at most 16 vertices, 96 slots, and
+  /// coordinates in -32 ... 32.
   explicit SpaceTimeTable(const Polytope& cell);
   ~SpaceTimeTable();
   SpaceTimeTable(const SpaceTimeTable&) = delete;
@@ -78,54 +79,55 @@ public:
   const Polytope& GetCell() const { return this->Cell; }
   int GetNumberOfVertices() const { return static_cast<int>(this->Cell.Vertices.size()); }
   int GetNumberOfEdges() const { return static_cast<int>(this->Edges.size()); }
-  /// Returns the two vertices of an edge, the smaller first.
+  /// Returns the two vertices of an edge, smaller first.
   const std::array<Slot, 2>& GetEdge(int edge) const { return this->Edges[edge]; }
 
   /**
-   * Returns the case of \a key, 0 <= key < 3^vertices. Loops over many cells go through a Reader.
+   * Returns the case of \a key, 0 <= key < 3^vertices. Use a Reader in loops over many cells.
    */
   const Case& GetCase(std::uint32_t key);
 
-  /// Returns the order of slots for vertex ranks 0 ... n-1.
+  /// Returns the ranks of the slots. \a vertexRanks is a permutation of 0 ... n-1.
   RankArray GetSlotRanks(const Slot* vertexRanks) const;
 
   /**
-   * Cuts a case in the order given, calling simplex(const Simplex&).
+   * Triangulates a case in the given order, calling simplex(const Simplex&).
    */
   template <typename Visitor>
-  void Cut(const Case& what, const RankArray& ranks, Visitor&& simplex) const
+  void Cut(const Case& source, const RankArray& ranks, Visitor&& simplex) const
   {
     this->CutPieces(
-      *what.Pieces, what.Symmetry, ranks, [](Slot slot) { return slot; }, simplex);
+      *source.Pieces, source.Symmetry, ranks, [](Slot slot) { return slot; }, simplex);
   }
 
-  /// Cuts a case in which slots are one point, as vtkIsotable::CutMerged does it.
+  /// Triangulates a case in which some slots coincide, see vtkIsotable::CutMerged.
   template <typename Visitor>
   void CutMerged(
-    const Case& what, const RankArray& ranks, const Slot* same, Visitor&& simplex) const
+    const Case& source, const RankArray& ranks, const Slot* same, Visitor&& simplex) const
   {
     this->CutPieces(
-      *what.Pieces, what.Symmetry, ranks, [same](Slot slot) { return same[slot]; }, simplex);
+      *source.Pieces, source.Symmetry, ranks, [same](Slot slot) { return same[slot]; }, simplex);
   }
 
   /**
-   * Cuts the solids of a case whose slots all have a bit of \a sides in common, see
+   * Triangulates the solids of a case whose slots all have a common bit in \a sides, see
    * CasePieces::PullSides.
    */
   template <typename SolidVisitor, typename PolygonVisitor>
-  void CutSides(const Case& what, const RankArray& ranks, const Slot* same,
+  void CutSides(const Case& source, const RankArray& ranks, const Slot* same,
     const std::uint8_t* sides, SolidVisitor&& solid, PolygonVisitor&& polygon) const
   {
     const LabelArray labels = this->MakeLabels(
-      *what.Pieces, what.Symmetry, ranks, [same](Slot slot) { return same[slot]; }, sides);
-    what.Pieces->PullSides(
-      labels.data(), this->Symmetries.Get()[what.Symmetry].Reverses, solid, polygon);
+      *source.Pieces, source.Symmetry, ranks, [same](Slot slot) { return same[slot]; }, sides);
+    source.Pieces->PullSides(
+      labels.data(), this->Symmetries.Get()[source.Symmetry].Reverses, solid, polygon);
   }
 
   ///@{
   /**
-   * The numbers of lookups so far and of those that found their case made, without those of readers
-   * that still exist; the numbers of cases and kinds held, and the bytes of both.
+   * Return the number of lookups and of lookups that found an existing case, the number of stored
+   * cases and symmetry classes, and their size in bytes. Lookups by readers that still exist are
+   * not included.
    */
   std::uint64_t GetNumberOfLookups() const { return this->Lookups; }
   std::uint64_t GetNumberOfHits() const { return this->Lookups - this->Misses; }
@@ -135,9 +137,9 @@ public:
   ///@}
 
   /**
-   * Gives one thread access to a table, which must outlive the reader. A reader remembers the cases
-   * it met last, so that meeting them again takes no lock and touches no memory that other threads
-   * write. It counts for itself, and adds its counts to those of the table when it is destroyed.
+   * Access of one thread to a table, which must outlive the reader. A reader caches its last cases,
+   * so that repeated lookups take no lock and touch no memory that other threads write. It adds its
+   * counts to the table when it is destroyed.
    */
   class Reader
   {
@@ -158,7 +160,7 @@ public:
       return *entry.Known;
     }
 
-    /// The numbers of lookups so far, and of those that made their case.
+    /// Return the number of lookups, and of lookups that computed their case.
     std::uint64_t GetNumberOfLookups() const { return this->Lookups; }
     std::uint64_t GetNumberOfCasesMade() const { return this->Misses; }
 
@@ -177,9 +179,9 @@ public:
   };
 
 private:
-  // A map that many threads fill; what it holds stays where it is.
+  // A concurrent map. Its values never move.
   template <typename Value>
-  class Shelf
+  class ConcurrentMap
   {
   public:
     template <typename Maker>
@@ -210,7 +212,7 @@ private:
 
   using LabelArray = std::array<CasePieces::Label, MaximumNumberOfSlots>;
 
-  // Makes the labels of the slots of a case; \a sides may be null.
+  // Computes the labels of the slots of a case. \a sides may be null.
   template <typename Rename>
   LabelArray MakeLabels(const Kind& pieces, int symmetry, const RankArray& ranks,
     const Rename& rename, const std::uint8_t* sides) const
@@ -242,8 +244,8 @@ private:
   CellSymmetries Symmetries;
   std::vector<std::array<Slot, 2>> Edges;
   RankArray Ascending;
-  Shelf<Kind> Kinds;
-  Shelf<Case> Cases;
+  ConcurrentMap<Kind> Kinds;
+  ConcurrentMap<Case> Cases;
   std::atomic<std::uint64_t> Lookups{ 0 };
   std::atomic<std::uint64_t> Misses{ 0 };
   std::atomic<std::uint64_t> Bytes{ 0 };

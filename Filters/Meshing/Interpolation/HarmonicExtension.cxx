@@ -15,17 +15,18 @@ namespace interlume
 
 namespace
 {
-/// The residual at which the iteration ends, in parts of the first one.
+/// Residual at which the iteration stops, relative to the first residual.
 constexpr double Tolerance = 1e-12;
 constexpr int MaximumNumberOfIterations = 5000;
 
 using Eigen::Index;
 
-/// The integrals of grad(i) . grad(j) over a tetrahedron, of its four linear basis functions.
+/// Returns the integrals of grad(i) . grad(j) over a tetrahedron for its four linear basis
+/// functions.
 std::array<std::array<double, 4>, 4> ElementStiffness(const std::array<const double*, 4>& x)
 {
   using namespace Vectors;
-  // The outward area vector of the triangle opposite each point, times two.
+  // Twice the outward area vector of the triangle opposite each point.
   std::array<glm::dvec3, 4> areas;
   for (int i = 0; i < 4; ++i)
   {
@@ -50,14 +51,14 @@ std::array<std::array<double, 4>, 4> ElementStiffness(const std::array<const dou
   return matrix;
 }
 
-using Place = Eigen::Map<const Eigen::Vector3d>;
+using Position = Eigen::Map<const Eigen::Vector3d>;
 
-/// The linear function nearest to given values, in the sense of least squares.
+/// Least-squares linear fit of point values.
 class LinearFit
 {
 public:
-  /// Fits the values of the points of \a mesh that have a source, where finite. Across a plane that
-  /// all of them lie in, the function is constant.
+  /// Fits the finite values of the mesh points that have a source. If these points lie in a plane,
+  /// the gradient across it is zero.
   LinearFit(const interlume::Tetrahedra& mesh, const std::vector<double>& values);
 
   double operator()(const double* point) const;
@@ -79,16 +80,16 @@ LinearFit::LinearFit(const interlume::Tetrahedra& mesh, const std::vector<double
     {
       number += 1.0;
       this->Constant += values[p];
-      this->Center += Place(&mesh.Points[3 * p]);
+      this->Center += Position(&mesh.Points[3 * p]);
     }
   }
   this->Constant /= std::max(number, 1.0);
   this->Center /= std::max(number, 1.0);
-  // Each axis in units of its own extent, so that a thin mesh is as well fitted as a cube.
+  // Scale each axis by its extent so that a thin mesh is fitted as well as a cube.
   Eigen::Array3d extent = Eigen::Array3d::Zero();
   for (std::size_t p = 0; p < values.size(); ++p)
   {
-    extent = extent.max((Place(&mesh.Points[3 * p]) - this->Center).array().abs());
+    extent = extent.max((Position(&mesh.Points[3 * p]) - this->Center).array().abs());
   }
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
@@ -96,12 +97,12 @@ LinearFit::LinearFit(const interlume::Tetrahedra& mesh, const std::vector<double
   {
     if (isKnown(p))
     {
-      const Eigen::Vector3d x = (Place(&mesh.Points[3 * p]) - this->Center).array() / extent;
+      const Eigen::Vector3d x = (Position(&mesh.Points[3 * p]) - this->Center).array() / extent;
       normal += x * x.transpose();
       right += (values[p] - this->Constant) * x;
     }
   }
-  // Of sizes that the compiler does not know, since GCC 16 sees reads beyond Eigen 5's fixed ones.
+  // Use dynamic sizes: GCC 16 reports out-of-bounds reads in Eigen 5's fixed-size code.
   const Eigen::VectorXd slopes =
     Eigen::MatrixXd(normal).completeOrthogonalDecomposition().solve(Eigen::VectorXd(right));
   this->Gradient = slopes.array() / extent;
@@ -109,11 +110,11 @@ LinearFit::LinearFit(const interlume::Tetrahedra& mesh, const std::vector<double
 
 double LinearFit::operator()(const double* point) const
 {
-  return this->Constant + this->Gradient.dot(Place(point) - this->Center);
+  return this->Constant + this->Gradient.dot(Position(point) - this->Center);
 }
 
-/// Thrown out of the solver, which has no other way to be stopped.
-struct Cancelled
+/// Exception that stops the solver, which has no other means of cancellation.
+struct Canceled
 {
 };
 }
@@ -163,9 +164,9 @@ HarmonicExtension::HarmonicExtension(const interlume::Tetrahedra& mesh)
   this->Solver.compute(this->Stiffness);
   this->Solver.preconditioner().BeforeStep = [this]()
   {
-    if (this->IsCancelled && this->IsCancelled())
+    if (this->IsCanceled && this->IsCanceled())
     {
-      throw Cancelled();
+      throw Canceled();
     }
   };
 }
@@ -192,7 +193,7 @@ void HarmonicExtension::Extend(std::vector<double>& values) const
       largest = std::max(largest, std::abs(own));
     }
   }
-  // In parts of the largest, so that no product overflows.
+  // Scale by the largest value so that products do not overflow.
   if (largest > 0.0)
   {
     rest /= largest;
@@ -200,13 +201,13 @@ void HarmonicExtension::Extend(std::vector<double>& values) const
   Eigen::VectorXd x = Eigen::VectorXd::Zero(this->Stiffness.rows());
   try
   {
-    // Flat tetrahedra make it infinite.
+    // Degenerate tetrahedra make coefficients infinite.
     if (this->Stiffness.coeffs().allFinite())
     {
       x = this->Solver.solve(-(this->Coupling * rest));
     }
   }
-  catch (const Cancelled&)
+  catch (const Canceled&)
   {
     return;
   }

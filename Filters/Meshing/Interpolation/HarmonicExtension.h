@@ -17,37 +17,38 @@ struct Tetrahedra;
 
 /**
  * @class   HarmonicExtension
- * @brief   values inside a mesh from those at its other points
+ * @brief   computes unknown values at mesh points from the given values at other mesh points
  *
- * The unknown values are those of the discrete harmonic function: linear on each tetrahedron, equal
- * to the given values, with the least integral of its squared gradient (linear finite elements for
- * Laplace's equation; the matrix is that of U. Pinkall, K. Polthier, "Computing discrete minimal
- * surfaces and their conjugates", Experimental Mathematics 2(1), 1993, one dimension up). It
- * respects cavities and concave boundaries, as a distance through them would not. A linear function
- * is its own harmonic extension; the least-squares linear part of the given values is taken off
- * first, so that such a function comes out to rounding whatever the solver leaves. Values are kept
- * within the range of those given. A given value that is not finite counts as the linear part
- * there.
+ * The values are interpolated by the discrete harmonic function. It is linear on each tetrahedron,
+ * equals the given values, and minimizes the integral of the squared gradient. These are linear
+ * finite elements for Laplace's equation, with the three-dimensional version of the matrix of U.
+ * Pinkall, K. Polthier, "Computing discrete minimal surfaces and their conjugates", Experimental
+ * Mathematics 2(1), 1993. Unlike distance weighting, it respects cavities and concave boundaries.
  *
- * Solved by Eigen's conjugate gradients with a diagonal preconditioner, by one thread.
+ * The solver works on deviations from the least-squares linear fit, which is then added again.
+ * Therefore linear functions are reproduced up to rounding error, independent of the solver's
+ * residual. Results are clamped to the range of the given values. Given values that are not finite
+ * are replaced by the linear fit.
+ *
+ * The solver is Eigen's conjugate gradient method with a diagonal preconditioner, on one thread.
  */
 class HarmonicExtension
 {
 public:
-  /// Takes a mesh, which must outlive this object. The unknown values are those of its points
-  /// without a source.
+  /// Sets the mesh, which must outlive this object. The values at points without a source are
+  /// unknown.
   explicit HarmonicExtension(const interlume::Tetrahedra& mesh);
 
-  /// A function that is asked between iterations; true stops.
-  std::function<bool()> IsCancelled;
+  /// Callback that returns true to cancel. It is called in each iteration.
+  std::function<bool()> IsCanceled;
 
-  /// Fills in the unknown ones among \a values, which has one for each point.
+  /// Computes the unknown entries of \a values, which has one entry per point.
   void Extend(std::vector<double>& values) const;
 
 private:
   using Matrix = Eigen::SparseMatrix<double, Eigen::RowMajor, Eigen::Index>;
 
-  /// The solver's own, with a look at what happens around it.
+  /// Diagonal preconditioner that calls a function in each iteration.
   struct Preconditioner : Eigen::DiagonalPreconditioner<double>
   {
     std::function<void()> BeforeStep;
@@ -61,9 +62,10 @@ private:
   };
 
   const interlume::Tetrahedra& Mesh;
-  std::vector<vtkIdType> Unknowns; ///< points
-  std::vector<vtkIdType> Rows;     ///< of a point, its row in the matrix; -1 for none
-  // Rows are those of unknown values; columns are the same, and all points.
+  std::vector<vtkIdType> Unknowns; ///< points without a source
+  std::vector<vtkIdType> Rows;     ///< matrix row of each point; -1 if its value is given
+  // Both matrices have a row per unknown value. Stiffness has a column per unknown value, Coupling
+  // a column per point.
   Matrix Stiffness;
   Matrix Coupling;
   Eigen::ConjugateGradient<Matrix, Eigen::Lower | Eigen::Upper, Preconditioner> Solver;

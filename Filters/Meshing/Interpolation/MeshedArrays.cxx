@@ -18,7 +18,7 @@ namespace interlume
 
 namespace
 {
-/// Returns the type that holds interpolated values.
+/// Returns the data type of interpolated values.
 int InterpolatedType(vtkDataArray* array)
 {
   switch (array->GetDataType())
@@ -35,19 +35,19 @@ int InterpolatedType(vtkDataArray* array)
   }
 }
 
-/// Returns whether an array stays out: ids and ghosts belong to the input's points and cells alone.
-bool IsOfInputAlone(vtkDataSetAttributes* data, vtkAbstractArray* array)
+/// Returns whether an array is not copied: ids and ghost types are only valid for the input.
+bool IsExcluded(vtkDataSetAttributes* data, vtkAbstractArray* array)
 {
   return array == data->GetGlobalIds() || array == data->GetPedigreeIds() ||
     (array->GetName() && array->GetName() == std::string(vtkDataSetAttributes::GhostArrayName()));
 }
 
-/// Keeps the attribute that an array is, such as the active scalars.
+/// Adds an array with the same attribute role as its source, such as the active scalars.
 void AddArray(
-  vtkDataSetAttributes* from, int index, vtkDataSetAttributes* to, vtkAbstractArray* made)
+  vtkDataSetAttributes* from, int index, vtkDataSetAttributes* to, vtkAbstractArray* result)
 {
   const int attribute = from->IsArrayAnAttribute(index);
-  const int added = to->AddArray(made);
+  const int added = to->AddArray(result);
   if (attribute >= 0)
   {
     to->SetActiveAttribute(added, attribute);
@@ -56,26 +56,26 @@ void AddArray(
 }
 
 bool MeshedArrays::InterpolatePointData(vtkDataSet* input, const Tetrahedra& mesh,
-  const std::function<bool()>& isCancelled, vtkUnstructuredGrid* output)
+  const std::function<bool()>& isCanceled, vtkUnstructuredGrid* output)
 {
   HarmonicExtension extension(mesh);
-  extension.IsCancelled = isCancelled;
+  extension.IsCanceled = isCanceled;
   vtkPointData* from = input->GetPointData();
   const auto number = static_cast<vtkIdType>(mesh.Origins.size());
   std::vector<double> values(mesh.Origins.size());
   for (int a = 0; a < from->GetNumberOfArrays(); ++a)
   {
     vtkDataArray* array = from->GetArray(a);
-    if (!array || IsOfInputAlone(from, array))
+    if (!array || IsExcluded(from, array))
     {
       continue;
     }
-    vtkSmartPointer<vtkDataArray> made;
-    made.TakeReference(vtkDataArray::CreateDataArray(InterpolatedType(array)));
-    made->SetName(array->GetName());
-    made->SetNumberOfComponents(array->GetNumberOfComponents());
-    made->CopyComponentNames(array);
-    made->SetNumberOfTuples(number);
+    vtkSmartPointer<vtkDataArray> result;
+    result.TakeReference(vtkDataArray::CreateDataArray(InterpolatedType(array)));
+    result->SetName(array->GetName());
+    result->SetNumberOfComponents(array->GetNumberOfComponents());
+    result->CopyComponentNames(array);
+    result->SetNumberOfTuples(number);
     for (int c = 0; c < array->GetNumberOfComponents(); ++c)
     {
       for (vtkIdType p = 0; p < number; ++p)
@@ -84,23 +84,23 @@ bool MeshedArrays::InterpolatePointData(vtkDataSet* input, const Tetrahedra& mes
         values[p] = 0.0;
         for (int i = 0; i < origin.NumberOfSources; ++i)
         {
-          // A value that is not finite counts only where it has a weight.
+          // A non-finite value counts only if its weight is not zero.
           values[p] += origin.Weights[i] == 0.0
             ? 0.0
             : origin.Weights[i] * array->GetComponent(origin.Sources[i], c);
         }
       }
       extension.Extend(values);
-      if (isCancelled())
+      if (isCanceled())
       {
         return false;
       }
       for (vtkIdType p = 0; p < number; ++p)
       {
-        made->SetComponent(p, c, values[p]);
+        result->SetComponent(p, c, values[p]);
       }
     }
-    AddArray(from, a, output->GetPointData(), made);
+    AddArray(from, a, output->GetPointData(), result);
   }
   return true;
 }
@@ -113,21 +113,21 @@ void MeshedArrays::CopyCellData(
   for (int a = 0; a < from->GetNumberOfArrays(); ++a)
   {
     vtkAbstractArray* array = from->GetAbstractArray(a);
-    if (IsOfInputAlone(from, array))
+    if (IsExcluded(from, array))
     {
       continue;
     }
-    vtkSmartPointer<vtkAbstractArray> made;
-    made.TakeReference(vtkAbstractArray::CreateArray(array->GetDataType()));
-    made->SetName(array->GetName());
-    made->SetNumberOfComponents(array->GetNumberOfComponents());
-    made->CopyComponentNames(array);
-    made->SetNumberOfTuples(number);
+    vtkSmartPointer<vtkAbstractArray> result;
+    result.TakeReference(vtkAbstractArray::CreateArray(array->GetDataType()));
+    result->SetName(array->GetName());
+    result->SetNumberOfComponents(array->GetNumberOfComponents());
+    result->CopyComponentNames(array);
+    result->SetNumberOfTuples(number);
     for (vtkIdType t = 0; t < number; ++t)
     {
-      made->SetTuple(t, mesh.Cells[t], array);
+      result->SetTuple(t, mesh.Cells[t], array);
     }
-    AddArray(from, a, output->GetCellData(), made);
+    AddArray(from, a, output->GetCellData(), result);
   }
 }
 

@@ -14,20 +14,20 @@ struct Tetrahedra;
 
 /**
  * @class   MeshedArrays
- * @brief   the arrays of a mesh, from those of its input
+ * @brief   computes the output arrays from the input arrays
  */
 class MeshedArrays
 {
 public:
   /**
-   * Makes every numeric point array, by the origins of the points: integers as float (8 and 16
-   * bits) or double. Global ids, ghosts and arrays that are not numbers are left out. Returns false
-   * when \a isCancelled.
+   * Interpolates each numeric point array from the source points. 8-bit and 16-bit integers become
+   * float, other integers become double. Global ids, pedigree ids, ghost arrays and non-numeric
+   * arrays are not copied. Returns false if \a isCanceled returns true.
    */
   static bool InterpolatePointData(vtkDataSet* input, const Tetrahedra& mesh,
-    const std::function<bool()>& isCancelled, vtkUnstructuredGrid* output);
+    const std::function<bool()>& isCanceled, vtkUnstructuredGrid* output);
 
-  /// Copies every cell array of the input cells, except global ids and ghosts.
+  /// Copies each cell array from the input cells, except ids and ghost arrays.
   static void CopyCellData(vtkDataSet* input, const Tetrahedra& mesh, vtkUnstructuredGrid* output);
 };
 

@@ -14,23 +14,24 @@ namespace interlume
 
 namespace
 {
-struct Place
+struct IndexedPoint
 {
   std::array<double, 3> X;
   vtkIdType Id;
 };
 
-/// Returns the power of two above the largest extent of the points, 0 if they have none.
-int FindUnit(const std::vector<Place>& places)
+/// Returns the exponent of a power of two above the largest extent of the points, or 0 if they have
+/// no extent.
+int FindUnit(const std::vector<IndexedPoint>& positions)
 {
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const auto ends = std::minmax_element(places.begin(), places.end(),
-      [axis](const Place& a, const Place& b) { return a.X[axis] < b.X[axis]; });
-    if (ends.first != places.end())
+    const auto ends = std::minmax_element(positions.begin(), positions.end(),
+      [axis](const IndexedPoint& a, const IndexedPoint& b) { return a.X[axis] < b.X[axis]; });
+    if (ends.first != positions.end())
     {
-      // Halves, whose difference does not overflow.
+      // Use halves because the difference may overflow.
       largest = std::max(largest, ends.second->X[axis] / 2 - ends.first->X[axis] / 2);
     }
   }
@@ -42,7 +43,7 @@ int FindUnit(const std::vector<Place>& places)
 
 Error DistinctPoints::Take(vtkDataSet* input, const std::vector<bool>& isUsed)
 {
-  std::vector<Place> places;
+  std::vector<IndexedPoint> positions;
   const vtkIdType number = input->GetNumberOfPoints();
   for (vtkIdType p = 0; p < number; ++p)
   {
@@ -50,29 +51,30 @@ Error DistinctPoints::Take(vtkDataSet* input, const std::vector<bool>& isUsed)
     {
       continue;
     }
-    Place place{ { { 0.0, 0.0, 0.0 } }, p };
-    input->GetPoint(p, place.X.data());
-    if (!std::isfinite(place.X[0]) || !std::isfinite(place.X[1]) || !std::isfinite(place.X[2]))
+    IndexedPoint point{ { { 0.0, 0.0, 0.0 } }, p };
+    input->GetPoint(p, point.X.data());
+    if (!std::isfinite(point.X[0]) || !std::isfinite(point.X[1]) || !std::isfinite(point.X[2]))
     {
-      std::ostringstream words;
-      words << "Point " << p << " at (" << place.X[0] << ", " << place.X[1] << ", " << place.X[2]
-            << ") is not finite.";
-      return words.str();
+      std::ostringstream message;
+      message << "Point " << p << " at (" << point.X[0] << ", " << point.X[1] << ", " << point.X[2]
+              << ") is not finite.";
+      return message.str();
     }
-    places.push_back(place);
+    positions.push_back(point);
   }
-  if (places.size() > static_cast<std::size_t>(std::numeric_limits<int>::max() / 8))
+  if (positions.size() > static_cast<std::size_t>(std::numeric_limits<int>::max() / 8))
   {
-    return std::to_string(places.size()) + " points are more than TetGen can number.";
+    return std::to_string(positions.size()) + " points are more than TetGen supports.";
   }
-  this->UnitExponent = FindUnit(places);
-  std::sort(places.begin(), places.end(),
-    [](const Place& a, const Place& b) { return a.X < b.X || (a.X == b.X && a.Id < b.Id); });
+  this->UnitExponent = FindUnit(positions);
+  std::sort(positions.begin(), positions.end(),
+    [](const IndexedPoint& a, const IndexedPoint& b)
+    { return a.X < b.X || (a.X == b.X && a.Id < b.Id); });
   std::vector<vtkIdType> first(number, -1);
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    const bool isSame = i > 0 && places[i].X == places[i - 1].X;
-    first[places[i].Id] = isSame ? first[places[i - 1].Id] : places[i].Id;
+    const bool isSame = i > 0 && positions[i].X == positions[i - 1].X;
+    first[positions[i].Id] = isSame ? first[positions[i - 1].Id] : positions[i].Id;
     this->NumberOfMerged += isSame;
   }
   this->Indices.assign(number, -1);

@@ -15,25 +15,25 @@ namespace interlume
 
 /**
  * @class   DistinctPoints
- * @brief   points of a dataset, each place once
+ * @brief   points of a dataset without duplicates
  *
- * Of points with equal coordinates the one of lowest id stands for all; nothing is taken for equal
- * that is not. The distinct points keep the order of their ids.
+ * Points are merged only if their coordinates are equal. The lowest point id represents the merged
+ * points. The distinct points keep the order of their ids.
  */
 class DistinctPoints
 {
 public:
   /**
-   * Takes the points marked in \a isUsed. Returns an error if a point is not finite, or if there
-   * are more points than TetGen can number.
+   * Reads the points marked in \a isUsed. Returns an error if a point is not finite, or if TetGen
+   * does not support that many points.
    */
   Error Take(vtkDataSet* input, const std::vector<bool>& isUsed);
 
-  std::vector<double> Coordinates;  ///< three a distinct point, in the unit below
+  std::vector<double> Coordinates;  ///< three per distinct point, in units of 2^UnitExponent
   std::vector<vtkIdType> SourceIds; ///< the input point of each distinct point
-  std::vector<int> Indices;         ///< of each input point; -1 for one that is not used
+  std::vector<int> Indices;         ///< index of each input point; -1 if unused
   vtkIdType NumberOfMerged = 0;
-  int UnitExponent = 0; ///< the power of two above the largest extent
+  int UnitExponent = 0; ///< exponent of a power of two above the largest extent
 };
 
 }

@@ -16,7 +16,7 @@ namespace interlume
 {
 
 /**
- * Sizes and shapes of tetrahedra beside the bounds that were set, 0 for none.
+ * Sizes and shapes of tetrahedra, compared with two bounds. A bound of 0 is not applied.
  */
 struct MeshMeasures
 {
@@ -25,14 +25,14 @@ struct MeshMeasures
 
   vtkIdType AboveQualityBound = 0;
   vtkIdType AboveMaximumVolume = 0;
-  /// The distance of the mesh from its bounds: the volume of each tetrahedron that exceeds one,
-  /// times the logarithm of by how much.
+  /// Amount by which tetrahedra exceed the bounds. For each bound that it exceeds, a tetrahedron
+  /// adds its volume times the logarithm of the ratio between its value and the bound.
   double Excess = 0.0;
   double LargestRadiusEdgeRatio = 0.0;
   double SmallestVolume = std::numeric_limits<double>::infinity();
   double LargestVolume = 0.0;
-  /// The least sine of a solid angle.
-  double LeastShape = std::numeric_limits<double>::infinity();
+  /// Minimum polar sine, see TetrahedronMath::PolarSine().
+  double MinimumShape = std::numeric_limits<double>::infinity();
 
   template <typename Id>
   void Add(const std::vector<double>& points, const std::vector<Id>& tetrahedra)
@@ -47,7 +47,7 @@ struct MeshMeasures
 private:
   void Add(const double* a, const double* b, const double* c, const double* d)
   {
-    // The share by which rounding may exceed a bound.
+    // An excess up to this fraction of a bound counts as rounding error.
     constexpr double rounding = 1e-9;
     const double volume = Vectors::SixVolumes(a, b, c, d) / 6.0;
     const double ratio = TetrahedronMath::RadiusEdgeRatio(a, b, c, d);
@@ -61,7 +61,7 @@ private:
     this->LargestRadiusEdgeRatio = std::max(this->LargestRadiusEdgeRatio, ratio);
     this->SmallestVolume = std::min(this->SmallestVolume, volume);
     this->LargestVolume = std::max(this->LargestVolume, volume);
-    this->LeastShape = std::min(this->LeastShape, TetrahedronMath::PolarSine(a, b, c, d));
+    this->MinimumShape = std::min(this->MinimumShape, TetrahedronMath::PolarSine(a, b, c, d));
   }
 };
 

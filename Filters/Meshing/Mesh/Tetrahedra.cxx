@@ -14,19 +14,19 @@ void Tetrahedra::RemoveUnusedPoints()
   {
     newIds[point] = 0;
   }
-  vtkIdType kept = 0;
+  vtkIdType retained = 0;
   for (std::size_t point = 0; point < newIds.size(); ++point)
   {
     if (newIds[point] != unused)
     {
-      newIds[point] = kept;
-      this->Origins[kept] = this->Origins[point];
-      std::copy_n(&this->Points[3 * point], 3, &this->Points[3 * kept]);
-      ++kept;
+      newIds[point] = retained;
+      this->Origins[retained] = this->Origins[point];
+      std::copy_n(&this->Points[3 * point], 3, &this->Points[3 * retained]);
+      ++retained;
     }
   }
-  this->Origins.resize(kept);
-  this->Points.resize(3 * kept);
+  this->Origins.resize(retained);
+  this->Points.resize(3 * retained);
   for (vtkIdType& point : this->Tetrahedra)
   {
     point = newIds[point];

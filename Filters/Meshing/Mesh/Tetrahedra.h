@@ -11,32 +11,32 @@ namespace interlume
 {
 
 /**
- * The origin of the values of a point of the mesh: a weighted sum over up to four points of the
- * input. A point of the input itself has one, with weight 1.
+ * Source points of a mesh point, and the weights for interpolating from their values. An input
+ * point has a single source, itself, with weight 1.
  */
 struct MeshedPoint
 {
   std::array<vtkIdType, 4> Sources{ { 0, 0, 0, 0 } };
   std::array<double, 4> Weights{ { 1.0, 0.0, 0.0, 0.0 } };
-  /// The number of sources that count; 0 where the values are those of the harmonic function.
+  /// Number of sources in use; 0 if the value comes from the harmonic extension.
   int NumberOfSources = 0;
 };
 
 /**
- * A mesh before it becomes a vtkUnstructuredGrid.
+ * Tetrahedral mesh before its conversion to a vtkUnstructuredGrid.
  */
 struct Tetrahedra
 {
-  std::vector<double> Points; ///< three a point, in the unit below
-  /// The unit of length is this power of two. It is near the size of the model, so that bounds and
-  /// products of coordinates are within the range of double at any size.
+  std::vector<double> Points; ///< three per point, in units of 2^UnitExponent
+  /// The unit of length is 2^UnitExponent, near the size of the model. This keeps bounds and
+  /// products of coordinates within the range of double for any size.
   int UnitExponent = 0;
   std::vector<MeshedPoint> Origins;
-  std::vector<vtkIdType> Tetrahedra; ///< four a tetrahedron
-  std::vector<vtkIdType> Cells;      ///< the input cell of each tetrahedron, where there is one
-  std::vector<int> Regions;          ///< the region of each tetrahedron, where there are some
+  std::vector<vtkIdType> Tetrahedra; ///< four per tetrahedron
+  std::vector<vtkIdType> Cells; ///< input cell of each tetrahedron; empty unless cells are meshed
+  std::vector<int> Regions;     ///< region of each tetrahedron; empty unless a surface is meshed
 
-  /// Drops the points that no tetrahedron has; the others keep their order.
+  /// Removes unused points. The other points keep their order.
   void RemoveUnusedPoints();
 };
 

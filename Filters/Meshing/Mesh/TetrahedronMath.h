@@ -6,17 +6,16 @@ namespace interlume
 {
 
 /**
- * Geometry of one tetrahedron a, b, c, d, positive when (b-a) . (c-a) x (d-a) is.
+ * Geometry of a tetrahedron a, b, c, d. It is positive if (b-a) . ((c-a) x (d-a)) > 0.
  */
 namespace TetrahedronMath
 {
 
-/// Returns the sine of the solid angle at a, a measure of shape without a unit: at most 1 in
-/// magnitude.
+/// Returns the polar sine of the edges at a: six volumes divided by the product of the three edge
+/// lengths. It is a scale-invariant measure of shape with a magnitude of at most 1.
 double PolarSine(const double* a, const double* b, const double* c, const double* d);
 
-/// Returns the radius of the circumscribed sphere over the shortest edge; at least sqrt(6)/4 =
-/// 0.612.
+/// Returns the circumradius divided by the shortest edge length, at least sqrt(6)/4 = 0.612.
 double RadiusEdgeRatio(const double* a, const double* b, const double* c, const double* d);
 
 }

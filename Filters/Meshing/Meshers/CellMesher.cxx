@@ -39,8 +39,8 @@ FaceTriangulation MakeTriangulation(vtkDataSet* input)
     });
 }
 
-/// Takes the input's points, which come first in the mesh.
-void TakePoints(vtkDataSet* input, interlume::Tetrahedra& mesh)
+/// Copies the input points, which come first in the mesh.
+void CopyPoints(vtkDataSet* input, interlume::Tetrahedra& mesh)
 {
   const vtkIdType number = input->GetNumberOfPoints();
   mesh.Points.resize(3 * number);
@@ -83,7 +83,7 @@ Error Meshers::MeshCells(MeshingJob& job)
   vtkUnsignedCharArray* ghosts = input->GetCellGhostArray();
   constexpr unsigned char leftOut =
     vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
-  TakePoints(input, job.Mesh);
+  CopyPoints(input, job.Mesh);
   const vtkIdType number = input->GetNumberOfCells();
   for (vtkIdType cell = 0; cell < number; ++cell)
   {
@@ -91,7 +91,7 @@ Error Meshers::MeshCells(MeshingJob& job)
     {
       job.SetProgress(0.9 * static_cast<double>(cell) / static_cast<double>(number));
     }
-    if (job.IsCancelled())
+    if (job.IsCanceled())
     {
       return {};
     }

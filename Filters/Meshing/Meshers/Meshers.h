@@ -10,18 +10,18 @@ namespace interlume
 struct MeshingJob;
 
 /**
- * The three ways to a mesh. Each fills the job's mesh, or returns an error.
+ * Meshers for cells, point sets and surfaces. Each fills the mesh of the job or returns an error.
  */
 namespace Meshers
 {
-/// Decomposes the three-dimensional cells of a dataset into tetrahedra that fit together. A face is
-/// cut by FaceTriangulation, in the order of the point data's global ids if there are some and of
-/// the point ids otherwise, so that cells on both sides have the same triangles.
+/// Decomposes the three-dimensional cells of a dataset into a conforming mesh. FaceTriangulation
+/// splits each face in the order of the global point ids if they exist, otherwise of the point ids.
+/// Therefore both cells that share a face have the same triangles there.
 Error MeshCells(MeshingJob& job);
 
-/// Makes the Delaunay tetrahedra of a set of points, refined if a bound is set. A point that
-/// refinement adds has the values of the linear interpolation in the Delaunay tetrahedron of the
-/// input's points that it lies in.
+/// Generates the Delaunay tetrahedra of a point set, and refines them if a bound is set. A point
+/// added by refinement is interpolated linearly in the Delaunay tetrahedron of input points that
+/// contains it.
 Error MeshPoints(MeshingJob& job);
 
 /// Fills closed surfaces with tetrahedra.

@@ -19,7 +19,7 @@ namespace
 bool IsFlat(const std::vector<double>& x)
 {
   using namespace Vectors;
-  // The first triangle with an area, then a point off its plane.
+  // Find the first triangle with an area, then look for a point outside its plane.
   const double* a = x.data();
   std::size_t p = 6;
   glm::dvec3 normal{ 0.0, 0.0, 0.0 };
@@ -37,7 +37,7 @@ bool IsFlat(const std::vector<double>& x)
   return true;
 }
 
-/// Returns the problem of the points and the facets of their convex hull.
+/// Returns a TetGen problem with the points and the facets of their convex hull.
 TetGenProblem MakeHull(
   const MeshingJob& job, const DistinctPoints& points, const TetGenSolution& coarse)
 {
@@ -52,7 +52,7 @@ TetGenProblem MakeHull(
   return ClosedSurface(points, triangles).MakeProblem(job.PreserveBoundary);
 }
 
-void TakeMesh(const TetGenSolution& solution, const TetGenSolution& coarse,
+void SetMesh(const TetGenSolution& solution, const TetGenSolution& coarse,
   const std::vector<vtkIdType>& sourceIds, interlume::Tetrahedra& mesh)
 {
   mesh.Points = solution.Points;
@@ -85,14 +85,14 @@ Error Meshers::MeshPoints(MeshingJob& job)
   Error error = points.Take(job.Input, std::vector<bool>(job.Input->GetNumberOfPoints(), true));
   job.SetUnit(points.UnitExponent);
   job.Report.MergedPoints = points.NumberOfMerged;
-  if (error || job.IsCancelled())
+  if (error || job.IsCanceled())
   {
     return error;
   }
   if (points.SourceIds.size() < 4 || IsFlat(points.Coordinates))
   {
     return "The " + std::to_string(points.SourceIds.size()) +
-      " distinct points lie in a plane: there is no tetrahedron.";
+      " distinct points lie in a plane, so they form no tetrahedron.";
   }
   job.SetProgress(0.1);
   TetGenProblem problem;
@@ -101,13 +101,13 @@ Error Meshers::MeshPoints(MeshingJob& job)
   TetGenSolution coarse;
   error = job.Solve(problem, coarse);
   TetGenSolution refined = coarse;
-  if (!error && !job.IsCancelled() && job.IsRefining())
+  if (!error && !job.IsCanceled() && job.IsRefining())
   {
     error = MeshRefinement::Execute(job, MakeHull(job, points, coarse), refined);
   }
-  if (!error && !job.IsCancelled())
+  if (!error && !job.IsCanceled())
   {
-    TakeMesh(refined, coarse, points.SourceIds, job.Mesh);
+    SetMesh(refined, coarse, points.SourceIds, job.Mesh);
   }
   return error;
 }

@@ -17,9 +17,9 @@ namespace interlume
 
 namespace
 {
-/// Returns a point in a triangle as a weighted sum of its corners, by the areas opposite them,
-/// projected along the triangle's normal. A weight is negative where the point is outside.
-MeshedPoint PlaceInTriangle(const ClosedSurface& surface, int triangle, const double* x)
+/// Returns the barycentric coordinates of \a x, projected onto the plane of a triangle. A weight is
+/// negative if \a x is outside the triangle.
+MeshedPoint InterpolateInTriangle(const ClosedSurface& surface, int triangle, const double* x)
 {
   using namespace Vectors;
   const std::array<int, 3>& corners =
@@ -41,20 +41,20 @@ MeshedPoint PlaceInTriangle(const ClosedSurface& surface, int triangle, const do
   return point;
 }
 
-/// Returns a point as a weighted sum in the triangle of a patch that it lies in.
-MeshedPoint PlaceInPatch(
+/// Interpolates \a x in the triangle of a patch that contains it.
+MeshedPoint InterpolateInPatch(
   const ClosedSurface& surface, const std::vector<int>& triangles, const double* x)
 {
   MeshedPoint best;
   double bestWeight = -std::numeric_limits<double>::infinity();
   for (int triangle : triangles)
   {
-    const MeshedPoint point = PlaceInTriangle(surface, triangle, x);
-    const double least = *std::min_element(point.Weights.begin(), point.Weights.begin() + 3);
-    if (least > bestWeight)
+    const MeshedPoint point = InterpolateInTriangle(surface, triangle, x);
+    const double smallest = *std::min_element(point.Weights.begin(), point.Weights.begin() + 3);
+    if (smallest > bestWeight)
     {
       best = point;
-      bestWeight = least;
+      bestWeight = smallest;
     }
   }
   return best;
@@ -63,42 +63,42 @@ MeshedPoint PlaceInPatch(
 /// Returns an error if a patch has no triangles in the solution.
 Error CheckPatches(const ClosedSurface& surface, const TetGenSolution& solution)
 {
-  std::vector<bool> isMet(surface.NumberOfPatches, false);
+  std::vector<bool> isFound(surface.NumberOfPatches, false);
   for (int marker : solution.Markers)
   {
     if (marker > 0 && marker <= surface.NumberOfPatches)
     {
-      isMet[marker - 1] = true;
+      isFound[marker - 1] = true;
     }
   }
   for (const ClosedSurface::Triangle& triangle : surface.Triangles)
   {
-    if (!isMet[triangle.Patch])
+    if (!isFound[triangle.Patch])
     {
-      return Error("TetGen failed: cell " + std::to_string(triangle.Cell) +
-          " of the surface is missing in its mesh.",
+      return Error(
+        "TetGen failed: its mesh lacks cell " + std::to_string(triangle.Cell) + " of the surface.",
         ErrorCode::Process);
     }
   }
   return {};
 }
 
-/// Returns an error that names the input cells that cross others.
+/// Returns an error that names intersecting input cells.
 Error CheckCrossings(const ClosedSurface& surface)
 {
-  constexpr std::size_t most = 8;
+  constexpr std::size_t maximumListed = 8;
   const std::vector<vtkIdType> cells = SurfaceCrossings::FindCells(surface);
   if (cells.empty())
   {
     return {};
   }
-  std::string message = "The surface intersects itself: " + std::to_string(cells.size()) +
-    " cells are in intersections,";
-  for (std::size_t i = 0; i < std::min(most, cells.size()); ++i)
+  std::string message =
+    "The surface intersects itself: " + std::to_string(cells.size()) + " cells intersect others:";
+  for (std::size_t i = 0; i < std::min(maximumListed, cells.size()); ++i)
   {
     message += " " + std::to_string(cells[i]);
   }
-  return message + (cells.size() > most ? ", ..." : ".");
+  return message + (cells.size() > maximumListed ? ", ..." : ".");
 }
 
 Error Fill(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& solution)
@@ -107,7 +107,7 @@ Error Fill(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& soluti
                           : job.Solve(problem, solution);
 }
 
-/// Returns a sentence that names two cells which nearly touch, or nothing.
+/// Returns a sentence that names two cells that nearly touch, or an empty string.
 std::string NameNearCells(ClosedSurface& surface)
 {
   constexpr double near = 1e-6;
@@ -118,7 +118,7 @@ std::string NameNearCells(ClosedSurface& surface)
                          : std::string();
 }
 
-void TakeMesh(const ClosedSurface& surface, const TetGenSolution& solution, MeshingJob& job)
+void SetMesh(const ClosedSurface& surface, const TetGenSolution& solution, MeshingJob& job)
 {
   interlume::Tetrahedra& mesh = job.Mesh;
   mesh.Points = solution.Points;
@@ -139,7 +139,7 @@ void TakeMesh(const ClosedSurface& surface, const TetGenSolution& solution, Mesh
     layers[triangle.Patch] = triangle.Layers;
     firstCells[triangle.Patch] = std::min(firstCells[triangle.Patch], triangle.Cell);
   }
-  // A point on the edge of several patches has the same values in each: the first is as good.
+  // A point on the edge of several patches has the same values in each, so any patch can be used.
   std::vector<int> patches(solution.GetNumberOfPoints(), std::numeric_limits<int>::max());
   for (std::size_t i = 0; i < solution.Triangles.size(); ++i)
   {
@@ -150,7 +150,7 @@ void TakeMesh(const ClosedSurface& surface, const TetGenSolution& solution, Mesh
   {
     if (patches[p] >= 0 && patches[p] < surface.NumberOfPatches)
     {
-      mesh.Origins[p] = PlaceInPatch(surface, triangles[patches[p]], &solution.Points[3 * p]);
+      mesh.Origins[p] = InterpolateInPatch(surface, triangles[patches[p]], &solution.Points[3 * p]);
     }
   }
   const SurfaceRegions regions(solution, firstCells, layers, job.FillNestedShells);
@@ -178,17 +178,17 @@ Error Meshers::MeshSurface(MeshingJob& job)
   job.Report.SplitTriangles = surface.NumberOfSplitTriangles;
   job.Report.MergedPoints = surface.Points.NumberOfMerged;
   error = error.Then([&] { return CheckCrossings(surface); });
-  if (error || job.IsCancelled())
+  if (error || job.IsCanceled())
   {
     return error;
   }
   job.SetProgress(0.1);
   TetGenSolution solution;
   error = Fill(job, surface.MakeProblem(job.PreserveBoundary), solution);
-  if (error && !job.IsCancelled() && !job.TetGen.IsLate() && !job.PreserveBoundary)
+  if (error && !job.IsCanceled() && !job.TetGen.HasTimedOut() && !job.PreserveBoundary)
   {
-    // TetGen 1.5 can fail on facets that are planar up to rounding. Triangle by triangle, and with
-    // its points in another order, it succeeds then.
+    // TetGen 1.5 can fail on facets that are planar up to rounding error. Retry with one facet per
+    // triangle and another point order, which succeeds on such surfaces.
     TetGenProblem problem = surface.MakeProblem(false);
     problem.Switches = "pMb10JnQ";
     error = Fill(job, problem, solution);
@@ -197,14 +197,14 @@ Error Meshers::MeshSurface(MeshingJob& job)
   {
     return error.Within("", NameNearCells(surface));
   }
-  if (job.IsCancelled())
+  if (job.IsCanceled())
   {
     return {};
   }
   error = CheckPatches(surface, solution);
   if (!error)
   {
-    TakeMesh(surface, solution, job);
+    SetMesh(surface, solution, job);
   }
   return error;
 }

@@ -12,24 +12,27 @@ namespace interlume
 
 namespace
 {
-/// The bound on the shape that TetGen reaches most surely.
-constexpr double SureQualityBound = 2.0;
-/// A pass whose smallest tetrahedron is this much smaller than before, or this flat, is no gain.
-constexpr double LeastVolumeRatio = 1e-6;
-constexpr double LeastShape = 1e-6;
-constexpr int MostPasses = 12;
-/// The number of passes in a row that may fail to come nearer to the bounds: some then go on.
-constexpr int MostStalls = 2;
-/// TetGen 1.6 ends with some tetrahedra just beyond a bound. Where none is further beyond than
-/// this, a pass that failed is followed by one with bounds that are tighter by these parts more.
-constexpr double NearlyHeld = 1.5;
+/// Quality bound that TetGen reaches most reliably.
+constexpr double ReliableQualityBound = 2.0;
+/// A pass is rejected if its smallest tetrahedron shrinks below this fraction of the previous one,
+/// or if its minimum shape falls below MinimumShape.
+constexpr double MinimumVolumeRatio = 1e-6;
+constexpr double MinimumShape = 1e-6;
+constexpr int MaximumNumberOfPasses = 12;
+/// Maximum number of consecutive passes without improvement. The next pass may still improve the
+/// mesh.
+constexpr int MaximumNumberOfStalls = 2;
+/// TetGen 1.6 leaves some tetrahedra slightly above a bound. If no tetrahedron exceeds a bound by
+/// more than this factor, each failed pass is followed by a pass with tighter bounds. The bounds
+/// are tightened by these fractions per failed pass.
+constexpr double NearBoundFactor = 1.5;
 constexpr double TighterQuality = 0.02;
 constexpr double TighterVolume = 0.1;
-/// The factor by which passes may multiply the points of a mesh that nearly holds the volume bound:
-/// more is the sign of a refinement without end.
-constexpr int MostGrowth = 4;
-/// The factors of weaker bounds, for large tetrahedra next to angles at which the bound that was
-/// set has no end.
+/// Maximum growth of the number of points for a mesh that nearly meets the volume bound. More
+/// growth indicates a refinement that does not terminate.
+constexpr int MaximumGrowth = 4;
+/// Weaker quality bounds. They are used for tetrahedra that remain too large because refinement
+/// with the given bound would not terminate next to small angles.
 constexpr std::array<double, 2> WeakerBounds{ { 4.0, 16.0 } };
 
 MeshMeasures Measure(const MeshingJob& job, const TetGenSolution& mesh)
@@ -41,38 +44,38 @@ MeshMeasures Measure(const MeshingJob& job, const TetGenSolution& mesh)
   return measures;
 }
 
-bool IsNearlyHeld(const MeshMeasures& measures)
+bool IsNearBounds(const MeshMeasures& measures)
 {
   return (measures.QualityBound <= 0.0 ||
-           measures.LargestRadiusEdgeRatio <= NearlyHeld * measures.QualityBound) &&
+           measures.LargestRadiusEdgeRatio <= NearBoundFactor * measures.QualityBound) &&
     (measures.MaximumVolume <= 0.0 ||
-      measures.LargestVolume <= NearlyHeld * measures.MaximumVolume);
+      measures.LargestVolume <= NearBoundFactor * measures.MaximumVolume);
 }
 
-/// Returns whether no tetrahedron is tiny or flat beside those of the first mesh and the bounds.
+/// Returns false if a tetrahedron is tiny or degenerate compared to the first mesh and the bounds.
 bool IsSound(const MeshMeasures& now, const MeshMeasures& first)
 {
   const double size = now.MaximumVolume > 0.0 ? std::min(first.SmallestVolume, now.MaximumVolume)
                                               : first.SmallestVolume;
-  return now.LeastShape > std::min(LeastShape, first.LeastShape) &&
-    now.SmallestVolume > LeastVolumeRatio * size;
+  return now.MinimumShape > std::min(MinimumShape, first.MinimumShape) &&
+    now.SmallestVolume > MinimumVolumeRatio * size;
 }
 
-/// Solves \a problem with all bounds, or if TetGen fails, with a bound on the shape that it reaches
-/// more surely. If both fail and there is a \a mesh already, keeps it.
+/// Solves \a problem with all bounds. If TetGen fails, retries with a quality bound that it reaches
+/// more reliably. If both fail, keeps \a mesh, or returns the error if \a mesh is empty.
 Error SolveWithin(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh)
 {
-  const double quality = job.QualityBound > 0.0 ? job.QualityBound : SureQualityBound;
+  const double quality = job.QualityBound > 0.0 ? job.QualityBound : ReliableQualityBound;
   Error error;
   for (bool isWeaker : { false, true })
   {
     TetGenProblem bounded = problem;
     bounded.Switches +=
-      job.GetRefinementSwitches(isWeaker ? std::max(quality, SureQualityBound) : quality,
+      job.GetRefinementSwitches(isWeaker ? std::max(quality, ReliableQualityBound) : quality,
         isWeaker ? 0.0 : job.MaximumVolume, job.MaximumNumberOfAddedPoints);
     TetGenSolution solution;
     error = job.Solve(bounded, solution);
-    if (job.IsCancelled() || job.TetGen.IsLate())
+    if (job.IsCanceled() || job.TetGen.HasTimedOut())
     {
       return error;
     }
@@ -85,40 +88,42 @@ Error SolveWithin(MeshingJob& job, const TetGenProblem& problem, TetGenSolution&
   return mesh.Tetrahedra.empty() ? error : Error();
 }
 
-/// Refines \a mesh until the bounds hold or it has \a most points.
-Error RunPasses(MeshingJob& job, int most, TetGenSolution& mesh)
+/// Refines \a mesh until the bounds are met or it has \a maximumNumberOfPoints points.
+Error RunPasses(MeshingJob& job, int maximumNumberOfPoints, TetGenSolution& mesh)
 {
   const MeshMeasures first = Measure(job, mesh);
   MeshMeasures best = first;
-  if (first.LargestVolume <= NearlyHeld * job.MaximumVolume || job.MaximumVolume <= 0.0)
+  if (first.LargestVolume <= NearBoundFactor * job.MaximumVolume || job.MaximumVolume <= 0.0)
   {
-    most = MostGrowth * std::min(most / MostGrowth, mesh.GetNumberOfPoints());
+    maximumNumberOfPoints =
+      MaximumGrowth * std::min(maximumNumberOfPoints / MaximumGrowth, mesh.GetNumberOfPoints());
   }
   TetGenSolution current = mesh;
   double quality = job.QualityBound;
   std::size_t weaker = 0;
   int stalls = 0;
-  for (int pass = 0; pass < MostPasses && best.Excess > 0.0 && current.GetNumberOfPoints() < most;
+  for (int pass = 0; pass < MaximumNumberOfPasses && best.Excess > 0.0 &&
+       current.GetNumberOfPoints() < maximumNumberOfPoints;
        ++pass)
   {
-    const int tighter = IsNearlyHeld(best) ? stalls : 0;
+    const int tighter = IsNearBounds(best) ? stalls : 0;
     TetGenProblem problem;
-    // In a mesh that it refines, TetGen counts every point.
+    // For a mesh input, TetGen's limit counts all points.
     problem.Switches = std::string("rMJnQ") + (job.PreserveBoundary ? "Y" : "") +
       job.GetRefinementSwitches(quality / (1.0 + TighterQuality * tighter),
-        job.MaximumVolume / (1.0 + TighterVolume * tighter), most);
+        job.MaximumVolume / (1.0 + TighterVolume * tighter), maximumNumberOfPoints);
     problem.Points = current.Points;
     problem.Tetrahedra = current.Tetrahedra;
     problem.Triangles = current.Triangles;
     problem.Markers = current.Markers;
     TetGenSolution refined;
     const Error error = job.Solve(problem, refined);
-    // A limit of time is not to decide about the result: it is an error.
-    if (job.IsCancelled() || job.TetGen.IsLate())
+    // Exceeding the time limit is an error: the result must not depend on the speed of the machine.
+    if (job.IsCanceled() || job.TetGen.HasTimedOut())
     {
       return error;
     }
-    // Where TetGen fails otherwise, the mesh before is good.
+    // If TetGen fails for another reason, the previous mesh remains valid.
     const bool isSolved = !error;
     const MeshMeasures measures = isSolved ? Measure(job, refined) : first;
     const bool isSound = isSolved && IsSound(measures, first);
@@ -129,7 +134,7 @@ Error RunPasses(MeshingJob& job, int most, TetGenSolution& mesh)
       mesh = refined;
       best = measures;
     }
-    if (isSound && stalls <= MostStalls)
+    if (isSound && stalls <= MaximumNumberOfStalls)
     {
       current = std::move(refined);
     }
@@ -151,16 +156,17 @@ Error RunPasses(MeshingJob& job, int most, TetGenSolution& mesh)
 Error MeshRefinement::Execute(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh)
 {
   Error error = SolveWithin(job, problem, mesh);
-  if (error || job.IsCancelled())
+  if (error || job.IsCanceled())
   {
     return error;
   }
   job.SetProgress(0.3);
-  const int most = static_cast<int>(problem.Points.size() / 3) + job.MaximumNumberOfAddedPoints;
-  error = RunPasses(job, most, mesh);
-  if (!error && !job.IsCancelled() && job.MaximumVolume > 0.0)
+  const int maximumNumberOfPoints =
+    static_cast<int>(problem.Points.size() / 3) + job.MaximumNumberOfAddedPoints;
+  error = RunPasses(job, maximumNumberOfPoints, mesh);
+  if (!error && !job.IsCanceled() && job.MaximumVolume > 0.0)
   {
-    VolumeBisection(job, mesh).Execute(most);
+    VolumeBisection(job, mesh).Execute(maximumNumberOfPoints);
   }
   return error;
 }

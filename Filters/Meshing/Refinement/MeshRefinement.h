@@ -13,22 +13,22 @@ struct TetGenSolution;
 
 /**
  * @class   MeshRefinement
- * @brief   refines a mesh until the bounds hold
+ * @brief   refines a mesh until the bounds are met
  *
- * TetGen gets all bounds together with the facets. A mesh that it refines later has lost the small
- * angles between them, and next to these it would not end. Its own improvement of a refined mesh
- * can undo what the refinement reached, so a mesh that misses a bound goes through TetGen again,
- * several times. The result is the mesh nearest to its bounds, see MeshMeasures::Excess. A pass
- * that makes tiny or flat tetrahedra is dropped, and so is one in which TetGen fails; then weaker
- * bounds on the shape are tried, as long as tetrahedra are too large. VolumeBisection splits
- * tetrahedra that are too large after that.
+ * The first call passes all bounds to TetGen together with the facets. A later refinement has no
+ * information about small angles between facets and would not terminate next to such angles.
+ * TetGen's mesh optimization can undo part of its refinement, so a mesh that misses a bound is
+ * refined again, several times. The result is the mesh with the smallest MeshMeasures::Excess. A
+ * pass is rejected if it generates tiny or degenerate tetrahedra or if TetGen fails. Weaker quality
+ * bounds are then tried as long as tetrahedra are too large. Finally, VolumeBisection splits the
+ * tetrahedra that are still too large.
  */
 class MeshRefinement
 {
 public:
-  /// Solves \a problem within the bounds. If TetGen fails, refines \a mesh, or if that is empty, a
-  /// mesh within weaker bounds. Returns an error if there is no mesh or the time is up. A canceled
-  /// run has no error.
+  /// Solves \a problem within the bounds, or within weaker bounds if TetGen fails, and refines the
+  /// result. If TetGen fails again, refines \a mesh instead. Returns an error if \a mesh is then
+  /// empty or if the time limit is exceeded. A canceled run returns no error.
   static Error Execute(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh);
 };
 

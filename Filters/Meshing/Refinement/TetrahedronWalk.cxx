@@ -12,7 +12,7 @@ namespace interlume
 
 namespace
 {
-/// A barycentric coordinate of this much below 0 is rounding.
+/// A point is inside if no barycentric coordinate is below the negative of this value.
 constexpr double Rounding = 1e-12;
 }
 
@@ -29,13 +29,13 @@ std::array<double, 4> TetrahedronWalk::GetWeights(int tetrahedron, const double*
   {
     x[i] = &this->Mesh.Points[3 * this->Mesh.Tetrahedra[4 * tetrahedron + i]];
   }
-  const double whole = SixVolumes(x[0], x[1], x[2], x[3]);
+  const double fullVolume = SixVolumes(x[0], x[1], x[2], x[3]);
   std::array<double, 4> weights;
   for (int i = 0; i < 4; ++i)
   {
     std::array<const double*, 4> part = x;
     part[i] = point;
-    weights[i] = SixVolumes(part[0], part[1], part[2], part[3]) / whole;
+    weights[i] = SixVolumes(part[0], part[1], part[2], part[3]) / fullVolume;
   }
   return weights;
 }
@@ -43,7 +43,7 @@ std::array<double, 4> TetrahedronWalk::GetWeights(int tetrahedron, const double*
 int TetrahedronWalk::Find(const double* point, std::array<double, 4>& weights)
 {
   int current = this->Last;
-  // A walk that is this long goes round in a circle, by rounding in flat tetrahedra.
+  // Rounding errors in degenerate tetrahedra can make the walk cycle, so limit its length.
   for (int step = 0; step < this->Mesh.GetNumberOfTetrahedra(); ++step)
   {
     weights = this->GetWeights(current, point);

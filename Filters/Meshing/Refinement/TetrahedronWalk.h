@@ -11,18 +11,19 @@ struct TetGenSolution;
 
 /**
  * @class   TetrahedronWalk
- * @brief   finds the tetrahedron of a Delaunay mesh that a point lies in
+ * @brief   finds the tetrahedron of a Delaunay mesh that contains a point
  *
- * It walks from the tetrahedron found last through the face that the point lies farthest beyond.
+ * It walks from the last result to neighbors, each time through the face opposite the corner with
+ * the most negative barycentric coordinate.
  */
 class TetrahedronWalk
 {
 public:
-  /// Takes a mesh, which has neighbours and must outlive this object.
+  /// Sets the mesh, which must have neighbors and outlive this object.
   explicit TetrahedronWalk(const TetGenSolution& mesh);
 
-  /// Finds the tetrahedron of \a point, and its barycentric coordinates there. A point outside gets
-  /// the tetrahedron nearest to having it.
+  /// Finds the tetrahedron that contains \a point and its barycentric coordinates \a weights. For a
+  /// point outside the mesh, returns the tetrahedron with the largest minimum weight.
   int Find(const double* point, std::array<double, 4>& weights);
 
 private:

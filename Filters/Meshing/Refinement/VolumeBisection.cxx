@@ -50,7 +50,7 @@ void VolumeBisection::Execute(int maximumNumberOfPoints)
     this->TrianglesOf[this->Mesh.Triangles[i]].push_back(static_cast<int>(i / 3));
   }
   while (!stack.empty() && this->Mesh.GetNumberOfPoints() < maximumNumberOfPoints &&
-    !this->Job.IsCancelled())
+    !this->Job.IsCanceled())
   {
     const int t = stack.back();
     if (!this->IsTooLarge(t))
@@ -156,7 +156,8 @@ std::vector<int> VolumeBisection::FindAround(const Edge& edge) const
 std::vector<int> VolumeBisection::Split(const Edge& edge, int tetrahedron)
 {
   const bool isEdge = edge[0] >= 0;
-  const std::vector<int> whole = isEdge ? this->FindAround(edge) : std::vector<int>{ tetrahedron };
+  const std::vector<int> oldTetrahedra =
+    isEdge ? this->FindAround(edge) : std::vector<int>{ tetrahedron };
   const int* p = &this->Mesh.Tetrahedra[4 * tetrahedron];
   const std::vector<int> ends =
     isEdge ? std::vector<int>(edge.begin(), edge.end()) : std::vector<int>(p, p + 4);
@@ -167,7 +168,7 @@ std::vector<int> VolumeBisection::Split(const Edge& edge, int tetrahedron)
   }
   const int added = this->Mesh.GetNumberOfPoints();
   std::vector<Corners> parts;
-  for (int t : whole)
+  for (int t : oldTetrahedra)
   {
     for (int end : ends)
     {
@@ -190,7 +191,7 @@ std::vector<int> VolumeBisection::Split(const Edge& edge, int tetrahedron)
     this->Mesh.Points.end(), glm::value_ptr(point), glm::value_ptr(point) + 3);
   this->TetrahedraOf.emplace_back();
   this->TrianglesOf.emplace_back();
-  for (int t : whole)
+  for (int t : oldTetrahedra)
   {
     for (int i = 0; i < 4; ++i)
     {
@@ -198,8 +199,8 @@ std::vector<int> VolumeBisection::Split(const Edge& edge, int tetrahedron)
       list.erase(std::find(list.begin(), list.end(), t));
     }
   }
-  // The first parts take the places of the whole ones.
-  std::vector<int> changed = whole;
+  // The first new tetrahedra replace the split ones; the others are appended.
+  std::vector<int> changed = oldTetrahedra;
   while (changed.size() < parts.size())
   {
     changed.push_back(this->Mesh.GetNumberOfTetrahedra());
@@ -252,7 +253,7 @@ void VolumeBisection::ConnectNeighbors()
   struct Face
   {
     std::array<int, 3> Points;
-    int Index; ///< four times the tetrahedron, plus the corner opposite
+    int Index; ///< four times the tetrahedron plus the opposite corner
   };
   std::vector<Face> faces;
   const int number = static_cast<int>(this->Mesh.Tetrahedra.size());

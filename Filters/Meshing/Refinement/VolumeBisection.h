@@ -13,45 +13,47 @@ struct TetGenSolution;
 
 /**
  * @class   VolumeBisection
- * @brief   splits tetrahedra that are larger than the volume bound
+ * @brief   splits tetrahedra that exceed the volume bound
  *
- * An edge is split with all tetrahedra around it when it is the longest one of each: from the
- * longest edge of the tetrahedron that is too large, the search continues with a longer edge
- * around it (M.-C. Rivara, "New longest-edge algorithms for the refinement and/or improvement of
- * unstructured triangulations", International Journal for Numerical Methods in Engineering 40,
- * 1997). So shapes get worse by a bounded factor. Where the boundary is preserved and a tetrahedron
- * has no other edge, it is split at its center.
+ * It bisects edges together with all tetrahedra around them. The search starts at the longest edge
+ * of a tetrahedron that is too large. It moves to longer edges of adjacent tetrahedra until an edge
+ * is the longest of all tetrahedra around it (M.-C. Rivara, "New longest-edge algorithms for the
+ * refinement and/or improvement of unstructured triangulations", International Journal for
+ * Numerical Methods in Engineering 40, 1997). Therefore shapes degrade only by a bounded factor. If
+ * the boundary is preserved and all edges of a tetrahedron are on it, the tetrahedron is split at
+ * its centroid.
  */
 class VolumeBisection
 {
 public:
   VolumeBisection(const MeshingJob& job, TetGenSolution& mesh);
 
-  /// Splits until the bound holds, or the mesh has \a maximumNumberOfPoints.
+  /// Splits tetrahedra until the bound is met or the mesh has \a maximumNumberOfPoints.
   void Execute(int maximumNumberOfPoints);
 
 private:
-  using Edge = std::array<int, 2>; ///< points in ascending order; { -1, -1 } is no edge
+  using Edge = std::array<int, 2>; ///< point indices in ascending order; { -1, -1 } for no edge
 
   bool IsTooLarge(int tetrahedron) const;
   bool IsFixed(const Edge& edge) const;
-  /// Returns whether \a edge is shorter than \a other. Points decide between edges of one length.
+  /// Returns whether \a edge is shorter than \a other. Point indices break ties.
   bool IsShorter(const Edge& edge, const Edge& other) const;
   Edge FindLongest(int tetrahedron) const;
-  /// Returns the first edge on the path to longer ones that no tetrahedron around it exceeds.
+  /// Follows longer edges from the longest edge of \a tetrahedron, and returns the first edge that
+  /// is the longest edge of all tetrahedra around it.
   Edge FindTerminal(int tetrahedron) const;
   std::vector<int> FindAround(const Edge& edge) const;
-  /// Splits an edge, or a tetrahedron if there is none. Returns the tetrahedra that changed, none
-  /// if rounding would leave one without volume.
+  /// Splits an edge, or a tetrahedron if \a edge is { -1, -1 }. Returns the changed tetrahedra, or
+  /// an empty list if rounding error would create a tetrahedron without volume.
   std::vector<int> Split(const Edge& edge, int tetrahedron);
-  /// Splits the triangles on facets that have an edge at \a point.
+  /// Splits the facet triangles that share \a edge at \a point.
   void SplitTriangles(const Edge& edge, int point);
   void ConnectNeighbors();
 
   const MeshingJob& Job;
   TetGenSolution& Mesh;
-  std::vector<std::vector<int>> TetrahedraOf; ///< of each point
-  std::vector<std::vector<int>> TrianglesOf;  ///< of each point
+  std::vector<std::vector<int>> TetrahedraOf; ///< tetrahedra around each point
+  std::vector<std::vector<int>> TrianglesOf;  ///< facet triangles around each point
 };
 
 }

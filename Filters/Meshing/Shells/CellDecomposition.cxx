@@ -18,10 +18,10 @@ namespace
 using TetrahedronMath::PolarSine;
 using Vectors::Difference;
 
-/// The shapes below which a tetrahedron is taken for flat, or for nearly so.
-constexpr double Flat = 1e-12;
-constexpr double NearlyFlat = 1e-8;
-/// The number of steps of the search for a place inside.
+/// Polar sines below which a tetrahedron is degenerate or nearly degenerate.
+constexpr double DegenerateShape = 1e-12;
+constexpr double NearlyDegenerateShape = 1e-8;
+/// Number of steps of the search for an inside point.
 constexpr int CenterSteps = 1000;
 }
 
@@ -32,7 +32,7 @@ CellDecomposition::CellDecomposition(const CellShell& shell)
 
 Error CellDecomposition::Execute(MeshingJob& job)
 {
-  if (this->Shell.Triangles.empty() || this->TakeFromPoint())
+  if (this->Shell.Triangles.empty() || this->DecomposeFromPoint())
   {
     return {};
   }
@@ -40,8 +40,8 @@ Error CellDecomposition::Execute(MeshingJob& job)
   {
     return "it has no volume";
   }
-  const Error error = this->TakeFromTetGen(job);
-  if (job.IsCancelled())
+  const Error error = this->DecomposeWithTetGen(job);
+  if (job.IsCanceled())
   {
     this->Tetrahedra.clear();
     return {};
@@ -51,15 +51,15 @@ Error CellDecomposition::Execute(MeshingJob& job)
     ++job.Report.CellsByTetGen;
     return error;
   }
-  if (this->TakeFromCenter())
+  if (this->DecomposeFromCenter())
   {
     ++job.Report.CellsConed;
     return {};
   }
-  return error.Within("", ", and no point inside sees all its faces");
+  return error.Within("", ", and no inside point sees all faces");
 }
 
-bool CellDecomposition::TakeFromPoint()
+bool CellDecomposition::DecomposeFromPoint()
 {
   const int points = static_cast<int>(this->Shell.PointIds.size());
   for (int apex = 0; apex < points; ++apex)
@@ -86,10 +86,11 @@ bool CellDecomposition::TakeFromPoint()
         continue;
       }
       const auto& p = triangle.Points;
-      // A face of the apex has to be a fan from it: the rest would be flat.
+      // A face at the apex must be a fan around it: otherwise its other triangles give degenerate
+      // tetrahedra.
       isGood = isGood && std::find(faces.begin(), faces.end(), triangle.Face) == faces.end() &&
         PolarSine(this->Shell.GetPoint(apex), this->Shell.GetPoint(p[0]),
-          this->Shell.GetPoint(p[1]), this->Shell.GetPoint(p[2])) > Flat;
+          this->Shell.GetPoint(p[1]), this->Shell.GetPoint(p[2])) > DegenerateShape;
       this->Tetrahedra.push_back({ { apex, p[0], p[1], p[2] } });
     }
     if (isGood && !this->Tetrahedra.empty())
@@ -122,9 +123,9 @@ bool CellDecomposition::HasShell(const TetGenSolution& solution) const
   return outside == expected;
 }
 
-Error CellDecomposition::TakeFromTetGen(MeshingJob& job)
+Error CellDecomposition::DecomposeWithTetGen(MeshingJob& job)
 {
-  const Error misfit("TetGen's tetrahedra do not fit it", ErrorCode::Process);
+  const Error mismatch("TetGen's tetrahedra do not match its faces", ErrorCode::Process);
   TetGenProblem problem;
   problem.Switches = "pYMJnQ";
   problem.Points = this->Shell.Points;
@@ -138,53 +139,53 @@ Error CellDecomposition::TakeFromTetGen(MeshingJob& job)
   Error error = job.Solve(problem, solution);
   if (error || !this->HasShell(solution))
   {
-    return error ? error : misfit;
+    return error ? error : mismatch;
   }
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < solution.Tetrahedra.size(); i += 4)
   {
     const int* t = &solution.Tetrahedra[i];
     this->Tetrahedra.push_back({ { t[0], t[1], t[2], t[3] } });
-    least = std::min(least,
+    minimum = std::min(minimum,
       PolarSine(&solution.Points[3 * t[0]], &solution.Points[3 * t[1]], &solution.Points[3 * t[2]],
         &solution.Points[3 * t[3]]));
   }
   glm::dvec3 center;
-  if (least < NearlyFlat && this->FindCenter(center) &&
-    this->GetLeastShape(glm::value_ptr(center)) > least)
+  if (minimum < NearlyDegenerateShape && this->FindCenter(center) &&
+    this->GetMinimumShape(glm::value_ptr(center)) > minimum)
   {
     this->Tetrahedra.clear();
-    return misfit;
+    return mismatch;
   }
   this->NewPoints.assign(
     solution.Points.begin() + static_cast<std::ptrdiff_t>(problem.Points.size()),
     solution.Points.end());
-  if (!(least > 0.0))
+  if (!(minimum > 0.0))
   {
     this->Tetrahedra.clear();
     this->NewPoints.clear();
-    return misfit;
+    return mismatch;
   }
   return {};
 }
 
-double CellDecomposition::GetLeastShape(const double* apex) const
+double CellDecomposition::GetMinimumShape(const double* apex) const
 {
-  double least = std::numeric_limits<double>::infinity();
+  double minimum = std::numeric_limits<double>::infinity();
   for (const auto& triangle : this->Shell.Triangles)
   {
     const auto& p = triangle.Points;
-    least = std::min(least,
+    minimum = std::min(minimum,
       PolarSine(
         apex, this->Shell.GetPoint(p[0]), this->Shell.GetPoint(p[1]), this->Shell.GetPoint(p[2])));
   }
-  return least;
+  return minimum;
 }
 
 bool CellDecomposition::FindCenter(glm::dvec3& center) const
 {
-  // The place moves from the mean of the points, away from the triangle that lies nearest or
-  // farthest on the wrong side, by ever smaller steps: S. Agmon, "The relaxation method for linear
+  // Start at the mean of the points. Move away from the nearest triangle, or the farthest triangle
+  // seen from outside, in decreasing steps: S. Agmon, "The relaxation method for linear
   // inequalities", Canadian Journal of Mathematics 6, 1954.
   const auto number = static_cast<double>(this->Shell.PointIds.size());
   center = glm::dvec3(0.0);
@@ -194,7 +195,7 @@ bool CellDecomposition::FindCenter(glm::dvec3& center) const
   }
   double step = 0.1 * std::cbrt(this->Shell.Volume);
   glm::dvec3 best = center;
-  double bestShape = this->GetLeastShape(glm::value_ptr(center));
+  double bestShape = this->GetMinimumShape(glm::value_ptr(center));
   for (int i = 0; i < CenterSteps; ++i)
   {
     double nearest = std::numeric_limits<double>::infinity();
@@ -215,7 +216,7 @@ bool CellDecomposition::FindCenter(glm::dvec3& center) const
     const double move = nearest < 0.0 ? step - nearest : step;
     center += move * inward;
     step *= 0.98;
-    const double shape = this->GetLeastShape(glm::value_ptr(center));
+    const double shape = this->GetMinimumShape(glm::value_ptr(center));
     if (shape > bestShape)
     {
       bestShape = shape;
@@ -226,7 +227,7 @@ bool CellDecomposition::FindCenter(glm::dvec3& center) const
   return bestShape > 0.0;
 }
 
-bool CellDecomposition::TakeFromCenter()
+bool CellDecomposition::DecomposeFromCenter()
 {
   glm::dvec3 center;
   if (!this->FindCenter(center))

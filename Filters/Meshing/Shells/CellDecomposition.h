@@ -17,36 +17,36 @@ struct TetGenSolution;
 
 /**
  * @class   CellDecomposition
- * @brief   the tetrahedra of one cell, with just the triangles of its shell outside
+ * @brief   decomposes one cell into tetrahedra that preserve the triangles of its shell
  *
- * It is the first of these that gives tetrahedra of positive volume: 1. the tetrahedra from one of
- * its points to all triangles that do not touch it, as for every
- *    convex cell: no new point;
- * 2. TetGen, with the boundary preserved: new points inside where it needs some;
- * 3. the tetrahedra from a new point that sees every triangle from within.
- * Where TetGen's are flat to rounding, the third comes before the second.
+ * The first method that gives tetrahedra of positive volume is used:
+ * 1. tetrahedra from a point of the cell to all triangles that do not contain the point. This
+ *    succeeds for convex cells and adds no point.
+ * 2. TetGen with preserved boundary, which may add points inside.
+ * 3. tetrahedra from a new point that sees all triangles from inside.
+ * If TetGen's tetrahedra are nearly degenerate, method 3 is used if it gives better ones.
  */
 class CellDecomposition
 {
 public:
   explicit CellDecomposition(const CellShell& shell);
 
-  /// Decomposes the cell. A canceled run has no error and no tetrahedra.
+  /// Decomposes the cell. A canceled run returns no error and no tetrahedra.
   Error Execute(MeshingJob& job);
 
-  /// The corners as indices of points: the shell's, then the new ones.
+  /// Point indices of each tetrahedron: first the points of the shell, then NewPoints.
   std::vector<std::array<int, 4>> Tetrahedra;
-  std::vector<double> NewPoints; ///< three a point
+  std::vector<double> NewPoints; ///< three per point
 
 private:
-  bool TakeFromPoint();
+  bool DecomposeFromPoint();
   /// Returns an error if TetGen's tetrahedra cannot be used.
-  Error TakeFromTetGen(MeshingJob& job);
-  bool TakeFromCenter();
+  Error DecomposeWithTetGen(MeshingJob& job);
+  bool DecomposeFromCenter();
   bool FindCenter(glm::dvec3& center) const;
   bool HasShell(const TetGenSolution& solution) const;
-  /// Returns the least sine of a solid angle among the tetrahedra from a place to all triangles.
-  double GetLeastShape(const double* apex) const;
+  /// Returns the minimum polar sine of the tetrahedra from \a apex to all triangles.
+  double GetMinimumShape(const double* apex) const;
 
   const CellShell& Shell;
 };

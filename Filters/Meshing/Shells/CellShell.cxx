@@ -90,7 +90,7 @@ Error CellShell::Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation
     {
       if (point < 0 || point >= input->GetNumberOfPoints())
       {
-        return "it has point " + std::to_string(point) + ", which is not there";
+        return "it uses point " + std::to_string(point) + ", which does not exist";
       }
       glm::dvec3 x;
       input->GetPoint(point, glm::value_ptr(x));
@@ -101,7 +101,7 @@ Error CellShell::Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation
     }
     if (!triangulation.Triangulate(faces[f], triangles))
     {
-      return "its face " + std::to_string(f) + " meets itself or has no area";
+      return "its face " + std::to_string(f) + " intersects itself or has no area";
     }
     faceOf.resize(triangles.size(), static_cast<int>(f));
   }
@@ -171,45 +171,45 @@ Error CellShell::Orient()
         std::to_string(edge.second.size()) + " triangles of its faces, not to 2";
     }
   }
-  // Triangles are turned from one over edges to the others, each against the one before.
-  std::vector<bool> isMet(this->Triangles.size(), false);
+  // Flip triangles so that each is consistent with its predecessor.
+  std::vector<bool> isVisited(this->Triangles.size(), false);
   std::vector<std::size_t> stack;
-  std::size_t met = 0;
+  std::size_t numberOfVisited = 0;
   if (!this->Triangles.empty())
   {
-    isMet[0] = true;
+    isVisited[0] = true;
     stack.push_back(0);
   }
   while (!stack.empty())
   {
     const std::size_t t = stack.back();
     stack.pop_back();
-    ++met;
+    ++numberOfVisited;
     for (int i = 0; i < 3; ++i)
     {
       const Edge edge = edgeOf(t, i);
       const auto& both = triangles[key(edge)];
       const std::size_t other = both[0] == t ? both[1] : both[0];
-      const bool isTurned =
+      const bool isInconsistent =
         edgeOf(other, 0) == edge || edgeOf(other, 1) == edge || edgeOf(other, 2) == edge;
-      if (isTurned && isMet[other])
+      if (isInconsistent && isVisited[other])
       {
-        return "its faces have one side only";
+        return "its faces form a one-sided surface";
       }
-      if (isTurned)
+      if (isInconsistent)
       {
         std::swap(this->Triangles[other].Points[1], this->Triangles[other].Points[2]);
       }
-      if (!isMet[other])
+      if (!isVisited[other])
       {
-        isMet[other] = true;
+        isVisited[other] = true;
         stack.push_back(other);
       }
     }
   }
-  if (met != this->Triangles.size())
+  if (numberOfVisited != this->Triangles.size())
   {
-    return "its faces are in parts that do not touch along edges";
+    return "its faces form several parts that share no edge";
   }
   this->Volume = this->MeasureVolume();
   if (this->Volume < 0.0)

@@ -19,10 +19,11 @@ class FaceTriangulation;
 
 /**
  * @class   CellShell
- * @brief   the triangles around one cell of three dimensions
+ * @brief   boundary triangles of one three-dimensional cell
  *
- * Two equal triangles of a collapsed cell cancel. The others are closed, each edge belongs to two
- * of them, and they are oriented so that the volume within is positive.
+ * Pairs of equal triangles of a collapsed cell cancel. The remaining triangles form a closed
+ * surface: each edge belongs to two of them. They are oriented so that the enclosed volume is
+ * positive.
  */
 class CellShell
 {
@@ -30,18 +31,18 @@ public:
   struct Triangle
   {
     std::array<int, 3> Points; ///< indices into PointIds
-    int Face;                  ///< the face of the cell it is a part of
+    int Face;                  ///< face of the cell that contains the triangle
   };
 
-  /// Returns whether cells of a type are taken: linear and of three dimensions.
+  /// Returns whether a cell type is supported: linear and three-dimensional.
   static bool IsSupported(int type);
 
-  /// Takes a cell, or returns an error. A cell that collapses entirely has no triangles and no
+  /// Reads a cell or returns an error. A cell that collapses entirely has no triangles and no
   /// error.
   Error Take(vtkDataSet* input, vtkIdType cell, const FaceTriangulation& triangulation);
 
-  std::vector<vtkIdType> PointIds; ///< ascending in the grid's order of points
-  std::vector<double> Points;      ///< three a point
+  std::vector<vtkIdType> PointIds; ///< in the order of FaceTriangulation
+  std::vector<double> Points;      ///< three per point
   std::vector<Triangle> Triangles;
   double Volume = 0.0;
 

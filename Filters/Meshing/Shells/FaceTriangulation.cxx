@@ -11,29 +11,29 @@ namespace interlume
 
 namespace
 {
-using Flat = std::array<double, 2>;
+using PlanarPoint = std::array<double, 2>;
 
 /// Returns twice the signed area of a triangle in the plane.
-double Area(const Flat& a, const Flat& b, const Flat& c)
+double Area(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c)
 {
   return (b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1]);
 }
 
-double SquaredLength(const Flat& a, const Flat& b)
+double SquaredLength(const PlanarPoint& a, const PlanarPoint& b)
 {
   return (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
 }
 
-/// The area of a triangle, in parts of its longest edge squared, below which it is rounding.
+/// Area relative to the squared longest edge, below which it counts as rounding error.
 constexpr double Flatness = 1e-12;
-/// The fan is taken where its worst triangle is at least this part of the best worst one.
+/// The fan is used if the shape of its worst triangle is at least this fraction of the best
+/// possible value.
 constexpr double FanTolerance = 0.1;
-/// Larger polygons are cut by ears, which takes less time.
-constexpr std::size_t MostPointsForBest = 128;
+/// Polygons with more points are split by ear cutting, which is faster.
+constexpr std::size_t MaximumPointsForOptimum = 128;
 
-/// Returns the shape of a triangle: 0 for no area, the larger the better shaped; negative when
-/// inverted.
-double Shape(const Flat& a, const Flat& b, const Flat& c)
+/// Returns the shape of a triangle: larger is better, 0 for no area, negative if inverted.
+double Shape(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c)
 {
   const double longest =
     std::max({ SquaredLength(a, b), SquaredLength(b, c), SquaredLength(c, a) });
@@ -41,13 +41,14 @@ double Shape(const Flat& a, const Flat& b, const Flat& c)
   return std::abs(shape) > Flatness ? shape : 0.0;
 }
 
-/// Returns the points without the coordinate along which the polygon is widest, counterclockwise.
-std::vector<Flat> Project(const std::vector<glm::dvec3>& points)
+/// Projects the points along the coordinate axis closest to the polygon's normal. The result is
+/// counterclockwise.
+std::vector<PlanarPoint> Project(const std::vector<glm::dvec3>& points)
 {
   glm::dvec3 normal(0.0);
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    // Points are relative to one of them, so that a place far from the origin costs no digits.
+    // Relative coordinates avoid cancellation far from the origin.
     normal += glm::cross(points[i] - points[0], points[(i + 1) % points.size()] - points[0]);
   }
   int main = 0;
@@ -61,37 +62,37 @@ std::vector<Flat> Project(const std::vector<glm::dvec3>& points)
   {
     std::swap(u, v);
   }
-  std::vector<Flat> flat;
-  flat.reserve(points.size());
+  std::vector<PlanarPoint> projected;
+  projected.reserve(points.size());
   for (const auto& point : points)
   {
-    flat.push_back({ { point[u], point[v] } });
+    projected.push_back({ { point[u], point[v] } });
   }
-  return flat;
+  return projected;
 }
 
 using Corners = std::array<std::size_t, 3>;
 
-/// Returns the least shape of the triangles of the fan from the first point.
-double GetFanShape(const std::vector<Flat>& flat)
+/// Returns the minimum shape of the triangles of the fan from the first point.
+double GetFanShape(const std::vector<PlanarPoint>& projected)
 {
-  double least = 1.0;
-  for (std::size_t i = 1; i + 1 < flat.size(); ++i)
+  double minimum = 1.0;
+  for (std::size_t i = 1; i + 1 < projected.size(); ++i)
   {
-    least = std::min(least, Shape(flat[0], flat[i], flat[i + 1]));
+    minimum = std::min(minimum, Shape(projected[0], projected[i], projected[i + 1]));
   }
-  return least;
+  return minimum;
 }
 
 /**
- * Finds the triangulation whose least shape is largest, by dynamic programming over the parts of
- * the polygon between two of its points (G. T. Klincsek, "Minimal triangulations of polygonal
- * domains", Annals of Discrete Mathematics 9, 1980). Triangles that are all positive cover a simple
- * polygon once, so no diagonal has to be looked at. Returns the least shape.
+ * Finds the triangulation with the largest minimum shape, by dynamic programming over sections of
+ * the polygon between two points (G. T. Klincsek, "Minimal triangulations of polygonal domains",
+ * Annals of Discrete Mathematics 9, 1980). Triangles that all have positive area cover a simple
+ * polygon once, so diagonals need no check. Returns the minimum shape.
  */
-double FindBest(const std::vector<Flat>& flat, std::vector<Corners>& triangles)
+double FindBest(const std::vector<PlanarPoint>& projected, std::vector<Corners>& triangles)
 {
-  const std::size_t n = flat.size();
+  const std::size_t n = projected.size();
   struct Part
   {
     double Shape = 1.0;
@@ -107,8 +108,8 @@ double FindBest(const std::vector<Flat>& flat, std::vector<Corners>& triangles)
       part.Shape = -1.0;
       for (std::size_t k = i + 1; k < j; ++k)
       {
-        const double shape = std::min(
-          { parts[i * n + k].Shape, parts[k * n + j].Shape, Shape(flat[i], flat[k], flat[j]) });
+        const double shape = std::min({ parts[i * n + k].Shape, parts[k * n + j].Shape,
+          Shape(projected[i], projected[k], projected[j]) });
         if (shape > part.Shape)
         {
           part = { shape, k };
@@ -132,11 +133,11 @@ double FindBest(const std::vector<Flat>& flat, std::vector<Corners>& triangles)
   return parts[n - 1].Shape;
 }
 
-/// Cuts one ear after another, the best-shaped first. Returns the least shape.
-double CutEars(const std::vector<Flat>& flat, std::vector<Corners>& ears)
+/// Cuts off ears, the best shape first. Returns the minimum shape.
+double CutEars(const std::vector<PlanarPoint>& projected, std::vector<Corners>& ears)
 {
-  double least = 1.0;
-  std::vector<std::size_t> ring(flat.size());
+  double minimum = 1.0;
+  std::vector<std::size_t> ring(projected.size());
   for (std::size_t i = 0; i < ring.size(); ++i)
   {
     ring[i] = i;
@@ -150,13 +151,15 @@ double CutEars(const std::vector<Flat>& flat, std::vector<Corners>& ears)
       const std::size_t a = ring[(i + ring.size() - 1) % ring.size()];
       const std::size_t b = ring[i];
       const std::size_t c = ring[(i + 1) % ring.size()];
-      const double shape = Shape(flat[a], flat[b], flat[c]);
+      const double shape = Shape(projected[a], projected[b], projected[c]);
       const bool isEar = shape > bestShape &&
         std::none_of(ring.begin(), ring.end(),
           [&](std::size_t p)
           {
-            return p != a && p != b && p != c && Shape(flat[a], flat[b], flat[p]) >= 0.0 &&
-              Shape(flat[b], flat[c], flat[p]) >= 0.0 && Shape(flat[c], flat[a], flat[p]) >= 0.0;
+            return p != a && p != b && p != c &&
+              Shape(projected[a], projected[b], projected[p]) >= 0.0 &&
+              Shape(projected[b], projected[c], projected[p]) >= 0.0 &&
+              Shape(projected[c], projected[a], projected[p]) >= 0.0;
           });
       if (isEar)
       {
@@ -168,12 +171,12 @@ double CutEars(const std::vector<Flat>& flat, std::vector<Corners>& ears)
     {
       return 0.0;
     }
-    least = std::min(least, bestShape);
+    minimum = std::min(minimum, bestShape);
     ears.push_back({ { ring[(best + ring.size() - 1) % ring.size()], ring[best],
       ring[(best + 1) % ring.size()] } });
     ring.erase(ring.begin() + static_cast<std::ptrdiff_t>(best));
   }
-  return least;
+  return minimum;
 }
 }
 
@@ -195,7 +198,7 @@ bool FaceTriangulation::Triangulate(
   {
     return true;
   }
-  // The start and the direction are the same from either side.
+  // Choose the start and the direction independently of the cell.
   std::rotate(polygon.begin(), std::min_element(polygon.begin(), polygon.end(), this->IsBefore),
     polygon.end());
   const bool isReversed = this->IsBefore(polygon.back(), polygon[1]);
@@ -217,11 +220,11 @@ bool FaceTriangulation::Triangulate(
   {
     points.push_back(this->GetPoint(id));
   }
-  const std::vector<Flat> flat = Project(points);
+  const std::vector<PlanarPoint> projected = Project(points);
   std::vector<Corners> best;
-  const double shape =
-    flat.size() <= MostPointsForBest ? FindBest(flat, best) : CutEars(flat, best);
-  const double fanShape = GetFanShape(flat);
+  const double shape = projected.size() <= MaximumPointsForOptimum ? FindBest(projected, best)
+                                                                   : CutEars(projected, best);
+  const double fanShape = GetFanShape(projected);
   if (fanShape > 0.0 && fanShape >= FanTolerance * shape)
   {
     for (std::size_t i = 1; i + 1 < polygon.size(); ++i)

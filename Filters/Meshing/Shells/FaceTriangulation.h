@@ -15,16 +15,17 @@ namespace interlume
 
 /**
  * @class   FaceTriangulation
- * @brief   cuts a polygon into triangles, the same whichever cell asks
+ * @brief   splits a polygon into triangles, consistently for both cells of a face
  *
- * The triangles depend on the cyclic sequence of the points, their places and their order alone:
- * not on where the list starts, nor on its direction. So two cells agree on the face they share.
+ * The result depends only on the cyclic sequence of the points, their positions and a given strict
+ * order of points. It does not depend on the start or the direction of the list. Therefore both
+ * cells that share a face get the same triangles.
  *
- * All is measured in the projection along the polygon's main axis. The fan from the point of lowest
- * order is taken if its worst triangle is not much worse than it has to be; otherwise, as for
- * concave polygons and those with points on a line, the triangles whose worst one is best are
- * taken. (A needle between three points nearly on a line would, in a face that is not planar, stand
- * up against the next face.)
+ * Shapes are measured in the projection along the coordinate axis closest to the normal. The fan
+ * from the first point in the strict order is used if its worst triangle is nearly as good as
+ * possible. Otherwise, as for concave polygons and collinear points, the triangulation whose worst
+ * triangle is best is used. (In a non-planar face, a needle between three nearly collinear points
+ * could intersect the adjacent face.)
  */
 class FaceTriangulation
 {
@@ -32,14 +33,13 @@ public:
   using Triangle = std::array<vtkIdType, 3>;
   using Order = std::function<bool(vtkIdType, vtkIdType)>;
 
-  /// Takes functions: \a getPoint gives the place of a point, \a isBefore is the strict order of
-  /// the points.
+  /// Sets the function that returns the position of a point, and the strict order of the points.
   FaceTriangulation(std::function<glm::dvec3(vtkIdType)> getPoint, Order isBefore);
 
   /**
-   * Appends the triangles of \a polygon, oriented as it is. Repeated points next to each other
-   * count once, and what is left with fewer than three gives nothing. Returns false, with nothing
-   * appended, where the polygon meets itself or has no area.
+   * Appends the triangles of \a polygon with the same orientation. Consecutive equal points count
+   * once. A polygon with fewer than three points adds no triangle and returns true. Returns false
+   * without adding triangles if the polygon intersects itself or has no area.
    */
   bool Triangulate(std::vector<vtkIdType> polygon, std::vector<Triangle>& triangles) const;
 

@@ -23,7 +23,7 @@ namespace
 {
 using Polygon = std::vector<vtkIdType>;
 
-/// Returns the polygons of a cell of two dimensions; none for a cell of another kind.
+/// Returns the polygons of a two-dimensional cell, or an empty list for other cells.
 std::vector<Polygon> PolygonsOf(int type, vtkIdList* ids)
 {
   const Polygon points(ids->begin(), ids->end());
@@ -50,7 +50,7 @@ std::vector<Polygon> PolygonsOf(int type, vtkIdList* ids)
   }
 }
 
-/// The distance that rounding may account for, in units of rounding of the largest coordinate.
+/// Assumed rounding error of positions, in units of the largest coordinate's rounding error.
 constexpr double RoundingSteps = 8.0;
 
 double FindLargest(const std::vector<double>& coordinates)
@@ -63,7 +63,7 @@ double FindLargest(const std::vector<double>& coordinates)
   return largest;
 }
 
-/// Returns the distance that rounding of the input's coordinates may account for.
+/// Returns the distance that rounding of the input coordinates may cause.
 double FindRounding(vtkDataSet* input, const DistinctPoints& points)
 {
   vtkPointSet* set = vtkPointSet::SafeDownCast(input);
@@ -86,7 +86,7 @@ ClosedSurface::ClosedSurface(const DistinctPoints& points, const std::vector<int
   {
     this->Triangles.push_back({ { { triangles[i], triangles[i + 1], triangles[i + 2] } } });
   }
-  // Closed triangles have no error.
+  // The triangles form a closed surface, so there is no error.
   static_cast<void>(this->ConnectEdges());
 }
 
@@ -118,7 +118,7 @@ Error ClosedSurface::Take(vtkDataSet* input, bool splitContacts)
         if (point < 0 || point >= input->GetNumberOfPoints())
         {
           return "Cell " + std::to_string(cell) + " has point " + std::to_string(point) +
-            ", which is not there.";
+            ", which does not exist.";
         }
         isUsed[point] = true;
       }
@@ -128,7 +128,7 @@ Error ClosedSurface::Take(vtkDataSet* input, bool splitContacts)
   {
     return error;
   }
-  this->DropRepeated();
+  this->RemoveDuplicates();
   if (Error error = this->CheckAreas())
   {
     return error;
@@ -161,7 +161,7 @@ Error ClosedSurface::AddPolygons(vtkDataSet* input)
       triangles.clear();
       if (!triangulation.Triangulate(polygon, triangles))
       {
-        return "The polygon of cell " + std::to_string(cell) + " meets itself or has no area.";
+        return "The polygon of cell " + std::to_string(cell) + " intersects itself or has no area.";
       }
       for (const auto& triangle : triangles)
       {
@@ -175,58 +175,60 @@ Error ClosedSurface::AddPolygons(vtkDataSet* input)
       }
     }
   }
-  return this->Triangles.empty() ? "The surface has no triangle." : Error();
+  return this->Triangles.empty()
+    ? "The surface has no triangles: each polygon has fewer than three distinct points."
+    : Error();
 }
 
-void ClosedSurface::DropRepeated()
+void ClosedSurface::RemoveDuplicates()
 {
   std::map<std::array<int, 3>, std::size_t> first;
-  std::vector<Triangle> kept;
+  std::vector<Triangle> retained;
   for (const Triangle& triangle : this->Triangles)
   {
-    const auto found = first.emplace(Sorted(triangle.Points), kept.size());
+    const auto found = first.emplace(Sorted(triangle.Points), retained.size());
     if (found.second)
     {
-      kept.push_back(triangle);
+      retained.push_back(triangle);
       continue;
     }
-    Triangle& same = kept[found.first->second];
+    Triangle& same = retained[found.first->second];
     same.Layers += triangle.Layers;
     same.Cell = triangle.Cell;
   }
-  this->Triangles = std::move(kept);
+  this->Triangles = std::move(retained);
 }
 
 void ClosedSurface::MergePoints(const std::map<int, int>& merged)
 {
   const auto number = static_cast<int>(this->Points.SourceIds.size());
-  std::vector<int> now(number);
-  int kept = 0;
+  std::vector<int> newIds(number);
+  int retained = 0;
   for (int p = 0; p < number; ++p)
   {
     const auto found = merged.find(p);
-    now[p] = found == merged.end() ? kept : now[found->second];
+    newIds[p] = found == merged.end() ? retained : newIds[found->second];
     if (found == merged.end())
     {
-      this->Points.SourceIds[kept] = this->Points.SourceIds[p];
-      std::copy_n(&this->Points.Coordinates[3 * p], 3, &this->Points.Coordinates[3 * kept]);
-      ++kept;
+      this->Points.SourceIds[retained] = this->Points.SourceIds[p];
+      std::copy_n(&this->Points.Coordinates[3 * p], 3, &this->Points.Coordinates[3 * retained]);
+      ++retained;
     }
   }
-  this->Points.NumberOfMerged += number - kept;
-  this->Points.SourceIds.resize(kept);
-  this->Points.Coordinates.resize(3 * kept);
+  this->Points.NumberOfMerged += number - retained;
+  this->Points.SourceIds.resize(retained);
+  this->Points.Coordinates.resize(3 * retained);
   for (std::vector<Triangle>* list : { &this->Triangles, &this->InputTriangles })
   {
     for (Triangle& triangle : *list)
     {
       for (int& point : triangle.Points)
       {
-        point = now[point];
+        point = newIds[point];
       }
     }
   }
-  // Triangles that collapse have no area left.
+  // Triangles that collapse have no area.
   const auto hasCollapsed = [](const Triangle& triangle)
   {
     const std::array<int, 3>& p = triangle.Points;
@@ -235,7 +237,7 @@ void ClosedSurface::MergePoints(const std::map<int, int>& merged)
   this->Triangles.erase(
     std::remove_if(this->Triangles.begin(), this->Triangles.end(), hasCollapsed),
     this->Triangles.end());
-  this->DropRepeated();
+  this->RemoveDuplicates();
 }
 
 Error ClosedSurface::SplitContacts(double tolerance, bool splitContacts)
@@ -312,7 +314,7 @@ Error ClosedSurface::ConnectEdges()
   std::sort(edges.begin(), edges.end(),
     [](const Edge& a, const Edge& b)
     { return std::tie(a.From, a.To, a.Triangle) < std::tie(b.From, b.To, b.Triangle); });
-  // Triangles that were split within rounding are one plane still.
+  // Triangles that were split stay coplanar within rounding error.
   this->Flatness = 2.0 * RoundingSteps * FindLargest(this->Points.Coordinates) *
     std::numeric_limits<double>::epsilon();
   std::vector<std::vector<std::size_t>> neighbors(this->Triangles.size());
@@ -330,7 +332,7 @@ Error ClosedSurface::ConnectEdges()
       return "The surface is open: the edge from point " +
         std::to_string(this->Points.SourceIds[edges[i].From]) + " to point " +
         std::to_string(this->Points.SourceIds[edges[i].To]) + " belongs to cell " +
-        std::to_string(this->Triangles[edges[i].Triangle].Cell) + " alone.";
+        std::to_string(this->Triangles[edges[i].Triangle].Cell) + " only.";
     }
     if (next == i + 2)
     {
@@ -354,7 +356,7 @@ Error ClosedSurface::ConnectEdges()
       stack.pop_back();
       for (std::size_t other : neighbors[triangle])
       {
-        // All triangles are compared with the first, so that a gently curved surface is not one
+        // Compare with the first triangle so that a gently curved surface does not become one
         // plane.
         if (this->Triangles[other].Patch < 0 && this->AreCoplanar(first, other))
         {

@@ -16,11 +16,11 @@ namespace interlume
 
 /**
  * @class   ClosedSurface
- * @brief   the polygons of a dataset as a closed surface of triangles
+ * @brief   closed triangle surface from the polygons of a dataset
  *
- * Polygons are cut by FaceTriangulation. Points in the same place are one; triangles that
- * this collapses are left out, and of equal triangles one is kept. What remains is closed where no
- * edge belongs to one triangle alone; edges of more than two are walls between regions.
+ * FaceTriangulation splits the polygons. Coincident points are merged, and collapsed and duplicate
+ * triangles are removed. The surface is closed if each edge belongs to at least two triangles.
+ * Edges with more than two triangles bound walls between regions.
  */
 class ClosedSurface
 {
@@ -28,49 +28,49 @@ public:
   struct Triangle
   {
     std::array<int, 3> Points; ///< indices of distinct points
-    vtkIdType Cell = 0;        ///< the last input cell that has it
-    /// The number of input triangles that it is a part of: parts that touch share it.
+    vtkIdType Cell = 0;        ///< last input cell with the triangle
+    /// Number of input triangles that cover it. Parts that touch share it.
     int Layers = 1;
-    int Origin = -1; ///< the input triangle that it is a part of
-    /// Its planar patch, counted from 0: triangles of one plane, connected by edges that no other
-    /// triangle has.
+    int Origin = -1; ///< index of an input triangle that contains it
+    /// Index of its planar patch. A patch is a set of coplanar triangles connected by edges that
+    /// have no other triangles.
     int Patch = -1;
   };
 
   ClosedSurface() = default;
-  /// Takes closed triangles of \a points.
+  /// Creates a surface from \a triangles of \a points that already form a closed surface.
   ClosedSurface(const DistinctPoints& points, const std::vector<int>& triangles);
 
-  /// Takes the polygons, split at contacts if \a splitContacts. Returns an error that
-  /// names the cell or point.
+  /// Reads the polygons and splits them at contacts if \a splitContacts is true. Returns an error
+  /// that names the cell or point.
   Error Take(vtkDataSet* input, bool splitContacts);
-  /// Makes points one: each key of \a merged becomes its value. Drops triangles that collapse.
+  /// Merges points: replaces each key of \a merged by its value. Removes triangles that collapse.
   void MergePoints(const std::map<int, int>& merged);
 
-  /// Returns the problem to fill the surface. The triangles of a patch are one facet, or where the
-  /// boundary is preserved, each stays.
+  /// Returns the TetGen problem that fills the surface. Each patch is a facet, or each triangle if
+  /// the boundary is preserved.
   TetGenProblem MakeProblem(bool preserveBoundary) const;
 
   const double* GetPoint(int p) const { return &this->Points.Coordinates[3 * p]; }
-  /// Returns the normal of three points, as long as twice the area of their triangle.
+  /// Returns the normal of three points. Its length is twice the area of their triangle.
   glm::dvec3 GetNormal(const std::array<int, 3>& points) const;
 
   DistinctPoints Points;
   std::vector<Triangle> Triangles;
-  std::vector<Triangle> InputTriangles; ///< before splitting, with merged points
+  std::vector<Triangle> InputTriangles; ///< after merging points, before splitting
   vtkIdType NumberOfSplitTriangles = 0;
   int NumberOfPatches = 0;
 
 private:
   Error AddPolygons(vtkDataSet* input);
   Error CheckAreas() const;
-  void DropRepeated();
+  void RemoveDuplicates();
   Error SplitContacts(double tolerance, bool splitContacts);
-  /// Checks that every edge has two triangles, and finds the patches.
+  /// Checks that every edge has at least two triangles, and finds the patches.
   Error ConnectEdges();
   bool AreCoplanar(std::size_t triangle, std::size_t other) const;
 
-  /// The distance from a plane at which a point is still in it.
+  /// Distance up to which a point counts as lying in a plane.
   double Flatness = 0.0;
 };
 

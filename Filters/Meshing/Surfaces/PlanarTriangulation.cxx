@@ -13,7 +13,7 @@ namespace
 __extension__ typedef __int128 Wide;
 
 constexpr double Steps = 4503599627370496.0; // 2^52
-/// The frame's distance, in steps.
+/// Distance of the frame's corners from the origin along an axis, in grid steps.
 constexpr std::int64_t Frame = std::int64_t(1) << 54;
 
 int IndexOf(const std::array<int, 3>& list, int value)
@@ -31,24 +31,24 @@ PlanarTriangulation::PlanarTriangulation(
   const std::vector<Point>& points, const std::vector<Edge>& segments)
 {
   const int number = static_cast<int>(points.size());
-  Point least = points.front();
+  Point lower = points.front();
   double size = 0.0;
   for (const Point& x : points)
   {
-    least = { { std::min(least[0], x[0]), std::min(least[1], x[1]) } };
+    lower = { { std::min(lower[0], x[0]), std::min(lower[1], x[1]) } };
   }
   for (const Point& x : points)
   {
-    size = std::max({ size, x[0] - least[0], x[1] - least[1] });
+    size = std::max({ size, x[0] - lower[0], x[1] - lower[1] });
   }
   for (const Point& x : points)
   {
-    this->Places.push_back({ { std::llround((x[0] - least[0]) / size * Steps),
-      std::llround((x[1] - least[1]) / size * Steps) } });
+    this->Positions.push_back({ { std::llround((x[0] - lower[0]) / size * Steps),
+      std::llround((x[1] - lower[1]) / size * Steps) } });
   }
-  this->Places.push_back({ { -Frame, -Frame } });
-  this->Places.push_back({ { 2 * Frame, -Frame } });
-  this->Places.push_back({ { -Frame, 2 * Frame } });
+  this->Positions.push_back({ { -Frame, -Frame } });
+  this->Positions.push_back({ { 2 * Frame, -Frame } });
+  this->Positions.push_back({ { -Frame, 2 * Frame } });
   this->TriangleOf.assign(number + 3, 0);
   this->Triangles.push_back({ { { number, number + 1, number + 2 } }, { { -1, -1, -1 } } });
   for (int p = 0; p < number && this->Good; ++p)
@@ -64,9 +64,9 @@ PlanarTriangulation::PlanarTriangulation(
   }
 }
 
-int PlanarTriangulation::Turn(int a, int b, int c) const
+int PlanarTriangulation::Orientation(int a, int b, int c) const
 {
-  const auto& p = this->Places;
+  const auto& p = this->Positions;
   const Wide area =
     Wide(p[b][0] - p[a][0]) * (p[c][1] - p[a][1]) - Wide(p[c][0] - p[a][0]) * (p[b][1] - p[a][1]);
   return area > 0 ? 1 : area < 0 ? -1 : 0;
@@ -74,14 +74,15 @@ int PlanarTriangulation::Turn(int a, int b, int c) const
 
 bool PlanarTriangulation::IsInCircle(int a, int b, int c, int d) const
 {
-  // Not exact: a wrong flip costs shape alone. The margin keeps flips from going in a circle.
+  // The test need not be exact, since an unnecessary flip affects only the shape. The margin
+  // prevents flip cycles.
   std::array<std::array<long double, 3>, 3> rows;
   long double size = 0.0L;
   const std::array<int, 3> corners{ { a, b, c } };
   for (int i = 0; i < 3; ++i)
   {
-    const long double x = this->Places[corners[i]][0] - this->Places[d][0];
-    const long double y = this->Places[corners[i]][1] - this->Places[d][1];
+    const long double x = this->Positions[corners[i]][0] - this->Positions[d][0];
+    const long double y = this->Positions[corners[i]][1] - this->Positions[d][1];
     rows[i] = { { x, y, x * x + y * y } };
     size = std::max(size, rows[i][2]);
   }
@@ -108,9 +109,9 @@ int PlanarTriangulation::Locate(int point) const
     int next = t;
     for (int i = 0; i < 3 && next == t; ++i)
     {
-      // From another corner at each step, so that the walk does not go round in a circle.
+      // Start at another corner in each step so that the walk does not cycle.
       const int k = (i + static_cast<int>(step)) % 3;
-      if (this->Turn(triangle.Points[(k + 1) % 3], triangle.Points[(k + 2) % 3], point) < 0)
+      if (this->Orientation(triangle.Points[(k + 1) % 3], triangle.Points[(k + 2) % 3], point) < 0)
       {
         next = triangle.Neighbors[k];
       }
@@ -124,8 +125,8 @@ int PlanarTriangulation::Locate(int point) const
   for (std::size_t i = 0; i < this->Triangles.size(); ++i)
   {
     const auto& p = this->Triangles[i].Points;
-    if (this->Turn(p[0], p[1], point) >= 0 && this->Turn(p[1], p[2], point) >= 0 &&
-      this->Turn(p[2], p[0], point) >= 0)
+    if (this->Orientation(p[0], p[1], point) >= 0 && this->Orientation(p[1], p[2], point) >= 0 &&
+      this->Orientation(p[2], p[0], point) >= 0)
     {
       return static_cast<int>(i);
     }
@@ -141,34 +142,35 @@ void PlanarTriangulation::AddPoint(int point)
     this->Good = false;
     return;
   }
-  const Triangle whole = this->Triangles[t];
+  const Triangle oldTriangle = this->Triangles[t];
   int edge = -1;
   for (int i = 0; i < 3; ++i)
   {
-    if (this->Places[whole.Points[i]] == this->Places[point])
+    if (this->Positions[oldTriangle.Points[i]] == this->Positions[point])
     {
       this->Good = false;
       return;
     }
-    if (this->Turn(whole.Points[(i + 1) % 3], whole.Points[(i + 2) % 3], point) == 0)
+    if (this->Orientation(
+          oldTriangle.Points[(i + 1) % 3], oldTriangle.Points[(i + 2) % 3], point) == 0)
     {
       edge = i;
     }
   }
-  // Three triangles around the point. Where it lies on an edge, one is flat, and its edge is
-  // flipped.
+  // Connect the point to the three corners. If it is on an edge, one triangle is degenerate, and
+  // the edge is flipped.
   const int second = static_cast<int>(this->Triangles.size());
   const std::array<int, 3> parts{ { t, second, second + 1 } };
   this->Triangles.resize(this->Triangles.size() + 2);
   for (int i = 0; i < 3; ++i)
   {
-    const int a = whole.Points[(i + 1) % 3];
-    const int b = whole.Points[(i + 2) % 3];
+    const int a = oldTriangle.Points[(i + 1) % 3];
+    const int b = oldTriangle.Points[(i + 2) % 3];
     this->Triangles[parts[i]] = { { { point, a, b } },
-      { { whole.Neighbors[i], parts[(i + 1) % 3], parts[(i + 2) % 3] } } };
-    if (whole.Neighbors[i] >= 0 && parts[i] != t)
+      { { oldTriangle.Neighbors[i], parts[(i + 1) % 3], parts[(i + 2) % 3] } } };
+    if (oldTriangle.Neighbors[i] >= 0 && parts[i] != t)
     {
-      this->Replace(whole.Neighbors[i], t, parts[i]);
+      this->Replace(oldTriangle.Neighbors[i], t, parts[i]);
     }
     this->TriangleOf[a] = parts[i];
   }
@@ -193,14 +195,14 @@ void PlanarTriangulation::Flip(int t, int i)
   const int b = one.Points[(i + 1) % 3];
   const int c = one.Points[(i + 2) % 3];
   const int d = other.Points[j];
-  const int beyondAB = one.Neighbors[(i + 2) % 3];
-  const int beyondCA = one.Neighbors[(i + 1) % 3];
-  const int beyondBD = other.Neighbors[(j + 1) % 3];
-  const int beyondDC = other.Neighbors[(j + 2) % 3];
-  this->Triangles[t] = { { { a, b, d } }, { { beyondBD, u, beyondAB } } };
-  this->Triangles[u] = { { { a, d, c } }, { { beyondDC, beyondCA, t } } };
-  this->Replace(beyondBD, u, t);
-  this->Replace(beyondCA, t, u);
+  const int neighborAB = one.Neighbors[(i + 2) % 3];
+  const int neighborCA = one.Neighbors[(i + 1) % 3];
+  const int neighborBD = other.Neighbors[(j + 1) % 3];
+  const int neighborDC = other.Neighbors[(j + 2) % 3];
+  this->Triangles[t] = { { { a, b, d } }, { { neighborBD, u, neighborAB } } };
+  this->Triangles[u] = { { { a, d, c } }, { { neighborDC, neighborCA, t } } };
+  this->Replace(neighborBD, u, t);
+  this->Replace(neighborCA, t, u);
   this->TriangleOf[a] = t;
   this->TriangleOf[b] = t;
   this->TriangleOf[d] = t;
@@ -223,8 +225,8 @@ void PlanarTriangulation::Legalize(std::vector<int> changed, int point)
     const int d = this->Triangles[u].Points[IndexOf(this->Triangles[u].Neighbors, t)];
     const int b = triangle.Points[(i + 1) % 3];
     const int c = triangle.Points[(i + 2) % 3];
-    if (this->IsInCircle(point, b, c, d) && this->Turn(point, b, d) > 0 &&
-      this->Turn(point, d, c) > 0)
+    if (this->IsInCircle(point, b, c, d) && this->Orientation(point, b, d) > 0 &&
+      this->Orientation(point, d, c) > 0)
     {
       this->Flip(t, i);
       changed.push_back(t);
@@ -269,13 +271,14 @@ void PlanarTriangulation::AddSegment(const Edge& segment)
   int i = -1;
   if (!this->FindEdge(a, b, t, i))
   {
-    // The edges that cross the segment, from the triangle of its first end that it enters on.
+    // Collect the edges that cross the segment, starting at its first end.
     std::deque<Edge> crossing;
     for (int candidate : this->FindAround(a))
     {
       const auto& points = this->Triangles[candidate].Points;
       const int at = IndexOf(points, a);
-      if (this->Turn(a, b, points[(at + 1) % 3]) < 0 && this->Turn(a, b, points[(at + 2) % 3]) > 0)
+      if (this->Orientation(a, b, points[(at + 1) % 3]) < 0 &&
+        this->Orientation(a, b, points[(at + 2) % 3]) > 0)
       {
         t = candidate;
         i = at;
@@ -301,19 +304,19 @@ void PlanarTriangulation::AddSegment(const Edge& segment)
       {
         break;
       }
-      const int turn = this->Turn(a, b, apex);
-      this->Good = turn != 0;
-      // The next edge is the one between the apex and the end on the segment's other side.
+      const int orientation = this->Orientation(a, b, apex);
+      this->Good = orientation != 0;
+      // Continue with the edge between the apex and the end on the other side of the segment.
       t = u;
-      i = turn > 0 ? IndexOf(next.Points, edge[0] == right ? edge[1] : edge[0])
-                   : IndexOf(next.Points, right);
+      i = orientation > 0 ? IndexOf(next.Points, edge[0] == right ? edge[1] : edge[0])
+                          : IndexOf(next.Points, right);
     }
-    std::size_t patience = 10 * (crossing.size() + 10) * (crossing.size() + 10);
+    std::size_t attempts = 10 * (crossing.size() + 10) * (crossing.size() + 10);
     while (this->Good && !crossing.empty())
     {
       const Edge edge = crossing.front();
       crossing.pop_front();
-      this->Good = patience-- > 0 && this->FindEdge(edge[0], edge[1], t, i);
+      this->Good = attempts-- > 0 && this->FindEdge(edge[0], edge[1], t, i);
       if (!this->Good)
       {
         break;
@@ -321,13 +324,14 @@ void PlanarTriangulation::AddSegment(const Edge& segment)
       const int u = this->Triangles[t].Neighbors[i];
       const int c = this->Triangles[t].Points[i];
       const int d = this->Triangles[u].Points[IndexOf(this->Triangles[u].Neighbors, t)];
-      if (this->Turn(c, d, edge[0]) * this->Turn(c, d, edge[1]) >= 0)
+      if (this->Orientation(c, d, edge[0]) * this->Orientation(c, d, edge[1]) >= 0)
       {
         crossing.push_back(edge);
         continue;
       }
       this->Flip(t, i);
-      if (c != a && c != b && d != a && d != b && this->Turn(a, b, c) * this->Turn(a, b, d) < 0)
+      if (c != a && c != b && d != a && d != b &&
+        this->Orientation(a, b, c) * this->Orientation(a, b, d) < 0)
       {
         crossing.push_back(Sorted(c, d));
       }

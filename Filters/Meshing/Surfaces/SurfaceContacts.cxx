@@ -23,8 +23,8 @@ double Length(const glm::dvec3& v)
   return std::sqrt(glm::dot(v, v));
 }
 
-/// Returns the distance of \a x from the line from \a a to \a b, and where along it, from 0 to 1,
-/// the nearest place is.
+/// Returns the distance of \a x from the line from \a a to \a b. \a along is the line parameter of
+/// the nearest position, 0 at \a a and 1 at \a b.
 double DistanceFromLine(const double* x, const double* a, const double* b, double& along)
 {
   const glm::dvec3 line = Difference(b, a);
@@ -77,7 +77,7 @@ bool SurfaceContacts::Find()
   return this->FirstCells[0] != std::numeric_limits<vtkIdType>::max();
 }
 
-void SurfaceContacts::Note(int s, int t)
+void SurfaceContacts::RecordContact(int s, int t)
 {
   const auto cells = std::minmax(this->Surface.Triangles[s].Cell, this->Surface.Triangles[t].Cell);
   this->FirstCells =
@@ -86,9 +86,9 @@ void SurfaceContacts::Note(int s, int t)
 
 void SurfaceContacts::FindInPair(int s, int t)
 {
-  // The distances of the corners of each triangle from the plane of the other one.
+  // Distances of the corners of each triangle from the plane of the other triangle.
   std::array<std::array<double, 3>, 2> distances;
-  std::array<bool, 2> isFlat{ { true, true } };
+  std::array<bool, 2> isInPlane{ { true, true } };
   for (int side = 0; side < 2; ++side)
   {
     const int of = side == 0 ? s : t;
@@ -106,24 +106,24 @@ void SurfaceContacts::FindInPair(int s, int t)
       const bool isCommon = this->HasCorner(from, p);
       isAbove = isAbove && (isCommon || distance > this->Tolerance);
       isBelow = isBelow && (isCommon || distance < -this->Tolerance);
-      isFlat[side] = isFlat[side] && std::abs(distance) <= this->Tolerance;
+      isInPlane[side] = isInPlane[side] && std::abs(distance) <= this->Tolerance;
     }
     if (isAbove || isBelow)
     {
       return;
     }
   }
-  const bool isCoplanar = isFlat[0] && isFlat[1];
+  const bool isCoplanar = isInPlane[0] && isInPlane[1];
   if (isCoplanar && !this->DoOverlap(s, t))
   {
-    // They may touch in points and edges all the same.
+    // Coplanar triangles that do not overlap may still touch at points and edges.
     this->FindPoints(s, t, distances[0]);
     this->FindPoints(t, s, distances[1]);
     return;
   }
   if (isCoplanar)
   {
-    this->Note(s, t);
+    this->RecordContact(s, t);
     this->Parents[std::max(this->FindRoot(s), this->FindRoot(t))] =
       std::min(this->FindRoot(s), this->FindRoot(t));
   }
@@ -147,19 +147,19 @@ bool SurfaceContacts::DoOverlap(int s, int t) const
       const glm::dvec3 axis = glm::normalize(glm::cross(normal,
         Difference(
           this->GetPoint(this->GetCorner(of, i + 1)), this->GetPoint(this->GetCorner(of, i)))));
-      std::array<double, 2> least{ { HUGE_VAL, HUGE_VAL } };
-      std::array<double, 2> most{ { -HUGE_VAL, -HUGE_VAL } };
+      std::array<double, 2> lower{ { HUGE_VAL, HUGE_VAL } };
+      std::array<double, 2> upper{ { -HUGE_VAL, -HUGE_VAL } };
       for (int side = 0; side < 2; ++side)
       {
         for (int k = 0; k < 3; ++k)
         {
           const double along =
             glm::dot(axis, glm::make_vec3(this->GetPoint(this->GetCorner(side == 0 ? s : t, k))));
-          least[side] = std::min(least[side], along);
-          most[side] = std::max(most[side], along);
+          lower[side] = std::min(lower[side], along);
+          upper[side] = std::max(upper[side], along);
         }
       }
-      if (most[0] <= least[1] + this->Tolerance || most[1] <= least[0] + this->Tolerance)
+      if (upper[0] <= lower[1] + this->Tolerance || upper[1] <= lower[0] + this->Tolerance)
       {
         return false;
       }
@@ -180,8 +180,8 @@ void SurfaceContacts::FindPoints(int s, int t, const std::array<double, 3>& dist
     const double* x = this->GetPoint(p);
     const glm::dvec3 normal = this->GetNormal(t);
     bool isInside = true;
-    bool isNoted = false;
-    for (int k = 0; k < 3 && !isNoted; ++k)
+    bool isRecorded = false;
+    for (int k = 0; k < 3 && !isRecorded; ++k)
     {
       const int a = this->GetCorner(t, k);
       const int b = this->GetCorner(t, k + 1);
@@ -190,27 +190,27 @@ void SurfaceContacts::FindPoints(int s, int t, const std::array<double, 3>& dist
       if (Length(Difference(x, this->GetPoint(a))) <= this->Tolerance)
       {
         this->Merged[std::max(a, p)] = std::min(a, p);
-        isNoted = true;
+        isRecorded = true;
       }
       else if (distance <= this->Tolerance && along > 0.0 && along < 1.0 &&
         Length(Difference(x, this->GetPoint(b))) > this->Tolerance)
       {
         this->PointsOnEdges[this->GetEdge(t, k)].insert(p);
-        isNoted = true;
+        isRecorded = true;
       }
       isInside = isInside &&
         glm::dot(normal,
           glm::cross(Difference(this->GetPoint(b), this->GetPoint(a)),
             Difference(x, this->GetPoint(a)))) > 0.0;
     }
-    if (isInside && !isNoted)
+    if (isInside && !isRecorded)
     {
       this->PointsInside[t].insert(p);
-      isNoted = true;
+      isRecorded = true;
     }
-    if (isNoted)
+    if (isRecorded)
     {
-      this->Note(s, t);
+      this->RecordContact(s, t);
     }
   }
 }
@@ -241,16 +241,16 @@ void SurfaceContacts::FindCrossings(int s, int t)
       const double other = glm::dot(glm::cross(c - a, u), cross) / square;
       const glm::dvec3 x = a + along * u;
       const glm::dvec3 y = c + other * v;
-      const auto isEnd = [this](const glm::dvec3& place, const Edge& edge)
+      const auto isEnd = [this](const glm::dvec3& position, const Edge& edge)
       {
-        return Length(place - glm::make_vec3(this->GetPoint(edge[0]))) <= this->Tolerance ||
-          Length(place - glm::make_vec3(this->GetPoint(edge[1]))) <= this->Tolerance;
+        return Length(position - glm::make_vec3(this->GetPoint(edge[0]))) <= this->Tolerance ||
+          Length(position - glm::make_vec3(this->GetPoint(edge[1]))) <= this->Tolerance;
       };
       if (along > 0.0 && along < 1.0 && other > 0.0 && other < 1.0 &&
         Length(x - y) <= this->Tolerance && !isEnd(x, e) && !isEnd(y, f))
       {
         this->Crossings[e < f ? std::make_pair(e, f) : std::make_pair(f, e)] = x;
-        this->Note(s, t);
+        this->RecordContact(s, t);
       }
     }
   }
@@ -290,7 +290,7 @@ void SurfaceContacts::AddPart(int t, const std::array<int, 3>& points, int layer
 
 Error SurfaceContacts::Split()
 {
-  // Points that become one can bring others near.
+  // Merging points can bring other points within the tolerance.
   for (int round = 0; round < 4 && !this->Merged.empty(); ++round)
   {
     this->Surface.MergePoints(this->Merged);
@@ -333,7 +333,7 @@ void SurfaceContacts::AddCrossings()
   {
     std::set<int>& first = this->PointsOnEdges[crossing.first.first];
     std::set<int>& second = this->PointsOnEdges[crossing.first.second];
-    // Where more than two edges cross, all have the same point.
+    // If more than two edges cross at one position, all get the same point.
     int point = -1;
     for (const std::set<int>* list : { &first, &second })
     {
@@ -379,19 +379,19 @@ Error SurfaceContacts::SplitTogether(const std::vector<int>& members)
   const int main = normal.x >= normal.y && normal.x >= normal.z ? 0 : normal.y >= normal.z ? 1 : 2;
   std::vector<int> ids;
   std::map<int, int> indices;
-  std::vector<PlanarTriangulation::Point> places;
+  std::vector<PlanarTriangulation::Point> positions;
   const auto add = [&](int p)
   {
     const auto found = indices.emplace(p, static_cast<int>(ids.size()));
     if (found.second)
     {
       ids.push_back(p);
-      places.push_back(
+      positions.push_back(
         { { this->GetPoint(p)[(main + 1) % 3], this->GetPoint(p)[(main + 2) % 3] } });
     }
     return found.first->second;
   };
-  // Of each piece of an edge, the members that it bounds.
+  // Members bounded by each edge segment.
   std::map<Edge, std::vector<int>> pieces;
   const auto addPiece = [&](int p, int q) -> std::vector<int>&
   {
@@ -435,35 +435,35 @@ Error SurfaceContacts::SplitTogether(const std::vector<int>& members)
   {
     segments.push_back(piece.first);
   }
-  const PlanarTriangulation plane(places, segments);
+  const PlanarTriangulation plane(positions, segments);
   if (!plane.IsGood())
   {
     return "Cell " + std::to_string(this->Surface.Triangles[members.front()].Cell) +
       " touches other cells in a way that cannot be split. Make the surfaces share their points "
       "there.";
   }
-  // Edges in the plane of a triangle may pass it by.
+  // A triangle is not split if its only contacts are edges in its plane that miss it.
   const bool isSplit = members.size() > 1 || ids.size() > 3;
   this->NumberOfSplitTriangles += isSplit ? static_cast<vtkIdType>(members.size()) : 0;
-  this->TakeCovered(plane, ids, pieces);
+  this->AddCoveredTriangles(plane, ids, pieces);
   return {};
 }
 
-void SurfaceContacts::TakeCovered(const PlanarTriangulation& plane, const std::vector<int>& ids,
-  const std::map<Edge, std::vector<int>>& pieces)
+void SurfaceContacts::AddCoveredTriangles(const PlanarTriangulation& plane,
+  const std::vector<int>& ids, const std::map<Edge, std::vector<int>>& pieces)
 {
-  // From outside inward, every piece of an edge that is passed begins or ends what its members
-  // cover.
+  // Traverse the triangles from outside inward. Crossing an edge segment toggles, for each member
+  // that the segment bounds, whether the member covers the area.
   const std::vector<PlanarTriangulation::Triangle>& triangles = plane.GetTriangles();
   const auto given = static_cast<int>(ids.size());
   std::vector<std::set<int>> covers(triangles.size());
-  std::vector<bool> isMet(triangles.size(), false);
+  std::vector<bool> isVisited(triangles.size(), false);
   std::vector<int> stack;
   for (std::size_t t = 0; t < triangles.size() && stack.empty(); ++t)
   {
     if (*std::max_element(triangles[t].Points.begin(), triangles[t].Points.end()) >= given)
     {
-      isMet[t] = true;
+      isVisited[t] = true;
       stack.push_back(static_cast<int>(t));
     }
   }
@@ -474,7 +474,7 @@ void SurfaceContacts::TakeCovered(const PlanarTriangulation& plane, const std::v
     for (int i = 0; i < 3; ++i)
     {
       const int next = triangles[t].Neighbors[i];
-      if (next < 0 || isMet[next])
+      if (next < 0 || isVisited[next])
       {
         continue;
       }
@@ -489,7 +489,7 @@ void SurfaceContacts::TakeCovered(const PlanarTriangulation& plane, const std::v
           covers[next].insert(member);
         }
       }
-      isMet[next] = true;
+      isVisited[next] = true;
       stack.push_back(next);
     }
   }

@@ -17,56 +17,55 @@ namespace interlume
 
 /**
  * @class   SurfaceContacts
- * @brief   finds where triangles of a surface touch each other, and splits them there
+ * @brief   finds and splits triangles that touch each other
  *
- * TetGen requires triangles that meet in common points, edges or whole triangles only. Parts that
- * touch otherwise - a point on an edge or within a triangle, edges that cross in a plane, triangles
- * of one plane that overlap - are split: every touching place becomes a point of all triangles
- * there, and overlapping triangles of one plane are triangulated together, so that what is common
- * to them is there once. Touching is meant within a tolerance of rounding; points within it become
- * one.
+ * TetGen requires that triangles meet only in common points, edges or entire triangles. Other
+ * contacts are a point on an edge or inside a triangle, coplanar edges that cross, and overlapping
+ * coplanar triangles. Each contact position becomes a point of all triangles there. Overlapping
+ * coplanar triangles are triangulated together so that their common area has one set of triangles.
+ * Contacts are found within a tolerance of rounding error, and points within it are merged.
  */
 class SurfaceContacts
 {
 public:
-  /// Takes a surface, which must outlive this object, and the distance that counts as touching.
+  /// Sets the surface, which must outlive this object, and the contact tolerance.
   SurfaceContacts(ClosedSurface& surface, double tolerance);
 
-  /// Finds the contacts. Returns whether there are any.
+  /// Finds the contacts. Returns whether any exist.
   bool Find();
-  /// Returns the input cells of the first contact found.
+  /// Returns the input cells of the first contact.
   const std::array<vtkIdType, 2>& GetFirstCells() const { return this->FirstCells; }
 
-  /// Splits the triangles at contacts. Returns an error if one cannot be split.
+  /// Splits the triangles at contacts. Returns an error if a triangle cannot be split.
   Error Split();
   /// Returns the number of triangles that were split.
   vtkIdType GetNumberOfSplitTriangles() const { return this->NumberOfSplitTriangles; }
 
 private:
-  using Edge = std::array<int, 2>; ///< points in ascending order
+  using Edge = std::array<int, 2>; ///< point indices in ascending order
 
   void FindInPair(int s, int t);
-  /// Finds the corners of \a s that lie on \a t. \a distances are theirs from its plane.
+  /// Finds the corners of \a s on \a t. \a distances are their distances from the plane of \a t.
   void FindPoints(int s, int t, const std::array<double, 3>& distances);
   void FindCrossings(int s, int t);
   /// Finds the edges of \a s that lie in the plane of \a t.
   void FindEdgesInside(int s, int t, const std::array<double, 3>& distances);
-  /// Returns whether two triangles of one plane have an area in common.
+  /// Returns whether two coplanar triangles overlap.
   bool DoOverlap(int s, int t) const;
-  void Note(int s, int t);
+  void RecordContact(int s, int t);
   int FindRoot(int t);
-  /// Makes every crossing of edges a point of both.
+  /// Adds each crossing of two edges as a point to both edges.
   void AddCrossings();
-  /// Returns the points of an edge from its first to its last.
+  /// Returns the points on an edge from end to end.
   std::vector<int> PointsAlong(const Edge& edge) const;
-  /// Splits triangles of one plane that overlap, or a single triangle.
+  /// Splits a set of overlapping coplanar triangles, or a single triangle.
   Error SplitTogether(const std::vector<int>& members);
-  /// Takes the triangles that members cover. \a pieces has the members that a piece of an edge
-  /// bounds.
-  void TakeCovered(const class PlanarTriangulation& plane, const std::vector<int>& ids,
+  /// Adds the triangles that the members cover. \a pieces contains the members bounded by each edge
+  /// segment.
+  void AddCoveredTriangles(const class PlanarTriangulation& plane, const std::vector<int>& ids,
     const std::map<Edge, std::vector<int>>& pieces);
 
-  /// Adds a part of triangle \a t to the split surface.
+  /// Adds a part of triangle \a t to the result.
   void AddPart(int t, const std::array<int, 3>& points, int layers);
   const double* GetPoint(int p) const { return this->Surface.GetPoint(p); }
   int GetCorner(int t, int i) const;
@@ -78,12 +77,12 @@ private:
   double Tolerance;
   std::array<vtkIdType, 2> FirstCells{ { -1, -1 } };
   vtkIdType NumberOfSplitTriangles = 0;
-  std::map<int, int> Merged;                             ///< points that become an earlier one
-  std::map<Edge, std::set<int>> PointsOnEdges;           ///< between the ends
-  std::map<int, std::set<int>> PointsInside;             ///< of triangles
-  std::map<int, std::set<Edge>> EdgesInside;             ///< of triangles, from others
-  std::map<std::pair<Edge, Edge>, glm::dvec3> Crossings; ///< of edges
-  std::vector<int> Parents; ///< of triangles that overlap in a plane: a path to the first one
+  std::map<int, int> Merged;                   ///< points merged with an earlier point
+  std::map<Edge, std::set<int>> PointsOnEdges; ///< points between the ends
+  std::map<int, std::set<int>> PointsInside;   ///< points inside triangles
+  std::map<int, std::set<Edge>> EdgesInside;   ///< edges of other triangles inside triangles
+  std::map<std::pair<Edge, Edge>, glm::dvec3> Crossings; ///< crossings of two edges
+  std::vector<int> Parents; ///< union-find parents of overlapping coplanar triangles
   std::vector<ClosedSurface::Triangle> Result;
 };
 

@@ -17,7 +17,7 @@ namespace
 {
 using Vectors::Difference;
 
-/// Returns the sign of the volume of a, b, c, d, or 0 where rounding might have changed it.
+/// Returns the sign of the volume of a, b, c, d, or 0 if rounding error may have changed it.
 int CertainSign(const double* a, const double* b, const double* c, const double* d)
 {
   constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
@@ -66,9 +66,9 @@ bool HasEdgeThrough(const Triangle& s, const Triangle& t)
     const int next = (i + 1) % 3;
     if (sides[i] * sides[next] < 0)
     {
-      const int turn = CertainSign(s[i], s[next], t[0], t[1]);
-      if (turn != 0 && turn == CertainSign(s[i], s[next], t[1], t[2]) &&
-        turn == CertainSign(s[i], s[next], t[2], t[0]))
+      const int sign = CertainSign(s[i], s[next], t[0], t[1]);
+      if (sign != 0 && sign == CertainSign(s[i], s[next], t[1], t[2]) &&
+        sign == CertainSign(s[i], s[next], t[2], t[0]))
       {
         return true;
       }

@@ -13,19 +13,20 @@ class ClosedSurface;
 
 /**
  * @class   SurfaceCrossings
- * @brief   where triangles of a surface pass through each other
+ * @brief   finds triangles of a surface that pass through each other
  *
- * An edge crosses a triangle where its ends lie on two sides of the triangle's plane and the line
- * through it passes inside of the three edges: five signs of determinants, each taken for certain
- * only beyond the bound of its rounding (Shewchuk, Adaptive Precision Floating-Point Arithmetic,
- * 1997, error bound A of orient3d). So nothing is found that is not there; what touches, lies in
- * one plane or shares a point is left to TetGen, whose versions differ: 1.6 may run without end on
- * a surface that crosses itself.
+ * An edge crosses a triangle if its ends are on different sides of the triangle's plane and its
+ * line passes inside the three edges. This requires five determinant signs. A sign is used only if
+ * the determinant exceeds its rounding error bound (J. R. Shewchuk, "Adaptive Precision
+ * Floating-Point Arithmetic and Fast Robust Geometric Predicates", Discrete & Computational
+ * Geometry 18, 1997, bound A of orient3d). Therefore there are no false positives. Triangles that
+ * touch, are coplanar or share a point are left to TetGen. TetGen 1.6 may not terminate on a
+ * surface that intersects itself.
  */
 class SurfaceCrossings
 {
 public:
-  /// Finds the input cells of triangles that cross others, each once, in order.
+  /// Returns the input cells of crossing triangles, sorted and without duplicates.
   static std::vector<vtkIdType> FindCells(const ClosedSurface& surface);
 };
 

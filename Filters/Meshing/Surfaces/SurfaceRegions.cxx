@@ -21,7 +21,7 @@ struct Wall
   int Marker;
 };
 
-/// The triangles on facets, found by their points.
+/// Finds facet triangles by their points.
 class Walls
 {
 public:
@@ -38,7 +38,8 @@ public:
       [](const Wall& a, const Wall& b) { return a.Points < b.Points; });
   }
 
-  /// Returns the marker of the facet that has the triangle \a points, ascending; 0 for none.
+  /// Returns the marker of the facet triangle with \a points, in ascending order, or 0 if there is
+  /// none.
   int Find(const Triple& points) const
   {
     const auto found = std::lower_bound(this->List.begin(), this->List.end(), points,
@@ -57,7 +58,7 @@ struct Region
   struct Passage
   {
     int Region; ///< on the other side of a facet
-    int Layers; ///< of the facet
+    int Layers; ///< layers of the facet
   };
   std::vector<Passage> Passages;
 };
@@ -69,7 +70,7 @@ SurfaceRegions::SurfaceRegions(const TetGenSolution& solution,
 {
   const Walls walls(solution);
   std::vector<Region> regions;
-  // A region, a tetrahedron beyond one of its facets, and the facet's layers.
+  // A region, a tetrahedron on the other side of a facet, and the layers of the facet.
   std::vector<std::array<int, 3>> crossings;
   std::vector<int> stack;
   std::queue<int> outermost;
@@ -126,30 +127,30 @@ SurfaceRegions::SurfaceRegions(const TetGenSolution& solution,
     outermost.pop();
     for (const Region::Passage& passage : region.Passages)
     {
-      Region& beyond = regions[passage.Region];
-      if (beyond.Depth > region.Depth + passage.Layers)
+      Region& other = regions[passage.Region];
+      if (other.Depth > region.Depth + passage.Layers)
       {
-        beyond.Depth = region.Depth + passage.Layers;
+        other.Depth = region.Depth + passage.Layers;
         outermost.push(passage.Region);
       }
     }
   }
-  std::vector<int> kept;
+  std::vector<int> retained;
   for (std::size_t r = 0; r < regions.size(); ++r)
   {
     if (fillNestedShells || regions[r].Depth % 2 == 1)
     {
-      kept.push_back(static_cast<int>(r));
+      retained.push_back(static_cast<int>(r));
     }
   }
-  std::stable_sort(kept.begin(), kept.end(),
+  std::stable_sort(retained.begin(), retained.end(),
     [&regions](int a, int b)
     {
       return regions[a].FirstCell < regions[b].FirstCell ||
         (regions[a].FirstCell == regions[b].FirstCell && regions[a].Depth < regions[b].Depth);
     });
   this->Numbers.assign(regions.size(), -1);
-  for (int region : kept)
+  for (int region : retained)
   {
     this->Numbers[region] = this->NumberOfRegions++;
   }

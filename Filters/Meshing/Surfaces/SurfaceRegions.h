@@ -13,23 +13,23 @@ struct TetGenSolution;
 
 /**
  * @class   SurfaceRegions
- * @brief   which part of the space within a surface a tetrahedron is in
+ * @brief   assigns tetrahedra to the regions inside a surface
  *
- * The triangles on facets cut the mesh into regions. The depth of a region is the least number of
- * facets between it and the outside, where one that two parts share counts twice beyond the first
- * region. Regions are numbered in the order of the first input cell that
- * bounds them, of two with the same cell the one of lower depth first.
+ * Facet triangles divide the mesh into regions. The depth of a region is the minimum number of
+ * facets between it and the outside. A facet between two regions counts twice if two parts share
+ * it. Regions are numbered by the first input cell on their boundary; of two regions with the same
+ * cell, the region of lower depth is first.
  */
 class SurfaceRegions
 {
 public:
-  /// Finds the regions. \a cellIds and \a layers have the input cell of a marker, less one, and the
-  /// number of parts that share its facet. Regions of even depth
-  /// are kept only if \a fillNestedShells.
+  /// Finds the regions. Entry i of \a cellIds is the input cell of the facet with marker i + 1, and
+  /// entry i of \a layers the number of parts that share the facet. Regions of even depth are kept
+  /// only if \a fillNestedShells is true.
   SurfaceRegions(const TetGenSolution& solution, const std::vector<vtkIdType>& cellIds,
     const std::vector<int>& layers, bool fillNestedShells);
 
-  /// Returns the number of the region of a tetrahedron; -1 for one that is not kept.
+  /// Returns the region of a tetrahedron, or -1 if it is not kept.
   int operator()(int tetrahedron) const { return this->Numbers[this->Regions[tetrahedron]]; }
   int GetNumberOfRegions() const { return this->NumberOfRegions; }
 

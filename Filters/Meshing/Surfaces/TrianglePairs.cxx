@@ -14,28 +14,28 @@ namespace interlume
 
 namespace
 {
-/// The box of a triangle.
+/// Bounding box of a triangle.
 struct Extents
 {
   int Owner;
-  glm::dvec3 Least;
-  glm::dvec3 Most;
+  glm::dvec3 Lower;
+  glm::dvec3 Upper;
 
   Extents(int owner, const double* a, const double* b, const double* c, double margin)
     : Owner(owner)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      std::tie(this->Least[axis], this->Most[axis]) = std::minmax({ a[axis], b[axis], c[axis] });
-      this->Most[axis] += margin;
+      std::tie(this->Lower[axis], this->Upper[axis]) = std::minmax({ a[axis], b[axis], c[axis] });
+      this->Upper[axis] += margin;
     }
   }
 
-  bool Meets(const Extents& other) const
+  bool Intersects(const Extents& other) const
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      if (this->Most[axis] < other.Least[axis] || other.Most[axis] < this->Least[axis])
+      if (this->Upper[axis] < other.Lower[axis] || other.Upper[axis] < this->Lower[axis])
       {
         return false;
       }
@@ -44,25 +44,25 @@ struct Extents
   }
 };
 
-/// Returns the axis along which triangles are shortest beside the whole surface.
+/// Returns the axis along which triangles are shortest relative to the extent of the surface.
 int ChooseAxis(const std::vector<Extents>& boxes)
 {
   int best = 0;
   double shortest = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis)
   {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
+    double lower = std::numeric_limits<double>::infinity();
+    double upper = -lower;
     double sum = 0.0;
     for (const Extents& box : boxes)
     {
-      least = std::min(least, box.Least[axis]);
-      most = std::max(most, box.Most[axis]);
-      sum += box.Most[axis] - box.Least[axis];
+      lower = std::min(lower, box.Lower[axis]);
+      upper = std::max(upper, box.Upper[axis]);
+      sum += box.Upper[axis] - box.Lower[axis];
     }
-    if (sum < shortest * (most - least))
+    if (sum < shortest * (upper - lower))
     {
-      shortest = sum / (most - least);
+      shortest = sum / (upper - lower);
       best = axis;
     }
   }
@@ -83,13 +83,13 @@ void TrianglePairs::ForEach(
   const int axis = ChooseAxis(boxes);
   std::sort(boxes.begin(), boxes.end(),
     [axis](const Extents& a, const Extents& b)
-    { return std::tie(a.Least[axis], a.Owner) < std::tie(b.Least[axis], b.Owner); });
+    { return std::tie(a.Lower[axis], a.Owner) < std::tie(b.Lower[axis], b.Owner); });
   for (auto one = boxes.begin(); one != boxes.end(); ++one)
   {
-    for (auto other = one + 1; other != boxes.end() && other->Least[axis] <= one->Most[axis];
+    for (auto other = one + 1; other != boxes.end() && other->Lower[axis] <= one->Upper[axis];
          ++other)
     {
-      if (one->Meets(*other))
+      if (one->Intersects(*other))
       {
         function(one->Owner, other->Owner);
       }

@@ -10,12 +10,12 @@ namespace interlume
 class ClosedSurface;
 
 /**
- * Pairs of triangles whose boxes are near each other.
+ * Enumerates pairs of triangles with nearby bounding boxes.
  */
 namespace TrianglePairs
 {
-/// Calls \a function with the indices of each two triangles of \a surface whose boxes are at most
-/// \a distance apart along every axis.
+/// Calls \a function with the indices of each pair of triangles whose bounding boxes are at most \a
+/// distance apart along every axis.
 void ForEach(
   const ClosedSurface& surface, double distance, const std::function<void(int, int)>& function);
 }

@@ -17,8 +17,8 @@ namespace interlume
 
 namespace
 {
-/// The least volume bound in the unit of the mesh: 0 is no bound.
-constexpr double LeastVolume = 1e-300;
+/// Minimum volume bound in the unit of the mesh, because 0 means no bound.
+constexpr double MinimumVolumeBound = 1e-300;
 }
 
 void MeshingJob::SetUnit(int exponent)
@@ -27,7 +27,8 @@ void MeshingJob::SetUnit(int exponent)
   if (this->MaximumVolume > 0.0)
   {
     this->MaximumVolume = std::ldexp(this->MaximumVolume, -3 * exponent);
-    this->MaximumVolume = std::max(LeastVolume, std::min(this->MaximumVolume, VTK_DOUBLE_MAX));
+    this->MaximumVolume =
+      std::max(MinimumVolumeBound, std::min(this->MaximumVolume, VTK_DOUBLE_MAX));
   }
 }
 
@@ -38,7 +39,7 @@ std::string MeshingJob::GetRefinementSwitches(double quality, double volume, int
   switches << std::setprecision(17);
   if (quality > 0.0)
   {
-    // TetGen reads no exponent here.
+    // TetGen does not parse exponents here.
     switches << std::fixed << "q" << quality << "/" << this->MinimumDihedralAngle;
   }
   if (volume > 0.0)
@@ -68,11 +69,11 @@ Error MeshingJob::Solve(const TetGenProblem& problem, TetGenSolution& solution)
 {
   ++this->Report.TetGenCalls;
   Error error = this->TetGen.Solve(problem, solution);
-  if (error || this->IsCancelled())
+  if (error || this->IsCanceled())
   {
     return error;
   }
-  // Every mesher relies on this: the points of the problem come first, where they were.
+  // All meshers require that the points of the problem come first and have not moved.
   if (solution.Points.size() < problem.Points.size() ||
     !std::equal(problem.Points.begin(), problem.Points.end(), solution.Points.begin()))
   {

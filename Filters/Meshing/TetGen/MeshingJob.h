@@ -17,8 +17,9 @@ namespace interlume
 {
 
 /**
- * One execution of vtkTetrahedralMesher: its settings, its means, and its results. A mesher fills
- * Mesh, or returns an error. A canceled job has no error, and Mesh is of no use.
+ * One execution of vtkTetrahedralMesher: its settings, its TetGen process, and its results. A
+ * mesher fills Mesh or returns an error. A canceled job has no error, and its Mesh must not be
+ * used.
  */
 struct MeshingJob : vtkMeshingSettings
 {
@@ -32,26 +33,26 @@ struct MeshingJob : vtkMeshingSettings
 
   vtkDataSet* Input;
   std::function<void(double)> SetProgress;
-  std::function<bool()> IsCancelled;
+  std::function<bool()> IsCanceled;
   TetGenProcess TetGen;
 
   Tetrahedra Mesh;
   TetrahedralMesherReport Report;
 
   /// Sets the unit of length in which TetGen gets the points, see Tetrahedra::UnitExponent, and
-  /// converts the volume bound.
+  /// converts the volume bound to it.
   void SetUnit(int exponent);
-  /// Returns whether the mesh is to be refined.
+  /// Returns whether a bound is set.
   bool IsRefining() const { return this->QualityBound > 0.0 || this->MaximumVolume > 0.0; }
-  /// Returns TetGen's switches to refine a mesh to bounds, 0 for none, by at most \a points new
-  /// ones.
+  /// Returns TetGen's switches for refinement with bounds (0 for no bound) and a limit on the
+  /// number of added points.
   std::string GetRefinementSwitches(double quality, double volume, int points) const;
 
-  /// Returns the dimension of cells of a type; 0 for a type that is not known.
+  /// Returns the dimension of a cell type, or 0 if the type is unknown.
   static int GetDimension(int cellType);
 
-  /// Runs TetGen, and counts the call. Returns an error if there is no solution. A canceled run has
-  /// no error.
+  /// Runs TetGen and counts the call. Returns an error if there is no solution. A canceled run
+  /// returns no error.
   Error Solve(const TetGenProblem& problem, TetGenSolution& solution);
 };
 

@@ -15,9 +15,9 @@ namespace interlume
 
 namespace
 {
-/// The mark before every list, so that a program that is not the worker is not taken for it.
+/// Mark before every list, to detect a program that is not the worker.
 constexpr std::uint64_t ListMark = 0x496e7465726c756dU;
-/// The time that a wait lasts before Patience is asked, in milliseconds.
+/// Interval between calls of WaitCallback, in milliseconds.
 constexpr int WaitMilliseconds = 100;
 
 bool AreIndices(const std::vector<int>& list, int lowest, std::size_t end)
@@ -37,9 +37,9 @@ bool IsConsistent(const TetGenSolution& solution)
 }
 }
 
-TetGenChannel::TetGenChannel(int socket, Patience patience)
+TetGenChannel::TetGenChannel(int socket, WaitCallback callback)
   : Socket(socket)
-  , IsPatient(std::move(patience))
+  , MayWait(std::move(callback))
 {
 }
 
@@ -57,7 +57,7 @@ bool TetGenChannel::Wait(short event)
     {
       return false;
     }
-    if (this->IsPatient && !this->IsPatient())
+    if (this->MayWait && !this->MayWait())
     {
       return false;
     }
@@ -88,13 +88,13 @@ bool TetGenChannel::ReceiveBytes(void* data, std::size_t size)
   char* at = static_cast<char*>(data);
   while (size > 0)
   {
-    const ssize_t got = ::recv(this->Socket, at, size, MSG_DONTWAIT);
-    if (got > 0)
+    const ssize_t received = ::recv(this->Socket, at, size, MSG_DONTWAIT);
+    if (received > 0)
     {
-      at += got;
-      size -= static_cast<std::size_t>(got);
+      at += received;
+      size -= static_cast<std::size_t>(received);
     }
-    else if (!(got < 0 && (errno == EAGAIN || errno == EINTR) && this->Wait(POLLIN)))
+    else if (!(received < 0 && (errno == EAGAIN || errno == EINTR) && this->Wait(POLLIN)))
     {
       return false;
     }

@@ -11,25 +11,26 @@ namespace interlume
 
 /**
  * @class   TetGenChannel
- * @brief   problems and solutions over a socket, for both of its ends
+ * @brief   exchanges problems and solutions over a socket
  *
- * Both ends are of one build on one machine, so numbers travel as they lie in memory. Nothing here
- * raises a signal or throws for what the other end does: a broken or wrong stream gives false.
+ * Both ends are the same build on the same machine, so numbers are sent as raw memory. For broken
+ * connections and invalid data, the functions return false; they never raise a signal or an
+ * exception.
  */
 class TetGenChannel
 {
 public:
-  /// A function that is asked some ten times a second while the other end has nothing to say; false
-  /// gives up.
-  using Patience = std::function<bool()>;
+  /// Callback that returns false to stop waiting. It is called about ten times per second while no
+  /// data arrives.
+  using WaitCallback = std::function<bool()>;
 
-  explicit TetGenChannel(int socket, Patience patience = {});
+  explicit TetGenChannel(int socket, WaitCallback callback = {});
 
   bool Send(const TetGenProblem& problem);
   bool Send(const TetGenSolution& solution);
   bool Receive(TetGenProblem& problem);
-  /// Receives a solution, and checks that every index is one of a point, and every neighbour one of
-  /// a tetrahedron.
+  /// Receives a solution. Returns false if an index is not the index of a point, or a neighbor not
+  /// the index of a tetrahedron.
   bool Receive(TetGenSolution& solution);
 
 private:
@@ -42,7 +43,7 @@ private:
   bool ReceiveList(List& list);
 
   int Socket;
-  Patience IsPatient;
+  WaitCallback MayWait;
 };
 
 }

@@ -12,34 +12,36 @@ namespace interlume
 {
 
 /**
- * A problem for TetGen: its switches and a list of points, alone (Delaunay), with triangles (a
- * piecewise linear complex) or with tetrahedra (to refine; the triangles are faces of them on the
- * facets). Indices start at 0.
+ * Input of TetGen: its switches and a list of points. Without triangles it is a Delaunay problem,
+ * with triangles a piecewise linear complex. With tetrahedra it is a mesh to refine, whose
+ * triangles are the tetrahedron faces on facets. Indices start at 0.
  */
 struct TetGenProblem
 {
   std::string Switches;
-  std::vector<double> Points;  ///< three a point
-  std::vector<int> Triangles;  ///< three a triangle
-  std::vector<int> Markers;    ///< one a triangle, above 0: coplanar ones of one are one facet
-  std::vector<int> Tetrahedra; ///< four a tetrahedron
+  std::vector<double> Points; ///< three per point
+  std::vector<int> Triangles; ///< three per triangle
+  std::vector<int>
+    Markers; ///< one per triangle, > 0; coplanar triangles with the same marker form a facet
+  std::vector<int> Tetrahedra; ///< four per tetrahedron
 };
 
 /**
- * The solution of TetGen. The points of the problem come first, in their order.
+ * Output of TetGen. The points of the problem come first, in their order.
  */
 struct TetGenSolution
 {
-  /// The error: 0, or the number that TetGen threw: 1 memory, 2 internal, 3 self-intersection, 4
-  /// small feature, 5 close facets, 10 input; -1 anything else.
+  /// Error code of TetGen: 0 none, 1 out of memory, 2 internal, 3 self-intersection, 4 small
+  /// feature, 5 close facets, 10 input, -1 other.
   int Code = 0;
   std::vector<double> Points;
-  std::vector<int> Tetrahedra; ///< four a tetrahedron, positively oriented
-  std::vector<int> Neighbors;  ///< four a tetrahedron, opposite its points; -1 outside
-  std::vector<int> Triangles;  ///< three a triangle on a facet of the problem
-  std::vector<int> Markers;    ///< the marker of each of these triangles
+  std::vector<int> Tetrahedra; ///< four per tetrahedron, positively oriented
+  std::vector<int> Neighbors;  ///< four per tetrahedron, opposite its points; -1 outside
+  std::vector<int> Triangles;  ///< three per triangle on a facet of the problem
+  std::vector<int> Markers;    ///< marker of each triangle
 
-  /// Returns the points of the face opposite corner \a i % 4 of tetrahedron \a i / 4, ascending.
+  /// Returns the points of the face opposite corner \a i % 4 of tetrahedron \a i / 4, in ascending
+  /// order.
   std::array<int, 3> GetFace(std::size_t i) const
   {
     const int* p = &this->Tetrahedra[i - i % 4];

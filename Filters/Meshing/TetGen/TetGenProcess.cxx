@@ -23,12 +23,12 @@ namespace interlume
 
 namespace
 {
-/// The number of last bytes of TetGen's output that a message repeats.
+/// Number of bytes at the end of TetGen's output that a message quotes.
 constexpr long OutputTail = 400;
-/// The code of a solution for which TetGen's memory was not enough.
+/// Code of a solution for which TetGen ran out of memory.
 constexpr int MemoryCode = 1;
 
-/// Returns the path of the worker beside the library that this code is in.
+/// Returns the path of the worker next to the library that contains this function.
 std::string FindProgram()
 {
   Dl_info info;
@@ -49,7 +49,7 @@ std::string Describe(int code)
     case MemoryCode:
       return "it ran out of memory";
     case 2:
-      return "it met an internal error";
+      return "it encountered an internal error";
     case 3:
       return "two facets intersect";
     case 4:
@@ -57,9 +57,9 @@ std::string Describe(int code)
     case 5:
       return "two facets nearly coincide";
     case 10:
-      return "it took the input for wrong";
+      return "it rejected the input";
     default:
-      return "it threw " + std::to_string(code);
+      return "it threw error code " + std::to_string(code);
   }
 }
 }
@@ -105,13 +105,15 @@ Error TetGenProcess::Start()
   std::array<int, 2> sockets{ { -1, -1 } };
   if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, sockets.data()) != 0)
   {
-    return Error(std::string("cannot make a socket: ") + std::strerror(errno), ErrorCode::Process);
+    return Error(
+      std::string("cannot create a socket: ") + std::strerror(errno), ErrorCode::Process);
   }
   this->Socket = sockets[0];
   this->Output = std::tmpfile();
   Error error = this->Output
     ? this->Spawn(sockets[1])
-    : Error(std::string("cannot make a temporary file: ") + std::strerror(errno), ErrorCode::File);
+    : Error(
+        std::string("cannot create a temporary file: ") + std::strerror(errno), ErrorCode::File);
   ::close(sockets[1]);
   if (error)
   {
@@ -122,7 +124,7 @@ Error TetGenProcess::Start()
 
 std::string TetGenProcess::Stop()
 {
-  std::string ending = "it gave no answer that makes sense";
+  std::string ending = "it returned an invalid result";
   if (this->Socket >= 0)
   {
     ::close(this->Socket);
@@ -130,7 +132,7 @@ std::string TetGenProcess::Stop()
   }
   if (this->Process > 0)
   {
-    // A worker that crashed is over already, and its own signal is told.
+    // A worker that crashed has exited already. Report its own signal, not SIGKILL.
     int status = 0;
     pid_t ended = ::waitpid(this->Process, &status, WNOHANG);
     if (ended == 0)
@@ -170,7 +172,7 @@ std::string TetGenProcess::GetLastOutput() const
     std::fseek(this->Output, start, SEEK_SET);
     text.resize(std::fread(&text[0], 1, text.size(), this->Output));
   }
-  // The text as one line of what can be printed.
+  // Join the printable characters on one line.
   std::string line;
   for (char c : text)
   {
@@ -184,51 +186,51 @@ std::string TetGenProcess::GetLastOutput() const
       line += ' ';
     }
   }
-  return line.empty() ? line : "; it said: " + line;
+  return line.empty() ? line : "; the end of its output: " + line;
 }
 
 Error TetGenProcess::Solve(const TetGenProblem& problem, TetGenSolution& solution)
 {
   using Clock = std::chrono::steady_clock;
-  this->Late = false;
+  this->TimedOut = false;
   if (Error error = this->Socket < 0 ? this->Start() : Error())
   {
     return error;
   }
   const Clock::time_point start = Clock::now();
-  bool cancelled = false;
-  const auto patience = [&]()
+  bool canceled = false;
+  const auto mayWait = [&]()
   {
-    cancelled = this->IsCancelled && this->IsCancelled();
-    this->Late = this->TimeLimit > 0.0 &&
+    canceled = this->IsCanceled && this->IsCanceled();
+    this->TimedOut = this->TimeLimit > 0.0 &&
       std::chrono::duration<double>(Clock::now() - start).count() > this->TimeLimit;
-    return !cancelled && !this->Late;
+    return !canceled && !this->TimedOut;
   };
-  TetGenChannel channel(this->Socket, patience);
-  const bool answered = channel.Send(problem) && channel.Receive(solution);
-  if (answered && solution.Code == 0)
+  TetGenChannel channel(this->Socket, mayWait);
+  const bool hasSolution = channel.Send(problem) && channel.Receive(solution);
+  if (hasSolution && solution.Code == 0)
   {
     return {};
   }
-  const std::string said = this->GetLastOutput();
+  const std::string output = this->GetLastOutput();
   const std::string ending = this->Stop();
-  if (cancelled)
+  if (canceled)
   {
     return {};
   }
   std::ostringstream message;
   message << "TetGen failed: ";
-  if (this->Late)
+  if (this->TimedOut)
   {
-    message << "it was not done after " << this->TimeLimit << " s";
+    message << "it was not done after " << this->TimeLimit << " s (TimeLimit)";
   }
   else
   {
-    message << (answered ? Describe(solution.Code) : ending);
+    message << (hasSolution ? Describe(solution.Code) : ending);
   }
-  message << said;
+  message << output;
   return Error(message.str(),
-    answered && solution.Code == MemoryCode ? ErrorCode::OutOfMemory : ErrorCode::Process);
+    hasSolution && solution.Code == MemoryCode ? ErrorCode::OutOfMemory : ErrorCode::Process);
 }
 
 }

@@ -16,43 +16,44 @@ namespace interlume
 
 /**
  * @class   TetGenProcess
- * @brief   TetGen in a process of its own
+ * @brief   runs TetGen in a separate process
  *
  * TetGen 1.5 throws from functions whose destructors then free memory twice, has assertions, can
- * recurse without end and can fail to terminate. So it runs in a small program, started at the
- * first problem and kept for the next ones; after a failure a new one is started. TetGen's
- * predicates and random numbers have global state: there it is private. The program is started with
- * posix_spawn, so that this is safe in a process with threads. No signal reaches the caller's
- * process, and what TetGen prints goes to a temporary file.
+ * recurse without limit, and may not terminate. Therefore it runs in a small program. The program
+ * starts with the first problem and is reused for later problems. It is restarted after a failure.
+ * TetGen's predicates and random numbers have global state, which is confined to that process.
+ * posix_spawn makes the start safe in a process with threads. The calling process receives no
+ * signal. TetGen's output is written to a temporary file.
  */
 class TetGenProcess
 {
 public:
-  /// Takes the path of the worker; empty for the one beside this module's library.
+  /// Sets the path of the worker. If empty, the worker next to this module's library is used.
   explicit TetGenProcess(const std::string& program);
   ~TetGenProcess();
   TetGenProcess(const TetGenProcess&) = delete;
   void operator=(const TetGenProcess&) = delete;
 
-  /// A function that is asked some ten times a second while TetGen works; true ends it.
-  std::function<bool()> IsCancelled;
-  /// The longest time for one problem, in seconds; 0 for none.
+  /// Callback that returns true to stop TetGen. It is called about ten times per second while
+  /// TetGen runs.
+  std::function<bool()> IsCanceled;
+  /// Maximum time for one problem, in seconds; 0 for no limit.
   double TimeLimit = 0.0;
 
-  /// Runs TetGen. Returns an error if there is no solution. A canceled run has no error.
+  /// Runs TetGen. Returns an error if there is no solution. A canceled run returns no error.
   Error Solve(const TetGenProblem& problem, TetGenSolution& solution);
   /// Returns whether the last problem took longer than TimeLimit.
-  bool IsLate() const { return this->Late; }
+  bool HasTimedOut() const { return this->TimedOut; }
 
 private:
   Error Start();
   Error Spawn(int workerSocket);
-  /// Ends the worker. Returns how it ended.
+  /// Stops the worker and returns a description of how it ended.
   std::string Stop();
   std::string GetLastOutput() const;
 
   std::string Program;
-  bool Late = false;
+  bool TimedOut = false;
   pid_t Process = -1;
   int Socket = -1;
   std::FILE* Output = nullptr;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Runs TetGen for vtkTetrahedralMesher: reads problems from the socket at standard input and
-// answers there until it is closed. TetGen may stop, crash or never end; then only this program
-// does.
+// Runs TetGen for vtkTetrahedralMesher. Reads problems from the socket at standard input and writes
+// solutions to it until it is closed. If TetGen exits, crashes or does not terminate, only this
+// program is affected.
 #include "TetGen/TetGenChannel.h"
 
 #include <tetgen.h>
@@ -16,15 +16,15 @@
 
 namespace
 {
-// From 1.6 on TetGen, unless told not to, smooths the points that it was given as well (s0), and
-// takes a plate for flat that is thinner than 1e-8 of its length (T).
+// By default, TetGen 1.6 also smooths the input points (s0 turns this off). It also treats plates
+// thinner than 1e-8 of their length as planar (T sets the tolerance).
 #ifdef INTERLUME_TETGEN_SMOOTHS
 const char* const SwitchesOfVersion = "s0T1e-14";
 #else
 const char* const SwitchesOfVersion = "";
 #endif
 
-/// TetGen frees with delete[] what it is given.
+/// Copies a list for TetGen, which frees its input with delete[].
 template <typename Value>
 Value* CopyOf(const std::vector<Value>& list)
 {
@@ -78,7 +78,7 @@ interlume::TetGenSolution Solve(const interlume::TetGenProblem& problem)
     input.numberofcorners = 4;
     input.tetrahedronlist = CopyOf(problem.Tetrahedra);
   }
-  // TetGen draws random numbers: a solution must not depend on the problems before it.
+  // TetGen uses random numbers. Reset them so that a solution does not depend on earlier problems.
   std::srand(1);
   std::string switches = problem.Switches + SwitchesOfVersion;
   tetrahedralize(&switches[0], &input, &output);
@@ -98,10 +98,10 @@ interlume::TetGenSolution Solve(const interlume::TetGenProblem& problem)
 
 int main()
 {
-  // After some failures TetGen 1.6 leaves files where it runs.
+  // TetGen 1.6 writes files to the current directory after some failures.
   std::error_code ignored;
   std::filesystem::current_path(std::filesystem::temp_directory_path(ignored), ignored);
-  // The text that TetGen has printed is to be in the file when it crashes.
+  // Flush each line so that the output is in the file if TetGen crashes.
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);
   interlume::TetGenChannel channel(STDIN_FILENO);
   interlume::TetGenProblem problem;
@@ -126,6 +126,6 @@ int main()
       break;
     }
   }
-  // TetGen's memory is not worth an orderly end after it threw.
+  // Skip destructors because they may crash after TetGen has thrown.
   std::_Exit(EXIT_SUCCESS);
 }

@@ -11,13 +11,13 @@ namespace interlume
 {
 
 /**
- * A number with its derivatives by three variables: a formula written as a template of the type of
- * its numbers gives its exact derivatives when it is called with these. Its results are to be kept
- * as numbers, not as auto: what Eigen's operators return refers to their operands.
+ * A number with its derivatives with respect to three variables. A formula that is a template over
+ * its number type computes exact derivatives with this type. Store results as DualNumber, not as
+ * auto: Eigen's operators return expressions that refer to their operands.
  */
 using DualNumber = Eigen::AutoDiffScalar<Eigen::Vector3d>;
 
-/// Functions for both kinds of numbers that Eigen has not.
+/// Functions for double and DualNumber that Eigen does not provide.
 namespace DualMath
 {
 inline double GetValue(double a)
@@ -29,14 +29,14 @@ inline double GetValue(const DualNumber& a)
   return a.value();
 }
 
-/// Computes (1 - exp(-a)) / a, which is 1 at 0.
+/// Returns (1 - exp(-a)) / a, or 1 if a is 0.
 inline double Decay(double a)
 {
   return a == 0.0 ? 1.0 : -std::expm1(-a) / a;
 }
 inline DualNumber Decay(const DualNumber& a)
 {
-  // Near 0 the difference below cancels: there the series of the derivative.
+  // Near 0 the difference below suffers from cancellation, so use the series of the derivative.
   const double x = a.value();
   const double value = Decay(x);
   const double derivative = std::abs(x) < 1e-3

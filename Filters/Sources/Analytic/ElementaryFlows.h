@@ -12,12 +12,12 @@ namespace interlume
 {
 
 /**
- * The formulas of vtkAnalyticFlowSource that are not vortices: velocities at x, relative to the
- * centre, of numbers of any kind. Directions are of length 1.
+ * The flows of vtkAnalyticFlowSource other than vortices: functors that compute the velocity at x,
+ * relative to the center, for double and DualNumber. Directions must be normalized.
  */
 namespace ElementaryFlows
 {
-// For numbers that are not dual.
+// These functions are for double. Those for DualNumber are found by argument-dependent lookup.
 using std::cos;
 using std::sin;
 using std::sqrt;
@@ -55,7 +55,7 @@ struct Uniform
   }
 };
 
-/// Rates along the three axes, and a rotation.
+/// Linear flow with a rate along each coordinate axis, plus a rotation.
 struct Linear
 {
   glm::dvec3 Rates;
@@ -74,13 +74,13 @@ struct Linear
   }
 };
 
-/// A source at -Separation / 2, a sink at +Separation / 2.
+/// A source at -Separation / 2 and a sink at +Separation / 2.
 struct Pair
 {
   double Strength;
   glm::dvec3 Separation;
   double CoreRadius;
-  /// Whether the cores' charges are smeared (Plummer) rather than balls of charge.
+  /// If true, the cores are softened (Plummer), otherwise they are spheres of constant divergence.
   bool IsSoftened;
 
   template <typename Number>
@@ -103,7 +103,8 @@ struct Pair
   }
 
 private:
-  // Computes velocity over distance.
+  // Returns the velocity due to the source divided by the distance from it, given the squared
+  // distance.
   template <typename Number>
   Number GetFactor(const Number& r2) const
   {
@@ -122,7 +123,7 @@ private:
   }
 };
 
-/// Potential flow around a sphere, 0 inside.
+/// Potential flow around a sphere; 0 inside.
 struct Sphere
 {
   glm::dvec3 Velocity;
@@ -139,19 +140,19 @@ struct Sphere
       Fill(glm::dvec3(0.0), v);
       return;
     }
-    const Number part = 0.5 * this->Radius * this->Radius * this->Radius / (r2 * sqrt(r2));
-    const Number along = 3.0 * part / r2 * Dot(this->Velocity, x);
+    const Number factor = 0.5 * this->Radius * this->Radius * this->Radius / (r2 * sqrt(r2));
+    const Number along = 3.0 * factor / r2 * Dot(this->Velocity, x);
     for (int i = 0; i < 3; ++i)
     {
-      v[i] = this->Velocity[i] * (1.0 + part) - along * x[i];
+      v[i] = this->Velocity[i] * (1.0 + factor) - along * x[i];
     }
   }
 };
 
-/// Potential flow around an endless cylinder, 0 inside.
+/// Potential flow around an infinite cylinder; 0 inside.
 struct Cylinder
 {
-  /// The velocity across the axis, and along it.
+  /// Velocity perpendicular and parallel to the axis.
   glm::dvec3 Across;
   glm::dvec3 Along;
   glm::dvec3 Axis;
@@ -175,11 +176,11 @@ struct Cylinder
       Fill(glm::dvec3(0.0), v);
       return;
     }
-    const Number part = this->Radius * this->Radius / r2;
-    const Number along = 2.0 * part / r2 * Dot(this->Across, radial);
+    const Number factor = this->Radius * this->Radius / r2;
+    const Number along = 2.0 * factor / r2 * Dot(this->Across, radial);
     for (int i = 0; i < 3; ++i)
     {
-      v[i] = this->Across[i] * (1.0 + part) - along * radial[i] + this->Along[i];
+      v[i] = this->Across[i] * (1.0 + factor) - along * radial[i] + this->Along[i];
     }
   }
 
@@ -195,7 +196,7 @@ private:
   }
 };
 
-/// The flow of Arnold, Beltrami and Childress.
+/// Arnold-Beltrami-Childress (ABC) flow.
 struct Beltrami
 {
   glm::dvec3 Amplitudes;
@@ -214,10 +215,10 @@ struct Beltrami
   }
 };
 
-/// Two streams of opposite direction and the layer between them.
+/// Two opposite streams and the shear layer between them.
 struct Shear
 {
-  /// The part of the velocity across the normal.
+  /// Velocity component perpendicular to the normal.
   glm::dvec3 Velocity;
   glm::dvec3 Normal;
   double Thickness;

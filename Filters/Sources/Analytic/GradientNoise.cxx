@@ -31,7 +31,7 @@ constexpr unsigned char PublishedPermutation[Period] = { 151, 160, 137, 91, 90, 
   199, 106, 157, 184, 84, 204, 176, 115, 121, 50, 45, 127, 4, 150, 254, 138, 236, 205, 93, 222, 114,
   67, 29, 24, 72, 243, 141, 128, 195, 78, 66, 215, 61, 156, 180 };
 
-// Returns the next number of S. Vigna's splitmix64.
+// Returns the next number of S. Vigna's splitmix64 generator.
 std::uint64_t GetNextNumber(std::uint64_t& state)
 {
   state += 0x9e3779b97f4a7c15ULL;
@@ -41,20 +41,19 @@ std::uint64_t GetNextNumber(std::uint64_t& state)
   return z ^ (z >> 31);
 }
 
-// Returns the whole number below x, and where in the period that is.
+// Returns floor(x), and computes the corresponding cell within a period.
 double GetCell(double x, int& cell)
 {
   if (std::fabs(x) < 1e9)
   {
-    // The whole number is found without the library's calls, since most of the noise's time goes
-    // here.
+    // Most of the time of the noise is spent here, so avoid calling the library's floor.
     int lower = static_cast<int>(x);
     lower -= x < lower ? 1 : 0;
     cell = lower & (Period - 1);
     return lower;
   }
   const double lower = std::floor(x);
-  // The result is exact, since both are whole numbers, and small enough for an int.
+  // The result is exact, because both operands are integers, and it fits in an int.
   cell = static_cast<int>(lower - Period * std::floor(lower / Period));
   return lower;
 }
@@ -69,7 +68,7 @@ double Interpolate(double t, double a, double b)
   return a + t * (b - a);
 }
 
-// Returns the product of an offset with the gradient that a hash stands for.
+// Returns the dot product of an offset and the gradient selected by a hash.
 double GetGradientProduct(int hash, double x, double y, double z)
 {
   const int h = hash & 15;

@@ -11,34 +11,34 @@ namespace interlume
  * @class   GradientNoise
  * @brief   Perlin's improved gradient noise, and sums of its octaves
  *
- * K. Perlin, "Improving noise", SIGGRAPH 2002: gradients at the points of the unit lattice, chosen
- * from the twelve directions to the edges of a cube by a permutation of 0 ... 255, interpolated
- * with 6 t^5 - 15 t^4 + 10 t^3. The noise is 0 at lattice points, has continuous second
- * derivatives, mean 0, values between about -1 and 1, and period 256 in each direction. At a
- * position that is not finite it is 0.
+ * The noise is from K. Perlin, "Improving noise", SIGGRAPH 2002. A permutation of 0 ... 255 assigns
+ * one of twelve gradients, toward the edges of a cube, to each integer point. They are interpolated
+ * with 6 t^5 - 15 t^4 + 10 t^3. The noise is 0 at integer points, has continuous second
+ * derivatives, mean 0, values between about -1 and 1, and period 256 in each direction. It is 0 at
+ * positions that are not finite.
  *
- * Seed 0 is the published permutation; another seed shuffles 0 ... 255 by a generator of its own,
- * so that a seed means the same noise with every compiler and library.
+ * Seed 0 uses the published permutation. Other seeds shuffle 0 ... 255 with a built-in generator,
+ * so that a seed produces the same noise with every compiler and library.
  */
 class GradientNoise
 {
 public:
-  /// A bound of the noise: no noise is larger, and no sum of octaves larger than twice that.
+  /// Upper bound of the noise. Sums of octaves are bounded by twice this value.
   static constexpr double LargestNoise = 1.04;
 
   explicit GradientNoise(int seed = 0);
 
-  /// Returns the noise at \a x, in lattice units.
+  /// Returns the noise at \a x. Gradients are at integer coordinates.
   double Evaluate(const double x[3]) const;
 
   /**
-   * Returns the sum over i = 0 ... octaves - 1 of noise(2^i x) / 2^i or |noise(2^i x)| / 2^i, for a
-   * \a sum of vtkTurbulenceSource::Sums. For NOISE the number of octaves is 1.
+   * Returns the sum over i = 0 ... octaves - 1 of noise(2^i x) / 2^i or |noise(2^i x)| / 2^i,
+   * depending on \a sum, a vtkTurbulenceSource::Sums. NOISE uses one octave.
    */
   double Sum(const double x[3], int sum, int octaves) const;
 
 private:
-  // The permutation, stored twice, so that indices need no wrapping.
+  // The permutation, stored twice to avoid wrapping indices.
   std::array<unsigned char, 512> Permutation;
 };
 

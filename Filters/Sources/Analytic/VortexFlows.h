@@ -11,19 +11,19 @@ namespace interlume
 {
 
 /**
- * The vortices of vtkAnalyticFlowSource: velocities at x, relative to the centre, of numbers of any
- * kind.
+ * The vortices of vtkAnalyticFlowSource: functors that compute the velocity at x, relative to the
+ * center, for double and DualNumber.
  */
 namespace VortexFlows
 {
-// For numbers that are not dual.
+// These functions are for double. Those for DualNumber are found by argument-dependent lookup.
 using std::cos;
 using std::sin;
 
 /**
- * An axis that leans and bends with height, and the change of a vortex around a straight axis to
- * one around it: coordinates are shifted with height, and the vertical velocity goes along the
- * axis. That keeps a field free of divergence.
+ * A tilted and bent vertical axis. It maps a vortex around a straight axis to a vortex around this
+ * axis: coordinates are shifted depending on the height, and the vertical velocity follows the
+ * axis. The map preserves the divergence.
  */
 struct BentAxis
 {
@@ -31,36 +31,37 @@ struct BentAxis
   std::array<double, 2> Tilt;
   std::array<double, 2> Bend;
 
-  /// Returns the height: 0 at the ground, 1 at the top.
+  /// Returns the relative height: 0 at the ground and 1 at the top.
   template <typename Number>
-  Number GetPart(const Number& z) const
+  Number GetRelativeHeight(const Number& z) const
   {
     return z / this->Height + 0.5;
   }
 
-  /// Computes the place beside the axis.
+  /// Computes the horizontal offset from the axis.
   template <typename Number>
-  void Shift(const Number x[3], Number beside[2]) const
+  void Shift(const Number x[3], Number offset[2]) const
   {
-    const Number part = this->GetPart(x[2]);
+    const Number height = this->GetRelativeHeight(x[2]);
     for (int i = 0; i < 2; ++i)
     {
-      beside[i] = x[i] - this->Tilt[i] * (part - 0.5) - this->Bend[i] * sin(Pi * part);
+      offset[i] = x[i] - this->Tilt[i] * (height - 0.5) - this->Bend[i] * sin(Pi * height);
     }
   }
 
-  /// Computes the velocity from its parts by radius: inflow, swirl and rise.
+  /// Computes the velocity. \a radialByRadius and \a swirlByRadius are the radial and tangential
+  /// velocity, divided by the radius.
   template <typename Number>
   void Compose(const Number x[3], const Number& radialByRadius, const Number& swirlByRadius,
     const Number& rise, Number v[3]) const
   {
-    Number beside[2];
-    this->Shift(x, beside);
-    const Number bend = Pi * cos(Pi * this->GetPart(x[2]));
-    const Number turned[2] = { -beside[1], beside[0] };
+    Number offset[2];
+    this->Shift(x, offset);
+    const Number bend = Pi * cos(Pi * this->GetRelativeHeight(x[2]));
+    const Number rotated[2] = { -offset[1], offset[0] };
     for (int i = 0; i < 2; ++i)
     {
-      v[i] = radialByRadius * beside[i] + swirlByRadius * turned[i] +
+      v[i] = radialByRadius * offset[i] + swirlByRadius * rotated[i] +
         (this->Tilt[i] + this->Bend[i] * bend) / this->Height * rise;
     }
     v[2] = rise;
@@ -69,7 +70,8 @@ struct BentAxis
   static constexpr double Pi = 3.14159265358979323846;
 };
 
-/// The stream function's part by radius is G(s) = s (s - E) / (M + s)^2, s the radius squared.
+/// Vortex with an eye. Its stream function is proportional to G(s) = s (s - E) / (M + s)^2, where s
+/// is the squared distance from the axis, in units of EyeRadius squared. E and M are constants.
 struct Hurricane
 {
   BentAxis Axis;
@@ -80,18 +82,18 @@ struct Hurricane
   template <typename Number>
   void operator()(const Number x[3], Number v[3]) const
   {
-    Number beside[2];
-    this->Axis.Shift(x, beside);
+    Number offset[2];
+    this->Axis.Shift(x, offset);
     const Number s =
-      (beside[0] * beside[0] + beside[1] * beside[1]) / (this->EyeRadius * this->EyeRadius);
-    const Number part = this->Axis.GetPart(x[2]);
+      (offset[0] * offset[0] + offset[1] * offset[1]) / (this->EyeRadius * this->EyeRadius);
+    const Number height = this->Axis.GetRelativeHeight(x[2]);
     const Number sum = M + s;
     const double strongest = GetSlope((M * M + 2.0 * M * E) / (2.0 * M + E));
     const double inflow = 0.5 * BentAxis::Pi * this->Updraft / (this->Axis.Height * strongest);
-    const Number radial = -inflow * cos(BentAxis::Pi * part) * (s - E) / (sum * sum);
+    const Number radial = -inflow * cos(BentAxis::Pi * height) * (s - E) / (sum * sum);
     const Number swirl =
-      2.0 * this->MaximumWind / this->EyeRadius / ((1.0 + s) * (1.0 + part * part));
-    const Number rise = this->Updraft / strongest * sin(BentAxis::Pi * part) * GetSlope(s);
+      2.0 * this->MaximumWind / this->EyeRadius / ((1.0 + s) * (1.0 + height * height));
+    const Number rise = this->Updraft / strongest * sin(BentAxis::Pi * height) * GetSlope(s);
     this->Axis.Compose(x, radial, swirl, rise, v);
   }
 
@@ -99,7 +101,7 @@ private:
   static constexpr double E = 0.2;
   static constexpr double M = 2.0;
 
-  // Computes dG/ds.
+  // Returns dG/ds.
   template <typename Number>
   static Number GetSlope(const Number& s)
   {
@@ -108,7 +110,7 @@ private:
   }
 };
 
-/// Burgers' vortex, from the ground up.
+/// Burgers' vortex, rising from the ground.
 struct Tornado
 {
   BentAxis Axis;
@@ -119,12 +121,12 @@ struct Tornado
   template <typename Number>
   void operator()(const Number x[3], Number v[3]) const
   {
-    Number beside[2];
-    this->Axis.Shift(x, beside);
+    Number offset[2];
+    this->Axis.Shift(x, offset);
     const double core2 = this->CoreRadius * this->CoreRadius;
-    const Number s = (beside[0] * beside[0] + beside[1] * beside[1]) / core2;
+    const Number s = (offset[0] * offset[0] + offset[1] * offset[1]) / core2;
     const Number swirl = this->Circulation / (2.0 * BentAxis::Pi * core2) * DualMath::Decay(s);
-    const Number rise = this->Strain * this->Axis.Height * this->Axis.GetPart(x[2]);
+    const Number rise = this->Strain * this->Axis.Height * this->Axis.GetRelativeHeight(x[2]);
     this->Axis.Compose(x, Number(-0.5 * this->Strain), swirl, rise, v);
   }
 };

@@ -12,13 +12,13 @@ namespace interlume
 {
 
 /**
- * Assigns clamped values in setters of numbers.
+ * Assigns clamped values in setters of numeric properties.
  */
 namespace ClampedValue
 {
 /**
- * Gives the first \a number \a members of \a owner the \a values, each clamped to lower ... upper;
- * NaN leaves a member as it is. Marks the owner modified when something changed.
+ * Assigns \a number \a values to \a members, each clamped to lower ... upper. NaN leaves a member
+ * unchanged. Marks \a owner as modified if a member changed.
  */
 inline void SetAll(vtkObject* owner, double* members, const double* values, std::size_t number,
   double lower, double upper)
@@ -39,7 +39,7 @@ inline void SetAll(vtkObject* owner, double* members, const double* values, std:
   }
 }
 
-/// Gives all \a members their values in the same way.
+/// Assigns all \a members as SetAll() does.
 template <std::size_t Size>
 void Set(vtkObject* owner, double (&members)[Size], const double (&values)[Size], double lower,
   double upper)
@@ -47,7 +47,7 @@ void Set(vtkObject* owner, double (&members)[Size], const double (&values)[Size]
   SetAll(owner, members, values, Size, lower, upper);
 }
 
-/// Gives \a member one value in the same way.
+/// Assigns one \a member as SetAll() does.
 inline void Set(vtkObject* owner, double& member, double value, double lower, double upper)
 {
   SetAll(owner, &member, &value, 1, lower, upper);

@@ -10,12 +10,12 @@ namespace interlume
 {
 
 /**
- * Runs threads over the rows of an extent, which go along i.
+ * Processes the rows of an extent along i in parallel.
  */
 namespace ExtentRows
 {
-/// Calls \a makeRow(j, k, point), where \a point is the id of the row's first point, for all rows;
-/// for progress and abort see Batches::Run.
+/// Calls \a makeRow(j, k, point) for all rows. \a point is the id of the row's first point. See
+/// Batches::Run for progress and abort.
 template <typename MakeRow>
 bool Run(const int extent[6], vtkAlgorithm* owner, double start, double end, const MakeRow& makeRow)
 {
@@ -33,7 +33,7 @@ bool Run(const int extent[6], vtkAlgorithm* owner, double start, double end, con
   return Batches::Run(rows, owner, start, end, makeRows);
 }
 
-/// Calls \a makePoint(x, point) for the positions of all points of an image.
+/// Calls \a makePoint(x, point) for the position and id of each point of an image.
 template <typename MakePoint>
 bool RunPoints(vtkImageData* image, vtkAlgorithm* owner, const MakePoint& makePoint)
 {

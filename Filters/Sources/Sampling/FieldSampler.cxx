@@ -60,7 +60,7 @@ void FieldSampler::SetArrayName(
 
 void FieldSampler::Announce(vtkInformation* output, const int wholeExtent[6]) const
 {
-  // Equal times are one step.
+  // A time range of zero length has one time step.
   const double length = this->TimeRange[1] - this->TimeRange[0];
   const int number = length > 0.0 ? this->NumberOfTimeSteps : 1;
   std::vector<double> times(number, this->TimeRange[0]);

@@ -21,16 +21,16 @@ namespace interlume
 
 /**
  * @class   FieldSampler
- * @brief   samples a scalar field of space and time: the settings of its source, and threads
+ * @brief   samples a time-dependent scalar field in parallel, with the settings of its source
  *
- * A sampler refers to its source's settings. The functions that set one mark the \a owner modified
- * if it changes.
+ * A sampler refers to the settings of its source. The functions that assign a setting mark \a owner
+ * as modified if the setting changes.
  */
 struct FieldSampler
 {
-  /// A scalar field of position at one time.
+  /// A scalar field of the position at one time.
   using Field = std::function<double(const double x[3])>;
-  /// Computes the position of the point (i,j,k), which has id \a point in the output.
+  /// Computes the position of point (i,j,k), whose id in the output is \a point.
   using Positions = std::function<void(const int ijk[3], vtkIdType point, double x[3])>;
 
   int NumberOfTimeSteps;
@@ -38,24 +38,23 @@ struct FieldSampler
   int ScalarType;
   const char* ArrayName;
 
-  /// Sets the range in ascending order. Returns an error if it is not finite.
+  /// Assigns the range in ascending order. Returns an error if it is not finite.
   static Error SetTimeRange(double (&range)[2], double first, double last, vtkAlgorithm* owner);
-  /// Sets VTK_DOUBLE, or VTK_FLOAT for any other type.
+  /// Assigns VTK_DOUBLE, or VTK_FLOAT for any other type.
   static void SetScalarType(int& member, int type, vtkAlgorithm* owner);
-  /// Sets the name, or the default for a null or empty one.
+  /// Assigns the name, or the default if the name is null or empty.
   static void SetArrayName(
     std::string& member, const char* name, const char* defaultName, vtkAlgorithm* owner);
 
-  /// Adds the whole extent, the time steps and the array to the pipeline's information.
+  /// Sets the whole extent, the time steps and the active scalars in the pipeline information.
   void Announce(vtkInformation* output, const int wholeExtent[6]) const;
 
-  /// Finds the requested time, or the first time step. Returns an error if it is not finite.
+  /// Finds the requested time, or the first time step. Returns an error if the time is not finite.
   Error FindTime(vtkInformation* output, double& time) const;
 
   /**
-   * Adds the array with the field's values at the points of \a output, whose extent is \a extent,
-   * as active scalars, and stores the time. Threads share the rows. Returns false if the owner's
-   * execution was aborted.
+   * Samples the field at the points of \a output, whose extent is \a extent. Adds the array as
+   * active scalars and sets the time. Returns false if the execution of \a owner was aborted.
    */
   bool Sample(vtkDataSet* output, const int extent[6], double time, const Field& field,
     const Positions& positions, vtkAlgorithm* owner) const;

@@ -8,11 +8,11 @@ namespace interlume
 {
 
 /**
- * Helps PrintSelf of objects that have others.
+ * Helper for PrintSelf of objects that contain other objects.
  */
 namespace PartPrinter
 {
-/// Prints an object that another one has, or that there is none.
+/// Prints a contained object, or "none" if it is null.
 inline void Print(ostream& os, vtkIndent indent, const char* name, vtkObject* part)
 {
   os << indent << name << ": " << (part ? "\n" : "none\n");

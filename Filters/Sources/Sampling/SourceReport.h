@@ -14,22 +14,22 @@ namespace interlume
  * @class   SourceReport
  * @brief   report of a source of images or grids
  *
- * Every number is 0 before the first execution and after one that failed or was aborted, and is
- * the same for any number of threads.
+ * All values are 0 before the first execution and after an error or abort. They do not depend on
+ * the number of threads.
  */
 struct SourceReport
 {
-  /// The number of points of the output, which may be a part of the whole extent.
+  /// Number of points of the output, which may be smaller than the whole extent.
   vtkIdType Points = 0;
-  /// The number of positions at which the field was evaluated. These are more than the points if a
-  /// value is the mean of several, or if colors need the points around a part.
+  /// Number of positions at which the field was evaluated. It exceeds the number of points if
+  /// values are means of subsamples, or if colors depend on points outside the requested extent.
   vtkIdType Evaluations = 0;
-  /// The bytes of the output's point arrays and, for grids, of its coordinates.
+  /// Size of the point arrays in bytes, including point coordinates of grids.
   vtkIdType Bytes = 0;
-  /// The time for which the field was evaluated, or 0 for fields that do not change.
+  /// Time at which the field was evaluated, or 0 for steady fields.
   double Time = 0.0;
 
-  /// Returns the report of an output that is made.
+  /// Returns the report of a complete output.
   static SourceReport Of(vtkDataSet* output, vtkIdType evaluations, double time = 0.0);
 
   void CopyTo(vtkInterlumeReport* report) const;

@@ -15,20 +15,20 @@ SpatialSampler::SpatialSampler(const vtkSpatialObject* object, const double orig
   std::copy_n(spacing, 3, this->Spacing);
 }
 
-double SpatialSampler::GetPlace(int subsample) const
+double SpatialSampler::GetOffset(int subsample) const
 {
   return (subsample + 0.5) / this->NumberOfSubsamples - 0.5;
 }
 
 void SpatialSampler::Add(
-  const int ijk[3], const double place[3], int number, vtkSpatialObject::Sample* sums) const
+  const int ijk[3], const double offset[3], int number, vtkSpatialObject::Sample* sums) const
 {
   double points[vtkSpatialObject::SpanLength][3];
   for (int i = 0; i < number; ++i)
   {
-    points[i][0] = this->Origin[0] + (ijk[0] + i + place[0]) * this->Spacing[0];
-    points[i][1] = this->Origin[1] + (ijk[1] + place[1]) * this->Spacing[1];
-    points[i][2] = this->Origin[2] + (ijk[2] + place[2]) * this->Spacing[2];
+    points[i][0] = this->Origin[0] + (ijk[0] + i + offset[0]) * this->Spacing[0];
+    points[i][1] = this->Origin[1] + (ijk[1] + offset[1]) * this->Spacing[1];
+    points[i][2] = this->Origin[2] + (ijk[2] + offset[2]) * this->Spacing[2];
   }
   vtkSpatialObject::Sample samples[vtkSpatialObject::SpanLength];
   if (!this->Object->EvaluateSpan(points, number, samples))
@@ -51,9 +51,9 @@ void SpatialSampler::SampleSpan(const int ijk[3], int number, vtkSpatialObject::
   const int n = this->NumberOfSubsamples;
   for (int s = 0; s < n * n * n; ++s)
   {
-    const double place[3] = { this->GetPlace(s % n), this->GetPlace(s / n % n),
-      this->GetPlace(s / (n * n)) };
-    this->Add(ijk, place, number, means);
+    const double offset[3] = { this->GetOffset(s % n), this->GetOffset(s / n % n),
+      this->GetOffset(s / (n * n)) };
+    this->Add(ijk, offset, number, means);
   }
   const double count = static_cast<double>(n) * n * n;
   for (int i = 0; i < number; ++i)

@@ -9,9 +9,9 @@ namespace interlume
 
 /**
  * @class   SpatialSampler
- * @brief   the values of a spatial object along rows of an image
+ * @brief   samples a spatial object along rows of an image
  *
- * Positions come from indices alone, so that a value does not depend on the extent it is made in.
+ * Positions are computed from indices only. Therefore values do not depend on the requested extent.
  */
 class SpatialSampler
 {
@@ -19,15 +19,16 @@ public:
   SpatialSampler(const vtkSpatialObject* object, const double origin[3], const double spacing[3],
     int numberOfSubsamples);
 
-  /// Computes the mean samples of \a number points from (i, j, k) on along i, of up to SpanLength.
+  /// Computes the mean of the subsamples for each of \a number points along i, starting at (i, j,
+  /// k). \a number is at most vtkSpatialObject::SpanLength.
   void SampleSpan(const int ijk[3], int number, vtkSpatialObject::Sample* means) const;
 
 private:
-  /// Adds the samples at places inside the cells, with the colours multiplied by the densities.
+  /// Adds the samples at one offset from each point, with colors multiplied by densities.
   void Add(
-    const int ijk[3], const double place[3], int number, vtkSpatialObject::Sample* sums) const;
-  /// Returns the offset of a subsample from the point, in spacings.
-  double GetPlace(int subsample) const;
+    const int ijk[3], const double offset[3], int number, vtkSpatialObject::Sample* sums) const;
+  /// Returns the offset of a subsample from the point, relative to the spacing.
+  double GetOffset(int subsample) const;
 
   const vtkSpatialObject* Object;
   double Origin[3];

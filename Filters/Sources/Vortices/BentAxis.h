@@ -6,15 +6,15 @@ namespace interlume
 {
 
 /**
- * A tube around an axis that is a graph over a straight line: the axis passes the line's point s at
- * an offset of two coordinates, which has a slope there.
+ * Distance from a curved axis. The axis is a graph over a straight line: at coordinate s along the
+ * line, the axis has a two-dimensional offset from the line.
  */
 namespace BentAxis
 {
 /**
- * Returns the squared distance of a point from the axis, to first order in the axis's curvature. \a
- * offset leads from the axis to the point in the plane s = const, \a slope is the axis's derivative
- * by s.
+ * Returns the squared distance from a point to the axis, to first order in the axis's curvature.
+ * \a offset is the vector from the axis to the point in the plane s = const. \a slope is the
+ * derivative of the axis with respect to s.
  */
 inline double SquaredDistance(const double offset[2], const double slope[2])
 {

@@ -17,15 +17,15 @@ struct Tube
 {
   glm::dvec3 Center; ///< at time 0
   glm::dvec3 Velocity;
-  glm::dvec3 Along; ///< of any length
+  glm::dvec3 Along; ///< direction, not normalized
   double HalfLength;
   double Radius;
-  double Bend;       ///< amplitude of the axis
+  double Bend;       ///< amplitude of the bent axis
   double WaveNumber; ///< of the axis, radians per unit of length
   double Phase;      ///< of the axis at time 0, radians
   double PhaseSpeed; ///< radians per unit of time
-  double PeakTime;   ///< when the tube is strongest
-  double LifeTime;   ///< from there to 1/e of its strength
+  double PeakTime;   ///< time of maximum strength
+  double LifeTime;   ///< time from PeakTime until the strength falls to 1/e
 };
 
 const std::array<Tube, VortexTubes::NumberOfTubes> Table = { {
@@ -86,10 +86,10 @@ double VortexTubes::operator()(const double x[3]) const
       glm::dot(from, tube.Across[1]) - 0.5 * tube.Bend * std::cos(1.6 * angle) };
     const double slope[2] = { tube.Bend * tube.WaveNumber * std::cos(angle),
       -0.8 * tube.Bend * tube.WaveNumber * std::sin(1.6 * angle) };
-    const double way = along / tube.HalfLength;
+    const double relative = along / tube.HalfLength;
     sum += tube.Strength *
       std::exp(-BentAxis::SquaredDistance(offset, slope) / (tube.Radius * tube.Radius) -
-        way * way * way * way);
+        relative * relative * relative * relative);
   }
   return sum;
 }

@@ -11,9 +11,9 @@ namespace interlume
 
 /**
  * @class   VortexTubes
- * @brief   vorticity magnitude of bent tubes that drift, bend, grow and fade, at one time
+ * @brief   field VORTEX of vtkAnalyticFieldSource at one time: bent tubes of vorticity
  *
- * The formula is in vtkAnalyticFieldSource; the tubes' constants are in the table of the .cxx.
+ * The tubes drift, bend, grow and fade. Documentation/methods/sources.md describes the formula.
  */
 class VortexTubes
 {
@@ -25,7 +25,7 @@ public:
   double operator()(const double x[3]) const;
 
 private:
-  /// A tube at that time.
+  /// A tube at the time passed to the constructor.
   struct State
   {
     glm::dvec3 Center;

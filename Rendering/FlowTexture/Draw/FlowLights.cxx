@@ -20,16 +20,16 @@ void FlowLights::Gather(vtkRenderer* renderer, const glm::dvec3& center)
   lights->InitTraversal(iterator);
   while (vtkLight* light = lights->GetNextLight(iterator))
   {
-    if (!light->GetSwitch() || this->GetNumber() == Largest)
+    if (!light->GetSwitch() || this->GetNumber() == MaximumNumber)
     {
       continue;
     }
     const glm::dvec3 position = glm::make_vec3(light->GetTransformedPosition());
     const glm::dvec3 focus = glm::make_vec3(light->GetTransformedFocalPoint());
     const bool isPositional = light->GetPositional() != 0;
-    const glm::dvec3 way = position - focus;
-    this->Places.emplace_back(
-      isPositional ? position - center : way / std::max(glm::length(way), 1e-300));
+    const glm::dvec3 direction = position - focus;
+    this->Positions.emplace_back(
+      isPositional ? position - center : direction / std::max(glm::length(direction), 1e-300));
     this->Colors.emplace_back(glm::make_vec3(light->GetDiffuseColor()) * light->GetIntensity());
     this->Positional.push_back(isPositional ? 1.0F : 0.0F);
     ambient += glm::make_vec3(light->GetAmbientColor()) * light->GetIntensity();
@@ -45,7 +45,7 @@ void FlowLights::SetUniforms(vtkShaderProgram* program) const
   { program->SetUniform3fv(name, number, reinterpret_cast<const float(*)[3]>(values.data())); };
   if (number > 0)
   {
-    set("lightDirections", this->Places);
+    set("lightDirections", this->Positions);
     set("lightColors", this->Colors);
     program->SetUniform1fv("lightIsPositional", number, this->Positional.data());
   }

@@ -14,23 +14,23 @@ namespace interlume
 
 /**
  * @class   FlowLights
- * @brief   the lights of a renderer that are switched on, for a shader
+ * @brief shader data of those lights of a renderer that are switched on
  */
 class FlowLights
 {
 public:
-  /// Finds at most this many lights.
-  static constexpr int Largest = 16;
+  /// Maximum number of lights; further lights are ignored.
+  static constexpr int MaximumNumber = 16;
 
-  /// \a center is the place that positions become relative to.
+  /// Collects the lights. Positions are stored relative to \a center.
   void Gather(vtkRenderer* renderer, const glm::dvec3& center);
 
   int GetNumber() const { return static_cast<int>(this->Positional.size()); }
   void SetUniforms(vtkShaderProgram* program) const;
 
 private:
-  /// The way to a directional light, length 1, or the position.
-  std::vector<glm::vec3> Places;
+  /// Unit vectors toward directional lights, and positions of positional lights.
+  std::vector<glm::vec3> Positions;
   std::vector<glm::vec3> Colors;
   std::vector<float> Positional;
   glm::vec3 Ambient{ 0.0F };

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/FlowShader.h"
 
-#include "Draw/FlowPaints.h"
-#include "Draw/FlowView.h"
+#include "Draw/SurfacePaintTextures.h"
+#include "Draw/FlowViewRays.h"
 #include "Grid/FlowGrid.h"
 #include "Offscreen/ShaderFeatures.h"
 
 #include "InterlumeFlowCell.h"
 #include "InterlumeFlowInflow.h"
-#include "InterlumeFlowMatter.h"
+#include "InterlumeFlowMedium.h"
 #include "InterlumeFlowPaint.h"
 #include "InterlumeFlowShade.h"
 #include "InterlumeFlowVolumeFS.h"
@@ -25,15 +25,16 @@ namespace
 {
 void Replace(std::string& text, const std::string& from, const std::string& to)
 {
-  for (std::size_t place = text.find(from); place != std::string::npos;
-       place = text.find(from, place + to.size()))
+  for (std::size_t position = text.find(from); position != std::string::npos;
+       position = text.find(from, position + to.size()))
   {
-    text.replace(place, from.size(), to);
+    text.replace(position, from.size(), to);
   }
 }
 
-// Returns the functions of all images, each of which asks the one before.
-std::string MakeInflow(const FlowPaints& paints)
+// Returns the lookup functions of all inflow textures. Each function calls the previous one for
+// smaller texture numbers.
+std::string MakeInflow(const SurfacePaintTextures& paints)
 {
   std::string before = "none";
   std::string source = "vec4 inflowUpTo_none(int paint, vec2 place, float level)\n"
@@ -57,7 +58,7 @@ void FlowShader::Add(const std::string& feature, const std::string& value)
 }
 
 FlowShader::FlowShader(vtkImplicitFlowVolumeMapper& mapper, const Parts& parts,
-  const FlowPaints& paints, const FlowView& view)
+  const SurfacePaintTextures& paints, const FlowViewRays& view)
 {
   const auto number = [](std::size_t value) { return std::to_string(value); };
   const auto add = [this](bool isOn, const std::string& feature, const std::string& value = {})
@@ -70,18 +71,18 @@ FlowShader::FlowShader(vtkImplicitFlowVolumeMapper& mapper, const Parts& parts,
   const bool hasDetail = parts.DetailDimensions > 0;
   const bool hasGate = mapper.GetTimeGate() != nullptr;
   this->HasTimes = hasGate || parts.DetailDimensions == 3;
-  // Slices have these themselves.
-  const bool isAlone = !parts.IsMedium;
-  add(isAlone && view.IsParallel, "PARALLEL");
-  add(isAlone && parts.HasOpaqueDepth, "OPAQUE");
-  add(
-    isAlone && !view.ClippingPlanes.empty(), "CLIPPING_PLANES", number(view.ClippingPlanes.size()));
-  add(isAlone && view.Regions.HasGaps(), "CROPPING");
+  // The slice mapper provides these features for slices.
+  const bool isRayCasting = !parts.IsMedium;
+  add(isRayCasting && view.IsParallel, "PARALLEL");
+  add(isRayCasting && parts.HasOpaqueDepth, "OPAQUE");
+  add(isRayCasting && !view.ClippingPlanes.empty(), "CLIPPING_PLANES",
+    number(view.ClippingPlanes.size()));
+  add(isRayCasting && view.Regions.HasGaps(), "CROPPING");
   add(parts.HasSplitCells, "SPLITS");
   add(parts.HasSeamCells, "SEAMS");
-  add(!paints.IsOne, "SURFACES");
+  add(!paints.IsUniform, "SURFACES");
   add(this->HasTimes, "TIMES");
-  add(mapper.GetPaintFilter(), "PAINT_FILTER");
+  add(mapper.GetTextureFilter(), "PAINT_FILTER");
   add(hasDetail, "DETAIL", std::to_string(parts.DetailDimensions));
   const char* modes[] = { "DETAIL_MODULATE", "DETAIL_OVER", "DETAIL_ADD" };
   add(hasDetail, modes[mapper.GetDetailMode()]);
@@ -94,18 +95,18 @@ FlowShader::FlowShader(vtkImplicitFlowVolumeMapper& mapper, const Parts& parts,
       (isBoth || mapper.GetTimeGateTarget() == vtkImplicitFlowVolumeMapper::GATE_DETAIL),
     "GATE_DETAIL");
   add(parts.HasTransfer, "TRANSFER", number(Columns));
-  add(isAlone && parts.IsShaded, "SHADE");
+  add(isRayCasting && parts.IsShaded, "SHADE");
   add(parts.IsShaded && parts.IsShadedByVectors, "SHADE_VECTORS");
   this->Names = this->Features.substr(0, this->Features.find_last_not_of(' ') + 1);
   std::transform(this->Names.begin(), this->Names.end(), this->Names.begin(),
     [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
 
-  // What follows is no feature but a number that the shader is compiled with.
-  add(parts.IsSoftware, "SMOOTH_PLACES");
+  // The following defines are not listed as features in the report.
+  add(parts.IsSoftware, "SMOOTH_POSITIONS");
   add(parts.HasEmptyCells, "EMPTY_CELLS");
-  this->Add("WAYS", std::to_string(FlowGrid::Ways));
-  add(isAlone && parts.IsShaded, "LIGHTS", std::to_string(parts.Lights));
-  if (paints.IsOne)
+  this->Add("NUMBER_OF_SIDES", std::to_string(FlowGrid::NumberOfSides));
+  add(isRayCasting && parts.IsShaded, "LIGHTS", std::to_string(parts.Lights));
+  if (paints.IsUniform)
   {
     const bool hasSurface = paints.Surfaces.size() > 4;
     const auto is = [&](std::size_t i)
@@ -114,7 +115,7 @@ FlowShader::FlowShader(vtkImplicitFlowVolumeMapper& mapper, const Parts& parts,
     this->Add("PERIOD_U", is(1));
     this->Add("PERIOD_V", is(2));
   }
-  this->Source = isAlone ? InterlumeFlowVolumeFS : InterlumeFlowMatter;
+  this->Source = isRayCasting ? InterlumeFlowVolumeFS : InterlumeFlowMedium;
   Replace(this->Source, "//INTERLUME::WALK", InterlumeFlowWalk);
   Replace(this->Source, "//INTERLUME::CELL", InterlumeFlowCell);
   Replace(this->Source, "//INTERLUME::PAINT\n", std::string(InterlumeFlowPaint) + "\n");

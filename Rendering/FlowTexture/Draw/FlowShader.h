@@ -9,45 +9,47 @@ class vtkImplicitFlowVolumeMapper;
 namespace interlume
 {
 
-class FlowPaints;
-class FlowView;
+class SurfacePaintTextures;
+class FlowViewRays;
 
 /**
  * @class   FlowShader
- * @brief   puts the shader of a picture together, with nothing of what is off
+ * @brief   assembles the shader of a frame, without code for unused features
  *
- * It is that of lines of sight, or the functions of matter that vtkSliceMedium tells of.
+ * The result is either a complete fragment shader for ray casting, or the functions of a
+ * vtkSliceMedium.
  */
 class FlowShader
 {
 public:
-  /// What a picture has beside its settings.
+  /// Properties of a frame that are not settings of the mapper.
   struct Parts
   {
     bool HasOpaqueDepth = false;
     bool HasSplitCells = false;
     bool HasSeamCells = false;
     bool HasEmptyCells = false;
-    /// Whether textures of floats are interpolated in full.
+    /// If true, OpenGL is a software implementation, which interpolates floating-point textures in
+    /// full precision.
     bool IsSoftware = false;
-    /// The dimensions of the detail texture, 2 or 3; 0 without one.
+    /// Number of dimensions of the detail texture, 2 or 3, or 0 if there is no detail texture.
     int DetailDimensions = 0;
     bool HasTransfer = false;
-    /// Whether there is shading, by vectors or by a gradient.
+    /// If true, the volume is shaded, by vectors or by a gradient.
     bool IsShaded = false;
     bool IsShadedByVectors = false;
     int Lights = 0;
-    /// Whether it is matter of slices, not lines of sight, that is looked up.
+    /// If true, create the functions of a slice medium, otherwise a shader for ray casting.
     bool IsMedium = false;
   };
 
-  /// The columns of textures of functions.
+  /// Number of columns of textures that store functions.
   static constexpr int Columns = 1024;
 
-  FlowShader(vtkImplicitFlowVolumeMapper& mapper, const Parts& parts, const FlowPaints& paints,
-    const FlowView& view);
+  FlowShader(vtkImplicitFlowVolumeMapper& mapper, const Parts& parts,
+    const SurfacePaintTextures& paints, const FlowViewRays& view);
 
-  /// The words of the report.
+  /// Returns the names of the features, for the report.
   const std::string& GetNames() const { return this->Names; }
   const std::string& GetSource() const { return this->Source; }
 

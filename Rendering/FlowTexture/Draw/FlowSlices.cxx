@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/FlowSlices.h"
 
-#include "Draw/FlowPicture.h"
+#include "Draw/FlowRenderPass.h"
 #include "Draw/FlowShader.h"
 #include "Draw/FlowTextures.h"
 #include "Draw/FlowUniforms.h"
@@ -25,7 +25,7 @@
 namespace interlume
 {
 
-/// What is painted in the image that is being drawn.
+/// The textured flow of the current frame.
 class FlowSlices::Medium : public vtkSliceMedium
 {
 public:
@@ -34,22 +34,21 @@ public:
 
   std::string GetSource() override
   {
-    return FlowShader(
-      this->Picture->Mapper, this->Picture->Parts, this->Scene->Paints, this->Scene->View)
+    return FlowShader(this->Pass->Mapper, this->Pass->Parts, this->Scene->Paints, this->Scene->View)
       .GetSource();
   }
-  bool HasReflection() override { return this->Picture->Parts.IsShaded; }
+  bool HasReflection() override { return this->Pass->Parts.IsShaded; }
   void Activate(vtkShaderProgram* program) override
   {
     this->Textures->Activate(program);
-    FlowUniforms::SetMedium(program, *this->Scene, *this->Picture);
+    FlowUniforms::SetMedium(program, *this->Scene, *this->Pass);
   }
   void Deactivate() override { this->Textures->Deactivate(); }
   void ReportError(const std::string& text) override { this->Reported = text; }
 
   Error Reported;
-  FlowPicture* Picture = nullptr;
-  const FlowScene* Scene = nullptr;
+  FlowRenderPass* Pass = nullptr;
+  const FlowRenderState* Scene = nullptr;
   FlowTextures* Textures = nullptr;
 };
 
@@ -58,7 +57,7 @@ FlowSlices::FlowSlices()
   this->Mapper->SetMedium(this->Painted);
   this->Mapper->AutoAdjustSampleDistancesOff();
   this->Volume->SetMapper(this->Mapper);
-  // A ramp: opacity that jumps would be looked for within slabs.
+  // Use a ramp: with a step, the slice mapper would search for sharp surfaces in slabs.
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
   opacity->AddPoint(1.0, 0.5);
@@ -67,7 +66,7 @@ FlowSlices::FlowSlices()
 
 FlowSlices::~FlowSlices() = default;
 
-bool FlowSlices::IsAsked(vtkRenderer* renderer)
+bool FlowSlices::HasShadowLight(vtkRenderer* renderer)
 {
   vtkLightCollection* lights = renderer->GetLights();
   vtkCollectionSimpleIterator iterator;
@@ -82,17 +81,17 @@ bool FlowSlices::IsAsked(vtkRenderer* renderer)
   return false;
 }
 
-void FlowSlices::MakeReached(const FlowPicture& picture, const FlowScene& scene)
+void FlowSlices::MakeReached(const FlowRenderPass& pass, const FlowRenderState& scene)
 {
   const FlowGrid& grid = scene.Grid;
-  this->Reached->CopyStructure(picture.Image);
+  this->Reached->CopyStructure(pass.Image);
   vtkNew<vtkUnsignedCharArray> reached;
   reached->SetName("Reached");
   reached->SetNumberOfValues(this->Reached->GetNumberOfPoints());
   for (vtkIdType i = 0; i < reached->GetNumberOfValues(); ++i)
   {
     const bool isReached =
-      grid.Groups.empty() || grid.Groups[static_cast<std::size_t>(i)] >= FlowGrid::Ways;
+      grid.Groups.empty() || grid.Groups[static_cast<std::size_t>(i)] >= FlowGrid::NumberOfSides;
     reached->SetValue(i, isReached ? 1 : 0);
   }
   this->Reached->GetPointData()->SetScalars(reached);
@@ -100,49 +99,48 @@ void FlowSlices::MakeReached(const FlowPicture& picture, const FlowScene& scene)
   this->Mapper->SetInputData(this->Reached);
 }
 
-void FlowSlices::Set(const FlowPicture& picture, const FlowScene& scene)
+void FlowSlices::Set(const FlowRenderPass& pass, const FlowRenderState& scene)
 {
-  vtkImplicitFlowVolumeMapper& settings = picture.Mapper;
+  vtkImplicitFlowVolumeMapper& settings = pass.Mapper;
   vtkShadowedSliceMapper* mapper = this->Mapper;
   mapper->SetLightBufferSize(settings.GetLightBufferSize());
-  // Edges of paint are sharper than voxels: slices half as far apart as those of a volume.
+  // Textures have sharper edges than voxel data, so use half the slice spacing of other volumes.
   mapper->SetSliceSpacing(
     settings.GetSampleDistance() > 0.0 ? settings.GetSampleDistance() : 0.25 * scene.View.Spacing);
   mapper->SetImageSampleDistance(settings.GetImageSampleDistance());
-  const vtkIdType most = settings.GetMaximumTextureMemory();
+  const vtkIdType maximum = settings.GetMaximumTextureMemory();
   mapper->SetMaximumTextureMemory(
-    most > 0 ? std::max<vtkIdType>(most - picture.Report.TextureBytes, 1) : 0);
+    maximum > 0 ? std::max<vtkIdType>(maximum - pass.Report.TextureBytes, 1) : 0);
   mapper->SetClippingPlanes(settings.GetClippingPlanes());
   mapper->SetCropping(settings.GetCropping());
   mapper->SetCroppingRegionPlanes(settings.GetCroppingRegionPlanes());
   mapper->SetCroppingRegionFlags(settings.GetCroppingRegionFlags());
-  vtkVolumeProperty* from = picture.Volume->GetProperty();
+  vtkVolumeProperty* from = pass.Volume->GetProperty();
   vtkVolumeProperty* to = this->Volume->GetProperty();
   to->SetShade(from->GetShade());
   to->SetAmbient(from->GetAmbient());
   to->SetDiffuse(from->GetDiffuse());
   to->SetSpecular(from->GetSpecular());
   to->SetSpecularPower(from->GetSpecularPower());
-  this->Volume->SetUserMatrix(picture.Volume->GetMatrix());
+  this->Volume->SetUserMatrix(pass.Volume->GetMatrix());
 }
 
-Error FlowSlices::Draw(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures)
+Error FlowSlices::Draw(FlowRenderPass& pass, const FlowRenderState& scene, FlowTextures& textures)
 {
-  this->Painted->Picture = &picture;
+  this->Painted->Pass = &pass;
   this->Painted->Scene = &scene;
   this->Painted->Textures = &textures;
   this->Painted->Reported = {};
-  picture.Parts.IsMedium = true;
+  pass.Parts.IsMedium = true;
   if (this->ReachedVersion != scene.GridVersion)
   {
-    this->MakeReached(picture, scene);
+    this->MakeReached(pass, scene);
   }
-  this->Set(picture, scene);
-  this->Mapper->Render(picture.Renderer, this->Volume);
+  this->Set(pass, scene);
+  this->Mapper->Render(pass.Renderer, this->Volume);
   vtkInterlumeReport* drawn = this->Mapper->GetReport();
-  FlowVolumeRenderReport& report = picture.Report;
-  const std::string own =
-    FlowShader(picture.Mapper, picture.Parts, scene.Paints, scene.View).GetNames();
+  FlowVolumeRenderReport& report = pass.Report;
+  const std::string own = FlowShader(pass.Mapper, pass.Parts, scene.Paints, scene.View).GetNames();
   report.Features = drawn->GetText("Features") + (own.empty() ? "" : " ") + own;
   const auto copy = [drawn](const char* name, auto& value)
   { value = static_cast<std::decay_t<decltype(value)>>(drawn->GetNumber(name)); };

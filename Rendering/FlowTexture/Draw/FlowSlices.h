@@ -17,15 +17,15 @@ namespace interlume
 {
 
 class FlowTextures;
-struct FlowPicture;
-struct FlowScene;
+struct FlowRenderPass;
+struct FlowRenderState;
 
 /**
  * @class   FlowSlices
- * @brief   draws an implicit flow field in slices, with the shadows that its paint casts
+ * @brief   draws an implicit flow field in slices, with shadows
  *
- * The medium of a vtkShadowedSliceMapper is what is painted; its scalars are 1 at voxels that
- * reached a surface and 0 elsewhere.
+ * A vtkShadowedSliceMapper draws the textured flow as its medium. The scalars of the mapper's input
+ * are 1 at voxels whose streamline reached a surface, otherwise 0.
  */
 class FlowSlices
 {
@@ -33,21 +33,20 @@ public:
   FlowSlices();
   ~FlowSlices();
 
-  /// Returns whether a light of the renderer casts shadows: it is switched on and has a
-  /// ShadowAttenuation above 0.
-  static bool IsAsked(vtkRenderer* renderer);
+  /// Returns true if a light of the renderer is switched on and has ShadowAttenuation above 0.
+  static bool HasShadowLight(vtkRenderer* renderer);
 
-  /// Draws an image, whose textures have been sent. Returns the errors and warnings that the mapper
-  /// of slices reports.
-  Error Draw(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures);
+  /// Draws a frame whose textures are uploaded. Returns the errors and warnings of the slice
+  /// mapper.
+  Error Draw(FlowRenderPass& pass, const FlowRenderState& scene, FlowTextures& textures);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
   class Medium;
 
-  void MakeReached(const FlowPicture& picture, const FlowScene& scene);
-  void Set(const FlowPicture& picture, const FlowScene& scene);
+  void MakeReached(const FlowRenderPass& pass, const FlowRenderState& scene);
+  void Set(const FlowRenderPass& pass, const FlowRenderState& scene);
 
   vtkNew<vtkImageData> Reached;
   vtkMTimeType ReachedVersion = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/FlowSources.h"
 
-#include "Draw/FlowPicture.h"
+#include "Draw/FlowRenderPass.h"
 #include "Draw/FlowTextures.h"
 #include "Grid/SmoothVoxels.h"
 #include "Loader/OpenGLFunctions.h"
@@ -33,7 +33,7 @@ FlowTextures::Source MakeTable(const std::vector<float>& values, int components)
   return source;
 }
 
-// Copies an array as floats; values that are no finite numbers become 0.
+// Returns the values of an array as floats. Non-finite values become 0.
 std::vector<float> MakeFloats(vtkDataArray* array)
 {
   const int components = array->GetNumberOfComponents();
@@ -63,17 +63,17 @@ vtkIdType CountNonFinite(vtkDataArray* array)
   return count;
 }
 
-void KeepGrid(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures)
+void UpdateGrid(FlowRenderPass& pass, const FlowRenderState& scene, FlowTextures& textures)
 {
   const FlowGrid& grid = scene.Grid;
-  // Software interpolates floats as such; graphics cards round the weights to eight bits.
-  const bool isSoftware = picture.Parts.IsSoftware;
+  // Software OpenGL interpolates in full precision. GPUs round interpolation weights to 8 bits.
+  const bool isSoftware = pass.Parts.IsSoftware;
   std::vector<float> smooth;
-  const auto keep = [&](const std::string& name, const std::array<int, 3>& size, int components,
-                      int type, const std::function<const void*()>& getValues)
+  const auto update = [&](const std::string& name, const std::array<int, 3>& size, int components,
+                        int type, const std::function<const void*()>& getValues)
   {
-    textures.Keep(
-      name, "the texture of voxels `" + name + "`", true, { &scene, scene.GridVersion, {} },
+    textures.Update(
+      name, "The texture of voxels `" + name + "`", true, { &scene, scene.GridVersion, {} },
       [&]
       {
         FlowTextures::Source source;
@@ -84,38 +84,38 @@ void KeepGrid(FlowPicture& picture, const FlowScene& scene, FlowTextures& textur
         source.IsSmooth = isSoftware && type == VTK_FLOAT;
         return source;
       },
-      picture.Report.GridUploads);
+      pass.Report.GridUploads);
   };
-  keep("cells", { { grid.Size[0] - 1, grid.Size[1] - 1, grid.Size[2] - 1 } }, 2, VTK_UNSIGNED_SHORT,
-    [&] { return grid.Cells.data(); });
-  keep("places", grid.Size, isSoftware ? 4 : 2, VTK_FLOAT,
+  update("cells", { { grid.Size[0] - 1, grid.Size[1] - 1, grid.Size[2] - 1 } }, 2,
+    VTK_UNSIGNED_SHORT, [&] { return grid.Cells.data(); });
+  update("places", grid.Size, isSoftware ? 4 : 2, VTK_FLOAT,
     [&]
     {
       smooth = isSoftware ? SmoothVoxels::Make(grid) : std::vector<float>();
-      return isSoftware ? smooth.data() : grid.Places.data();
+      return isSoftware ? smooth.data() : grid.Parameters.data();
     });
-  if (picture.Parts.HasSplitCells)
+  if (pass.Parts.HasSplitCells)
   {
-    keep("groups", grid.Size, 1, VTK_UNSIGNED_SHORT, [&] { return grid.Groups.data(); });
+    update("groups", grid.Size, 1, VTK_UNSIGNED_SHORT, [&] { return grid.Groups.data(); });
   }
-  if (picture.Mapper.GetTimeGate() || picture.Parts.DetailDimensions == 3)
+  if (pass.Mapper.GetTimeGate() || pass.Parts.DetailDimensions == 3)
   {
-    keep("times", grid.Size, 1, VTK_FLOAT, [&] { return grid.Times.data(); });
+    update("times", grid.Size, 1, VTK_FLOAT, [&] { return grid.Times.data(); });
   }
 }
 
-void KeepPaints(FlowPicture& picture, FlowScene& scene, FlowTextures& textures)
+void UpdatePaints(FlowRenderPass& pass, FlowRenderState& scene, FlowTextures& textures)
 {
-  vtkImplicitFlowVolumeMapper& mapper = picture.Mapper;
-  FlowVolumeRenderReport& report = picture.Report;
+  vtkImplicitFlowVolumeMapper& mapper = pass.Mapper;
+  FlowVolumeRenderReport& report = pass.Report;
   PaintTexels texels;
-  const auto keep = [&](const std::string& name, const std::string& title, vtkImageData* image,
-                      int dimensions, bool isRepeated, int& count)
+  const auto update = [&](const std::string& name, const std::string& title, vtkImageData* image,
+                        int dimensions, bool isRepeated, int& count)
   {
-    // The levels of detail are a part of the texture: with and without are two states of it.
-    textures.Keep(
+    // The stamp includes TextureFilter, because mipmaps are part of the texture.
+    textures.Update(
       name, title, dimensions == 3,
-      { image, 2 * image->GetMTime() + (mapper.GetPaintFilter() ? 1 : 0), {} },
+      { image, 2 * image->GetMTime() + (mapper.GetTextureFilter() ? 1 : 0), {} },
       [&]
       {
         FlowTextures::Source source;
@@ -126,14 +126,14 @@ void KeepPaints(FlowPicture& picture, FlowScene& scene, FlowTextures& textures)
         source.Values = texels.Texels.data();
         source.IsSmooth = true;
         source.IsRepeated = isRepeated;
-        source.HasLevels = mapper.GetPaintFilter();
+        source.HasLevels = mapper.GetTextureFilter();
         return source;
       },
       count);
   };
-  for (FlowPaints::Paint& paint : scene.Paints.Paints)
+  for (SurfacePaintTextures::Paint& paint : scene.Paints.Paints)
   {
-    keep("paint_" + paint.Name, "the inflow texture of id " + paint.Name, paint.Image, 2, false,
+    update("paint_" + paint.Name, "The inflow texture of id " + paint.Name, paint.Image, 2, false,
       report.InflowUploads);
     int size[3];
     paint.Image->GetDimensions(size);
@@ -147,30 +147,30 @@ void KeepPaints(FlowPicture& picture, FlowScene& scene, FlowTextures& textures)
       }
     }
   }
-  if (picture.Parts.DetailDimensions > 0)
+  if (pass.Parts.DetailDimensions > 0)
   {
-    mapper.GetDetailTexture()->GetDimensions(picture.DetailSize.data());
-    keep("detail", "the detail texture", mapper.GetDetailTexture(), picture.Parts.DetailDimensions,
+    mapper.GetDetailTexture()->GetDimensions(pass.DetailSize.data());
+    update("detail", "The detail texture", mapper.GetDetailTexture(), pass.Parts.DetailDimensions,
       true, report.DetailUploads);
   }
-  if (!scene.Paints.IsOne)
+  if (!scene.Paints.IsUniform)
   {
-    textures.Keep(
-      "surfaces", "the texture of surfaces", false, { &scene.Paints, scene.Paints.Version, {} },
+    textures.Update(
+      "surfaces", "The texture of surfaces", false, { &scene.Paints, scene.Paints.Version, {} },
       [&] { return MakeTable(scene.Paints.Surfaces, 4); }, report.InflowUploads);
   }
 }
 
-void KeepArrays(FlowPicture& picture, const FlowScene& scene, FlowTextures& textures)
+void UpdateArrays(FlowRenderPass& pass, const FlowRenderState& scene, FlowTextures& textures)
 {
-  FlowVolumeRenderReport& report = picture.Report;
+  FlowVolumeRenderReport& report = pass.Report;
   std::vector<float> values;
-  const auto keepArray = [&](const char* name, vtkDataArray* array)
+  const auto updateArray = [&](const char* name, vtkDataArray* array)
   {
     report.NonFiniteSamples += CountNonFinite(array);
     const std::array<int, 3>& size = scene.Grid.Size;
-    textures.Keep(
-      name, "a texture of values", true,
+    textures.Update(
+      name, std::string("The texture of array values `") + name + "`", true,
       { array, array->GetMTime(), { { double(size[0]), double(size[1]), double(size[2]) } } },
       [&]
       {
@@ -184,11 +184,11 @@ void KeepArrays(FlowPicture& picture, const FlowScene& scene, FlowTextures& text
       },
       report.ArrayUploads);
   };
-  const auto keepFunction = [&](const char* name, vtkPiecewiseFunction* function,
-                              const std::array<double, 2>& range, int& count)
+  const auto updateFunction = [&](const char* name, vtkPiecewiseFunction* function,
+                                const std::array<double, 2>& range, int& count)
   {
-    textures.Keep(
-      name, "a texture of a function", false,
+    textures.Update(
+      name, std::string("The texture of the function `") + name + "`", false,
       { function, function->GetMTime(), { { range[0], range[1], 0.0 } } },
       [&]
       {
@@ -198,39 +198,39 @@ void KeepArrays(FlowPicture& picture, const FlowScene& scene, FlowTextures& text
       },
       count);
   };
-  if (picture.OpacityValues)
+  if (pass.OpacityValues)
   {
-    keepArray("opacityValues", picture.OpacityValues);
+    updateArray("opacityValues", pass.OpacityValues);
     double range[2];
-    picture.OpacityValues->GetFiniteRange(range, 0);
-    picture.TransferRange = { { range[0], range[1] > range[0] ? range[1] : range[0] + 1.0 } };
-    keepFunction("transfer", picture.Volume->GetProperty()->GetScalarOpacity(0),
-      picture.TransferRange, report.TransferUploads);
+    pass.OpacityValues->GetFiniteRange(range, 0);
+    pass.TransferRange = { { range[0], range[1] > range[0] ? range[1] : range[0] + 1.0 } };
+    updateFunction("transfer", pass.Volume->GetProperty()->GetScalarOpacity(0), pass.TransferRange,
+      report.TransferUploads);
   }
-  if (picture.ShadingValues)
+  if (pass.ShadingValues)
   {
-    keepArray("shadingValues", picture.ShadingValues);
+    updateArray("shadingValues", pass.ShadingValues);
   }
-  if (vtkPiecewiseFunction* gate = picture.Mapper.GetTimeGate())
+  if (vtkPiecewiseFunction* gate = pass.Mapper.GetTimeGate())
   {
     const double* range = gate->GetRange();
-    const bool isRepeated = picture.Mapper.GetTimeGateRepeat();
-    keepFunction("gate", gate, { { isRepeated ? 0.0 : range[0], isRepeated ? 1.0 : range[1] } },
+    const bool isRepeated = pass.Mapper.GetTimeGateRepeat();
+    updateFunction("gate", gate, { { isRepeated ? 0.0 : range[0], isRepeated ? 1.0 : range[1] } },
       report.GateUploads);
   }
 }
 }
 
-Error FlowSources::Keep(FlowPicture& picture, FlowScene& scene, FlowTextures& textures)
+Error FlowSources::Update(FlowRenderPass& pass, FlowRenderState& scene, FlowTextures& textures)
 {
-  textures.Begin(picture.Window);
-  KeepGrid(picture, scene, textures);
-  KeepPaints(picture, scene, textures);
-  KeepArrays(picture, scene, textures);
+  textures.Begin(pass.Window);
+  UpdateGrid(pass, scene, textures);
+  UpdatePaints(pass, scene, textures);
+  UpdateArrays(pass, scene, textures);
   Error error = textures.Finish();
-  picture.Report.UploadedBytes = textures.GetSentBytes();
-  picture.Report.Textures = textures.GetNumber();
-  picture.Report.TextureBytes = textures.GetBytes();
+  pass.Report.UploadedBytes = textures.GetUploadedBytes();
+  pass.Report.Textures = textures.GetNumber();
+  pass.Report.TextureBytes = textures.GetBytes();
   if (error)
   {
     return error;
@@ -239,15 +239,16 @@ Error FlowSources::Keep(FlowPicture& picture, FlowScene& scene, FlowTextures& te
   glGetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
   if (textures.GetNumber() + 1 > units)
   {
-    return { "the picture needs " + std::to_string(textures.GetNumber() + 1) +
-        " textures, and a shader here has at most " + std::to_string(units),
+    return { "The image requires " + std::to_string(textures.GetNumber() + 1) +
+        " texture units, but the GPU has " + std::to_string(units) + ". Use fewer inflow textures.",
       ErrorCode::OpenGL };
   }
-  const vtkIdType most = picture.Mapper.GetMaximumTextureMemory();
-  if (most > 0 && textures.GetBytes() > most)
+  const vtkIdType maximum = pass.Mapper.GetMaximumTextureMemory();
+  if (maximum > 0 && textures.GetBytes() > maximum)
   {
-    return { "textures of the picture take " + std::to_string(textures.GetBytes()) +
-        " bytes, and MaximumTextureMemory is " + std::to_string(most),
+    return { "The textures of the image require " + std::to_string(textures.GetBytes()) +
+        " bytes, but MaximumTextureMemory is " + std::to_string(maximum) +
+        ". Increase it or use smaller images.",
       ErrorCode::OutOfMemory };
   }
   return {};

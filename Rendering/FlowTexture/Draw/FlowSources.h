@@ -8,20 +8,20 @@ namespace interlume
 {
 
 class FlowTextures;
-struct FlowPicture;
-struct FlowScene;
+struct FlowRenderPass;
+struct FlowRenderState;
 
 /**
- * Sends the arrays, images and functions that an image looks up.
+ * Uploads the arrays, images and functions that the shaders of a frame use.
  */
 namespace FlowSources
 {
 /**
- * Keeps the textures of an image, and no others. Sets their sizes and ranges in \a picture, and
- * what was sent in its report. Returns an error if a texture cannot be made, or they are too many
- * or too large.
+ * Updates the textures of a frame and releases all others. Sets sizes and ranges in \a pass, and
+ * upload counts in its report. Returns an error if a texture cannot be created, or if there are too
+ * many textures or they are too large.
  */
-Error Keep(FlowPicture& picture, FlowScene& scene, FlowTextures& textures);
+Error Update(FlowRenderPass& pass, FlowRenderState& scene, FlowTextures& textures);
 }
 
 }

@@ -14,8 +14,8 @@ namespace interlume
 
 namespace
 {
-/// Makes the object where there is none, and anew where it has another number of dimensions, which
-/// OpenGL keeps, as VTK does the parameters that it has sent.
+/// Creates the texture object, or recreates it if its number of dimensions changed, because neither
+/// OpenGL nor VTK's cached parameters allow a change of the target.
 void MakeObject(
   vtkSmartPointer<vtkTextureObject>& object, unsigned int target, vtkOpenGLRenderWindow* window)
 {
@@ -34,7 +34,7 @@ void MakeObject(
 void FlowTextures::Begin(vtkOpenGLRenderWindow* window)
 {
   this->Window = window;
-  this->SentBytes = 0;
+  this->UploadedBytes = 0;
   this->FirstError = {};
   for (auto& [name, texture] : this->Textures)
   {
@@ -60,7 +60,7 @@ Error FlowTextures::Finish()
   return this->FirstError;
 }
 
-void FlowTextures::Keep(const std::string& name, const std::string& title, bool isVolume,
+void FlowTextures::Update(const std::string& name, const std::string& title, bool isVolume,
   const Stamp& stamp, const std::function<Source()>& make, int& count)
 {
   if (this->FirstError)
@@ -69,22 +69,22 @@ void FlowTextures::Keep(const std::string& name, const std::string& title, bool 
   }
   Texture& texture = this->Textures[name];
   texture.IsUsed = true;
-  if (texture.Object && texture.Made == stamp)
+  if (texture.Object && texture.SourceStamp == stamp)
   {
     return;
   }
-  texture.Made = {};
-  this->FirstError = this->Send(isVolume, texture, make()).Within(title + " ");
+  texture.SourceStamp = {};
+  this->FirstError = this->Upload(isVolume, texture, make()).Within(title + " ");
   if (this->FirstError)
   {
     return;
   }
-  texture.Made = stamp;
+  texture.SourceStamp = stamp;
   ++count;
-  this->SentBytes += texture.Bytes;
+  this->UploadedBytes += texture.Bytes;
 }
 
-Error FlowTextures::Send(bool isVolume, Texture& texture, const Source& source)
+Error FlowTextures::Upload(bool isVolume, Texture& texture, const Source& source)
 {
   if (source.Error)
   {
@@ -96,7 +96,8 @@ Error FlowTextures::Send(bool isVolume, Texture& texture, const Source& source)
   if (largest > limit)
   {
     return { "has " + std::to_string(largest) +
-        " texels along an axis, and textures here at most " + std::to_string(limit),
+        " texels along an axis, but the GPU supports at most " + std::to_string(limit) +
+        ". Use a smaller image.",
       ErrorCode::OpenGL };
   }
   MakeObject(texture.Object, isVolume ? GL_TEXTURE_3D : GL_TEXTURE_2D, this->Window);
@@ -111,9 +112,10 @@ Error FlowTextures::Send(bool isVolume, Texture& texture, const Source& source)
   object->SetWrapS(wrap);
   object->SetWrapT(wrap);
   object->SetWrapR(wrap);
-  // Without this the texture keeps the format of the values before.
+  // Without this reset, the texture keeps the format of its previous contents.
   object->ResetFormatAndType();
-  // Without a context glGetError never ends.
+  // Clear earlier errors. The loop is limited, because glGetError never returns GL_NO_ERROR without
+  // a context.
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
   {
   }
@@ -131,8 +133,8 @@ Error FlowTextures::Send(bool isVolume, Texture& texture, const Source& source)
   {
     object->ReleaseGraphicsResources(this->Window);
     texture.Object = nullptr;
-    return { "takes " + std::to_string(texture.Bytes) +
-        " bytes, for which the graphics card has no memory",
+    return { "requires " + std::to_string(texture.Bytes) +
+        " bytes, but the GPU is out of memory. Use a smaller image.",
       ErrorCode::OutOfMemory };
   }
   return {};

@@ -24,12 +24,12 @@ namespace interlume
 
 /**
  * @class   FlowTextures
- * @brief   textures by the names that a shader has for them, each sent when its source has changed
+ * @brief   textures by their names in the shader, uploaded only if their source has changed
  */
 class FlowTextures
 {
 public:
-  /// What a texture is made of.
+  /// Contents and parameters of a texture.
   struct Source
   {
     std::array<int, 3> Size{ { 1, 1, 1 } };
@@ -37,15 +37,15 @@ public:
     /// VTK_FLOAT or VTK_UNSIGNED_SHORT.
     int Type = VTK_FLOAT;
     const void* Values = nullptr;
-    /// Set if there is nothing to send.
+    /// Set if the contents are not available.
     interlume::Error Error;
-    /// Whether it is interpolated, goes on beyond its ends, and has levels of detail.
+    /// If true: linear interpolation, repetition outside 0 ... 1, and mipmaps.
     bool IsSmooth = false;
     bool IsRepeated = false;
     bool HasLevels = false;
   };
 
-  /// What tells that a source has changed: who it is, its time or version, and its size or range.
+  /// Identifies a state of a source: owner, modification time or version, and size or range.
   struct Stamp
   {
     const void* Owner = nullptr;
@@ -58,20 +58,20 @@ public:
     }
   };
 
-  /// Begins an image: textures that are not kept until Finish are released there.
+  /// Begins a frame. Textures that are not updated before Finish are released.
   void Begin(vtkOpenGLRenderWindow* window);
   /**
-   * Keeps a texture, of three dimensions if \a isVolume; \a make is called if the stamp is not that
-   * of the last time. \a count grows if it was sent. Nothing is kept after an error, whose message
-   * begins with \a title.
+   * Updates a texture, three-dimensional if \a isVolume. If the stamp differs from the previous
+   * stamp, calls \a make, uploads the result and increments \a count. After an error, further calls
+   * do nothing. The error message begins with \a title.
    */
-  void Keep(const std::string& name, const std::string& title, bool isVolume, const Stamp& stamp,
+  void Update(const std::string& name, const std::string& title, bool isVolume, const Stamp& stamp,
     const std::function<Source()>& make, int& count);
-  /// Returns the first error since Begin.
+  /// Ends a frame. Returns the first error since Begin.
   Error Finish();
 
-  /// Returns the bytes sent since Begin.
-  vtkIdType GetSentBytes() const { return this->SentBytes; }
+  /// Returns the number of bytes uploaded since Begin.
+  vtkIdType GetUploadedBytes() const { return this->UploadedBytes; }
   int GetNumber() const { return static_cast<int>(this->Textures.size()); }
   vtkIdType GetBytes() const;
 
@@ -85,15 +85,15 @@ private:
   struct Texture
   {
     vtkSmartPointer<vtkTextureObject> Object;
-    Stamp Made;
+    Stamp SourceStamp;
     vtkIdType Bytes = 0;
     bool IsUsed = false;
   };
 
-  Error Send(bool isVolume, Texture& texture, const Source& source);
+  Error Upload(bool isVolume, Texture& texture, const Source& source);
 
   vtkOpenGLRenderWindow* Window = nullptr;
-  vtkIdType SentBytes = 0;
+  vtkIdType UploadedBytes = 0;
   Error FirstError;
   std::map<std::string, Texture> Textures;
   std::vector<vtkTextureObject*> Active;

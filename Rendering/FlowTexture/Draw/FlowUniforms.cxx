@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/FlowUniforms.h"
 
-#include "Draw/FlowPicture.h"
+#include "Draw/FlowRenderPass.h"
 
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkPiecewiseFunction.h"
@@ -41,9 +41,9 @@ void SetValue(vtkShaderProgram* program, const char* name, const glm::dmat3& m)
   program->SetUniformMatrix3x3(name, glm::value_ptr(values));
 }
 
-void SetView(vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture)
+void SetView(vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderPass& pass)
 {
-  const FlowView& view = scene.View;
+  const FlowViewRays& view = scene.View;
   SetValue(program, "rayOrigin", view.Origin);
   SetValue(program, "rayOriginX", view.OriginX);
   SetValue(program, "rayOriginY", view.OriginY);
@@ -52,10 +52,10 @@ void SetView(vtkShaderProgram* program, const FlowScene& scene, const FlowPictur
   SetValue(program, "rayDirectionY", view.DirectionY);
   SetValue(program, "worldFromVoxels", glm::dmat3(view.WorldFromVoxels));
   SetValue(program, "nearFar", view.NearFar[0], view.NearFar[1]);
-  program->SetUniformf("middle", static_cast<float>(view.Middle));
+  program->SetUniformf("centerDistance", static_cast<float>(view.CenterDistance));
   SetValue(program, "boxLower", view.BoxLower);
   SetValue(program, "boxUpper", view.BoxUpper);
-  SetValue(program, "pixelSize", 2.0 / picture.Size[0], 2.0 / picture.Size[1]);
+  SetValue(program, "pixelSize", 2.0 / pass.Size[0], 2.0 / pass.Size[1]);
   if (!view.ClippingPlanes.empty())
   {
     const std::vector<glm::vec4> planes(view.ClippingPlanes.begin(), view.ClippingPlanes.end());
@@ -70,14 +70,14 @@ void SetView(vtkShaderProgram* program, const FlowScene& scene, const FlowPictur
 }
 
 void FlowUniforms::Set(
-  vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture)
+  vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderPass& pass)
 {
-  SetView(program, scene, picture);
-  program->SetUniformf("sampleDistance", static_cast<float>(picture.SampleDistance));
-  SetMedium(program, scene, picture);
-  if (picture.Parts.IsShaded)
+  SetView(program, scene, pass);
+  program->SetUniformf("sampleDistance", static_cast<float>(pass.SampleDistance));
+  SetMedium(program, scene, pass);
+  if (pass.Parts.IsShaded)
   {
-    vtkVolumeProperty* property = picture.Volume->GetProperty();
+    vtkVolumeProperty* property = pass.Volume->GetProperty();
     SetValue(program, "material",
       { property->GetAmbient(), property->GetDiffuse(), property->GetSpecular() });
     const glm::dvec3 size(scene.Grid.Size[0], scene.Grid.Size[1], scene.Grid.Size[2]);
@@ -88,21 +88,21 @@ void FlowUniforms::Set(
 }
 
 void FlowUniforms::SetMedium(
-  vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture)
+  vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderPass& pass)
 {
-  vtkImplicitFlowVolumeMapper& mapper = picture.Mapper;
-  vtkVolumeProperty* property = picture.Volume->GetProperty();
+  vtkImplicitFlowVolumeMapper& mapper = pass.Mapper;
+  vtkVolumeProperty* property = pass.Volume->GetProperty();
   const glm::dvec3 size(scene.Grid.Size[0], scene.Grid.Size[1], scene.Grid.Size[2]);
   SetValue(program, "lastCell", size - 2.0);
   program->SetUniformf(
-    "unitShare", static_cast<float>(1.0 / property->GetScalarOpacityUnitDistance(0)));
+    "inverseUnitDistance", static_cast<float>(1.0 / property->GetScalarOpacityUnitDistance(0)));
   const auto clamped = [&mapper](int channel)
   { return std::min(std::max(mapper.GetDefaultColor()[channel], 0.0), 1.0); };
   const double alpha = clamped(3);
   SetValue(
     program, "defaultColor", clamped(0) * alpha, clamped(1) * alpha, clamped(2) * alpha, alpha);
   std::array<double, 2> largest{ { 1.0, 1.0 } };
-  for (const FlowPaints::Paint& paint : scene.Paints.Paints)
+  for (const SurfacePaintTextures::Paint& paint : scene.Paints.Paints)
   {
     const std::array<double, 2> texel{ { 1.0 / paint.Size[0], 1.0 / paint.Size[1] } };
     SetValue(program, ("paintFrame_" + paint.Name).c_str(), 1.0 - texel[0], 1.0 - texel[1],
@@ -112,9 +112,9 @@ void FlowUniforms::SetMedium(
       largest[i] = std::max(largest[i], static_cast<double>(paint.Size[i]));
     }
   }
-  if (picture.Parts.DetailDimensions > 0)
+  if (pass.Parts.DetailDimensions > 0)
   {
-    const glm::dvec3 detail(picture.DetailSize[0], picture.DetailSize[1], picture.DetailSize[2]);
+    const glm::dvec3 detail(pass.DetailSize[0], pass.DetailSize[1], pass.DetailSize[2]);
     SetValue(program, "detailScale", glm::make_vec3(mapper.GetDetailScale()));
     SetValue(program, "detailSize", detail);
     for (int i = 0; i < 2; ++i)
@@ -123,22 +123,23 @@ void FlowUniforms::SetMedium(
     }
   }
   SetValue(program, "paintSize", largest[0], largest[1]);
-  program->SetUniformi("largestPieces", mapper.GetMaximumPaintSamples());
+  program->SetUniformi("largestPieces", mapper.GetMaximumTextureSamples());
   program->SetUniformf("timePeriod", static_cast<float>(mapper.GetTimePeriod()));
-  // A gate that repeats is the same for all phases that differ by whole periods.
-  const bool isWhole = mapper.GetTimeGateRepeat() && picture.Parts.DetailDimensions != 3;
-  const double phase = mapper.GetTimePhase() - (isWhole ? std::floor(mapper.GetTimePhase()) : 0.0);
+  // Drop whole periods of a repeating gate, to keep the precision of large phases.
+  const bool isPeriodic = mapper.GetTimeGateRepeat() && pass.Parts.DetailDimensions != 3;
+  const double phase =
+    mapper.GetTimePhase() - (isPeriodic ? std::floor(mapper.GetTimePhase()) : 0.0);
   program->SetUniformf("timePhase", static_cast<float>(phase));
   if (mapper.GetTimeGate())
   {
     const double* range = mapper.GetTimeGate()->GetRange();
     SetValue(program, "gateRange", range[0], std::max(range[1] - range[0], 1e-30));
   }
-  SetValue(program, "transferRange", picture.TransferRange[0],
-    1.0 / (picture.TransferRange[1] - picture.TransferRange[0]));
+  SetValue(program, "transferRange", pass.TransferRange[0],
+    1.0 / (pass.TransferRange[1] - pass.TransferRange[0]));
   SetValue(program, "voxels", size);
   SetValue(program, "voxelSize", 1.0 / size);
-  if (picture.Parts.IsShaded)
+  if (pass.Parts.IsShaded)
   {
     SetValue(program, "shadingVoxels", size);
     program->SetUniformf("power", static_cast<float>(property->GetSpecularPower()));

@@ -7,21 +7,22 @@ class vtkShaderProgram;
 namespace interlume
 {
 
-struct FlowPicture;
-struct FlowScene;
+struct FlowRenderPass;
+struct FlowRenderState;
 
 /**
  * @class   FlowUniforms
- * @brief   tells the shader the numbers of a picture
+ * @brief   sets the uniforms of the shaders
  */
 class FlowUniforms
 {
 public:
-  /// All of lines of sight.
-  static void Set(vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture);
-  /// What is painted, and how it is shaded by the matter alone.
+  /// Sets all uniforms of ray casting, including those of SetMedium.
+  static void Set(
+    vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderPass& pass);
+  /// Sets the uniforms for textures and shading, which slices use, too.
   static void SetMedium(
-    vtkShaderProgram* program, const FlowScene& scene, const FlowPicture& picture);
+    vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderPass& pass);
 };
 
 }

@@ -13,32 +13,30 @@ namespace interlume
 
 /**
  * @class   FlowVolumeRenderReport
- * @brief   values that vtkImplicitFlowVolumeMapper reports of its last image
+ * @brief   values that vtkImplicitFlowVolumeMapper reports for its last frame
  *
- * Counts of what was not done are 0. Strings are empty before the first image.
+ * Counts of skipped work are 0. Strings are empty before the first frame.
  */
 struct FlowVolumeRenderReport
 {
-  /// The numbers of surfaces that samples reached, and of those without a texture, which have
+  /// Number of surfaces that samples reached, and number of these without a texture, drawn in
   /// DefaultColor.
   int Surfaces = 0;
   int SurfacesWithoutTexture = 0;
-  /// The numbers of cells with one surface at all corners, of cells between surfaces, across a seam
-  /// or with a corner that reached nothing, and of cells with no corner that reached a surface.
-  /// Coordinates continue past a period, so a seam is only where one direction around an axis meets
-  /// the other.
+  /// UniformCells: cells whose corners all reached the same surface. SplitCells: cells at a border
+  /// between surfaces, at a seam, or with some corners that reached no surface. EmptyCells: cells
+  /// without a corner that reached a surface. Surface coordinates continue past a period, so there
+  /// is a seam only where the two directions around an axis meet.
   vtkIdType UniformCells = 0;
   vtkIdType SplitCells = 0;
   vtkIdType EmptyCells = 0;
-  /// The number of samples with no finite coordinates or time, or with no finite value of
-  /// OpacityArray or ShadingArray. They are drawn as having reached no surface, or with the value
-  /// 0.
+  /// Number of samples whose coordinates, time, OpacityArray or ShadingArray are not finite. They
+  /// are drawn as if they had reached no surface, or with the value 0.
   vtkIdType NonFiniteSamples = 0;
-  /// The names of the parts of the shader that were compiled in, separated by spaces; with shadows
-  /// after those of slices.
+  /// Names of the compiled shader features, separated by spaces. With shadows, they are listed
+  /// after the features of vtkShadowedSliceMapper.
   std::string Features;
-  /// The numbers of textures uploaded for this image: of voxels and cells, of inflow, and each of
-  /// the others.
+  /// Number of textures uploaded for this frame, by source.
   int GridUploads = 0;
   int InflowUploads = 0;
   int DetailUploads = 0;
@@ -46,15 +44,16 @@ struct FlowVolumeRenderReport
   int TransferUploads = 0;
   int ArrayUploads = 0;
   vtkIdType UploadedBytes = 0;
-  /// The number of textures, and the bytes of textures and of the image's buffers.
+  /// Number of textures, size of the textures, and size of the image buffers.
   int Textures = 0;
   vtkIdType TextureBytes = 0;
   vtkIdType ImageBufferBytes = 0;
-  /// The number of passes over the image without the one that shows it: 1, or 0 with slices.
+  /// Number of ray casting passes: 1, or 0 with slices. The pass that displays the result is not
+  /// counted.
   int Passes = 0;
-  /// With shadows: the numbers of lights that cast them, of sweeps and of slices, the distance of
-  /// slices in world units, the number of light buffers, the columns and rows of the largest and
-  /// the bytes of all. Otherwise 0.
+  /// With shadows: number of lights with shadows, of sweeps and of slices, slice spacing in world
+  /// units, number of light buffers, number of columns and rows of the largest buffer, and size of
+  /// all buffers. Otherwise 0.
   int ShadowedLights = 0;
   int Sweeps = 0;
   int Slices = 0;
@@ -62,11 +61,11 @@ struct FlowVolumeRenderReport
   int LightBuffers = 0;
   int LightBufferSize = 0;
   vtkIdType LightBufferBytes = 0;
-  /// The distance of samples along a line of sight in world units.
+  /// Distance between samples along a view ray, in world units.
   double SampleDistance = 0.0;
-  /// The number of pixels of the viewport per pixel of the image, along an edge.
+  /// Number of viewport pixels per rendered pixel, along an axis.
   double ImageSampleDistance = 1.0;
-  /// Seconds of this image, until the graphics card has its commands.
+  /// Time in seconds until all commands of this frame are sent to the GPU.
   double Seconds = 0.0;
 
   /// Replaces all values of a report.

@@ -2,7 +2,7 @@
 #include "Draw/FlowVolumeRenderer.h"
 
 #include "Common/ArrayCheck.h"
-#include "Draw/FlowPicture.h"
+#include "Draw/FlowRenderPass.h"
 #include "Draw/FlowShader.h"
 #include "Draw/FlowSlices.h"
 #include "Draw/FlowSources.h"
@@ -43,8 +43,8 @@ struct FlowVolumeRenderer::WindowResources
   ImageQuad ShowQuad;
   PropSelection Selection;
 
-  /// Frees what lines of sight are drawn into; afterwards no framebuffer may be bound.
-  void ReleasePicture(vtkWindow* window)
+  /// Releases the image buffers of ray casting. This may leave no framebuffer bound.
+  void ReleaseImageBuffers(vtkWindow* window)
   {
     for (vtkTextureObject* texture :
       { this->Image.Get(), this->OpaqueDepth.Get(), this->NoDepth.Get() })
@@ -71,38 +71,39 @@ Error FlowVolumeRenderer::UpdateGrid(vtkImageData* image)
   return this->GridError;
 }
 
-Error FlowVolumeRenderer::FindArrays(FlowPicture& picture)
+Error FlowVolumeRenderer::FindArrays(FlowRenderPass& pass)
 {
-  vtkImplicitFlowVolumeMapper& mapper = picture.Mapper;
+  vtkImplicitFlowVolumeMapper& mapper = pass.Mapper;
   const auto find = [&](const char* name, vtkDataArray*& array)
   {
-    array = picture.Image->GetPointData()->GetArray(name);
-    return ArrayCheck::FindPointError(picture.Image, "input", name, 0);
+    array = pass.Image->GetPointData()->GetArray(name);
+    return ArrayCheck::MakeSentence(ArrayCheck::FindPointError(pass.Image, "input", name, 0));
   };
-  FlowShader::Parts& parts = picture.Parts;
+  FlowShader::Parts& parts = pass.Parts;
   if (*mapper.GetOpacityArray())
   {
-    if (Error error = find(mapper.GetOpacityArray(), picture.OpacityValues))
+    if (Error error = find(mapper.GetOpacityArray(), pass.OpacityValues))
     {
       return error;
     }
-    if (Error error = ArrayCheck::FindPointError(picture.Image, picture.OpacityValues, 1))
+    if (Error error =
+          ArrayCheck::MakeSentence(ArrayCheck::FindPointError(pass.Image, pass.OpacityValues, 1)))
     {
       return error;
     }
     parts.HasTransfer = true;
   }
-  if (picture.Volume->GetProperty()->GetShade() != 0 && *mapper.GetShadingArray())
+  if (pass.Volume->GetProperty()->GetShade() != 0 && *mapper.GetShadingArray())
   {
-    if (Error error = find(mapper.GetShadingArray(), picture.ShadingValues))
+    if (Error error = find(mapper.GetShadingArray(), pass.ShadingValues))
     {
       return error;
     }
-    const int components = picture.ShadingValues->GetNumberOfComponents();
+    const int components = pass.ShadingValues->GetNumberOfComponents();
     if (components != 1 && components != 3)
     {
-      return ArrayCheck::Describe(picture.ShadingValues) + " has " +
-        ArrayCheck::Count(components, "component") + "; 1 or 3 are needed to shade by";
+      return ArrayCheck::MakeSentence(ArrayCheck::Describe(pass.ShadingValues) + " has " +
+        ArrayCheck::Count(components, "component") + ", but ShadingArray requires 1 or 3");
     }
     parts.IsShaded = true;
     parts.IsShadedByVectors = components == 3;
@@ -116,26 +117,26 @@ Error FlowVolumeRenderer::FindArrays(FlowPicture& picture)
   return {};
 }
 
-Error FlowVolumeRenderer::Update(FlowPicture& picture)
+Error FlowVolumeRenderer::Update(FlowRenderPass& pass)
 {
-  if (Error error = this->UpdateGrid(picture.Image).Then([&] { return this->FindArrays(picture); }))
+  if (Error error = this->UpdateGrid(pass.Image).Then([&] { return this->FindArrays(pass); }))
   {
     return error;
   }
-  if (Error error = this->Scene.View.Set(
-        picture.Renderer, picture.Image, picture.Volume->GetMatrix(), &picture.Mapper))
+  if (Error error =
+        this->Scene.View.Set(pass.Renderer, pass.Image, pass.Volume->GetMatrix(), &pass.Mapper))
   {
     return error;
   }
-  vtkImplicitFlowVolumeMapper& mapper = picture.Mapper;
-  FlowVolumeRenderReport& report = picture.Report;
+  vtkImplicitFlowVolumeMapper& mapper = pass.Mapper;
+  FlowVolumeRenderReport& report = pass.Report;
   this->Scene.Paints.Assign(mapper.GetInflowTextures(), this->Scene.Grid);
-  // llvmpipe ends a shader's loops after 65,535 rounds of all of them.
-  const double mostSamples = 60000.0 / (mapper.GetMaximumPaintSamples() + 5);
-  picture.SampleDistance = std::max(
+  // llvmpipe terminates the loops of a shader after 65,535 iterations in total.
+  const double maximumSamples = 60000.0 / (mapper.GetMaximumTextureSamples() + 5);
+  pass.SampleDistance = std::max(
     mapper.GetSampleDistance() > 0.0 ? mapper.GetSampleDistance() : 0.5 * this->Scene.View.Spacing,
-    this->Scene.View.Diagonal / mostSamples);
-  report.SampleDistance = picture.SampleDistance;
+    this->Scene.View.Diagonal / maximumSamples);
+  report.SampleDistance = pass.SampleDistance;
   report.ImageSampleDistance = mapper.GetImageSampleDistance();
   report.Surfaces = static_cast<int>(this->Scene.Grid.Ids.size());
   report.SurfacesWithoutTexture = this->Scene.Paints.WithoutTexture;
@@ -143,72 +144,74 @@ Error FlowVolumeRenderer::Update(FlowPicture& picture)
   report.SplitCells = this->Scene.Grid.SplitCells + this->Scene.Grid.SeamCells;
   report.EmptyCells = this->Scene.Grid.EmptyCells;
   report.NonFiniteSamples = this->Scene.Grid.NonFinite;
-  picture.Parts.IsSoftware = SoftwareOpenGL::IsUsed(picture.Window);
-  picture.Parts.HasSplitCells = this->Scene.Grid.SplitCells > 0;
-  picture.Parts.HasSeamCells = this->Scene.Grid.SeamCells > 0;
-  picture.Parts.HasEmptyCells = this->Scene.Grid.EmptyCells > 0;
-  if (picture.Parts.IsShaded && !picture.HasShadows)
+  pass.Parts.IsSoftware = SoftwareOpenGL::IsUsed(pass.Window);
+  pass.Parts.HasSplitCells = this->Scene.Grid.SplitCells > 0;
+  pass.Parts.HasSeamCells = this->Scene.Grid.SeamCells > 0;
+  pass.Parts.HasEmptyCells = this->Scene.Grid.EmptyCells > 0;
+  if (pass.Parts.IsShaded && !pass.HasShadows)
   {
-    const glm::dvec3 middle = 0.5 *
+    const glm::dvec3 centerVoxel = 0.5 *
       glm::dvec3(
         this->Scene.Grid.Size[0] - 1, this->Scene.Grid.Size[1] - 1, this->Scene.Grid.Size[2] - 1);
     this->Scene.Lights.Gather(
-      picture.Renderer, glm::dvec3(this->Scene.View.WorldFromVoxels * glm::dvec4(middle, 1.0)));
-    picture.Parts.Lights = this->Scene.Lights.GetNumber();
+      pass.Renderer, glm::dvec3(this->Scene.View.WorldFromVoxels * glm::dvec4(centerVoxel, 1.0)));
+    pass.Parts.Lights = this->Scene.Lights.GetNumber();
   }
   return {};
 }
 
-void FlowVolumeRenderer::ReleaseSlices(vtkOpenGLRenderWindow* window, bool isAsked)
+void FlowVolumeRenderer::ReleaseSlices(vtkOpenGLRenderWindow* window, bool hasShadows)
 {
   if (!this->Slices)
   {
     return;
   }
-  // Where a framebuffer is released none is bound any more.
+  // Releasing a framebuffer unbinds the current framebuffer.
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
-  this->Slices->ReleaseGraphicsResources(isAsked ? window : nullptr);
+  this->Slices->ReleaseGraphicsResources(hasShadows ? window : nullptr);
   state->PopFramebufferBindings();
-  if (!isAsked)
+  if (!hasShadows)
   {
     this->Slices.reset();
   }
 }
 
-Error FlowVolumeRenderer::DrawSlices(FlowPicture& picture, WindowResources& resources)
+Error FlowVolumeRenderer::DrawSlices(FlowRenderPass& pass, WindowResources& resources)
 {
-  vtkOpenGLState* state = picture.Window->GetState();
+  vtkOpenGLState* state = pass.Window->GetState();
   state->PushFramebufferBindings();
-  resources.ReleasePicture(picture.Window);
+  resources.ReleaseImageBuffers(pass.Window);
   state->PopFramebufferBindings();
   if (!this->Slices)
   {
     this->Slices = std::make_unique<FlowSlices>();
   }
-  return this->Slices->Draw(picture, this->Scene, resources.Textures);
+  return this->Slices->Draw(pass, this->Scene, resources.Textures);
 }
 
-Error FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& resources)
+Error FlowVolumeRenderer::Draw(FlowRenderPass& pass, WindowResources& resources)
 {
-  vtkOpenGLRenderWindow* window = picture.Window;
+  vtkOpenGLRenderWindow* window = pass.Window;
   vtkTextureObject* depth = resources.OpaqueDepth;
-  if (SceneDepth::MayOcclude(picture.Renderer, picture.Volume))
+  if (SceneDepth::MayOcclude(pass.Renderer, pass.Volume))
   {
     depth->SetContext(window);
-    picture.Parts.HasOpaqueDepth = SceneDepth::CopyTo(picture.Renderer, depth);
+    pass.Parts.HasOpaqueDepth = SceneDepth::CopyTo(pass.Renderer, depth);
   }
   else
   {
     depth->ReleaseGraphicsResources(window);
   }
-  const FlowShader shader(picture.Mapper, picture.Parts, this->Scene.Paints, this->Scene.View);
-  picture.Report.Features = shader.GetNames();
-  picture.Report.ImageBufferBytes =
-    FloatTexture::Allocate(window, resources.Image, picture.Size[0], picture.Size[1], 4, true);
-  if (picture.Report.ImageBufferBytes == 0)
+  const FlowShader shader(pass.Mapper, pass.Parts, this->Scene.Paints, this->Scene.View);
+  pass.Report.Features = shader.GetNames();
+  pass.Report.ImageBufferBytes =
+    FloatTexture::Allocate(window, resources.Image, pass.Size[0], pass.Size[1], 4, true);
+  if (pass.Report.ImageBufferBytes == 0)
   {
-    return { "the graphics card has no memory for a picture of floats", ErrorCode::OutOfMemory };
+    return { "The GPU is out of memory for the image buffer. Reduce the size of the window or "
+             "increase ImageSampleDistance.",
+      ErrorCode::OutOfMemory };
   }
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
@@ -220,13 +223,13 @@ Error FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& resources)
     resources.Framebuffer->Bind();
     resources.Framebuffer->AddColorAttachment(0, resources.Image);
     resources.Framebuffer->ActivateDrawBuffer(0);
-    state->vtkglViewport(0, 0, picture.Size[0], picture.Size[1]);
+    state->vtkglViewport(0, 0, pass.Size[0], pass.Size[1]);
     state->vtkglClearColor(0.0F, 0.0F, 0.0F, 0.0F);
     state->vtkglClear(GL_COLOR_BUFFER_BIT);
     vtkTextureObject* bound = depth;
-    if (!picture.Parts.HasOpaqueDepth)
+    if (!pass.Parts.HasOpaqueDepth)
     {
-      // The quad binds a texture; this one is not in the shader.
+      // The quad requires a texture, although the shader does not use it.
       FloatTexture::Allocate(window, resources.NoDepth, 1, 1, 1, false);
       bound = resources.NoDepth;
     }
@@ -234,15 +237,15 @@ Error FlowVolumeRenderer::Draw(FlowPicture& picture, WindowResources& resources)
       [&](vtkShaderProgram* program)
       {
         resources.Textures.Activate(program);
-        FlowUniforms::Set(program, this->Scene, picture);
+        FlowUniforms::Set(program, this->Scene, pass);
       });
     resources.Textures.Deactivate();
   }
   state->PopFramebufferBindings();
-  picture.Report.Passes = 1;
-  if (picture.Renderer->GetSelector())
+  pass.Report.Passes = 1;
+  if (pass.Renderer->GetSelector())
   {
-    resources.Selection.Show(picture.Renderer->GetSelector(), window, resources.Image);
+    resources.Selection.Show(pass.Renderer->GetSelector(), window, resources.Image);
   }
   else
   {
@@ -258,23 +261,25 @@ Error FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
-    return { "the render window is not an OpenGL one", ErrorCode::OpenGL };
+    return { "The render window is not a vtkOpenGLRenderWindow. Use an OpenGL window.",
+      ErrorCode::OpenGL };
   }
   window->MakeCurrent();
   if (!HasOpenGL32())
   {
-    return { "OpenGL is older than 3.2", ErrorCode::OpenGL };
+    return { "OpenGL 3.2 is required, but the render window has an older version.",
+      ErrorCode::OpenGL };
   }
   std::unique_ptr<WindowResources>& resources = this->Windows[window];
   if (!resources)
   {
     resources = std::make_unique<WindowResources>();
   }
-  FlowPicture picture{ renderer, window, volume, mapper, image, report };
-  // The selection of a volume has no light.
+  FlowRenderPass pass{ renderer, window, volume, mapper, image, report };
+  // Selection does not use lights.
   const bool isSelection = renderer->GetSelector() != nullptr;
-  picture.HasShadows = mapper.GetShadows() && !isSelection && FlowSlices::IsAsked(renderer);
-  if (!picture.HasShadows && !isSelection)
+  pass.HasShadows = mapper.GetShadows() && !isSelection && FlowSlices::HasShadowLight(renderer);
+  if (!pass.HasShadows && !isSelection)
   {
     this->ReleaseSlices(window, mapper.GetShadows());
   }
@@ -283,15 +288,14 @@ Error FlowVolumeRenderer::Render(vtkRenderer* renderer, vtkVolume* volume,
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
   for (int i = 0; i < 2; ++i)
   {
-    picture.Size[i] =
+    pass.Size[i] =
       std::max(static_cast<int>(std::lround(size[i] / mapper.GetImageSampleDistance())), 1);
   }
-  Error error = this->Update(picture).Then(
-    [&] { return FlowSources::Keep(picture, this->Scene, resources->Textures); });
+  Error error = this->Update(pass).Then(
+    [&] { return FlowSources::Update(pass, this->Scene, resources->Textures); });
   if (!error && !this->Scene.Grid.Ids.empty())
   {
-    error =
-      picture.HasShadows ? this->DrawSlices(picture, *resources) : this->Draw(picture, *resources);
+    error = pass.HasShadows ? this->DrawSlices(pass, *resources) : this->Draw(pass, *resources);
   }
   report.Seconds = vtkTimerLog::GetUniversalTime() - start;
   return error;
@@ -308,7 +312,7 @@ void FlowVolumeRenderer::ReleaseGraphicsResources(vtkWindow* window)
     if (!window || owner == window)
     {
       resources->Textures.ReleaseGraphicsResources(owner);
-      resources->ReleasePicture(owner);
+      resources->ReleaseImageBuffers(owner);
       resources->RayQuad.ReleaseGraphicsResources(owner);
       resources->ShowQuad.ReleaseGraphicsResources(owner);
       resources->Selection.ReleaseGraphicsResources(owner);

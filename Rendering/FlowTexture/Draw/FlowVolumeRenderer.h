@@ -3,7 +3,7 @@
 #define interlume_FlowVolumeRenderer_h
 
 #include "Common/Error.h"
-#include "Draw/FlowPicture.h"
+#include "Draw/FlowRenderPass.h"
 
 #include <map>
 #include <memory>
@@ -20,7 +20,7 @@ class FlowSlices;
 
 /**
  * @class   FlowVolumeRenderer
- * @brief   makes the changed parts of a picture of an implicit flow field and draws it
+ * @brief   updates the changed data of an implicit flow field and draws a frame
  */
 class FlowVolumeRenderer
 {
@@ -28,7 +28,8 @@ public:
   FlowVolumeRenderer();
   ~FlowVolumeRenderer();
 
-  /// Draws an image of \a image, as the mapper is set. Returns an error if nothing can be drawn.
+  /// Draws the flow field \a image with the settings of the mapper. Returns an error if it cannot
+  /// be drawn.
   Error Render(vtkRenderer* renderer, vtkVolume* volume, vtkImplicitFlowVolumeMapper& mapper,
     vtkImageData* image, FlowVolumeRenderReport& report);
 
@@ -38,18 +39,18 @@ private:
   struct WindowResources;
 
   Error UpdateGrid(vtkImageData* image);
-  Error FindArrays(FlowPicture& picture);
-  Error Update(FlowPicture& picture);
-  Error Draw(FlowPicture& picture, WindowResources& resources);
-  /// Frees what slices have in a window while no light asks, or all of it where none is asked for.
-  void ReleaseSlices(vtkOpenGLRenderWindow* window, bool isAsked);
-  Error DrawSlices(FlowPicture& picture, WindowResources& resources);
+  Error FindArrays(FlowRenderPass& pass);
+  Error Update(FlowRenderPass& pass);
+  Error Draw(FlowRenderPass& pass, WindowResources& resources);
+  /// Releases the resources of Slices in a window or, if shadows are off, Slices itself.
+  void ReleaseSlices(vtkOpenGLRenderWindow* window, bool hasShadows);
+  Error DrawSlices(FlowRenderPass& pass, WindowResources& resources);
 
-  FlowScene Scene;
+  FlowRenderState Scene;
   std::pair<const void*, vtkMTimeType> GridStamp{ nullptr, 0 };
   Error GridError;
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
-  /// Null where shadows are off.
+  /// Null if shadows are off.
   std::unique_ptr<FlowSlices> Slices;
 };
 

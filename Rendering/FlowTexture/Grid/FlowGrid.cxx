@@ -3,7 +3,7 @@
 
 #include "Common/ArrayCheck.h"
 #include "Common/ArrayRows.h"
-#include "Grid/UnwrappedPlaces.h"
+#include "Grid/UnwrappedParameters.h"
 
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
@@ -18,10 +18,10 @@ namespace interlume
 
 namespace
 {
-// These names and values are those of vtkFlowStatus, which is in a module of filters.
+// Names and values from vtkFlowStatus, which is in a module that this one does not depend on.
 constexpr const char* STATUS = "FlowStatus";
 constexpr const char* ID = "TerminationId";
-constexpr const char* PLACE = "TerminationUV";
+constexpr const char* UV = "TerminationUV";
 constexpr const char* TIME = "AdvectionTime";
 constexpr const char* SIDE = "TerminationSide";
 constexpr const char* SURFACES = "TerminationSurfaces";
@@ -33,7 +33,7 @@ struct FlowGrid::Arrays
 {
   ArrayRows Statuses;
   ArrayRows Ids;
-  ArrayRows Places;
+  ArrayRows Parameters;
   ArrayRows Times;
   ArrayRows Sides;
   bool HasSides = false;
@@ -47,9 +47,9 @@ struct FlowGrid::Arrays
 
   bool IsFinite(vtkIdType i) const
   {
-    double place[2];
-    this->Places.Get<2>(i, place);
-    return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(Get(this->Times, i));
+    double uv[2];
+    this->Parameters.Get<2>(i, uv);
+    return std::isfinite(uv[0]) && std::isfinite(uv[1]) && std::isfinite(Get(this->Times, i));
   }
 
   bool IsReached(vtkIdType i) const { return Get(this->Statuses, i) == REACHED; }
@@ -58,11 +58,11 @@ struct FlowGrid::Arrays
 Error FlowGrid::Build(vtkImageData* image)
 {
   *this = FlowGrid();
-  const std::pair<const char*, int> needed[] = { { STATUS, 1 }, { ID, 1 }, { PLACE, 2 },
-    { TIME, 1 } };
+  const std::pair<const char*, int> needed[] = { { STATUS, 1 }, { ID, 1 }, { UV, 2 }, { TIME, 1 } };
   for (const auto& [name, components] : needed)
   {
-    if (Error error = ArrayCheck::FindPointError(image, "input", name, components))
+    if (Error error =
+          ArrayCheck::MakeSentence(ArrayCheck::FindPointError(image, "input", name, components)))
     {
       return error;
     }
@@ -70,15 +70,15 @@ Error FlowGrid::Build(vtkImageData* image)
   image->GetDimensions(this->Size.data());
   if (*std::min_element(this->Size.begin(), this->Size.end()) < 2)
   {
-    return "the input has " + std::to_string(this->Size[0]) + " x " +
+    return "The input has " + std::to_string(this->Size[0]) + " x " +
       std::to_string(this->Size[1]) + " x " + std::to_string(this->Size[2]) +
-      " points; two are needed along each axis";
+      " points, but at least two along each axis are required.";
   }
   vtkPointData* points = image->GetPointData();
   Arrays arrays;
   arrays.Statuses.Build(points->GetArray(STATUS));
   arrays.Ids.Build(points->GetArray(ID));
-  arrays.Places.Build(points->GetArray(PLACE));
+  arrays.Parameters.Build(points->GetArray(UV));
   arrays.Times.Build(points->GetArray(TIME));
   vtkAbstractArray* sides = points->GetAbstractArray(SIDE);
   arrays.HasSides = sides && !ArrayCheck::FindPointError(image, sides, 1);
@@ -89,12 +89,12 @@ Error FlowGrid::Build(vtkImageData* image)
   this->FindIds(arrays);
   if (this->Ids.size() > LARGEST_LABEL)
   {
-    return "the samples reach " + std::to_string(this->Ids.size()) + " surfaces; " +
-      std::to_string(LARGEST_LABEL) + " are the most that can be told apart";
+    return "The samples reach " + std::to_string(this->Ids.size()) + " surfaces, but at most " +
+      std::to_string(LARGEST_LABEL) + " are supported. Use fewer termination surfaces.";
   }
   this->ReadPeriods(image);
   this->ReadVoxels(arrays);
-  UnwrappedPlaces::Apply(*this);
+  UnwrappedParameters::Apply(*this);
   this->FindKinds();
   this->FindDistances();
   this->MarkInner();
@@ -151,7 +151,7 @@ void FlowGrid::ReadPeriods(vtkImageData* image)
 void FlowGrid::ReadVoxels(const Arrays& arrays)
 {
   const vtkIdType number = arrays.Statuses.GetNumber();
-  this->Places.assign(2 * static_cast<std::size_t>(number), 0.0F);
+  this->Parameters.assign(2 * static_cast<std::size_t>(number), 0.0F);
   this->Times.assign(static_cast<std::size_t>(number), 0.0F);
   this->Groups.assign(static_cast<std::size_t>(number), 0);
   vtkSMPTools::For(0, number,
@@ -163,50 +163,52 @@ void FlowGrid::ReadVoxels(const Arrays& arrays)
         {
           continue;
         }
-        double place[2];
-        arrays.Places.Get<2>(i, place);
-        this->Places[2 * i] = static_cast<float>(place[0]);
-        this->Places[2 * i + 1] = static_cast<float>(place[1]);
+        double uv[2];
+        arrays.Parameters.Get<2>(i, uv);
+        this->Parameters[2 * i] = static_cast<float>(uv[0]);
+        this->Parameters[2 * i + 1] = static_cast<float>(uv[1]);
         this->Times[i] = static_cast<float>(Arrays::Get(arrays.Times, i));
         const int label = this->FindLabel(static_cast<int>(Arrays::Get(arrays.Ids, i)));
         const double side = arrays.HasSides ? Arrays::Get(arrays.Sides, i) : 0.0;
-        const int way = side == AWAY ? 1 : (side == -AWAY ? 2 : 0);
-        this->Groups[i] = static_cast<unsigned short>(label * Ways + way);
+        const int awaySide = side == AWAY ? 1 : (side == -AWAY ? 2 : 0);
+        this->Groups[i] = static_cast<unsigned short>(label * NumberOfSides + awaySide);
       }
     });
 }
 
 unsigned short FlowGrid::FindKind(const std::array<vtkIdType, 8>& corners) const
 {
-  const int label = this->Groups[corners[0]] / Ways;
-  float lower[2] = { this->Places[2 * corners[0]], this->Places[2 * corners[0] + 1] };
+  const int label = this->Groups[corners[0]] / NumberOfSides;
+  float lower[2] = { this->Parameters[2 * corners[0]], this->Parameters[2 * corners[0] + 1] };
   float upper[2] = { lower[0], lower[1] };
-  bool isAlike = true;
-  bool isSplitByWays = false;
+  bool isUniform = true;
+  bool isSplitBySides = false;
   for (const vtkIdType corner : corners)
   {
-    isAlike = isAlike && this->Groups[corner] / Ways == label;
-    // A corner on the surface has no way; else both sides of the surface have to be there.
-    isSplitByWays = isSplitByWays || this->Groups[corner] % Ways != this->Groups[corners[0]] % Ways;
+    isUniform = isUniform && this->Groups[corner] / NumberOfSides == label;
+    // Corners differ in their side if the surface separates them. A corner on the surface has no
+    // side.
+    isSplitBySides = isSplitBySides ||
+      this->Groups[corner] % NumberOfSides != this->Groups[corners[0]] % NumberOfSides;
     for (int i = 0; i < 2; ++i)
     {
-      lower[i] = std::min(lower[i], this->Places[2 * corner + i]);
-      upper[i] = std::max(upper[i], this->Places[2 * corner + i]);
+      lower[i] = std::min(lower[i], this->Parameters[2 * corner + i]);
+      upper[i] = std::max(upper[i], this->Parameters[2 * corner + i]);
     }
   }
-  if (isAlike && label == 0)
+  if (isUniform && label == 0)
   {
     return EMPTY;
   }
-  if (isSplitByWays)
+  if (isSplitBySides)
   {
-    // Of a surface beside the cell some corners have a way, and all others would have, were they
-    // beside it: only a time that is that of the other side tells them apart.
+    // Next to the surface, some corners may have a side and others none, with similar times. The
+    // surface passes through the cell only if the times of the two groups differ strongly.
     float nearest = VTK_FLOAT_MAX;
     float farthest = 0.0F;
     for (const vtkIdType corner : corners)
     {
-      if (this->Groups[corner] % Ways == 0)
+      if (this->Groups[corner] % NumberOfSides == 0)
       {
         nearest = std::min(nearest, this->Times[corner]);
       }
@@ -217,10 +219,10 @@ unsigned short FlowGrid::FindKind(const std::array<vtkIdType, 8>& corners) const
     }
     if (nearest < 0.5F * farthest)
     {
-      return SPLIT_BY_WAYS;
+      return SPLIT_BY_SIDES;
     }
   }
-  if (!isAlike)
+  if (!isUniform)
   {
     return SPLIT;
   }
@@ -238,7 +240,8 @@ unsigned short FlowGrid::GetSlopeCode(float slope)
 
 float FlowGrid::FindSlope(const std::array<vtkIdType, 8>& corners) const
 {
-  // The derivative along an axis is a mean of the changes along the four edges of that axis.
+  // Along an axis, the derivative is a weighted mean of the differences along four parallel edges,
+  // so the largest of these is a bound.
   float largest = 0.0F;
   for (int c = 0; c < 2; ++c)
   {
@@ -249,8 +252,8 @@ float FlowGrid::FindSlope(const std::array<vtkIdType, 8>& corners) const
       for (int i = 0; i < 8; ++i)
       {
         change = std::max(change,
-          std::abs(
-            this->Places[2 * corners[i | step] + c] - this->Places[2 * corners[i & ~step] + c]));
+          std::abs(this->Parameters[2 * corners[i | step] + c] -
+            this->Parameters[2 * corners[i & ~step] + c]));
       }
       sum += change * change;
     }
@@ -297,7 +300,7 @@ void FlowGrid::FindKinds()
   for (std::size_t i = 0; i < this->Cells.size(); i += 2)
   {
     const unsigned short kind = this->Cells[i];
-    const bool isSplit = kind == SPLIT || kind == SPLIT_BY_WAYS;
+    const bool isSplit = kind == SPLIT || kind == SPLIT_BY_SIDES;
     this->EmptyCells += kind == EMPTY ? 1 : 0;
     this->SplitCells += isSplit ? 1 : 0;
     this->SeamCells += kind > SEAM && kind < EMPTY ? 1 : 0;
@@ -315,8 +318,8 @@ void FlowGrid::FindDistances()
   {
     return;
   }
-  // Two sweeps, there and back, over the half of the 26 neighbours that are done, give the distance
-  // in the largest norm.
+  // Forward and backward sweeps, each over the 13 preceding neighbors, compute the distance in the
+  // maximum norm.
   constexpr int largest = 65000;
   const int size[3] = { this->Size[0] - 1, this->Size[1] - 1, this->Size[2] - 1 };
   const auto at = [&size](int i, int j, int k)
@@ -326,7 +329,7 @@ void FlowGrid::FindDistances()
     this->Cells[i] =
       this->Cells[i] == EMPTY ? static_cast<unsigned short>(largest) : this->Cells[i];
   }
-  const auto visit = [&](int i, int j, int k, int way)
+  const auto visit = [&](int i, int j, int k, int direction)
   {
     unsigned short& kind = this->Cells[at(i, j, k)];
     if (kind < EMPTY)
@@ -336,9 +339,9 @@ void FlowGrid::FindDistances()
     int distance = kind - EMPTY;
     for (int n = 0; n < 13; ++n)
     {
-      const int x = i + way * (n % 3 - 1);
-      const int y = j + way * (n / 3 % 3 - 1);
-      const int z = k + way * (n / 9 - 1);
+      const int x = i + direction * (n % 3 - 1);
+      const int y = j + direction * (n / 3 % 3 - 1);
+      const int z = k + direction * (n / 9 - 1);
       if (x >= 0 && y >= 0 && z >= 0 && x < size[0] && y < size[1] && z < size[2])
       {
         const unsigned short other = this->Cells[at(x, y, z)];
@@ -347,7 +350,7 @@ void FlowGrid::FindDistances()
     }
     kind = static_cast<unsigned short>(EMPTY + distance);
   };
-  for (const int way : { 1, -1 })
+  for (const int direction : { 1, -1 })
   {
     for (int k = 0; k < size[2]; ++k)
     {
@@ -355,9 +358,9 @@ void FlowGrid::FindDistances()
       {
         for (int i = 0; i < size[0]; ++i)
         {
-          const bool isThere = way > 0;
-          visit(isThere ? i : size[0] - 1 - i, isThere ? j : size[1] - 1 - j,
-            isThere ? k : size[2] - 1 - k, way);
+          const bool isForward = direction > 0;
+          visit(isForward ? i : size[0] - 1 - i, isForward ? j : size[1] - 1 - j,
+            isForward ? k : size[2] - 1 - k, direction);
         }
       }
     }
@@ -377,9 +380,9 @@ void FlowGrid::MarkInner()
         const vtkIdType x = i + n % 3 - 1;
         const vtkIdType y = j + n / 3 % 3 - 1;
         const vtkIdType z = k + n / 9 - 1;
-        const bool isThere =
+        const bool isInside =
           x >= 0 && y >= 0 && z >= 0 && x < size[0] && y < size[1] && z < size[2];
-        isInner = !isThere ||
+        isInner = !isInside ||
           this->Cells[2 * static_cast<std::size_t>(x + size[0] * (y + size[1] * z))] == kind;
       }
       this->Cells[cell + 1] |= isInner ? 1 : 0;

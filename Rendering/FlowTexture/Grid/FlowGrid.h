@@ -17,19 +17,18 @@ namespace interlume
 
 /**
  * @class   FlowGrid
- * @brief   an implicit flow field as voxels that a shader can interpolate in
+ * @brief   an implicit flow field as voxels and cells for interpolation in a shader
  *
- * Each voxel has a label: 0 where its streamline reached no surface, and else the place of its
- * surface's id in Ids, from 1. Each cell between eight voxels has a kind, which tells how to
- * interpolate in it:
- * - a label: all corners have it, and neither a seam nor a surface that times jump at is between
- *   them;
- * - SEAM plus a label: all corners have it, and lie on both sides of a seam;
+ * Each voxel has a label: 0 if its streamline reached no surface, otherwise the position of the
+ * surface's id in Ids, starting at 1. Each cell between eight voxels has a kind, which determines
+ * the interpolation:
+ * - a label: all corners have this label, without a seam or a time discontinuity in the cell;
+ * - SEAM plus a label: all corners have this label and lie on both sides of a seam;
  * - SPLIT: the corners have several labels;
- * - SPLIT_BY_WAYS: a surface passes through the cell that streamlines come round to again, so that
- *   corners of one label have times, and places, of two kinds (vtkFlowStatus::AWAY);
- * - EMPTY plus a distance: no corner has a label, and so have none within fewer than that many
- *   cells along any axis.
+ * - SPLIT_BY_SIDES: streamlines return to a surface that passes through the cell. Corners with the
+ *   same label then have two kinds of times and coordinates (vtkFlowStatus::AWAY);
+ * - EMPTY plus a distance: no corner has a label, and all cells at a smaller distance (in the
+ *   maximum norm) are empty too.
  */
 class FlowGrid
 {
@@ -38,48 +37,47 @@ public:
   {
     SPLIT = 0,
     LARGEST_LABEL = 4094,
-    SPLIT_BY_WAYS = 4095,
+    SPLIT_BY_SIDES = 4095,
     SEAM = 4096,
     EMPTY = 8192
   };
-  /// Labels in Groups are multiplied by this; the rest is 0, or the side of a voxel of AWAY.
-  static constexpr int Ways = 3;
+  /// Factor of labels in Groups. The remainder is 0, or 1 or 2 for the side of an AWAY voxel.
+  static constexpr int NumberOfSides = 3;
 
-  /// The ids' periodic directions.
+  /// Periodicity of u and v.
   using Periodicity = std::array<bool, 2>;
 
   /**
-   * Reads the arrays that vtkImplicitFlowField writes. Returns an error if they cannot be used.
-   * Samples that reached a surface with a position or a time that is not finite count as having
-   * reached none.
+   * Reads the arrays of vtkImplicitFlowField. Returns an error if they are not valid. Samples whose
+   * coordinates or time are not finite are treated as not having reached a surface.
    */
   Error Build(vtkImageData* image);
 
-  /// Returns the label of an id; 0 where no sample has it.
+  /// Returns the label of an id, or 0 if no sample has the id.
   int FindLabel(int id) const;
 
   std::array<int, 3> Size{};
-  /// The ids in use, in order, and whether u and v are periodic there.
+  /// Sorted ids of the reached surfaces, and their periodicity.
   std::vector<int> Ids;
   std::vector<Periodicity> Periods;
-  /// u and v of each voxel, with any number of periods more or less; 0 without a label.
-  std::vector<float> Places;
-  /// The advection time of each voxel, 0 without a label.
+  /// u and v per voxel, with any integer number of periods added, or 0 if there is no label.
+  std::vector<float> Parameters;
+  /// Advection time per voxel, or 0 if there is no label.
   std::vector<float> Times;
-  /// The kinds of cells, each with the code of a bound of the slopes of u and v within it; one cell
-  /// fewer than voxels along each axis. The codes of cells that all cells around are like, labels
-  /// of one surface, are odd.
+  /// Two values per cell: the kind, and the code of an upper bound of the slopes of u and v. The
+  /// code is odd if the kind of the cell and of all its neighbors is the same label. Along each
+  /// axis, there is one cell fewer than voxels.
   std::vector<unsigned short> Cells;
-  /// A slope, the length of a gradient by voxels, is at most 2^(code / 256 - 128), and 0 for the
-  /// codes 0 and 1. Returns the least even code.
+  /// Returns the smallest even code of a slope, the length of a gradient in voxel coordinates. A
+  /// code represents slopes up to 2^(code / 256 - 128); codes 0 and 1 represent 0.
   static unsigned short GetSlopeCode(float slope);
-  /// For each voxel its label times Ways, and its way; empty where no cell is split.
+  /// For each voxel, its label times NumberOfSides plus its side; empty if no cell is split.
   std::vector<unsigned short> Groups;
   vtkIdType UniformCells = 0;
   vtkIdType SeamCells = 0;
   vtkIdType SplitCells = 0;
   vtkIdType EmptyCells = 0;
-  /// The number of samples that reached a surface at no finite place or time.
+  /// Number of samples that reached a surface and whose coordinates or time are not finite.
   vtkIdType NonFinite = 0;
 
 private:
@@ -88,7 +86,8 @@ private:
   void FindIds(const Arrays& arrays);
   void ReadPeriods(vtkImageData* image);
   void ReadVoxels(const Arrays& arrays);
-  /// Calls visit(i, j, k, cell) for all cells in parallel, with their numbers in Cells.
+  /// Calls visit(i, j, k, cell) for all cells in parallel. \a cell is the index of the cell's
+  /// kind in Cells.
   template <typename Visit>
   void ForEachCell(const Visit& visit) const;
   void FindKinds();

@@ -14,7 +14,7 @@ namespace interlume
 
 namespace
 {
-// Adds what a cell is to what is known of a voxel at its corner.
+// Merges an adjacent cell into the texel of a voxel.
 void AddCell(const unsigned short* cell, bool isFirst, float* texel)
 {
   const int kind = cell[0];
@@ -22,8 +22,8 @@ void AddCell(const unsigned short* cell, bool isFirst, float* texel)
   const float code = isOfLabel ? static_cast<float>(kind)
     : kind > FlowGrid::EMPTY   ? static_cast<float>(FlowGrid::EMPTY - kind)
                                : SmoothVoxels::MIXED;
-  const bool isAlike = isFirst || code == texel[3] || (code < 0.0F && texel[3] < 0.0F);
-  texel[3] = isAlike ? (isFirst ? code : std::max(code, texel[3])) : SmoothVoxels::MIXED;
+  const bool isUniform = isFirst || code == texel[3] || (code < 0.0F && texel[3] < 0.0F);
+  texel[3] = isUniform ? (isFirst ? code : std::max(code, texel[3])) : SmoothVoxels::MIXED;
   if (isOfLabel && cell[1] > 1)
   {
     const double slope = std::exp2(cell[1] / 256.0 - 128.0);
@@ -35,7 +35,7 @@ void AddCell(const unsigned short* cell, bool isFirst, float* texel)
 std::vector<float> SmoothVoxels::Make(const FlowGrid& grid)
 {
   const int* size = grid.Size.data();
-  std::vector<float> texels(2 * grid.Places.size(), 0.0F);
+  std::vector<float> texels(2 * grid.Parameters.size(), 0.0F);
   vtkSMPTools::For(0, size[2],
     [&](vtkIdType firstSlice, vtkIdType lastSlice)
     {
@@ -47,8 +47,8 @@ std::vector<float> SmoothVoxels::Make(const FlowGrid& grid)
           {
             const vtkIdType voxel = i + size[0] * (j + static_cast<vtkIdType>(size[1]) * k);
             float* texel = &texels[4 * voxel];
-            texel[0] = grid.Places[2 * voxel];
-            texel[1] = grid.Places[2 * voxel + 1];
+            texel[0] = grid.Parameters[2 * voxel];
+            texel[1] = grid.Parameters[2 * voxel + 1];
             bool isFirst = true;
             for (int z = std::max(k - 1, 0); z <= std::min(k, size[2] - 2); ++z)
             {

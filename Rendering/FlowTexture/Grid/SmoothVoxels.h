@@ -11,17 +11,19 @@ class FlowGrid;
 
 /**
  * @class   SmoothVoxels
- * @brief   texels of an implicit flow field, of which one interpolated look tells most of a sample
+ * @brief   texels of an implicit flow field that often make one interpolated lookup sufficient
  *
- * Of each voxel four numbers:
+ * Each voxel has four numbers:
  * - u and v;
- * - the largest bound of slopes of the cells around the voxel, so that the interpolated one is no
- *   less than that of the cell it is in;
- * - the label, where all cells around the voxel have one surface and no seam; less the distance of
- *   the nearest cell that is not empty, in the largest norm, where all are empty; else MIXED. What
- *   is interpolated is a label, or below 0, only if that is so at all corners, for all the corners
- *   of other cells are MIXED, and this is so much that the smallest weight of a float keeps it
- *   above all labels.
+ * - the maximum slope bound of the adjacent cells. The interpolated value is at least the bound of
+ *   the cell itself;
+ * - the label, if all adjacent cells have the same surface and no seam; minus the distance to the
+ *   nearest cell that is not empty, in the maximum norm, if all adjacent cells are empty; otherwise
+ *   MIXED.
+ *
+ * An interpolated fourth number is a label, or negative, only if no corner is MIXED: this value is
+ * so large that even the smallest interpolation weight yields more than any label. Split cells and
+ * cells at a seam have only MIXED corners.
  */
 class SmoothVoxels
 {

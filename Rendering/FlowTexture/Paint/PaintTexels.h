@@ -14,24 +14,24 @@ namespace interlume
 
 /**
  * @class   PaintTexels
- * @brief   an image as texels of 16 bits: red, green, blue, each times alpha, and alpha
+ * @brief   an image as 16-bit texels: premultiplied red, green and blue, and alpha
  *
- * Sixteen bits keep the colours of paint that is nearly transparent, and software OpenGL does not
- * interpolate them in bytes.
+ * Sixteen bits preserve colors of low opacity. Also, software OpenGL does not interpolate 8-bit
+ * texels precisely.
  */
 class PaintTexels
 {
 public:
   /**
-   * Reads the active point scalars of an image of unsigned char (0 to 255), unsigned short (0 to
-   * 65535), float or double (0 to 1, clamped; no number is 0), of one (grey), two (grey and alpha),
-   * three or four components. \a dimensions is the largest number of axes with more than one point.
-   * Returns an error if the image cannot be used; its message continues a sentence that begins with
-   * the image's name.
+   * Reads the active point scalars of an image: unsigned char (0 to 255), unsigned short (0 to
+   * 65535), float or double (0 to 1, clamped; NaN becomes 0), with one (gray), two (gray and
+   * alpha), three or four components. \a dimensions is the maximum number of axes with more than
+   * one point. Returns an error if the image cannot be used. The message has no subject, so that
+   * the caller can prepend the name of the image.
    */
   Error Build(vtkImageData* image, int dimensions);
 
-  /// The texels along the image's axes; those along axes of one point are left out, ones follow.
+  /// Number of texels along the axes with more than one point, followed by ones.
   std::array<int, 3> Size{ { 1, 1, 1 } };
   std::vector<unsigned short> Texels;
 };

@@ -19,7 +19,7 @@ int StripePyramid::GetNumberOfLevels() const
 
 double StripePyramid::GetCoverage(int texel) const
 {
-  // The width of the half lines at both ends of the period.
+  // Width in texels of the half of a line at each end of the period.
   const double half = 0.5 * this->LineWidth * this->TexelsPerLine;
   const double left = std::clamp(half - texel, 0.0, 1.0);
   const double right = std::clamp(half - (this->TexelsPerLine - 1 - texel), 0.0, 1.0);
@@ -28,7 +28,8 @@ double StripePyramid::GetCoverage(int texel) const
 
 std::vector<unsigned char> StripePyramid::GetTexels(int level) const
 {
-  // A background that cannot be seen has the colour of lines, which their edges then keep.
+  // An invisible background uses the line color, so that blending does not change the color of
+  // edges.
   Color background = this->Background;
   if (background[3] <= 0.0)
   {

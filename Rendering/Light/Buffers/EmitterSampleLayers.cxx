@@ -23,14 +23,14 @@ namespace interlume
 namespace
 {
 
-// The number of texels of the light's buffer along an edge of a layer's: a layer is looked up only
-// for shadows that are wide by then.
+// Number of light buffer texels along the edge of a layer's texel. Layers can be coarse because
+// they are sampled only for wide penumbras.
 constexpr int Coarseness = 2;
 
-// The most layers of a texture, whose homographies are uniforms of one program.
-constexpr int MostLayers = 16;
+// Maximum number of layers in a texture. Their homographies are uniforms of one program.
+constexpr int MaximumLayers = 16;
 
-// Returns the plane in the middle of a batch.
+// Returns the middle plane of a batch.
 std::array<double, 4> GetPlane(const SlicePlan::Sweep& sweep, const LayerBatches::Batch& batch)
 {
   const double slab = 0.5 * (batch.First + batch.Last + 1);
@@ -38,16 +38,16 @@ std::array<double, 4> GetPlane(const SlicePlan::Sweep& sweep, const LayerBatches
     -(sweep.First + slab * sweep.Spacing) } };
 }
 
-// Returns the matrix from homogeneous coordinates in a view, whose points are columns, to the ways
-// to a light from there.
-glm::mat3 GetWays(const glm::dmat3x4& points, const glm::dvec4& light)
+// Returns the matrix from homogeneous coordinates (x, y, 1) in a view of a plane to the vector from
+// that point of the plane to a light. \a points is the result of PlaneView::GetPoints.
+glm::mat3 GetLightVectors(const glm::dmat3x4& points, const glm::dvec4& light)
 {
-  glm::dmat3 ways;
+  glm::dmat3 vectors;
   for (int column = 0; column < 3; ++column)
   {
-    ways[column] = glm::dvec3(light) * points[column].w - light.w * glm::dvec3(points[column]);
+    vectors[column] = glm::dvec3(light) * points[column].w - light.w * glm::dvec3(points[column]);
   }
-  return glm::mat3(ways);
+  return glm::mat3(vectors);
 }
 
 }
@@ -65,13 +65,13 @@ vtkIdType EmitterSampleLayers::GetTexels(const SlicePlan::ShadowedLight& light)
 {
   const vtkIdType layer = GetLayerSize(light);
   const vtkIdType buffer = light.BufferSize;
-  return (Kept + 1) * buffer * buffer +
+  return (PendingBatches + 1) * buffer * buffer +
     (static_cast<vtkIdType>(light.Samples.size()) + 1) * layer * layer;
 }
 
 Error EmitterSampleLayers::Prepare(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
   const SlicePlan::ShadowedLight& light, const std::vector<const SlicePolygons*>& polygons,
-  int channels, bool isWhole)
+  int channels, bool isSampledOutside)
 {
   if (Error error = this->Allocate(window, light, channels))
   {
@@ -79,7 +79,7 @@ Error EmitterSampleLayers::Prepare(vtkOpenGLRenderWindow* window, const SlicePla
   }
   this->Sweep = &sweep;
   this->Planned = &light;
-  this->Plan.Build(sweep, light, polygons, isWhole);
+  this->Plan.Build(sweep, light, polygons, isSampledOutside);
   this->Tiles->Upload(this->Plan.GetVertices(), vtkOpenGLBufferObject::ArrayBuffer);
   this->Current = 0;
   this->Begun = 0;
@@ -99,8 +99,8 @@ Error EmitterSampleLayers::Allocate(
   this->LayerSize = GetLayerSize(light);
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
-  const int most = std::min(std::max(limit / this->LayerSize, 1), MostLayers);
-  const auto stacks = static_cast<std::size_t>((this->NumberOfLayers + most - 1) / most);
+  const int maximum = std::min(std::max(limit / this->LayerSize, 1), MaximumLayers);
+  const auto stacks = static_cast<std::size_t>((this->NumberOfLayers + maximum - 1) / maximum);
   while (this->Stacks.size() > stacks)
   {
     this->Stacks.back()->Texture->ReleaseGraphicsResources(window);
@@ -132,12 +132,13 @@ Error EmitterSampleLayers::Allocate(
       this->Stacks.back()->Texture = vtkSmartPointer<vtkTextureObject>::New();
     }
     Stack& stack = *this->Stacks[i];
-    stack.First = i * most;
-    stack.Layers = std::min(this->NumberOfLayers - static_cast<int>(stack.First), most);
+    stack.First = i * maximum;
+    stack.Layers = std::min(this->NumberOfLayers - static_cast<int>(stack.First), maximum);
     hasMemory = prepare(stack.Texture, this->LayerSize, stack.Layers);
   }
   return hasMemory ? Error()
-                   : Error("the graphics card has no memory for the layers of an area light",
+                   : Error("The graphics card is out of memory for the sample layers of an area "
+                           "light. Reduce NumberOfLightSamples or LightBufferSize.",
                        ErrorCode::OutOfMemory);
 }
 
@@ -203,16 +204,16 @@ int EmitterSampleLayers::FillLayers(vtkOpenGLRenderWindow* window, Batch& batch)
   window->GetShaderCache()->ReadyShaderProgram(program);
   batch.Texture->Activate();
   program->SetUniform3f("sliceNormal", glm::value_ptr(glm::vec3(this->Sweep->Normal)));
-  glm::mat3 ways = GetWays(points, light.Center);
-  program->SetUniformMatrix3x3("wayToCenter", glm::value_ptr(ways));
+  glm::mat3 vectors = GetLightVectors(points, light.Center);
+  program->SetUniformMatrix3x3("vectorToCenter", glm::value_ptr(vectors));
   for (const std::unique_ptr<Stack>& stack : this->Stacks)
   {
     this->Bind(window, stack->Texture);
     for (int i = 0; i < stack->Layers; ++i)
     {
       const SlicePlan::SampleView& sample = light.Samples[stack->First + i];
-      ways = GetWays(points, sample.Source);
-      program->SetUniformMatrix3x3("wayToSample", glm::value_ptr(ways));
+      vectors = GetLightVectors(points, sample.Source);
+      program->SetUniformMatrix3x3("vectorToSample", glm::value_ptr(vectors));
       state->vtkglViewport(0, i * this->LayerSize, this->LayerSize, this->LayerSize);
       this->DrawTiles(window, this->Fill, batch.Texture,
         PlaneView::GetHomography(light.BufferFromUnit, sample.LayerFromUnit, plane), batch.Number);
@@ -258,7 +259,7 @@ int EmitterSampleLayers::DrawMean(
   state->vtkglBlendFunc(GL_ONE, GL_ZERO);
   window->GetShaderCache()->ReadyShaderProgram(this->Join.GetProgram());
   this->Sum->Activate();
-  // The batch that begins has nothing yet.
+  // Skip the new batch, which is still empty.
   for (std::size_t i = 1; i < this->Batches.size(); ++i)
   {
     vtkTextureObject* batch = this->Batches[(this->Current + i) % this->Batches.size()].Texture;
@@ -286,14 +287,15 @@ bool EmitterSampleLayers::Begin(
     return false;
   }
   ++this->Begun;
-  // The batch's place has the oldest one, which goes into the layers, as does all before a gap.
+  // The new batch takes the slot of the oldest batch. First, multiply the oldest batch and all
+  // batches before a wide gap into the layers.
   this->Current = static_cast<std::size_t>(next) % this->Batches.size();
   int drawn = 0;
   for (Batch& batch : this->Batches)
   {
     const bool isOld = batch.Number >= 0 &&
-      this->Plan.AreApart(batches[static_cast<std::size_t>(batch.Number)],
-        batches[static_cast<std::size_t>(next)], Kept);
+      this->Plan.AreSeparated(batches[static_cast<std::size_t>(batch.Number)],
+        batches[static_cast<std::size_t>(next)], PendingBatches);
     if (isOld || &batch == &this->Batches[this->Current])
     {
       drawn += this->FillLayers(window, batch);

@@ -30,27 +30,30 @@ class SlicePolygons;
 
 /**
  * @class   EmitterSampleLayers
- * @brief   the transmittance from each sample of an area light's emitter to a slice
+ * @brief   transmittance from each sample of an area light's emitter to a slice
  *
- * A sample c has a layer T_c in the coordinates of a light at c. The matter of some slabs, a
- * batch, has one transmittance A from the emitter's centre, drawn once for all samples and put into
- * each layer as seen from its sample: T_c(p) <- T_c(p) A(q)^s, q the place in the
- * centre's coordinates of the point that p is in the batch's middle plane, s the way through a slab
- * on a ray from c over that on a ray from the centre. Planes are seen from two places a
- * homography apart. So no layer is resampled from slab to slab, and what is seen is exact for the
- * sample but for the thickness of a batch, whose shadows go apart by Apart texels at most.
+ * Each sample c of the emitter has a layer T_c, in the light buffer coordinates of a light at c.
+ * The slabs of a volume are processed in batches. The transmittance A of a batch is drawn once, as
+ * seen from the emitter's center, and then multiplied into each layer as seen from the layer's
+ * sample: T_c(p) <- T_c(p) A(q)^s. Here q is the position, in the center's coordinates, of the
+ * point at p in the batch's middle plane. The exponent s is the path length through a slab on a ray
+ * from c, divided by the path length on a ray from the center. Two views of a plane differ by a
+ * homography, so layers need no resampling from slab to slab. T_c is exact except that a batch is
+ * treated as a plane, which displaces shadows slightly; see LayerBatches.
  *
- * Where a batch begins, the oldest of those that are kept goes into the layers. The light's buffer
- * becomes B A1 A2: B the weighted mean of the layers, each seen from its sample in the middle of
- * the new batch, and A1 and A2 what is left, which casts the shadows of the centre as the new batch
- * does. So matter goes into layers, which are interpolated and coarser than the buffer, only where
- * its penumbra is wider than their texels: surfaces are not blurred into their own shadows. Behind
- * a gap of matter all of it is in the layers. Only tiles with matter are drawn.
+ * When a batch begins, the oldest pending batch is multiplied into the layers. The light buffer
+ * becomes B A1 A2. B is the weighted mean of the layers, each seen from its sample in the middle
+ * plane of the new batch. A1 and A2 are the batches that are still pending, with shadows as seen
+ * from the center. Layers are interpolated and coarser than the buffer. A batch therefore enters
+ * them only when its penumbra is wider than their texels, so that surfaces are not blurred into
+ * their own shadows. If a sufficiently wide empty gap precedes the new batch, all earlier batches
+ * are multiplied into the layers. Only tiles that contain a medium are drawn.
  */
 class EmitterSampleLayers
 {
 public:
-  /// Layers from a first sample on, one over the other in one texture, and their mean.
+  /// Layers of consecutive samples, stacked vertically in one texture, and the program that
+  /// computes their mean.
   struct Stack
   {
     vtkSmartPointer<vtkTextureObject> Texture;
@@ -64,42 +67,43 @@ public:
 
   /// Returns the number of columns and rows of a layer.
   static int GetLayerSize(const SlicePlan::ShadowedLight& light);
-  /// Returns the number of texels beside the light's buffer, over all layers and batches.
+  /// Returns the number of texels of all layers and batches, without the light buffer.
   static vtkIdType GetTexels(const SlicePlan::ShadowedLight& light);
 
   /**
-   * Creates empty layers and batches for a sweep through \a polygons, which must stay valid as must
-   * the plan. \a channels are those of light. If \a isWhole, the buffer is also looked up where
-   * there is no medium. Returns an error if there is no memory or a shader cannot be compiled.
+   * Creates empty layers and batches for a sweep through \a polygons. \a polygons and the plan must
+   * remain valid. \a channels is the number of color channels of light. If \a isSampledOutside is
+   * true, the buffer is also sampled outside the medium. Returns an error if the GPU runs out of
+   * memory or a shader cannot be compiled.
    */
   Error Prepare(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep,
     const SlicePlan::ShadowedLight& light, const std::vector<const SlicePolygons*>& polygons,
-    int channels, bool isWhole);
+    int channels, bool isSampledOutside);
 
-  /// Returns the transmittance of the batch, in the coordinates of the light's buffer; slabs
-  /// multiply it. It is another texture after each batch.
+  /// Returns the transmittance of the current batch, in the coordinates of the light buffer. Slabs
+  /// are multiplied into it. Successive batches use different textures.
   vtkTextureObject* GetBatch() const { return this->Batches[this->Current].Texture; }
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
   /// Returns the number of columns and rows of a layer.
   int GetLayerSize() const { return this->LayerSize; }
-  /// Returns all layers, in the order of the samples.
+  /// Returns all layers in the order of the samples.
   const std::vector<std::unique_ptr<Stack>>& GetStacks() const { return this->Stacks; }
   vtkIdType GetBytes() const { return this->Bytes; }
 
   /**
-   * Begins a slab with something in it. Where it is the first of a batch, \a buffer is made anew,
-   * and GetBatch is another texture. Returns whether it is, and adds the passes that this took.
+   * Begins a nonempty slab. If the slab is the first of a batch, updates \a buffer, changes the
+   * texture of GetBatch and returns true. Adds the number of passes drawn to \a passes.
    */
   bool Begin(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, int slab, int& passes);
 
-  /// Puts all batches into the layers, which then have all matter. Returns the number of passes
-  /// over layers that this took.
+  /// Multiplies all pending batches into the layers. Returns the number of passes over layers.
   int Finish(vtkOpenGLRenderWindow* window);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// What the slabs of a batch let through; nothing was drawn where the number is -1.
+  /// Transmittance of the slabs of a batch. Number is the index of the batch, or -1 if nothing was
+  /// drawn.
   struct Batch
   {
     vtkNew<vtkTextureObject> Texture;
@@ -110,12 +114,12 @@ private:
     vtkOpenGLRenderWindow* window, const SlicePlan::ShadowedLight& light, int channels);
   Error Compile(vtkOpenGLRenderWindow* window, int channels);
   void Clear(vtkOpenGLRenderWindow* window, vtkTextureObject* texture);
-  /// Puts a batch into the layers and empties it.
+  /// Multiplies a batch into the layers and clears it.
   int FillLayers(vtkOpenGLRenderWindow* window, Batch& batch);
-  /// Draws the mean of the layers as seen in the middle of a batch, and times another one into
-  /// \a buffer.
+  /// Draws into \a buffer the product of the pending batches and the mean of the layers, as seen in
+  /// the middle plane of batch \a number.
   int DrawMean(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, int number);
-  /// Draws the tiles of a batch, of what \a map has, into a square of \a target.
+  /// Draws the tiles of batch \a number, textured by \a map, into a square of \a target.
   void DrawTiles(vtkOpenGLRenderWindow* window, SlicePass& pass, vtkTextureObject* map,
     const glm::dmat3& targetFromBuffer, int number);
   void Bind(vtkOpenGLRenderWindow* window, vtkTextureObject* target);
@@ -125,17 +129,18 @@ private:
   std::vector<std::unique_ptr<Stack>> Stacks;
   int NumberOfLayers = 0;
   int LayerSize = 0;
-  /// The number of batches that are not in the layers yet, beside the one that is drawn.
-  static constexpr int Kept = 2;
-  /// The batch that is drawn and those before.
-  std::array<Batch, Kept + 1> Batches;
+  /// Number of batches before the current one that may be pending: complete, but not yet multiplied
+  /// into the layers.
+  static constexpr int PendingBatches = 2;
+  /// The current batch and the pending ones.
+  std::array<Batch, PendingBatches + 1> Batches;
   std::size_t Current = 0;
-  /// How many batches have begun, and whether one is in the layers.
+  /// Number of batches that have begun, and whether any batch has been multiplied into the layers.
   int Begun = 0;
   bool HasLayers = false;
   LayerBatches Plan;
   vtkNew<vtkOpenGLBufferObject> Tiles;
-  /// The mean of the layers, as large as a layer.
+  /// Mean of the layers, as large as a layer.
   vtkNew<vtkTextureObject> Sum;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   SlicePass Fill;

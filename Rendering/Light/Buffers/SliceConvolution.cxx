@@ -22,11 +22,11 @@ namespace interlume
 namespace
 {
 
-// The width of a penumbra, in texels, from which on it is convolved.
-constexpr double LeastWidth = 2.0;
+// Penumbra width, in texels, above which the buffer is convolved.
+constexpr double MinimumWidth = 2.0;
 
-// Returns how far the penumbra of the virtual light goes in the plane at \a height, from an
-// occluder at \a last, along both axes of the buffer, in texels.
+// Returns the extent of the virtual light's penumbra in the plane at \a height, from an occluder at
+// \a last, along both axes of the buffer, in texels.
 std::array<double, 2> GetWidths(const LightSource& source, const SlicePlan::ShadowedLight& light,
   const glm::dvec3& normal, double last, double height)
 {
@@ -34,12 +34,13 @@ std::array<double, 2> GetWidths(const LightSource& source, const SlicePlan::Shad
   const double distance = source.IsPositional ? last - apex : glm::dot(source.Direction, normal);
   const glm::dmat4& view = light.BufferFromUnit;
   const auto getRow = [&view](int row) { return UnitVector::GetRow(view, row); };
-  // The place on the axis of a buffer in perspective; in parallel all places are alike.
+  // In perspective, the width depends on the position: use a position on the buffer's axis. In
+  // parallel projection, it does not.
   const bool isPerspective = getRow(3) != glm::dvec3(0.0);
-  const glm::dvec3 place = isPerspective
+  const glm::dvec3 position = isPerspective
     ? source.Position + getRow(3) * ((height - apex) / glm::dot(getRow(3), normal))
     : normal * height;
-  const double depth = glm::dot(getRow(3), place) + view[3][3];
+  const double depth = glm::dot(getRow(3), position) + view[3][3];
   std::array<double, 2> squares{};
   for (const glm::dvec3& emitter : source.EmitterAxes)
   {
@@ -47,7 +48,7 @@ std::array<double, 2> GetWidths(const LightSource& source, const SlicePlan::Shad
       (emitter - glm::dot(emitter, normal) * normal) * ((height - last) / distance);
     for (int i = 0; i < 2; ++i)
     {
-      const double seen = (glm::dot(getRow(i), place) + view[3][i]) / depth;
+      const double seen = (glm::dot(getRow(i), position) + view[3][i]) / depth;
       const double change =
         (glm::dot(getRow(i), across) - seen * glm::dot(getRow(3), across)) / depth;
       squares[i] += change * change;
@@ -70,13 +71,14 @@ Error SliceConvolution::Prepare(vtkOpenGLRenderWindow* window, const LightSource
   this->Sweep = &sweep;
   this->Planned = &light;
   this->Slab = -1;
-  this->Rest = {};
+  this->Remainder = {};
   this->Bytes = FloatTexture::Allocate(
-    window, this->Spare, light.BufferSize, light.BufferSize, channels, false);
+    window, this->Temporary, light.BufferSize, light.BufferSize, channels, false);
   if (this->Bytes == 0)
   {
-    return Error(
-      "the graphics card has no memory for the shadows of an area light", ErrorCode::OutOfMemory);
+    return Error("The graphics card is out of memory for the soft shadows of an area light. Reduce "
+                 "LightBufferSize.",
+      ErrorCode::OutOfMemory);
   }
   this->Framebuffer->SetContext(window);
   if (!this->Quad)
@@ -86,7 +88,8 @@ Error SliceConvolution::Prepare(vtkOpenGLRenderWindow* window, const LightSource
   }
   return this->Quad->Program
     ? Error()
-    : Error("the shader of an area light's shadows cannot be compiled", ErrorCode::OpenGL);
+    : Error(
+        "The shader for the soft shadows of an area light cannot be compiled.", ErrorCode::OpenGL);
 }
 
 int SliceConvolution::Begin(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, int slab)
@@ -99,7 +102,7 @@ int SliceConvolution::Begin(vtkOpenGLRenderWindow* window, vtkTextureObject* buf
     this->Slab = slab;
   }
   int passes = 0;
-  // Shadows widen through slabs without matter too.
+  // Shadows also widen through empty slabs.
   for (; this->Slab < slab; ++this->Slab)
   {
     passes += this->Widen(window, buffer, getHeight(this->Slab + 1));
@@ -112,13 +115,13 @@ int SliceConvolution::Widen(vtkOpenGLRenderWindow* window, vtkTextureObject* buf
   int passes = 0;
   for (std::size_t axis = 0; axis < 2; ++axis)
   {
-    const double width = this->Rest[axis] +
+    const double width = this->Remainder[axis] +
       GetWidths(this->Source, *this->Planned, this->Sweep->Normal, this->Last[axis], height)[axis];
-    if (width > LeastWidth)
+    if (width > MinimumWidth)
     {
-      const int whole = static_cast<int>(std::min(width, 2.0 * this->Planned->BufferSize));
-      this->Convolve(window, buffer, axis, whole);
-      this->Rest[axis] = width - whole;
+      const int boxWidth = static_cast<int>(std::min(width, 2.0 * this->Planned->BufferSize));
+      this->Convolve(window, buffer, axis, boxWidth);
+      this->Remainder[axis] = width - boxWidth;
       this->Last[axis] = height;
       ++passes;
     }
@@ -131,7 +134,7 @@ void SliceConvolution::Convolve(
 {
   vtkOpenGLState* state = window->GetState();
   this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, this->Spare);
+  this->Framebuffer->AddColorAttachment(0, this->Temporary);
   this->Framebuffer->ActivateDrawBuffer(0);
   this->Framebuffer->ActivateReadBuffer(0);
   const auto size = static_cast<GLsizei>(buffer->GetWidth());
@@ -139,7 +142,7 @@ void SliceConvolution::Convolve(
   state->vtkglBlendFunc(GL_ONE, GL_ZERO);
   vtkShaderProgram* program = this->Quad->Program;
   window->GetShaderCache()->ReadyShaderProgram(program);
-  // The light's buffer has its texture unit for the whole sweep.
+  // The light buffer keeps its texture unit for the whole sweep.
   const bool wasActive = buffer->GetTextureUnit() >= 0;
   buffer->Activate();
   const int direction[2] = { axis == 0 ? 1 : 0, axis == 0 ? 0 : 1 };
@@ -157,7 +160,7 @@ void SliceConvolution::Convolve(
 
 void SliceConvolution::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Spare->ReleaseGraphicsResources(window);
+  this->Temporary->ReleaseGraphicsResources(window);
   this->Framebuffer->ReleaseGraphicsResources(window);
   if (this->Quad)
   {

@@ -23,14 +23,17 @@ namespace interlume
 
 /**
  * @class   SliceConvolution
- * @brief   soft shadows by convolving a light's buffer from slice to slice
+ * @brief   soft shadows by convolving the light buffer from slice to slice
  *
- * This is the method of C. Zhang, dissertation, Ohio State 2006, 2.4: the virtual light, the
- * emitter projected onto the slices' plane, has a penumbra of width dx = L dZ / Z (2.14) between
- * the slice that was convolved last, at Z from the light, and one dZ behind it. Along each axis of
- * the buffer dx is accumulated until it is two texels; then the buffer is convolved with a box of
- * its whole texels, and the rest is kept. What n convolutions with boxes of width w spread is
- * w sqrt(n / 12) and not n w / sqrt(12): penumbrae shrink as slices and texels do.
+ * Implements the method of C. Zhang, dissertation, Ohio State University, 2006, section 2.4. The
+ * virtual light is the emitter projected onto the plane of the slices. Between the slice of the
+ * last convolution, at distance Z from the light, and a slice dZ behind it, the penumbra widens by
+ * dx = L dZ / Z (equation 2.14). dx accumulates along each axis of the buffer until it exceeds two
+ * texels. The buffer is then convolved with a box whose width is the integer part of dx, and the
+ * remainder is retained.
+ *
+ * The spread of n convolutions with boxes of width w is w sqrt(n / 12), not n w / sqrt(12).
+ * Penumbras therefore become narrower as the slice spacing and the texel size decrease.
  */
 class SliceConvolution
 {
@@ -38,22 +41,23 @@ public:
   SliceConvolution();
   ~SliceConvolution();
 
-  /// Begins a sweep for a light with the given number of channels. Returns an error if there is
-  /// no memory or the shader cannot be compiled. The plan must stay valid during the sweep.
+  /// Prepares a sweep for a light with the given number of color channels. The plan must remain
+  /// valid during the sweep. Returns an error if the GPU runs out of memory or the shader cannot be
+  /// compiled.
   Error Prepare(vtkOpenGLRenderWindow* window, const LightSource& source,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light, int channels);
 
   vtkIdType GetBytes() const { return this->Bytes; }
 
-  /// Begins a slab with something in it: \a buffer is convolved where that is due. Returns the
-  /// number of passes that this took.
+  /// Begins a nonempty slab and convolves \a buffer if the penumbra has widened enough. Returns the
+  /// number of passes.
   int Begin(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, int slab);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// Accumulates the penumbra as far as \a height along the normal, and convolves where it is wide
-  /// enough.
+  /// Accumulates the penumbra's width up to \a height along the normal, and convolves the buffer if
+  /// the penumbra is wide enough.
   int Widen(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, double height);
   void Convolve(
     vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, std::size_t axis, int width);
@@ -61,16 +65,16 @@ private:
   LightSource Source;
   const SlicePlan::Sweep* Sweep = nullptr;
   const SlicePlan::ShadowedLight* Planned = nullptr;
-  vtkNew<vtkTextureObject> Spare;
+  vtkNew<vtkTextureObject> Temporary;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   vtkIdType Bytes = 0;
-  /// The slab that was begun last, or -1.
+  /// The last slab that has begun, or -1.
   int Slab = -1;
-  /// Of each axis, where along the normal the buffer was convolved last, and what is left of the
-  /// penumbra's width, in texels.
+  /// For each axis, the position along the normal of the last convolution, and the part of the
+  /// penumbra's width, in texels, that has not been applied yet.
   std::array<double, 2> Last{};
-  std::array<double, 2> Rest{};
+  std::array<double, 2> Remainder{};
 };
 
 }

@@ -50,8 +50,8 @@ Error SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const ImageState&
     window, this->Texture, this->Size, this->Size, image.GetLightChannels(), image.IsSmoothLookup);
   if (this->Bytes == 0)
   {
-    return Error(
-      "the graphics card has no memory for the buffer of a light", ErrorCode::OutOfMemory);
+    return Error("The graphics card is out of memory for a light buffer. Reduce LightBufferSize.",
+      ErrorCode::OutOfMemory);
   }
   if (Error error = this->PrepareSoftShadows(window, image, polygons))
   {
@@ -63,7 +63,8 @@ Error SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const ImageState&
   if (this->Samples)
   {
     this->Framebuffer->AddColorAttachment(1, this->Samples->GetBatch());
-    // VTK's state remembers the draw buffers of another framebuffer, and would leave these out.
+    // Bypass VTK's state: it caches the draw buffers of another framebuffer and would skip this
+    // call.
     const std::array<GLenum, 2> both{ { GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1 } };
     glDrawBuffers(2, both.data());
   }
@@ -71,20 +72,20 @@ Error SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const ImageState&
   {
     this->Framebuffer->ActivateDrawBuffer(0);
   }
-  // Before it is cleared: OpenGL clears, and draws, only where all attachments are, and that of the
-  // last picture may be smaller.
+  // Resize before clearing: OpenGL clears and draws only inside all attachments, and the attachment
+  // of the last image may be smaller.
   this->Bytes += this->Occlusion.Prepare(window, this->Framebuffer, this->Size, this->Size, false);
   SliceOcclusion::Clear(window);
-  // A wide light's buffer has optical depth.
+  // The buffer of a wide light contains optical depth.
   const float start = light.IsWide ? 0.0f : 1.0f;
   window->GetState()->vtkglClearColor(start, start, start, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
-  // The number of texels on each side of a place that are free of the surface there, seen up to 60
-  // degrees aslant.
+  // A layer must end far enough in front of a surface. Then this number of texels on each side of a
+  // position does not reach the surface, for light at up to 60 degrees from the normal.
   constexpr double texels = 1.5;
-  constexpr double most = 64.0;
+  constexpr double maximum = 64.0;
   this->Period = static_cast<int>(
-    std::ceil(std::min(std::max(texels * light.TexelSize / sweep.Spacing, 1.0), most)));
+    std::ceil(std::min(std::max(texels * light.TexelSize / sweep.Spacing, 1.0), maximum)));
   while (this->Volumes.size() > polygons.size())
   {
     Release(*this->Volumes.back(), window);
@@ -127,8 +128,9 @@ Error SliceLightBuffer::PrepareVolume(
       window, layer, this->Size, this->Size, frame.Image->GetLightChannels(), false);
     if (bytes == 0)
     {
-      return Error(
-        "the graphics card has no memory for the layers of a light", ErrorCode::OutOfMemory);
+      return Error("The graphics card is out of memory for the layers of a light buffer. Reduce "
+                   "LightBufferSize.",
+        ErrorCode::OutOfMemory);
     }
     this->Bytes += bytes;
     own.LayerSlabs[i] = 0;
@@ -141,11 +143,11 @@ Error SliceLightBuffer::PrepareVolume(
   if (light.IsWide)
   {
     own.WideTiles.Build(sweep, light, frame.Image->Lights[light.Light].Position,
-      frame.Blocks.GetLattice(), frame.Space, frame.Region.Box);
+      frame.Blocks.GetBlockGrid(), frame.Space, frame.Region.Box);
   }
   own.HasTiles = !light.IsWide && frame.HasTiles() &&
     own.Tiles.Build(sweep, light.BufferFromUnit, { { this->Size, this->Size } },
-      frame.SmallBlocks.GetLattice(), frame.Space, frame.Region.Box,
+      frame.SmallBlocks.GetBlockGrid(), frame.Space, frame.Region.Box,
       VolumeSlices::GetMargin(sweep));
   const std::vector<float>& drawn = this->GetDrawn(own, slices.GetPolygons()).GetVertices();
   const bool isTiled = (light.IsWide || own.HasTiles) && !drawn.empty();
@@ -229,7 +231,8 @@ int SliceLightBuffer::Begin(vtkOpenGLRenderWindow* window, int slab)
   }
   if (passes > 0)
   {
-    // Light comes from aside behind what is dark in one plane.
+    // Mark the pixels from scratch: oblique light may reach positions behind pixels that were
+    // opaque.
     this->Framebuffer->Bind();
     SliceOcclusion::Clear(window);
     this->Occlusion.Mark(window, this->Texture, SliceOcclusion::TRANSMITTANCE);
@@ -254,7 +257,8 @@ bool SliceLightBuffer::KeepLayer(int slab, bool isEmpty, std::size_t volume)
   const std::array<int, 2> before = own.LayerSlabs;
   if (isEmpty)
   {
-    // Light that comes through all before the slab comes through the slab.
+    // An empty slab does not attenuate, so a layer that ends in front of it is also valid behind
+    // it.
     for (int& layer : own.LayerSlabs)
     {
       layer += layer == slab ? 1 : 0;

@@ -35,86 +35,90 @@ struct ImageState;
 
 /**
  * @class   SliceLightBuffer
- * @brief   the transmittance from one light to a slice
+ * @brief   light buffer: the transmittance from one light to a slice
  *
- * A wide light's buffer holds optical depth times the cosine between ray and normal.
+ * The buffer of a wide light (see SlicePlan) contains optical depth times the cosine between ray
+ * and normal.
  */
 class SliceLightBuffer
 {
 public:
-  /// Makes a buffer; \a light is the light's index in the picture's list.
+  /// \a light is the index of the light in the image's list of lights.
   explicit SliceLightBuffer(int light);
   ~SliceLightBuffer();
 
-  /// Returns the number of texels that a light's soft shadows take beside its buffer.
+  /// Returns the number of texels that soft shadows require in addition to the light buffer.
   static vtkIdType GetSoftTexels(const SlicePlan::ShadowedLight& light);
 
   int GetLight() const { return this->Light; }
   vtkTextureObject* GetTexture() const { return this->Texture; }
   vtkIdType GetBytes() const { return this->Bytes; }
-  /// Returns what an area light's soft shadows have beside the buffer, and their bytes.
+  /// Return the number of layers, and their size in bytes, that soft shadows require in addition to
+  /// the buffer.
   int GetNumberOfSampleLayers() const;
   vtkIdType GetSoftBytes() const;
-  /// Returns whether a sweep of the picture uses the buffer.
+  /// Returns true if a sweep of the image uses the buffer.
   bool IsUsed() const { return this->Bytes > 0; }
   void SetUnused() { this->Bytes = 0; }
 
   /**
-   * Prepares the buffer for a sweep: all light passes. \a light is the light of this buffer in the
-   * sweep, \a polygons are those of the volumes that attenuate it. The plan must stay valid during
-   * the sweep. Returns an error if there is no memory or a shader cannot be compiled.
+   * Prepares the buffer for a sweep, with a transmittance of 1. \a light is the light of this
+   * buffer in the sweep. \a polygons are the slices of the volumes that attenuate it. The plan must
+   * remain valid during the sweep. Returns an error if the GPU runs out of memory or a shader
+   * cannot be compiled.
    */
   Error Prepare(vtkOpenGLRenderWindow* window, const ImageState& image,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
     const std::vector<const SlicePolygons*>& polygons);
 
-  /// Prepares a volume's program, if it has triangles, after Prepare. Returns an error as Prepare
-  /// does.
+  /// Prepares a volume's program if the volume has triangles. Call Prepare first. Returns an error
+  /// as Prepare does.
   Error PrepareVolume(vtkOpenGLRenderWindow* window, std::size_t volume, VolumeSlices& slices);
 
   ///@{
-  /// Return the buffer without what a volume has taken for some slabs, and the first slab of which
-  /// that is not in it; not for wide lights.
+  /// Return a layer: an earlier copy of the buffer without a volume's last slabs, and the first
+  /// slab that the copy excludes. Not available for wide lights.
   vtkTextureObject* GetLayer(std::size_t volume) const { return this->Volumes[volume]->Layers[0]; }
   int GetLayerSlab(std::size_t volume) const { return this->Volumes[volume]->LayerSlabs[0]; }
   ///@}
-  /// Keeps the buffer as a volume's layer where the last layer is old enough; to be called before a
-  /// slab is drawn, or passed over as empty of this volume. Returns whether the layer is another
-  /// one.
+  /// Copies the buffer to a volume's layer if the last layer is old enough. Call this before a slab
+  /// is drawn, or skipped because the volume is empty there. Returns true if the layer has changed.
   bool KeepLayer(int slab, bool isEmpty, std::size_t volume);
 
-  /// Makes an area light's buffer ready for a slab with something in it, before that is drawn.
-  /// Returns the passes that this took.
+  /// Prepares an area light's buffer for a nonempty slab, before the slab is drawn. Returns the
+  /// number of passes.
   int Begin(vtkOpenGLRenderWindow* window, int slab);
 
-  /// Returns the layers of an area light's samples, or null where it has none.
+  /// Returns the layers of an area light's samples, or null if it has none.
   EmitterSampleLayers* GetSampleLayers() const { return this->Samples.get(); }
 
-  /// Takes what a volume lets through in a slab, also from the layers of other volumes. Returns the
-  /// passes that this took: none where there is no matter for the light to meet.
+  /// Multiplies the transmittance of a volume's slab into the buffer and into the other volumes'
+  /// layers. Returns the number of passes, or 0 if the slab contains no medium that the light
+  /// reaches.
   int Draw(
     vtkOpenGLRenderWindow* window, const SlicePolygons& polygons, int slab, std::size_t volume);
 
-  /// Spares what lies behind opaque matter from now on. An area light's buffer is looked at where
-  /// its samples are put together instead.
+  /// Marks opaque pixels of the buffer, so that fragments behind them are culled in the following
+  /// slabs. Does nothing for area lights with soft shadows: for these, Begin marks the pixels
+  /// whenever it updates the buffer.
   void MarkOccluded(vtkOpenGLRenderWindow* window);
 
-  /// Reads the texels, \a size times \a size; empty for a light inside the volume.
+  /// Reads \a size times \a size texels. Returns an empty vector for a light inside the volume.
   std::vector<float> Read(vtkOpenGLRenderWindow* window, int& size, int& channels);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// What is kept for a volume that takes from the light.
+  /// Data of a volume that attenuates the light.
   struct Volume
   {
     SlicePass Slices;
-    /// Of a wide light, or of another one, instead of the slices' triangles.
+    /// Tiles that replace the triangles of the slices, for a wide light and for other lights.
     LightTiles WideTiles;
     PlaneTiles Tiles;
     bool HasTiles = false;
     vtkNew<vtkOpenGLBufferObject> TileVertices;
-    /// The older and the newer layer.
+    /// The older layer, which GetLayer returns, and the newer one, which will replace it.
     std::array<vtkSmartPointer<vtkTextureObject>, 2> Layers;
     std::array<int, 2> LayerSlabs{ { 0, 0 } };
     bool HasLayers = false;
@@ -124,7 +128,7 @@ private:
   Error PrepareSoftShadows(vtkOpenGLRenderWindow* window, const ImageState& image,
     const std::vector<const SlicePolygons*>& polygons);
   void CopyTo(vtkTextureObject* layer);
-  /// Returns what is drawn of a volume whose slices have these triangles.
+  /// Returns the triangles to draw for a volume with the slices \a polygons.
   const SlabTriangles& GetDrawn(const Volume& volume, const SlicePolygons& polygons) const;
   static void Release(Volume& volume, vtkWindow* window);
 
@@ -135,13 +139,13 @@ private:
   vtkIdType Bytes = 0;
   vtkNew<vtkTextureObject> Texture;
   std::vector<std::unique_ptr<Volume>> Volumes;
-  /// The number of slabs from layer to layer.
+  /// Number of slabs between two updates of a layer.
   int Period = 1;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
-  /// For layers that other volumes take from.
+  /// Framebuffer for drawing other volumes into a layer.
   vtkNew<vtkOpenGLFramebufferObject> LayerFramebuffer;
   SliceOcclusion Occlusion;
-  /// What makes an area light's shadows soft: one of both, or none for other lights.
+  /// Method of the soft shadows of an area light. At most one of the two is set.
   std::unique_ptr<EmitterSampleLayers> Samples;
   std::unique_ptr<SliceConvolution> Convolution;
   bool IsWide = false;

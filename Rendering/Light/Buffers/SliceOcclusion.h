@@ -19,43 +19,44 @@ namespace interlume
 
 /**
  * @class   SliceOcclusion
- * @brief   spares fragments behind what is already opaque
+ * @brief   culls fragments behind opaque samples
  *
- * It keeps a depth buffer beside a buffer of slices: where that buffer lets nothing through any
- * more, the depth buffer gets a depth that nothing is nearer than, so that the test of depth drops
- * what comes behind before its shader runs.
+ * This class maintains a depth buffer for an image or light buffer of slices. It writes the nearest
+ * depth at the pixels where that buffer is opaque. The depth test then rejects later fragments
+ * before their shader runs.
  */
 class SliceOcclusion
 {
 public:
-  /// The number of slabs between two looks at the buffer; thick ones cost more to draw.
+  /// Number of slabs between two updates. Slabs with a thick medium cost more to draw and are
+  /// checked more often.
   static constexpr int Interval = 16;
   static constexpr int ThickInterval = 4;
 
-  /// What a buffer holds.
+  /// Meaning of a buffer's texels.
   enum Contents
   {
-    /// In the fourth channel: the picture's.
+    /// Opacity in the fourth channel: an image buffer.
     OPACITY,
-    /// A light's.
+    /// Transmittance: a light buffer.
     TRANSMITTANCE,
-    /// Optical depth times the cosine with the normal, in a half space: a wide light's.
+    /// Optical depth times the cosine with the normal, in a half space: a wide light's buffer.
     DEPTH
   };
 
   SliceOcclusion();
   ~SliceOcclusion();
 
-  /// Gives the depth buffer the framebuffer's size and attaches it to \a framebuffer, which is
-  /// bound then. \a hasDepths is the same each time: it tells that slices draw depths of their own,
-  /// one for each slab. Returns its bytes.
+  /// Resizes the depth buffer to the framebuffer's size, attaches it to \a framebuffer and binds
+  /// that framebuffer. If \a hasDepths is true, slices write one depth per slab. \a hasDepths must
+  /// not change between calls. Returns the bytes of the depth buffer.
   vtkIdType Prepare(vtkOpenGLRenderWindow* window, vtkOpenGLFramebufferObject* framebuffer,
     int width, int height, bool hasDepths);
 
-  /// Clears the depth of the framebuffer that is bound: nothing is opaque.
+  /// Clears the depth of the bound framebuffer, so that no pixel counts as opaque.
   static void Clear(vtkOpenGLRenderWindow* window);
 
-  /// Looks at \a buffer.
+  /// Marks the opaque pixels of \a buffer.
   void Mark(vtkOpenGLRenderWindow* window, vtkTextureObject* buffer, Contents contents);
 
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -21,19 +21,23 @@ SlicePass::~SlicePass() = default;
 Error SlicePass::Prepare(vtkOpenGLRenderWindow* window, const std::string& source,
   vtkOpenGLBufferObject* vertices, bool isMarked)
 {
-  const std::string places = ShaderFeatures::Insert(InterlumeSliceVS, isMarked ? "MARKED" : "");
+  const std::string vertexSource =
+    ShaderFeatures::Insert(InterlumeSliceVS, isMarked ? "MARKED" : "");
   this->IsMarked = isMarked;
-  this->Program = window->GetShaderCache()->ReadyShaderProgram(places.c_str(), source.c_str(), "");
+  this->Program =
+    window->GetShaderCache()->ReadyShaderProgram(vertexSource.c_str(), source.c_str(), "");
   if (!this->Program)
   {
-    return Error("the shaders of slices cannot be compiled", ErrorCode::OpenGL);
+    return Error("The shaders of the slices cannot be compiled.", ErrorCode::OpenGL);
   }
   this->Vertices->ReleaseGraphicsResources();
   this->Vertices->Bind();
   const bool isAdded = this->Vertices->AddAttributeArray(
-    this->Program, vertices, "placeIn", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
+    this->Program, vertices, "positionIn", 0, 3 * sizeof(float), VTK_FLOAT, 3, false);
   this->Vertices->Release();
-  return isAdded ? Error() : Error("the triangles of slices cannot be drawn", ErrorCode::OpenGL);
+  return isAdded
+    ? Error()
+    : Error("The shader of the slices has no vertex attribute 'positionIn'.", ErrorCode::OpenGL);
 }
 
 void SlicePass::Draw(vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts,
@@ -44,8 +48,8 @@ void SlicePass::Draw(vtkOpenGLRenderWindow* window, const std::vector<std::size_
   if (this->IsMarked)
   {
     const double slabs = static_cast<double>(starts.size()) - 1.0;
-    const double share = (slab * volumes + number + 1.0) / (slabs * volumes + 2.0);
-    this->Program->SetUniformf("sliceDepth", static_cast<float>(1.0 - 2.0 * share));
+    const double fraction = (slab * volumes + number + 1.0) / (slabs * volumes + 2.0);
+    this->Program->SetUniformf("sliceDepth", static_cast<float>(1.0 - 2.0 * fraction));
   }
   this->Vertices->Bind();
   glDrawArrays(GL_TRIANGLES, static_cast<GLint>(starts[slab]),

@@ -20,7 +20,7 @@ namespace interlume
 
 /**
  * @class   SlicePass
- * @brief   a shader program that draws the triangles of slices
+ * @brief   shader program that draws the triangles of slices
  */
 class SlicePass
 {
@@ -29,20 +29,22 @@ public:
   ~SlicePass();
 
   /**
-   * Compiles the fragments' source, for triangles in \a vertices. Slices that are \a isMarked have
-   * one depth each, nearer from slab to slab and volume to volume. Returns an error if that fails.
+   * Compiles the fragment shader \a source for triangles in \a vertices. If \a isMarked is true,
+   * each slice has a separate depth, which decreases from slab to slab and from volume to volume.
+   * Returns an error if the program cannot be compiled.
    */
   Error Prepare(vtkOpenGLRenderWindow* window, const std::string& source,
     vtkOpenGLBufferObject* vertices, bool isMarked = false);
   vtkShaderProgram* GetProgram() const { return this->Program; }
 
-  /// Draws the triangles of a slab that begins at \a entrance into the framebuffer that is bound.
-  /// \a starts are the first vertex of each slab, and their number. So many volumes draw each slab
-  /// one after the other; slices that are marked are those of the volume with this \a number.
+  /// Draws the triangles of a slab that begins at \a entrance into the bound framebuffer. \a starts
+  /// contains the first vertex of each slab, followed by the number of vertices. \a number is the
+  /// index of this volume among the \a volumes that draw each slab in turn. It determines the depth
+  /// of marked slices.
   void Draw(vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts, int slab,
     double entrance, int number = 0, int volumes = 1);
 
-  /// Draws so many vertices as points, of a slab that begins at \a entrance.
+  /// Draws \a count vertices as points, for a slab that begins at \a entrance.
   void DrawPoints(
     vtkOpenGLRenderWindow* window, std::size_t first, std::size_t count, double entrance);
 

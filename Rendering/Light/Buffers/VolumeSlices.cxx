@@ -19,9 +19,9 @@ namespace interlume
 
 namespace
 {
-// The least cosine of rays of eye and light with a slice's normal for which blocks at the edge of
-// the volume are enlarged.
-constexpr double LEAST_COSINE = 0.35;
+// Smallest cosine between the slice normal and view or light rays for which blocks at the volume's
+// boundary are enlarged.
+constexpr double MINIMUM_COSINE = 0.35;
 }
 
 VolumeSlices::VolumeSlices() = default;
@@ -36,14 +36,14 @@ void VolumeSlices::Set(const VolumeRenderState& frame, SliceTextures& textures)
 
 double VolumeSlices::GetMargin(const SlicePlan::Sweep& sweep)
 {
-  return 0.5 * sweep.Spacing / LEAST_COSINE;
+  return 0.5 * sweep.Spacing / MINIMUM_COSINE;
 }
 
 vtkIdType VolumeSlices::Cut(const SlicePlan::Sweep& sweep)
 {
   const VolumeRenderState& frame = *this->Frame;
   this->Polygons.Build(
-    sweep, frame.Blocks.GetLattice(), frame.Space, frame.Region.Box, GetMargin(sweep));
+    sweep, frame.Blocks.GetBlockGrid(), frame.Space, frame.Region.Box, GetMargin(sweep));
   const std::vector<float>& vertices = this->Polygons.GetVertices();
   this->HasTiles = false;
   if (vertices.empty())
@@ -53,8 +53,8 @@ vtkIdType VolumeSlices::Cut(const SlicePlan::Sweep& sweep)
   this->Vertices->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
   std::size_t coordinates = vertices.size();
   if (frame.HasTiles() && !frame.Image->NearPlane.IsCutting &&
-    this->Tiles.Build(sweep, frame.Image->Eye.ClipFromUnit, frame.Image->Size,
-      frame.SmallBlocks.GetLattice(), frame.Space, frame.Region.Box, GetMargin(sweep)))
+    this->Tiles.Build(sweep, frame.Image->Camera.ClipFromUnit, frame.Image->Size,
+      frame.SmallBlocks.GetBlockGrid(), frame.Space, frame.Region.Box, GetMargin(sweep)))
   {
     this->HasTiles = true;
     coordinates += this->Tiles.GetVertices().size();
@@ -99,13 +99,13 @@ Error VolumeSlices::Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bo
     }
     return error;
   };
-  Error error = prepare(this->Eye,
+  Error error = prepare(this->FirstPass,
     !this->IsSplit   ? SliceShader::ALL
       : this->IsThin ? SliceShader::THIN
                      : SliceShader::EMPTY);
   return error || !this->IsSplit
     ? error
-    : prepare(this->SecondEye, this->IsThick ? SliceShader::THICK : SliceShader::ALL);
+    : prepare(this->SecondPass, this->IsThick ? SliceShader::THICK : SliceShader::ALL);
 }
 
 void VolumeSlices::Add(vtkShaderProgram* program)
@@ -130,25 +130,25 @@ void VolumeSlices::Draw(
   {
     state->vtkglEnable(GL_DEPTH_TEST);
   }
-  // A part of a slab may lie between the planes of the camera while its middle does not.
+  // A slab may lie partly between the camera's clipping planes even if its middle plane does not.
   glEnable(GL_DEPTH_CLAMP);
   const std::vector<std::size_t>& starts = this->GetSeen().GetStarts();
   const double entrance = sweep.First + slab * sweep.Spacing;
   if (this->IsSplit)
   {
-    // The first pass does not mark the fragments that it leaves out by their depth, and the second
-    // pass draws these alone.
+    // The first pass writes no depth for the fragments that it discards. The second pass then draws
+    // only these fragments.
     state->vtkglDepthMask(GL_TRUE);
     const GLboolean hasColor = this->IsThin ? GL_TRUE : GL_FALSE;
     state->vtkglColorMask(hasColor, hasColor, hasColor, hasColor);
-    this->Eye.Draw(window, starts, slab, entrance, number, volumes);
+    this->FirstPass.Draw(window, starts, slab, entrance, number, volumes);
     state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     state->vtkglDepthMask(GL_FALSE);
-    this->SecondEye.Draw(window, starts, slab, entrance, number, volumes);
+    this->SecondPass.Draw(window, starts, slab, entrance, number, volumes);
   }
   else
   {
-    this->Eye.Draw(window, starts, slab, entrance, number, volumes);
+    this->FirstPass.Draw(window, starts, slab, entrance, number, volumes);
   }
   glDisable(GL_DEPTH_CLAMP);
   state->vtkglDisable(GL_DEPTH_TEST);
@@ -180,8 +180,8 @@ void VolumeSlices::End()
 
 void VolumeSlices::ReleaseGraphicsResources()
 {
-  this->Eye.ReleaseGraphicsResources();
-  this->SecondEye.ReleaseGraphicsResources();
+  this->FirstPass.ReleaseGraphicsResources();
+  this->SecondPass.ReleaseGraphicsResources();
   this->Vertices->ReleaseGraphicsResources();
   this->TileVertices->ReleaseGraphicsResources();
 }

@@ -29,9 +29,9 @@ struct VolumeRenderState;
  * @class   VolumeSlices
  * @brief   draws one volume into an image of slices
  *
- * Volumes that share the slices of an image have their own polygons in the same planes, and their
- * own programs and textures. The textures of only one volume are bound at a time, since a graphics
- * card has too few units for all.
+ * Volumes that share the slices of an image have separate polygons in common planes, and separate
+ * programs and textures. Graphics cards have too few texture units for the textures of all volumes.
+ * Therefore only one volume's textures are bound at a time.
  */
 class VolumeSlices
 {
@@ -39,65 +39,69 @@ public:
   VolumeSlices();
   ~VolumeSlices();
 
-  /// Sets the volume of an image.
+  /// Sets the volume to draw.
   void Set(const VolumeRenderState& frame, SliceTextures& textures);
   const VolumeRenderState& GetFrame() const { return *this->Frame; }
   SliceTextures& GetTextures() { return *this->Textures; }
 
-  /// Returns the length by which blocks at the edge of the volume are enlarged, so that rays of eye
-  /// and light that enter a slab beside the box's own cut meet them.
+  /// Returns the margin around blocks at the volume's boundary. With this margin, view and light
+  /// rays that enter a slab just outside the plane's cut through the box still intersect the
+  /// blocks.
   static double GetMargin(const SlicePlan::Sweep& sweep);
 
-  /// Cuts the slices of a sweep, and sends their triangles. Returns the bytes of these.
+  /// Cuts the slices of a sweep and uploads their triangles. Returns the bytes of the triangles.
   vtkIdType Cut(const SlicePlan::Sweep& sweep);
   bool IsEmpty(int slab) const { return this->Polygons.IsEmpty(slab); }
   bool IsEmpty() const { return this->Polygons.GetVertices().empty(); }
-  /// Returns whether the eye sees nothing of a slab, though a light may.
+  /// Returns true if a slab is out of view. A light may still reach it.
   bool IsOutOfView(int slab) const { return this->GetSeen().IsEmpty(slab); }
   const SlicePolygons& GetPolygons() const { return this->Polygons; }
   vtkOpenGLBufferObject* GetVertices() { return this->Vertices; }
 
   /**
-   * Makes the eye's programs ready for a sweep. \a isMarked says that some volume of the picture
-   * has two programs; \a activate binds what all volumes share. A volume without triangles has no
-   * programs. Returns an error if one cannot be compiled.
+   * Prepares the programs that draw the camera's view in a sweep. \a isMarked is true if any volume
+   * of the image has two programs. \a activate binds the textures that all volumes share. A volume
+   * without triangles has no programs. Returns an error if a program cannot be compiled.
    */
   Error Prepare(vtkOpenGLRenderWindow* window, std::size_t sweep, bool isOccluded, bool isMarked,
     const std::function<void(vtkShaderProgram*)>& activate);
-  /// Adds a program that reads the volume's textures, which are bound.
+  /// Adds a program that reads the volume's textures, which must be bound.
   void Add(vtkShaderProgram* program);
   bool HasThickPart() const { return this->IsThick; }
-  vtkShaderProgram* GetThickProgram() const { return this->SecondEye.GetProgram(); }
+  vtkShaderProgram* GetThickProgram() const { return this->SecondPass.GetProgram(); }
 
-  /// Draws a slab into the picture that is bound, as one of so many volumes.
+  /// Draws a slab into the bound image. \a number is the index of this volume, from 0 to \a volumes
+  /// - 1.
   void Draw(vtkOpenGLRenderWindow* window, const SlicePlan::Sweep& sweep, int slab, int number,
     int volumes);
 
   ///@{
-  /// Binds the textures of the volume, and unbinds them until then.
+  /// Bind the volume's textures, and unbind them temporarily.
   void Resume(vtkOpenGLRenderWindow* window);
   void Suspend();
   ///@}
-  /// Unbinds the textures for good.
+  /// Unbinds the textures at the end of the sweep.
   void End();
 
   void ReleaseGraphicsResources();
 
 private:
-  /// Returns what the eye's programs draw.
+  /// Returns the triangles to draw in the camera's view.
   const SlabTriangles& GetSeen() const;
 
   const VolumeRenderState* Frame = nullptr;
   SliceTextures* Textures = nullptr;
   SlicePolygons Polygons;
-  /// What the eye sees of them, instead of them.
+  /// Tiles of the camera's view, which replace the polygons.
   PlaneTiles Tiles;
   bool HasTiles = false;
   vtkNew<vtkOpenGLBufferObject> TileVertices;
   vtkNew<vtkOpenGLBufferObject> Vertices;
-  /// All matter, or all that is thin, or none, where the thick or all matter has a second program.
-  SlicePass Eye;
-  SlicePass SecondEye;
+  /// The first program draws the whole medium, or only its thin part, or only tests for empty
+  /// fragments. In the latter two cases, the second program draws the thick part or the whole
+  /// medium.
+  SlicePass FirstPass;
+  SlicePass SecondPass;
   bool IsThick = false;
   bool IsSplit = false;
   bool IsThin = true;

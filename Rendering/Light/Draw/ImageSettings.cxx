@@ -11,22 +11,22 @@ void ImageSettings::Add(const vtkShadowedSliceSettings& settings)
 {
   using Settings = vtkShadowedSliceSettings;
   this->HasShadows = this->HasShadows || settings.Shadows;
-  this->MaximumNumberOfShadows =
-    std::max(this->MaximumNumberOfShadows, settings.MaximumNumberOfShadows);
-  this->IsSmoothLookup = this->IsSmoothLookup || settings.LightLookup == Settings::BILINEAR_LIGHT;
+  this->MaximumNumberOfShadowLights =
+    std::max(this->MaximumNumberOfShadowLights, settings.MaximumNumberOfShadowLights);
+  this->IsSmoothLookup = this->IsSmoothLookup || settings.LightLookup == Settings::BILINEAR_LOOKUP;
   this->ImageSampleDistance = std::min(this->ImageSampleDistance, settings.ImageSampleDistance);
   this->AutoAdjustSampleDistances =
     this->AutoAdjustSampleDistances && settings.AutoAdjustSampleDistances;
   this->NumberOfLightSamples = std::max(this->NumberOfLightSamples, settings.NumberOfLightSamples);
-  // Layers, before convolution, before the hard shadows of sampled lights.
+  // Order of preference: sample layers, convolution, sampled lights.
   const std::array<int, 3> ranks{ { 1, 2, 0 } };
   if (ranks[settings.SoftShadowMethod] > ranks[this->SoftShadowMethod])
   {
     this->SoftShadowMethod = settings.SoftShadowMethod;
   }
-  this->LeastBufferSize = std::max(this->LeastBufferSize, settings.LightBufferSize);
+  this->MinimumBufferSize = std::max(this->MinimumBufferSize, settings.LightBufferSize);
   this->LightBufferSize =
-    this->LightBufferSize > 0 && settings.LightBufferSize > 0 ? this->LeastBufferSize : 0;
+    this->LightBufferSize > 0 && settings.LightBufferSize > 0 ? this->MinimumBufferSize : 0;
   if (settings.MaximumTextureMemory > 0)
   {
     this->MaximumTextureMemory = this->MaximumTextureMemory > 0

@@ -12,26 +12,27 @@ namespace interlume
 
 /**
  * @class   ImageSettings
- * @brief   the settings that all volumes of an image share
+ * @brief   settings shared by all volumes of an image
  *
- * Of the settings of several volumes each is the one of highest quality and of least memory, as
- * vtkShadowedScenePass.h documents.
+ * If the volumes' settings differ, the highest quality and the lowest memory limit apply; see
+ * vtkShadowedScenePass.h.
  */
 struct ImageSettings
 {
-  /// Includes the settings of a volume.
+  /// Merges the settings of a volume into these settings.
   void Add(const vtkShadowedSliceSettings& settings);
 
   bool HasShadows = false;
-  int MaximumNumberOfShadows = 0;
+  int MaximumNumberOfShadowLights = 0;
   bool IsSmoothLookup = false;
   double ImageSampleDistance = std::numeric_limits<double>::max();
   bool AutoAdjustSampleDistances = true;
   int NumberOfLightSamples = 1;
   int SoftShadowMethod = vtkShadowedSliceSettings::SAMPLED_LIGHTS;
-  /// The size of light buffers, 0 if a volume leaves it open. LeastBufferSize bounds it then.
+  /// Size of light buffers, or 0 if any volume has an automatic size. MinimumBufferSize is then a
+  /// lower bound.
   int LightBufferSize = std::numeric_limits<int>::max();
-  int LeastBufferSize = 0;
+  int MinimumBufferSize = 0;
   vtkIdType MaximumTextureMemory = 0;
   bool HasColoredLight = false;
 };

@@ -3,7 +3,7 @@
 
 #include "Common/Vectors.h"
 #include "Draw/SurfaceOcclusionGrid.h"
-#include "Grid/FieldMaps.h"
+#include "Grid/ScatteredLightMaps.h"
 #include "Grid/GridLight.h"
 #include "Scattering/ScatteringSolver.h"
 #include "Shaders/VolumeRenderState.h"
@@ -26,14 +26,14 @@ using Settings = vtkShadowedSliceSettings;
 
 namespace
 {
-// The cells along the longest edge where their number is automatic.
+// Automatic number of cells along the longest edge.
 constexpr int AutomaticCells = 32;
-// What no key is.
+// A key that differs from every valid key.
 const std::vector<double> NoKey{ -1.0 };
-// The samples of an area light that are enough for cells.
-constexpr int MostLightSamples = 16;
+// Maximum number of area light samples. More would not be visible at the grid's resolution.
+constexpr int MaximumLightSamples = 16;
 
-// Returns the lights whose light is scattered on: those that matter takes from.
+// Returns the lights that the medium attenuates. Only their light is scattered more than once.
 std::vector<LightSource> FindLights(const VolumeRenderState& frame)
 {
   std::vector<LightSource> lights;
@@ -71,7 +71,7 @@ bool Scatters(const VolumeRenderState& frame)
   return frame.Scattering.Mode >= Settings::FORWARD_SCATTERING;
 }
 
-// What is known by its address.
+// Returns an object's address as a key.
 double GetAddress(const void* object)
 {
   return static_cast<double>(reinterpret_cast<std::uintptr_t>(object));
@@ -98,12 +98,12 @@ void AddVolume(std::vector<double>& key, const ScatteringUpdater::Volume& volume
   }
 }
 
-// Returns all numbers that scattered light depends on but for the phase function.
+// Returns all inputs of scattered light except the phase function.
 std::vector<double> MakeKey(const VolumeRenderState& frame,
   const std::vector<ScatteringUpdater::Volume>& volumes, const std::vector<LightSource>& lights,
   const Settings& settings, int lightSamples)
 {
-  std::vector<double> key{ static_cast<double>(settings.MultipleScattering), settings.ForwardSpread,
+  std::vector<double> key{ static_cast<double>(settings.ScatteringMode), settings.ForwardSpread,
     static_cast<double>(settings.BackwardLayers), static_cast<double>(lightSamples),
     static_cast<double>(SurfaceOcclusionGrid::GetTime(frame.Image->Scene)),
     static_cast<double>(volumes.size()) };
@@ -113,7 +113,7 @@ std::vector<double> MakeKey(const VolumeRenderState& frame,
   }
   for (const LightSource& light : lights)
   {
-    // Maps of the field are known by their lights.
+    // Maps are identified by their light's address.
     key.push_back(GetAddress(light.Light));
     AddLight(key, light);
   }
@@ -149,13 +149,13 @@ Error ScatteringUpdater::MakePhase(const Settings& settings, SliceScattering& sc
 
 Error ScatteringUpdater::SetPhase(const Settings& settings, SliceScattering& scattering)
 {
-  const bool isOn = settings.MultipleScattering != Settings::NO_SCATTERING;
-  // A table that is not set is isotropic.
+  const bool isOn = settings.ScatteringMode != Settings::NO_SCATTERING;
+  // Without a table the phase function is isotropic.
   const bool isTable = settings.PhaseFunction == Settings::TABLE_PHASE;
   const int kind =
     !isOn || (isTable && !settings.PhaseTable) ? Settings::ISOTROPIC_PHASE : settings.PhaseFunction;
   const vtkMTimeType time = kind == Settings::TABLE_PHASE ? settings.PhaseTable->GetMTime() : 0;
-  scattering.Mode = settings.MultipleScattering;
+  scattering.Mode = settings.ScatteringMode;
   scattering.Brightness = settings.ScatteringBrightness;
   if (this->Mode == scattering.Mode && this->Kind == kind &&
     this->Anisotropy == settings.Anisotropy && this->TableTime == time)
@@ -189,7 +189,7 @@ bool ScatteringUpdater::MakeGrid(const std::vector<Volume>& volumes)
   }
   if (key != this->GridKey)
   {
-    std::vector<MatterGrid::Volume> media;
+    std::vector<ExtinctionGrid::Volume> media;
     for (const Volume& volume : volumes)
     {
       const VolumeRenderState& own = *volume.State;
@@ -200,7 +200,7 @@ bool ScatteringUpdater::MakeGrid(const std::vector<Volume>& volumes)
     this->HasGrid = this->Grid.Build(media);
     this->GridKey = key;
   }
-  // Surfaces are marked anew.
+  // SurfaceOcclusionGrid marks the blocked cells again.
   this->Grid.GetMedium().Blocked.clear();
   return this->HasGrid;
 }
@@ -217,7 +217,7 @@ Error ScatteringUpdater::MakeField(vtkOpenGLRenderWindow* window, VolumeRenderSt
   const std::vector<LightSource> lights = FindLights(frame);
   if (!Scatters(frame))
   {
-    this->Grid = MatterGrid();
+    this->Grid = ExtinctionGrid();
     this->GridKey = NoKey;
     return {};
   }
@@ -225,7 +225,7 @@ Error ScatteringUpdater::MakeField(vtkOpenGLRenderWindow* window, VolumeRenderSt
   {
     return {};
   }
-  MatterGrid& grid = this->Grid;
+  ExtinctionGrid& grid = this->Grid;
   grid.GetMedium().Phase = this->Phase;
   std::vector<ScatteringLight> direct;
   direct.reserve(lights.size());
@@ -235,34 +235,34 @@ Error ScatteringUpdater::MakeField(vtkOpenGLRenderWindow* window, VolumeRenderSt
   }
   if (SurfaceOcclusionGrid::GetTime(frame.Image->Scene) > 0)
   {
-    std::vector<std::vector<glm::vec3>> shares;
+    std::vector<std::vector<glm::vec3>> transmitted;
     if (Error error = SurfaceOcclusionGrid::Make(
-          window, *frame.Image->Scene, grid, frame.Space.GetWorldFromUnit(), lights, shares))
+          window, *frame.Image->Scene, grid, frame.Space.GetWorldFromUnit(), lights, transmitted))
     {
       return error;
     }
-    for (std::size_t i = 0; i < shares.size(); ++i)
+    for (std::size_t i = 0; i < transmitted.size(); ++i)
     {
-      for (std::size_t cell = 0; cell < shares[i].size(); ++cell)
+      for (std::size_t cell = 0; cell < transmitted[i].size(); ++cell)
       {
-        direct[i].Direct[cell] *= shares[i][cell];
+        direct[i].Direct[cell] *= transmitted[i][cell];
       }
     }
-    // Depth maps are sharper than cells, which stop scattered light alone.
+    // Shadow maps resolve direct light better than blocked cells, which only stop scattered light.
     SurfaceOcclusionGrid::Block(*frame.Image->Scene, frame.Space.GetWorldFromUnit(), grid);
   }
-  ScatteringSettings asked;
-  asked.AngleVariance = settings.ForwardSpread > 0.0 ? settings.ForwardSpread : -1.0;
-  asked.BackwardLayers = settings.BackwardLayers;
+  ScatteringSettings solverSettings;
+  solverSettings.AngleVariance = settings.ForwardSpread > 0.0 ? settings.ForwardSpread : -1.0;
+  solverSettings.BackwardLayers = settings.BackwardLayers;
   const bool isFull = scattering.Mode == Settings::FULL_SCATTERING;
-  ScatteringField field;
+  ScatteredLight field;
   ScatteringReport solved;
   if (Error error = ScatteringSolver::Solve(grid.GetMedium(), direct,
-        isFull ? ScatteringMode::Full : ScatteringMode::Forward, asked, field, solved))
+        isFull ? ScatteringMode::Full : ScatteringMode::Forward, solverSettings, field, solved))
   {
     return error;
   }
-  FieldMaps maps(grid, field);
+  ScatteredLightMaps maps(grid, field);
   scattering.Texels = std::move(maps.Texels);
   scattering.Nodes = maps.Nodes;
   scattering.HasFluence = !field.Fluence.empty();
@@ -282,16 +282,17 @@ Error ScatteringUpdater::Solve(vtkOpenGLRenderWindow* window, VolumeRenderState&
   const ScatteringUpdater* other, const SliceScattering* known)
 {
   const double start = vtkTimerLog::GetUniversalTime();
-  const int samples = std::min(lightSamples, MostLightSamples);
-  const bool isAsked = Scatters(frame);
-  const std::vector<double> key =
-    isAsked ? MakeKey(frame, volumes, FindLights(frame), settings, samples) : std::vector<double>();
+  const int samples = std::min(lightSamples, MaximumLightSamples);
+  const bool isRequired = Scatters(frame);
+  const std::vector<double> key = isRequired
+    ? MakeKey(frame, volumes, FindLights(frame), settings, samples)
+    : std::vector<double>();
   if (key == this->Key)
   {
     return {};
   }
   Error error;
-  if (isAsked && other && other->Key == key && this->HasPhaseOf(*other))
+  if (isRequired && other && other->Key == key && this->HasPhaseOf(*other))
   {
     frame.Scattering = *known;
     frame.Scattering.Brightness = settings.ScatteringBrightness;
@@ -304,8 +305,8 @@ Error ScatteringUpdater::Solve(vtkOpenGLRenderWindow* window, VolumeRenderState&
   }
   ++this->Version;
   this->Key = error ? NoKey : key;
-  this->Solves = isAsked ? this->Solves + (this->Cells > 0 ? 1 : 0) : 0;
-  this->Seconds = isAsked ? vtkTimerLog::GetUniversalTime() - start : 0.0;
+  this->Solves = isRequired ? this->Solves + (this->Cells > 0 ? 1 : 0) : 0;
+  this->Seconds = isRequired ? vtkTimerLog::GetUniversalTime() - start : 0.0;
   return error;
 }
 

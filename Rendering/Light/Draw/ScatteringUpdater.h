@@ -3,7 +3,7 @@
 #define interlume_ScatteringUpdater_h
 
 #include "Common/Error.h"
-#include "Grid/MatterGrid.h"
+#include "Grid/ExtinctionGrid.h"
 #include "Scattering/PhaseFunction.h"
 #include "Shaders/SliceScattering.h"
 
@@ -23,17 +23,16 @@ struct VolumeRenderState;
 
 /**
  * @class   ScatteringUpdater
- * @brief   finds how light is scattered in a volume, and keeps it until something changes
+ * @brief   computes multiple scattering in a volume and caches it until an input changes
  */
 class ScatteringUpdater
 {
 public:
-  /// Sets the mode of scattering and the phase function from the settings. Returns an error if the
-  /// phase function is not valid.
+  /// Sets the scattering mode and the phase function. Returns an error if the phase function is
+  /// invalid.
   Error SetPhase(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
 
-  /// A volume whose matter is in the picture, the versions of its samples and material, and its
-  /// setting ScatteringGridSize.
+  /// A volume of the image, the versions of its samples and material, and its ScatteringGridSize.
   struct Volume
   {
     const VolumeRenderState* State;
@@ -42,47 +41,48 @@ public:
   };
 
   /**
-   * Computes the light that was scattered before, if settings request it and something has changed:
-   * the medium or the position of a volume, lights with the given number of samples each, the
-   * shadows of surfaces. If \a other has computed the same for another volume, it is copied from
-   * \a known, the scattering of that volume. Returns an error if the computation fails.
+   * Computes multiple scattering if the settings request it and an input has changed: the medium or
+   * position of a volume, a light, the number of light samples, or the shadows of surfaces. Copies
+   * \a known, the scattering of another volume, if \a other has computed it from the same inputs.
+   * Returns an error if the computation fails.
    */
   Error Solve(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
     const std::vector<Volume>& volumes, const vtkShadowedSliceSettings& settings, int lightSamples,
     const ScatteringUpdater* other, const SliceScattering* known);
 
-  /// Sets the values of a report that describe the last result.
+  /// Sets the values of \a report for the last result.
   void Fill(SliceReport& report) const;
 
-  /// The cells that opaque surfaces block, of the last field.
+  /// Returns the number of cells blocked by opaque surfaces in the last result.
   int GetBlockedCells() const { return this->BlockedCells; }
-  /// A number that is another one when texels have changed; above 0.
+  /// Returns a version number above 0 that changes whenever the texels change.
   int GetVersion() const { return this->Version; }
 
 private:
   Error MakePhase(const vtkShadowedSliceSettings& settings, SliceScattering& scattering);
   Error MakeField(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
     const std::vector<Volume>& volumes, const vtkShadowedSliceSettings& settings, int lightSamples);
-  /// Rebuilds the grid if the medium of a volume has changed. Returns whether there is any.
+  /// Rebuilds the grid if the medium of a volume has changed. Returns false if there is no medium.
   bool MakeGrid(const std::vector<Volume>& volumes);
-  /// Whether the light is scattered by the same phase function.
+  /// Returns true if \a other uses the same phase function.
   bool HasPhaseOf(const ScatteringUpdater& other) const;
 
   PhaseFunction Phase;
-  /// What the phase function was made of.
+  /// Inputs of the phase function.
   int Mode = vtkShadowedSliceSettings::NO_SCATTERING;
   int Kind = vtkShadowedSliceSettings::ISOTROPIC_PHASE;
   double Anisotropy = 0.0;
   vtkMTimeType TableTime = 0;
-  /// All that the field depends on.
+  /// Inputs of the scattered light.
   std::vector<double> Key;
-  /// The matter in cells and what it was made of: it stays where lights alone change.
-  MatterGrid Grid;
+  /// The medium on a grid and its inputs. The grid is reused if only lights change.
+  ExtinctionGrid Grid;
   bool HasGrid = false;
   std::vector<double> GridKey;
   int Cells = 0;
   int BlockedCells = 0;
-  /// How often it was found since it is asked for, and the seconds of the last time.
+  /// Number of computations since scattering was enabled, and the duration of the last one in
+  /// seconds.
   int Solves = 0;
   double Seconds = 0.0;
   int Version = 1;

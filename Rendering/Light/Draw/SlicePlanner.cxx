@@ -2,7 +2,7 @@
 #include "Draw/SlicePlanner.h"
 
 #include "Buffers/SliceLightBuffer.h"
-#include "Casters/SceneCasters.h"
+#include "ShadowMaps/SceneOccluders.h"
 #include "Draw/ImageSettings.h"
 #include "Lights/EmitterSamples.h"
 #include "Loader/OpenGLFunctions.h"
@@ -21,23 +21,23 @@ namespace interlume
 
 namespace
 {
-// The factors by which pictures may be coarser than asked for.
-constexpr std::array<double, 5> COARSENESSES{ { 1.0, 1.5, 2.0, 3.0, 4.0 } };
-// Columns of a light's buffer for each voxel where matter may have edges that voxels have not: the
-// columns show as stripes on them.
-constexpr double MATTER_TEXELS = 2.0;
+// Factors for automatic spacings from which ChooseCoarseness chooses.
+constexpr std::array<double, 5> COARSENESS_FACTORS{ { 1.0, 1.5, 2.0, 3.0, 4.0 } };
+// Light buffer columns per voxel for a custom medium, whose edges can be sharper than voxels. With
+// fewer columns, stripes appear along these edges.
+constexpr double MEDIUM_TEXELS = 2.0;
 }
 
 void SlicePlanner::Make(ImageState& image, const States& states,
-  const std::vector<SlicePlan::Matter>& volumes, const ImageSettings& asked, double coarseness,
-  SliceReport& report)
+  const std::vector<SlicePlan::SlicedVolume>& volumes, const ImageSettings& shared,
+  double coarseness, SliceReport& report)
 {
   SlicePlan::Settings settings;
   settings.AutomaticFactor = AutomaticSpacing * coarseness;
-  settings.BufferSize = asked.LightBufferSize;
-  settings.PictureSize = std::min(image.Size[0], image.Size[1]);
-  settings.LeastBufferSize = asked.LeastBufferSize;
-  settings.TexelsOfVoxel = states[0]->Medium ? MATTER_TEXELS : 1.0;
+  settings.BufferSize = shared.LightBufferSize;
+  settings.SmallerImageSize = std::min(image.Size[0], image.Size[1]);
+  settings.MinimumBufferSize = shared.MinimumBufferSize;
+  settings.TexelsOfVoxel = states[0]->Medium ? MEDIUM_TEXELS : 1.0;
   GLint limit = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
   settings.LargestBufferSize = std::min(settings.LargestBufferSize, static_cast<int>(limit));
@@ -49,20 +49,20 @@ void SlicePlanner::Make(ImageState& image, const States& states,
   report.SoftShadowLights =
     static_cast<int>(std::count_if(image.Lights.begin(), image.Lights.end(), isSoft));
 
-  // Surfaces hide the samples of a light from layers of the same samples.
-  const int samples =
-    std::max(asked.NumberOfLightSamples, image.Scene ? image.Scene->Casters->GetLightSamples() : 0);
+  // Surfaces and layers use the same samples of a light.
+  const int samples = std::max(
+    shared.NumberOfLightSamples, image.Scene ? image.Scene->Occluders->GetLightSamples() : 0);
   std::vector<int> sampled;
   if (report.SoftShadowLights > 0)
   {
     constexpr std::array<const char*, 3> names{ { "AccumulatedConvolution", "SampleLayers",
       "SampledLights" } };
-    // A surface of a scene takes what is left of a light once: shares of lights that stand for
-    // samples would be multiplied, and layers of the same samples show the same.
+    // Surfaces of a scene attenuate an area light as a whole. With a separate light per sample, the
+    // transmitted fractions would be multiplied. Sample layers avoid this.
     const bool isOfLayers =
-      image.Scene != nullptr && asked.SoftShadowMethod == vtkShadowedSliceSettings::SAMPLED_LIGHTS;
+      image.Scene != nullptr && shared.SoftShadowMethod == vtkShadowedSliceSettings::SAMPLED_LIGHTS;
     const int method = isOfLayers ? static_cast<int>(vtkShadowedSliceSettings::SAMPLE_LAYERS)
-                                  : asked.SoftShadowMethod;
+                                  : shared.SoftShadowMethod;
     report.SoftShadowMethod = names[method];
     settings.Samples = samples;
     settings.SoftMethod = method == vtkShadowedSliceSettings::SAMPLE_LAYERS ? SlicePlan::LAYERS
@@ -81,7 +81,7 @@ void SlicePlanner::Make(ImageState& image, const States& states,
     image.Lights = EmitterSamples::Split(image.Lights, sampled, samples);
     report.SampledLights = samples * static_cast<int>(sampled.size());
   }
-  image.Plan.Make(image.Eye, image.Lights, volumes, settings);
+  image.Plan.Make(image.Camera, image.Lights, volumes, settings);
   const std::vector<int> hard = image.Plan.NotSoft;
   report.AreaLightsWithHardShadows = static_cast<int>(hard.size());
   if (!hard.empty())
@@ -90,7 +90,7 @@ void SlicePlanner::Make(ImageState& image, const States& states,
     {
       image.Lights[static_cast<std::size_t>(light)].Area = nullptr;
     }
-    image.Plan.Make(image.Eye, image.Lights, volumes, settings);
+    image.Plan.Make(image.Camera, image.Lights, volumes, settings);
   }
   report.Lights = states[0]->IsLit() ? static_cast<int>(lights) : 0;
   report.Sweeps = static_cast<int>(image.Plan.Sweeps.size());
@@ -103,10 +103,10 @@ vtkIdType SlicePlanner::GetBufferBytes(const ImageState& image, const States& st
 {
   const vtkIdType pixels = static_cast<vtkIdType>(image.Size[0]) * image.Size[1];
   vtkIdType bytes =
-    pixels * static_cast<vtkIdType>(sizeof(float)) * (image.Plan.HasFurtherPictures() ? 9 : 5);
+    pixels * static_cast<vtkIdType>(sizeof(float)) * (image.Plan.HasFurtherImages() ? 9 : 5);
   for (std::size_t sweep = 0; sweep < image.Plan.Sweeps.size(); ++sweep)
   {
-    // Thick matter needs two layers of each buffer.
+    // Thick fragments need two layers per buffer.
     const auto thick = static_cast<int>(std::count_if(states.begin(), states.end(),
       [sweep](const VolumeRenderState* other)
       { return SliceShader::HasThickPart(*other, sweep); }));
@@ -122,16 +122,16 @@ vtkIdType SlicePlanner::GetBufferBytes(const ImageState& image, const States& st
 
 double SlicePlanner::ChooseCoarseness(double seconds, double lastCoarseness, double allocated)
 {
-  // The time of a full picture counts slices and pixels along both edges.
+  // Rendering time is proportional to the number of slices and to the pixels along both edges.
   const double full = seconds * std::pow(lastCoarseness, 3.0);
-  for (const double coarseness : COARSENESSES)
+  for (const double coarseness : COARSENESS_FACTORS)
   {
     if (full <= allocated * std::pow(coarseness, 3.0))
     {
       return coarseness;
     }
   }
-  return COARSENESSES.back();
+  return COARSENESS_FACTORS.back();
 }
 
 }

@@ -18,30 +18,30 @@ struct VolumeRenderState;
 
 /**
  * @class   SlicePlanner
- * @brief   plans the slices of an image from the shared settings
+ * @brief   creates the slice plan of an image from the shared settings
  */
 class SlicePlanner
 {
 public:
-  /// The spacing of slices along their normal, in voxels.
+  /// Automatic slice spacing along the normal, in voxels.
   static constexpr double AutomaticSpacing = 0.5;
 
   using States = std::vector<const VolumeRenderState*>;
 
   /**
-   * Plans the image of volumes, with the eye, lights and scene of \a image. Area lights whose
-   * shadows are not found by buffers of their own become lights of their samples. \a coarseness is
-   * the factor of automatic spacings.
+   * Plans the slices of \a volumes for \a image, whose camera, lights and scene are set. Area
+   * lights without soft-shadow buffers are replaced by one light per sample. \a coarseness
+   * multiplies automatic spacings.
    */
   static void Make(ImageState& image, const States& states,
-    const std::vector<SlicePlan::Matter>& volumes, const ImageSettings& asked, double coarseness,
-    SliceReport& report);
+    const std::vector<SlicePlan::SlicedVolume>& volumes, const ImageSettings& shared,
+    double coarseness, SliceReport& report);
 
-  /// Returns the bytes of the buffers of the image and of its lights.
+  /// Returns the size of the image and light buffers in bytes.
   static vtkIdType GetBufferBytes(const ImageState& image, const States& states);
 
-  /// Returns the factor by which automatic spacings are made coarser, for a picture to take the
-  /// time that is allocated, where the last one took so many seconds with a factor of its own.
+  /// Returns the factor for automatic spacings with which rendering should take the \a allocated
+  /// time, given the duration and the factor of the last image.
   static double ChooseCoarseness(double seconds, double lastCoarseness, double allocated);
 };
 

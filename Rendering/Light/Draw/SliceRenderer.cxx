@@ -31,8 +31,8 @@ namespace interlume
 
 namespace
 {
-// How many times the slices that volumes have by themselves are too many for them together.
-constexpr double MOST_SLICES = 8.0;
+// Maximum ratio of slices rendered together to slices of all volumes rendered separately.
+constexpr double MAXIMUM_SLICE_RATIO = 8.0;
 
 std::array<double, 6> GetBounds(const VolumeResources* volume)
 {
@@ -45,20 +45,20 @@ std::array<double, 6> GetBounds(const VolumeResources* volume)
 }
 
 // Returns the camera in unit space.
-SlicePlan::Eye FindEye(vtkRenderer* renderer, const UnitSpace& space)
+SlicePlan::Camera FindCamera(vtkRenderer* renderer, const UnitSpace& space)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
   const auto fromRows = [](vtkMatrix4x4* matrix)
   { return UnitVector::FromRows(matrix->GetData()); };
-  SlicePlan::Eye eye;
-  // Everything is put together in double precision before a coordinate is touched.
+  SlicePlan::Camera eye;
+  // Multiply matrices in double precision before transforming coordinates.
   eye.ClipFromUnit =
     fromRows(camera->GetProjectionTransformMatrix(renderer->GetTiledAspectRatio(), -1.0, 1.0)) *
     (fromRows(camera->GetModelViewTransformMatrix()) * space.GetWorldFromUnit());
   const glm::dmat4 inverse = glm::inverse(eye.ClipFromUnit);
 
   eye.IsParallel = camera->GetParallelProjection() != 0;
-  // The eye is where lines of sight meet, also where a stereo view shears them.
+  // The camera is the intersection of all view rays, also in sheared stereo views.
   const glm::dvec4 apex = inverse * glm::dvec4(0.0, 0.0, -1.0, 0.0);
   const glm::dvec4 near = inverse * glm::dvec4(0.0, 0.0, -1.0, 1.0);
   const glm::dvec4 far = inverse * glm::dvec4(0.0, 0.0, 1.0, 1.0);
@@ -69,16 +69,16 @@ SlicePlan::Eye FindEye(vtkRenderer* renderer, const UnitSpace& space)
   return eye;
 }
 
-// Returns the plane that w + sign z >= 0 is behind, in clip coordinates.
+// Returns the clipping plane w + sign z >= 0 of clip coordinates, in unit space.
 ImageState::ViewPlane MakeViewPlane(const glm::dmat4& clipFromUnit, double sign)
 {
   const glm::dvec4 plane = glm::row(clipFromUnit, 3) + sign * glm::row(clipFromUnit, 2);
   const glm::dvec4 scaled = plane / glm::length(glm::dvec3(plane));
-  // The volumes lie in the sphere of radius 1 around 0.
+  // The volumes are inside the unit sphere.
   return { scaled.w < 1.0, { { scaled.x, scaled.y, scaled.z, scaled.w } } };
 }
 
-// Returns the sum of the lights' ambient colors, or white if that is black.
+// Returns the sum of the lights' ambient colors, or white if the sum is black.
 glm::dvec3 FindAmbient(const std::vector<LightSource>& lights)
 {
   glm::dvec3 ambient(0.0);
@@ -113,7 +113,7 @@ SliceRenderer::Volumes SliceRenderer::UpdateVolumes(
     [](const VolumeResources* a, const VolumeResources* b) { return GetBounds(a) < GetBounds(b); });
   if (updated.size() > 1)
   {
-    this->ShareSpace(updated);
+    this->MoveToSharedSpace(updated);
   }
   for (std::size_t i = 0; i < updated.size(); ++i)
   {
@@ -122,27 +122,27 @@ SliceRenderer::Volumes SliceRenderer::UpdateVolumes(
   return updated;
 }
 
-void SliceRenderer::ShareSpace(const Volumes& volumes)
+void SliceRenderer::MoveToSharedSpace(const Volumes& volumes)
 {
   glm::dvec3 lower(std::numeric_limits<double>::max());
   glm::dvec3 upper(-std::numeric_limits<double>::max());
-  std::vector<glm::dvec3> places;
+  std::vector<glm::dvec3> points;
   for (const VolumeResources* volume : volumes)
   {
     const UnitSpace& space = volume->GetState().Space;
     const BoxCorners corners(space, space.Box);
     for (const glm::dvec3& corner : corners.Get())
     {
-      places.push_back(space.Center + space.Radius * corner);
-      lower = glm::min(lower, places.back());
-      upper = glm::max(upper, places.back());
+      points.push_back(space.Center + space.Radius * corner);
+      lower = glm::min(lower, points.back());
+      upper = glm::max(upper, points.back());
     }
   }
   const glm::dvec3 center = 0.5 * lower + 0.5 * upper;
   double radius = 0.0;
-  for (const glm::dvec3& place : places)
+  for (const glm::dvec3& point : points)
   {
-    radius = std::max(radius, Vectors::SafeLength(place - center));
+    radius = std::max(radius, Vectors::SafeLength(point - center));
   }
   for (VolumeResources* volume : volumes)
   {
@@ -178,12 +178,12 @@ void SliceRenderer::UpdateView(vtkRenderer* renderer, const Volumes& volumes, do
   const auto toPixels = [&report](int size)
   { return std::max(static_cast<int>(std::lround(size / report.ImageSampleDistance)), 1); };
   image.Size = { { toPixels(width), toPixels(height) } };
-  image.Eye = FindEye(renderer, this->Space);
-  image.NearPlane = MakeViewPlane(image.Eye.ClipFromUnit, 1.0);
-  image.FarPlane = MakeViewPlane(image.Eye.ClipFromUnit, -1.0);
+  image.Camera = FindCamera(renderer, this->Space);
+  image.NearPlane = MakeViewPlane(image.Camera.ClipFromUnit, 1.0);
+  image.FarPlane = MakeViewPlane(image.Camera.ClipFromUnit, -1.0);
   image.Lights = LightSources::Gather(renderer, this->Space,
     { this->Settings.HasShadows && !renderer->GetSelector(),
-      this->Settings.MaximumNumberOfShadows },
+      this->Settings.MaximumNumberOfShadowLights },
     volumes[0]->GetResult().Warnings);
   image.Ambient = FindAmbient(image.Lights);
   image.IsSmoothLookup = this->Settings.IsSmoothLookup;
@@ -193,28 +193,28 @@ void SliceRenderer::UpdateView(vtkRenderer* renderer, const Volumes& volumes, do
 }
 
 bool SliceRenderer::HasTooManySlices(
-  const std::vector<SlicePlan::Matter>& volumes, double coarseness) const
+  const std::vector<SlicePlan::SlicedVolume>& volumes, double coarseness) const
 {
   SlicePlan::Settings settings;
   settings.AutomaticFactor = SlicePlanner::AutomaticSpacing * coarseness;
   for (const SlicePlan::Sweep& sweep : this->Image.Plan.Sweeps)
   {
-    double alone = 0.0;
+    double separate = 0.0;
     double together = 0.0;
     double finest = std::numeric_limits<double>::max();
-    for (const SlicePlan::Matter& volume : volumes)
+    for (const SlicePlan::SlicedVolume& volume : volumes)
     {
       const std::array<double, 2> range =
         BoxCorners(*volume.Space, volume.Box).GetRange(sweep.Normal);
       const double extent = std::max(range[1] - range[0], 0.0);
       const double spacing =
-        SlicePlan::GetSpacing(volume, sweep.Normal, this->Image.Eye.Direction, settings);
-      alone += std::ceil(extent / spacing);
+        SlicePlan::GetSpacing(volume, sweep.Normal, this->Image.Camera.Direction, settings);
+      separate += std::ceil(extent / spacing);
       together += extent / sweep.Spacing;
       finest = std::min(finest, spacing);
     }
-    // The largest number of slabs leaves them thicker than asked for.
-    if (together > MOST_SLICES * alone || sweep.Spacing > 1.01 * finest)
+    // The maximum number of slabs can make slabs thicker than requested.
+    if (together > MAXIMUM_SLICE_RATIO * separate || sweep.Spacing > 1.01 * finest)
     {
       return true;
     }
@@ -224,7 +224,7 @@ bool SliceRenderer::HasTooManySlices(
 
 Error SliceRenderer::MakePlan(const Volumes& volumes, double coarseness, SliceReport& report)
 {
-  std::vector<SlicePlan::Matter> sliced;
+  std::vector<SlicePlan::SlicedVolume> sliced;
   std::vector<const VolumeRenderState*> states;
   vtkIdType bytes = 0;
   for (const VolumeResources* volume : volumes)
@@ -236,15 +236,17 @@ Error SliceRenderer::MakePlan(const Volumes& volumes, double coarseness, SliceRe
   SlicePlanner::Make(this->Image, states, sliced, this->Settings, coarseness, report);
   if (volumes.size() > 1 && this->HasTooManySlices(sliced, coarseness))
   {
-    return "the finest volume's slices are more than " +
-      std::to_string(static_cast<int>(MOST_SLICES)) + " times those of each volume by itself";
+    return "Rendering the volumes together needs more than " +
+      std::to_string(static_cast<int>(MAXIMUM_SLICE_RATIO)) +
+      " times the slices of rendering them separately. Increase the SliceSpacing of the finest "
+      "volume.";
   }
   bytes += SlicePlanner::GetBufferBytes(this->Image, states);
   if (this->Settings.MaximumTextureMemory > 0 && bytes > this->Settings.MaximumTextureMemory)
   {
-    return Error("textures and buffers of the image take " + std::to_string(bytes) +
-        " bytes, and MaximumTextureMemory is " +
-        std::to_string(this->Settings.MaximumTextureMemory),
+    return Error("Textures and buffers of the image need " + std::to_string(bytes) +
+        " bytes, but MaximumTextureMemory is " +
+        std::to_string(this->Settings.MaximumTextureMemory) + ".",
       ErrorCode::OutOfMemory);
   }
   return {};
@@ -290,7 +292,8 @@ Error SliceRenderer::DrawSlices(vtkRenderer* renderer, const Volumes& volumes, S
   Error error = rasterizer->Draw(renderer, this->Image, drawn, report);
   for (std::size_t i = 0; i < volumes.size() && !error && this->Image.Scene; ++i)
   {
-    // What one volume has scattered is computed in the medium of all, so that it counts once.
+    // One volume's scattered light includes the medium of all volumes, so it must be added only
+    // once.
     if (volumes[i]->AddScatteredLight(window))
     {
       break;
@@ -332,7 +335,7 @@ Error SliceRenderer::Draw(vtkRenderer* renderer, const Volumes& volumes, SliceSc
       error ? std::string()
             : SliceShader::GetNames(volume->GetState(), this->Find(renderer)->IsOccluded()));
   }
-  // The scene is gone when the image has been drawn.
+  // The scene is valid only during this call.
   this->Image.Scene = nullptr;
   return error;
 }

@@ -31,10 +31,10 @@ struct VolumeRenderState;
  * @class   SliceRenderer
  * @brief   renders one or more volumes in one shared set of slices
  *
- * Several volumes move to one unit space. All share the slice plan, the image and one buffer per
- * light. Each has its own samples, blocks, transfer functions, textures and programs.
- * vtkShadowedScenePass.h documents the shared settings. Volumes are sorted by their bounds, so the
- * image does not depend on the order in which they are given.
+ * Several volumes are moved to one unit space. They share the slice plan, the image and one buffer
+ * per light. Each volume has its own samples, blocks, transfer functions, textures and programs.
+ * Shared settings are documented in vtkShadowedScenePass.h. Volumes are sorted by their bounds, so
+ * that the image does not depend on their order.
  */
 class SliceRenderer
 {
@@ -45,14 +45,14 @@ public:
   using Volumes = std::vector<VolumeResources*>;
 
   /**
-   * Renders volumes that have requests, as a part of \a scene unless that is null, and sets their
-   * results. Volumes with errors are skipped. Returns an error if the others cannot be rendered
-   * together; the last image stays then.
+   * Renders \a volumes, whose requests are set, and sets their results. If \a scene is not null,
+   * they are a part of it. Volumes with errors are skipped. Returns an error if the remaining
+   * volumes cannot be rendered together; the last image is then retained.
    */
   Error Draw(vtkRenderer* renderer, const Volumes& volumes, SliceScene* scene);
 
-  /// Lays the image over the framebuffer that is bound, once after Draw, or shows to the renderer's
-  /// selector where it has something.
+  /// Composites the image over the bound framebuffer, once after Draw. During a selection, draws
+  /// the selector's color where the volumes are visible.
   void Show(vtkRenderer* renderer);
 
   /// Implements vtkShadowedSliceMapper::ReadLightBuffer.
@@ -63,25 +63,26 @@ public:
 private:
   /// Updates the volumes, sorts those without errors and moves them to one unit space.
   Volumes UpdateVolumes(vtkOpenGLRenderWindow* window, const Volumes& volumes);
-  void ShareSpace(const Volumes& volumes);
+  void MoveToSharedSpace(const Volumes& volumes);
   double ChooseCoarseness(const Volumes& volumes) const;
-  /// Finds how the volumes are seen and lit.
+  /// Updates the camera, lights and image size.
   void UpdateView(vtkRenderer* renderer, const Volumes& volumes, double coarseness,
     SliceScene* scene, SliceReport& report);
   Error UpdateScattering(vtkRenderer* renderer, const Volumes& volumes);
-  /// Plans the slices. Returns an error if they cannot be drawn.
+  /// Plans the slices. Returns an error if there are too many slices or they need too much memory.
   Error MakePlan(const Volumes& volumes, double coarseness, SliceReport& report);
-  bool HasTooManySlices(const std::vector<SlicePlan::Matter>& volumes, double coarseness) const;
+  bool HasTooManySlices(
+    const std::vector<SlicePlan::SlicedVolume>& volumes, double coarseness) const;
   Error DrawSlices(vtkRenderer* renderer, const Volumes& volumes, SliceReport& report);
   SliceRasterizer* Find(vtkRenderer* renderer) const;
 
   ImageSettings Settings;
   ImageState Image;
-  /// The unit space of the last image.
+  /// Unit space of the last image.
   UnitSpace Space;
   bool IsShown = false;
   std::map<vtkWindow*, std::unique_ptr<SliceRasterizer>> Windows;
-  /// The duration of the last image in seconds, and its coarseness.
+  /// Duration of the last image in seconds, and its coarseness.
   double LastSeconds = 0.0;
   double LastCoarseness = 1.0;
 };

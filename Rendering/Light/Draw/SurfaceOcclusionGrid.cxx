@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/SurfaceOcclusionGrid.h"
 
-#include "Casters/PropSurfaces.h"
-#include "Casters/SceneCasters.h"
+#include "ShadowMaps/PropSurfaces.h"
+#include "ShadowMaps/SceneOccluders.h"
 #include "Common/Vectors.h"
-#include "Grid/MatterGrid.h"
-#include "Grid/SurfaceCells.h"
+#include "Grid/ExtinctionGrid.h"
+#include "Grid/SurfaceVoxelizer.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Loader/ScopedState.h"
 #include "Offscreen/FloatTexture.h"
 #include "Offscreen/ShaderFeatures.h"
 #include "Receivers/SliceScene.h"
-#include "Translucent/PaneMaps.h"
+#include "Translucent/TranslucentShadowMaps.h"
 
 #include "InterlumeSceneCellsFS.h"
 #include "vtkNew.h"
@@ -33,18 +33,18 @@ namespace
 {
 constexpr int Columns = 1024;
 
-// Draws the shares of a light, for so many cells, into rows of pixels. Returns them, or nothing
-// where that fails.
-std::vector<float> DrawShares(vtkOpenGLRenderWindow* window, const SliceScene& scene,
-  const MatterGrid& grid, const glm::dmat4& worldFromUnit, const std::string& share)
+// Computes the transmitted fractions of a light on the graphics card, one pixel per cell. Returns
+// an empty array on failure.
+std::vector<float> DrawFractions(vtkOpenGLRenderWindow* window, const SliceScene& scene,
+  const ExtinctionGrid& grid, const glm::dmat4& worldFromUnit, const std::string& fraction)
 {
   std::string source = InterlumeSceneCellsFS;
-  vtkShaderProgram::Substitute(source, "INTERLUME_SHARE", share);
-  vtkShaderProgram::Substitute(source, "//INTERLUME::CASTERS",
-    (scene.Casters->HasViews() ? scene.Casters->GetSource() : std::string()) +
-      (scene.Panes ? scene.Panes->GetSource(false) : std::string()));
+  vtkShaderProgram::Substitute(source, "INTERLUME_FRACTION", fraction);
+  vtkShaderProgram::Substitute(source, "//INTERLUME::OCCLUDERS",
+    (scene.Occluders->HasViews() ? scene.Occluders->GetSource() : std::string()) +
+      (scene.TranslucentMaps ? scene.TranslucentMaps->GetSource(false) : std::string()));
   source = ShaderFeatures::Insert(
-    source, (scene.Casters->HasViews() ? scene.Casters->GetFeatures() : std::string()));
+    source, (scene.Occluders->HasViews() ? scene.Occluders->GetFeatures() : std::string()));
   vtkOpenGLQuadHelper quad(window, nullptr, source.c_str(), nullptr);
   if (!quad.Program)
   {
@@ -84,16 +84,16 @@ std::vector<float> DrawShares(vtkOpenGLRenderWindow* window, const SliceScene& s
         active.push_back(map);
       }
     };
-    for (const auto& [name, map] : scene.Casters->GetTextures())
+    for (const auto& [name, map] : scene.Occluders->GetTextures())
     {
       activate(name, map);
     }
-    if (scene.Panes)
+    if (scene.TranslucentMaps)
     {
-      activate("paneLayers", scene.Panes->GetTexture());
-      scene.Panes->SetUniforms(quad.Program, worldFromUnit);
+      activate("translucentLayers", scene.TranslucentMaps->GetTexture());
+      scene.TranslucentMaps->SetUniforms(quad.Program, worldFromUnit);
     }
-    scene.Casters->SetUniforms(quad.Program, worldFromUnit);
+    scene.Occluders->SetUniforms(quad.Program, worldFromUnit);
     glm::dmat4 unitFromCell(1.0);
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -114,7 +114,8 @@ std::vector<float> DrawShares(vtkOpenGLRenderWindow* window, const SliceScene& s
       map->Deactivate();
     }
   }
-  // While it is bound, what VTK's state knows of it would be wrong afterwards.
+  // Restore the bindings before deleting the bound framebuffer. Otherwise VTK's cached state would
+  // differ from the state of OpenGL.
   state->PopFramebufferBindings();
   framebuffer->ReleaseGraphicsResources(window);
   texture->ReleaseGraphicsResources(window);
@@ -125,51 +126,55 @@ std::vector<float> DrawShares(vtkOpenGLRenderWindow* window, const SliceScene& s
 
 vtkMTimeType SurfaceOcclusionGrid::GetTime(const SliceScene* scene)
 {
-  if (!scene || !scene->Casters)
+  if (!scene || !scene->Occluders)
   {
     return 0;
   }
-  const bool hasPanes = scene->Panes && scene->Panes->GetLayers() > 0;
-  return std::max(scene->Casters->HasViews() ? scene->Casters->GetDrawTime() : 0,
-    hasPanes ? scene->Panes->GetDrawTime() : 0);
+  const bool hasTranslucentShadows =
+    scene->TranslucentMaps && scene->TranslucentMaps->GetLayers() > 0;
+  return std::max(scene->Occluders->HasViews() ? scene->Occluders->GetDrawTime() : 0,
+    hasTranslucentShadows ? scene->TranslucentMaps->GetDrawTime() : 0);
 }
 
 void SurfaceOcclusionGrid::Block(
-  const SliceScene& scene, const glm::dmat4& worldFromUnit, MatterGrid& grid)
+  const SliceScene& scene, const glm::dmat4& worldFromUnit, ExtinctionGrid& grid)
 {
   for (const PropSurfaces::Surface& surface : PropSurfaces::Get(scene.Blockers))
   {
-    SurfaceCells::Mark(surface.Corners, surface.Planes, worldFromUnit, grid);
+    SurfaceVoxelizer::Mark(surface.Corners, surface.Planes, worldFromUnit, grid);
   }
 }
 
 Error SurfaceOcclusionGrid::Make(vtkOpenGLRenderWindow* window, const SliceScene& scene,
-  const MatterGrid& grid, const glm::dmat4& worldFromUnit, const std::vector<LightSource>& lights,
-  std::vector<std::vector<glm::vec3>>& shares)
+  const ExtinctionGrid& grid, const glm::dmat4& worldFromUnit,
+  const std::vector<LightSource>& lights, std::vector<std::vector<glm::vec3>>& transmitted)
 {
-  shares.assign(lights.size(), {});
+  transmitted.assign(lights.size(), {});
   const std::size_t cells = grid.GetMedium().GetNumberOfCells();
   for (std::size_t i = 0; i < lights.size(); ++i)
   {
-    const std::string opaque = scene.Casters->HasViews()
-      ? scene.Casters->GetShare(lights[i].Light, "place", "vec4(0.0)")
+    const std::string opaque = scene.Occluders->HasViews()
+      ? scene.Occluders->GetLightFraction(lights[i].Light, "place", "vec4(0.0)")
       : std::string();
-    const std::string panes = scene.Panes && scene.Panes->GetLayers() > 0
-      ? scene.Panes->GetShare(lights[i].Light, "place", "vec4(0.0)")
+    const std::string translucent = scene.TranslucentMaps && scene.TranslucentMaps->GetLayers() > 0
+      ? scene.TranslucentMaps->GetLightFraction(lights[i].Light, "place", "vec4(0.0)")
       : std::string();
-    if (opaque.empty() && panes.empty())
+    if (opaque.empty() && translucent.empty())
     {
       continue;
     }
-    const std::string share = opaque + (opaque.empty() || panes.empty() ? "" : "*") + panes;
-    const std::vector<float> values = DrawShares(window, scene, grid, worldFromUnit, share);
+    const std::string fraction =
+      opaque + (opaque.empty() || translucent.empty() ? "" : "*") + translucent;
+    const std::vector<float> values = DrawFractions(window, scene, grid, worldFromUnit, fraction);
     if (values.size() < 4 * cells)
     {
-      return Error("the shadows of surfaces in scattered light cannot be drawn", ErrorCode::OpenGL);
+      return Error("The shadows of surfaces in scattered light could not be rendered: a shader or "
+                   "a texture failed.",
+        ErrorCode::OpenGL);
     }
     for (std::size_t cell = 0; cell < cells; ++cell)
     {
-      shares[i].push_back(glm::make_vec3(values.data() + 4 * cell));
+      transmitted[i].push_back(glm::make_vec3(values.data() + 4 * cell));
     }
   }
   return {};

@@ -16,33 +16,35 @@ class vtkOpenGLRenderWindow;
 namespace interlume
 {
 
-class MatterGrid;
+class ExtinctionGrid;
 struct SliceScene;
 
 /**
  * @class   SurfaceOcclusionGrid
- * @brief   what surfaces of a scene take from light in the cells of a grid
+ * @brief   computes the occlusion of light by surfaces of a scene in the cells of a grid
  *
- * The share of each light that they leave is found by the same functions of the same maps as in
- * slices, opaque and translucent. Light that was scattered ends at cells that opaque ones go
- * through.
+ * The transmitted fraction of each light is evaluated with the same shadow maps and shader
+ * functions as in slices, for opaque and translucent surfaces. Cells that opaque surfaces intersect
+ * absorb scattered light.
  */
 class SurfaceOcclusionGrid
 {
 public:
-  /// Returns when the maps of the scene were drawn; 0 where surfaces cast no shadows.
+  /// Returns the time at which the scene's shadow maps were drawn, or 0 if surfaces cast no
+  /// shadows.
   static vtkMTimeType GetTime(const SliceScene* scene);
 
-  /// Marks the cells that the opaque surfaces go through which cast shadows.
-  static void Block(const SliceScene& scene, const glm::dmat4& worldFromUnit, MatterGrid& grid);
+  /// Marks the cells intersected by opaque surfaces that cast shadows.
+  static void Block(const SliceScene& scene, const glm::dmat4& worldFromUnit, ExtinctionGrid& grid);
 
   /**
-   * Computes the shares, a list of cells for each light, empty where nothing takes from it. \a
-   * scene has shadows of surfaces. Returns an error if they cannot be drawn.
+   * Computes the transmitted fractions: a value per cell for each light, or an empty list if no
+   * surface blocks the light. The \a scene must have shadows of surfaces. Returns an error if
+   * drawing fails.
    */
-  static Error Make(vtkOpenGLRenderWindow* window, const SliceScene& scene, const MatterGrid& grid,
-    const glm::dmat4& worldFromUnit, const std::vector<LightSource>& lights,
-    std::vector<std::vector<glm::vec3>>& shares);
+  static Error Make(vtkOpenGLRenderWindow* window, const SliceScene& scene,
+    const ExtinctionGrid& grid, const glm::dmat4& worldFromUnit,
+    const std::vector<LightSource>& lights, std::vector<std::vector<glm::vec3>>& transmitted);
 };
 
 }

@@ -28,7 +28,7 @@ void VolumeImage::Draw(vtkRenderer* renderer, SliceScene* scene)
   {
     volumes.push_back(&this->Volume);
   }
-  const Error drawn = this->Alone.Draw(renderer, volumes, scene);
+  const Error drawn = this->OwnRenderer.Draw(renderer, volumes, scene);
   Error& error = this->Volume.GetResult().Error;
   error = error ? error : drawn;
 }
@@ -55,7 +55,7 @@ Error VolumeImage::DrawTogether(vtkRenderer* renderer, const std::vector<VolumeI
     {
       image->Together = together;
       image->Scene = &scene;
-      image->Alone.ReleaseGraphicsResources(renderer->GetRenderWindow());
+      image->OwnRenderer.ReleaseGraphicsResources(renderer->GetRenderWindow());
     }
   }
   return error;
@@ -85,7 +85,7 @@ bool VolumeImage::ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkIma
 void VolumeImage::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Volume.ReleaseGraphicsResources(window);
-  this->Alone.ReleaseGraphicsResources(window);
+  this->OwnRenderer.ReleaseGraphicsResources(window);
 }
 
 }

@@ -21,40 +21,41 @@ struct SliceScene;
 
 /**
  * @class   VolumeImage
- * @brief   the image of a mapper's volume, rendered alone or together with others
+ * @brief   the rendered image of a mapper's volume, alone or together with other volumes
  *
- * Without a scene the mapper renders the image and shows it at once. vtkShadowedScenePass renders
- * it as a part of a scene before the mapper is called, which then only shows it.
+ * Without a scene, the mapper renders and shows the image at once. vtkShadowedScenePass renders the
+ * image as a part of a scene before it calls the mapper, which then only shows it.
  */
 class VolumeImage
 {
 public:
-  /// Begins an image, or reports the \a error of a request that cannot be rendered. Without scalars
-  /// there is nothing to render.
+  /// Begins an image, or reports the \a error of an invalid request. If the request has no scalars,
+  /// nothing is rendered.
   void Begin(const VolumeResources::Request& request, const Error& error);
 
-  /// Renders the volume alone, as a part of \a scene unless that is null.
+  /// Renders the volume separately, as a part of \a scene unless that is null.
   void Draw(vtkRenderer* renderer, SliceScene* scene);
 
   /**
-   * Renders all volumes without errors by \a together, as a part of \a scene, if there are two or
-   * more. Returns an error if that is impossible.
+   * Renders all volumes that have no errors as a part of \a scene, with the renderer \a together,
+   * if there are at least two. Returns an error if that fails.
    */
   static Error DrawTogether(vtkRenderer* renderer, const std::vector<VolumeImage*>& images,
     const std::shared_ptr<SliceRenderer>& together, SliceScene& scene);
 
-  /// Returns whether the image is a part of a scene, until End, and was rendered together with
-  /// others.
+  /// Return true if the image is a part of a scene (until End), or if it was rendered together with
+  /// other volumes.
   bool IsInScene() const { return this->Scene != nullptr; }
   bool IsTogether() const { return this->Together != nullptr; }
 
-  /// Ends the image after Draw, or after the scene, and replaces the values of the mapper's report.
+  /// Finishes the image after Draw, or after its whole scene is rendered, and updates the mapper's
+  /// report.
   void End();
 
-  /// Returns whether there is a volume, or an error.
+  /// Returns true if there is a volume or an error.
   bool HasContents() const { return this->IsValid() || this->GetResult().Error; }
 
-  /// Lays the image over the framebuffer that is bound.
+  /// Composites the image over the bound framebuffer.
   void Show(vtkRenderer* renderer);
 
   const VolumeResources::Request& GetRequest() const { return this->Volume.GetRequest(); }
@@ -68,11 +69,12 @@ public:
 
 private:
   bool IsValid() const { return this->GetRequest().Scalars && !this->GetResult().Error; }
-  SliceRenderer& GetRenderer() { return this->Together ? *this->Together : this->Alone; }
+  SliceRenderer& GetRenderer() { return this->Together ? *this->Together : this->OwnRenderer; }
 
   VolumeResources Volume;
-  SliceRenderer Alone;
-  /// The renderer of the last image, with other volumes; null if the volume was rendered alone.
+  SliceRenderer OwnRenderer;
+  /// Renderer that drew the last image together with other volumes, or null if the volume was
+  /// rendered separately.
   std::shared_ptr<SliceRenderer> Together;
   SliceScene* Scene = nullptr;
 };

@@ -40,8 +40,8 @@ double GetTime(vtkObject* function)
   return function ? static_cast<double>(function->GetMTime()) : 0.0;
 }
 
-// Returns everything that a material depends on except the samples. The time of the property itself
-// changes with each volume that it is given to, and with settings of shading.
+// Returns all inputs of a material except the samples. The property's own modification time cannot
+// be used: it also changes when the property is assigned to a volume or when its shading changes.
 std::vector<double> MakeKey(vtkVolumeProperty* property, int components,
   vtkColorTransferFunction* transmission, const MaterialTable::Scattering& scattering)
 {
@@ -61,7 +61,7 @@ std::vector<double> MakeKey(vtkVolumeProperty* property, int components,
     {
       color = property->GetGrayTransferFunction(row);
     }
-    // Asking for a function that is not there, or disabled, would make one.
+    // Querying a missing or disabled function would create one.
     const bool hasGradient =
       property->HasGradientOpacity(row) && property->GetDisableGradientOpacity(row) == 0;
     vtkObject* gradient = hasGradient ? property->GetGradientOpacity(row) : nullptr;
@@ -80,7 +80,7 @@ VolumeResources::~VolumeResources() = default;
 
 void VolumeResources::SetRequest(const Request& request, const Error& error)
 {
-  this->Asked = request;
+  this->CurrentRequest = request;
   this->Results = Result();
   this->Results.Error = error;
   this->Report = SliceReport();
@@ -89,7 +89,7 @@ void VolumeResources::SetRequest(const Request& request, const Error& error)
 
 Error VolumeResources::UpdateSamples()
 {
-  const Request& request = this->Asked;
+  const Request& request = this->CurrentRequest;
   const bool isSoftware = this->State.IsSoftware;
   const vtkMTimeType time = std::max(request.Image->GetMTime(), request.Scalars->GetMTime());
   std::array<int, 3> size{};
@@ -98,7 +98,7 @@ Error VolumeResources::UpdateSamples()
   {
     size[axis] = request.IsOfCells ? std::max(dimensions[axis] - 1, 1) : dimensions[axis];
   }
-  // Images may share an array that has changed after both of them.
+  // Compare the size too: two vtkImageData objects can share an array that was modified after both.
   if (this->Scalars == request.Scalars && this->SamplesTime == time &&
     this->State.Samples.Size == size && this->IsWidened == isSoftware)
   {
@@ -129,11 +129,11 @@ Error VolumeResources::UpdateSamples()
 
 Error VolumeResources::UpdateMaterial()
 {
-  const Request& request = this->Asked;
+  const Request& request = this->CurrentRequest;
   vtkVolumeProperty* property = request.Volume->GetProperty();
   vtkColorTransferFunction* transmission = request.Settings.TransmissionColor;
   MaterialTable::Scattering scattering;
-  scattering.IsOn = request.Settings.MultipleScattering != vtkShadowedSliceSettings::NO_SCATTERING;
+  scattering.IsOn = request.Settings.ScatteringMode != vtkShadowedSliceSettings::NO_SCATTERING;
   scattering.Albedo = scattering.IsOn ? request.Settings.ScatteringAlbedo.Get() : nullptr;
   std::vector<double> key =
     MakeKey(property, this->State.Samples.Components, transmission, scattering);
@@ -213,7 +213,7 @@ bool VolumeResources::AddScatteredLight(vtkOpenGLRenderWindow* window)
   {
     return false;
   }
-  ScatteredField field;
+  ScatteredLightTexture field;
   field.Texture = this->GetTextures(window).GetScattered();
   field.Nodes = scattering.Nodes;
   field.NodeFromWorld = scattering.NodeFromUnit * this->State.Space.GetUnitFromWorld();
@@ -239,11 +239,11 @@ Error VolumeResources::UpdateData(vtkOpenGLRenderWindow* window)
   }
   VolumeRenderState& state = this->State;
   state.IsSoftware = SoftwareOpenGL::IsUsed(window);
-  state.Medium = this->Asked.Medium;
-  // Magnitudes do not depend on the direction of an axis.
-  const glm::dvec3 spacing = glm::abs(glm::make_vec3(this->Asked.Image->GetSpacing()));
+  state.Medium = this->CurrentRequest.Medium;
+  // Gradient magnitudes do not depend on the axis direction.
+  const glm::dvec3 spacing = glm::abs(glm::make_vec3(this->CurrentRequest.Image->GetSpacing()));
   state.GradientSteps = (spacing.x + spacing.y + spacing.z) / 3.0 / spacing;
-  const Request& request = this->Asked;
+  const Request& request = this->CurrentRequest;
   return this->UpdateSamples()
     .Then([&] { return this->UpdateMaterial(); })
     .Then([&] { return this->Scatterer.SetPhase(request.Settings, state.Scattering); })
@@ -255,8 +255,8 @@ Error VolumeResources::UpdateData(vtkOpenGLRenderWindow* window)
 void VolumeResources::MoveTo(const glm::dvec3& center, double radius)
 {
   this->State.Space.MoveTo(center, radius);
-  // UpdateData has reported errors of clipping planes.
-  static_cast<void>(this->State.Region.Set(this->Asked.Cuts, this->State.Space));
+  // Ignore errors of clipping planes: UpdateData has reported them.
+  static_cast<void>(this->State.Region.Set(this->CurrentRequest.Cuts, this->State.Space));
 }
 
 void VolumeResources::SetImage(const ImageState& image, int number)
@@ -264,9 +264,9 @@ void VolumeResources::SetImage(const ImageState& image, int number)
   VolumeRenderState& state = this->State;
   state.Image = &image;
   state.Number = number;
-  state.SurfaceGradient = this->Asked.Settings.SurfaceGradient;
-  state.TwoSidedLighting = this->Asked.Settings.TwoSidedLighting;
-  vtkVolumeProperty* property = this->Asked.Volume->GetProperty();
+  state.SurfaceGradient = this->CurrentRequest.Settings.SurfaceGradient;
+  state.TwoSidedLighting = this->CurrentRequest.Settings.TwoSidedLighting;
+  vtkVolumeProperty* property = this->CurrentRequest.Volume->GetProperty();
   state.IsShaded = property->GetShade() != 0 && !state.Scattering.IsOn() &&
     (!state.Medium || state.Medium->HasReflection());
   for (int row = 0; row < state.Material.Rows; ++row)
@@ -281,25 +281,25 @@ void VolumeResources::SetImage(const ImageState& image, int number)
 ScatteringUpdater::Volume VolumeResources::GetScatteringVolume() const
 {
   return { &this->State, { { this->SamplesVersion, this->MaterialVersion } },
-    this->Asked.Settings.ScatteringGridSize };
+    this->CurrentRequest.Settings.ScatteringGridSize };
 }
 
 Error VolumeResources::UpdateScattering(vtkRenderer* renderer,
   const std::vector<ScatteringUpdater::Volume>& volumes, int lightSamples,
   const VolumeResources* other)
 {
-  // A selection is drawn without lights, and what they have scattered is retained.
+  // A selection is drawn without lights, so keep the scattered light unchanged.
   return renderer->GetSelector()
     ? Error()
     : this->Scatterer.Solve(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()),
-        this->State, volumes, this->Asked.Settings, lightSamples,
+        this->State, volumes, this->CurrentRequest.Settings, lightSamples,
         other ? &other->Scatterer : nullptr, other ? &other->State.Scattering : nullptr);
 }
 
-SlicePlan::Matter VolumeResources::GetSlicedVolume() const
+SlicePlan::SlicedVolume VolumeResources::GetSlicedVolume() const
 {
   return { &this->State.Space, this->State.Region.Box,
-    this->Asked.Settings.SliceSpacing / this->State.Space.Radius,
+    this->CurrentRequest.Settings.SliceSpacing / this->State.Space.Radius,
     this->State.Material.HasSharpOpacity() ? 0.0 : SliceShader::GetRampExtinction(this->State) };
 }
 

@@ -31,12 +31,12 @@ class SliceTextures;
 
 /**
  * @class   VolumeResources
- * @brief   the data, scattered light and textures of a volume, updated where they have changed
+ * @brief   the data, scattered light and textures of a volume, updated on change
  */
 class VolumeResources
 {
 public:
-  /// The volume, and the input and settings of its mapper.
+  /// The volume, and its mapper's input and settings.
   struct Request
   {
     vtkVolume* Volume = nullptr;
@@ -54,18 +54,18 @@ public:
   VolumeResources();
   ~VolumeResources();
 
-  /// The results of an image for the volume.
+  /// Results of rendering the volume.
   struct Result
   {
-    /// The error if the volume is not in the image.
+    /// Set if the volume could not be rendered.
     interlume::Error Error;
     std::vector<std::string> Warnings;
   };
 
-  /// Begins an image with an empty report. \a error is the result if the request cannot be
-  /// rendered.
+  /// Begins an image with an empty report. \a error is set if the request is invalid, and becomes
+  /// the result.
   void SetRequest(const Request& request, const Error& error);
-  const Request& GetRequest() const { return this->Asked; }
+  const Request& GetRequest() const { return this->CurrentRequest; }
   const VolumeRenderState& GetState() const { return this->State; }
   Result& GetResult() { return this->Results; }
   const Result& GetResult() const { return this->Results; }
@@ -73,10 +73,13 @@ public:
 
   ///@{
   /**
-   * The steps of an image, which return an error if they fail: update samples and material, in the
-   * volume's own unit space; move to a unit space that volumes share; make the volume part of an
-   * image; update scattered light, from the medium of all volumes, or copy it from another volume
-   * that has the same; upload textures.
+   * Steps of rendering, in this order. Each returns an error on failure.
+   * - UpdateData updates samples and material, in the volume's own unit space.
+   * - MoveTo moves the volume to a shared unit space.
+   * - SetImage adds the volume to an image.
+   * - UpdateScattering computes scattered light from the medium of all volumes, or copies it from
+   *   \a other if the inputs are the same.
+   * - Upload uploads the textures.
    */
   Error UpdateData(vtkOpenGLRenderWindow* window);
   void MoveTo(const glm::dvec3& center, double radius);
@@ -87,18 +90,18 @@ public:
   Error Upload(vtkOpenGLRenderWindow* window);
   ///@}
 
-  /// Returns the input of ScatteringUpdater.
+  /// Returns this volume as an input of ScatteringUpdater.
   ScatteringUpdater::Volume GetScatteringVolume() const;
-  /// Returns the input of SlicePlan.
-  SlicePlan::Matter GetSlicedVolume() const;
+  /// Returns this volume as an input of SlicePlan.
+  SlicePlan::SlicedVolume GetSlicedVolume() const;
   SliceTextures& GetTextures(vtkWindow* window);
   vtkIdType GetTextureBytes() const;
 
-  /// Adds the light that was scattered before to a scene, for its surfaces, after Upload. Returns
-  /// whether there is any.
+  /// Adds the volume's multiply scattered light to the scene, for its surfaces. Call Upload first.
+  /// Returns false if no light has been scattered.
   bool AddScatteredLight(vtkOpenGLRenderWindow* window);
 
-  /// Sets the report: the values that all volumes of the image share, and the volume's own.
+  /// Sets the report from values shared by all volumes and from values of this volume.
   void SetReport(const SliceReport& shared, const std::string& features);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -109,11 +112,11 @@ private:
   Error UpdateSamples();
   Error UpdateMaterial();
 
-  Request Asked;
+  Request CurrentRequest;
   Result Results;
   SliceReport Report;
   VolumeRenderState State;
-  /// The data that the samples and the material were built from.
+  /// Inputs of the samples and the material.
   vtkDataArray* Scalars = nullptr;
   vtkMTimeType SamplesTime = 0;
   bool IsWidened = false;
@@ -122,7 +125,7 @@ private:
   ScatteringUpdater Scatterer;
   int SamplesVersion = 0;
   int MaterialVersion = 0;
-  /// The bytes of Upload for this image.
+  /// Number of bytes uploaded for this image.
   vtkIdType UploadedBytes = 0;
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Grid/GridLight.h"
 
-#include "Grid/MatterGrid.h"
+#include "Grid/ExtinctionGrid.h"
 #include "Lights/EmitterSamples.h"
 #include "Scattering/CellLight.h"
 #include "Space/UnitVector.h"
@@ -21,18 +21,18 @@ namespace interlume
 
 namespace
 {
-// The light of one place or direction without the matter, in the cells of a grid.
+// Unattenuated light of one position or direction in the cells of a grid.
 class GridColor
 {
 public:
-  GridColor(const MatterGrid& grid, const LightSource& light)
+  GridColor(const ExtinctionGrid& grid, const LightSource& light)
     : Grid(grid)
     , Light(light)
     , IsPositional(light.IsPositional)
   {
   }
 
-  /// Returns the light without the matter, as the mean of eight parts of a cell.
+  /// Returns the mean of the unattenuated light over eight octants of a cell.
   glm::dvec3 Get(const glm::ivec3& cell) const
   {
     if (!this->IsPositional && !this->Light.Projective)
@@ -45,33 +45,33 @@ public:
     {
       const glm::dvec3 offset(
         part & 1u ? 0.25 : -0.25, part & 2u ? 0.25 : -0.25, part & 4u ? 0.25 : -0.25);
-      sum += this->GetColorAt(this->Grid.ToUnit(this->Grid.GetMiddle(cell) + offset * size));
+      sum += this->GetColorAt(this->Grid.ToUnit(this->Grid.GetCellCenter(cell) + offset * size));
     }
     return 0.125 * sum * this->Light.Diffuse;
   }
 
 private:
-  glm::dvec3 GetColorAt(const glm::dvec3& place) const
+  glm::dvec3 GetColorAt(const glm::dvec3& position) const
   {
     glm::dvec3 color(1.0);
     if (this->IsPositional)
     {
-      const glm::dvec3 way = place - this->Light.Position;
-      const double distance =
-        std::max(glm::length(way), 0.25 * Vectors::InfinityNorm(this->Grid.GetMedium().CellSize));
+      const glm::dvec3 fromLight = position - this->Light.Position;
+      const double distance = std::max(
+        glm::length(fromLight), 0.25 * Vectors::InfinityNorm(this->Grid.GetMedium().CellSize));
       const glm::dvec3& attenuation = this->Light.Attenuation;
       const double fall = attenuation.x + distance * (attenuation.y + distance * attenuation.z);
       color /= fall;
       if (this->Light.ConeCosine > -1.0)
       {
         const double cosine =
-          glm::dot(UnitVector::Normalize(way, this->Light.Direction), this->Light.Direction);
+          glm::dot(UnitVector::Normalize(fromLight, this->Light.Direction), this->Light.Direction);
         color *= cosine < this->Light.ConeCosine ? 0.0 : std::pow(cosine, this->Light.Exponent);
       }
     }
     if (this->Light.Projective)
     {
-      const glm::dvec4 seen = this->Light.ScreenFromUnit * glm::dvec4(place, 1.0);
+      const glm::dvec4 seen = this->Light.ScreenFromUnit * glm::dvec4(position, 1.0);
       glm::dvec3 screen(0.0);
       if (seen.w > 0.0)
       {
@@ -83,12 +83,12 @@ private:
     return Vectors::IsFinite(color) ? glm::max(color, 0.0) : glm::dvec3(0.0);
   }
 
-  const MatterGrid& Grid;
+  const ExtinctionGrid& Grid;
   const LightSource& Light;
   bool IsPositional;
 };
 
-ScatteringLight PlaceLight(const MatterGrid& grid, const LightSource& light)
+ScatteringLight TransformLight(const ExtinctionGrid& grid, const LightSource& light)
 {
   ScatteringLight result;
   result.IsPositional = light.IsPositional;
@@ -98,26 +98,29 @@ ScatteringLight PlaceLight(const MatterGrid& grid, const LightSource& light)
 }
 }
 
-ScatteringLight GridLight::Make(const MatterGrid& grid, const LightSource& light, int samples)
+ScatteringLight GridLight::Make(const ExtinctionGrid& grid, const LightSource& light, int samples)
 {
   const ScatteringMedium& medium = grid.GetMedium();
-  ScatteringLight result = PlaceLight(grid, light);
+  ScatteringLight result = TransformLight(grid, light);
   std::vector<LightSource> sources{ light };
   if (light.Area)
   {
     sources = EmitterSamples::Split(sources, { 0 }, samples);
   }
-  // The rays of many samples meet a cell in places of their own.
-  const bool isAlone = sources.size() < 4;
+  // With many samples, one ray per cell is enough if the rays of each sample have a different
+  // offset.
+  const bool hasFewSamples = sources.size() < 4;
   const std::size_t cells = medium.GetNumberOfCells();
   result.Direct.assign(cells, glm::vec3(0.0f));
   for (std::size_t i = 0; i < sources.size(); ++i)
   {
     const double number = static_cast<double>(i);
-    const glm::dvec2 offset =
-      isAlone ? glm::dvec2(0.0) : glm::fract(number * glm::dvec2(0.7548776662, 0.5698402910)) - 0.5;
-    const std::vector<glm::vec3> means = CellLight::Find(medium, grid.GetParts(),
-      PlaceLight(grid, sources[i]), isAlone ? CellLight::CountRays(medium.Cells) : 1, offset);
+    const glm::dvec2 offset = hasFewSamples
+      ? glm::dvec2(0.0)
+      : glm::fract(number * glm::dvec2(0.7548776662, 0.5698402910)) - 0.5;
+    const std::vector<glm::vec3> means =
+      CellLight::Find(medium, grid.GetColorFractions(), TransformLight(grid, sources[i]),
+        hasFewSamples ? CellLight::CountRays(medium.Cells) : 1, offset);
     const GridColor color(grid, sources[i]);
     vtkSMPTools::For(0, static_cast<vtkIdType>(cells),
       [&](vtkIdType first, vtkIdType last)
@@ -125,8 +128,8 @@ ScatteringLight GridLight::Make(const MatterGrid& grid, const LightSource& light
         for (auto cell = static_cast<std::size_t>(first); cell < static_cast<std::size_t>(last);
              ++cell)
         {
-          const glm::dvec3 share = light.ShadowStrength * glm::dvec3(means[cell]);
-          result.Direct[cell] += glm::vec3(share * color.Get(grid.GetCell(cell)));
+          const glm::dvec3 transmittance = light.ShadowStrength * glm::dvec3(means[cell]);
+          result.Direct[cell] += glm::vec3(transmittance * color.Get(grid.GetCell(cell)));
         }
       });
   }

@@ -8,22 +8,23 @@
 namespace interlume
 {
 
-class MatterGrid;
+class ExtinctionGrid;
 
 /**
  * @class   GridLight
- * @brief   the light of one source in the cells of a grid, before it is scattered
+ * @brief   unscattered light of one source in the cells of a grid
  *
- * It is the mean of what matter leaves over each cell, by CellLight's rays through the cells, so
- * that light is as sharp as cells are, inside the volume too. Cone, attenuation and screen are
- * those of the middle of eight parts of a cell. An area light is the mean of its samples. All of it
- * is times the share of the light that casts shadows.
+ * The attenuated light is averaged over each cell by CellLight, which traces rays through the
+ * cells. Shadows therefore have the resolution of the cells, also for lights inside the volume. The
+ * cone, attenuation and screen are evaluated at the centers of a cell's eight octants. An area
+ * light is the mean of its samples. The result is multiplied by the strength of the light's
+ * shadows.
  */
 class GridLight
 {
 public:
-  /// \a samples of the emitter of an area light.
-  static ScatteringLight Make(const MatterGrid& grid, const LightSource& light, int samples);
+  /// \a samples is the number of samples of an area light's emitter.
+  static ScatteringLight Make(const ExtinctionGrid& grid, const LightSource& light, int samples);
 };
 
 }

@@ -20,15 +20,16 @@ double GetBrightness(const glm::dvec3& color)
   return color.r + color.g + color.b;
 }
 
-// Finds the cell in which the sums reach a share of the last one; the share becomes the place.
-std::size_t Find(const std::vector<double>& sums, double& share)
+// Finds the cell where the prefix sums reach \a fraction of their total. Replaces \a fraction by
+// the position in the unit interval.
+std::size_t Find(const std::vector<double>& sums, double& fraction)
 {
-  const double sum = share * sums.back();
-  // The first sum above it ends a cell that is not black.
+  const double sum = fraction * sums.back();
+  // The first cell with a larger sum is not black.
   const auto above = std::upper_bound(sums.begin(), sums.end(), sum);
   const auto cell = static_cast<std::size_t>(above - sums.begin());
   const double before = cell > 0 ? sums[cell - 1] : 0.0;
-  share = (static_cast<double>(cell) + (sum - before) / (sums[cell] - before)) /
+  fraction = (static_cast<double>(cell) + (sum - before) / (sums[cell] - before)) /
     static_cast<double>(sums.size());
   return cell;
 }
@@ -50,8 +51,8 @@ EmitterGrid::EmitterGrid(bool isRound, vtkImageData* image)
     for (std::size_t i = 0; i < size; ++i)
     {
       const glm::dvec2 cell(static_cast<double>(i) + 0.5, static_cast<double>(j) + 0.5);
-      const glm::dvec2 place = GetPlace(isRound, cell / static_cast<double>(size)) + 0.5;
-      this->Colors.push_back(colors.GetColor(place.x, place.y, true));
+      const glm::dvec2 position = MapToEmitter(isRound, cell / static_cast<double>(size)) + 0.5;
+      this->Colors.push_back(colors.GetColor(position.x, position.y, true));
       sum += GetBrightness(this->Colors.back());
       this->Columns[j].push_back(sum);
     }
@@ -81,17 +82,17 @@ std::vector<glm::dvec3> EmitterGrid::Warp(std::vector<glm::dvec2>& points) const
   return colors;
 }
 
-glm::dvec2 EmitterGrid::GetPlace(bool isRound, const glm::dvec2& point)
+glm::dvec2 EmitterGrid::MapToEmitter(bool isRound, const glm::dvec2& point)
 {
-  const glm::dvec2 place = point - 0.5;
-  if (!isRound || place == glm::dvec2(0.0))
+  const glm::dvec2 position = point - 0.5;
+  if (!isRound || position == glm::dvec2(0.0))
   {
-    return place;
+    return position;
   }
-  const bool isWide = std::abs(place.x) > std::abs(place.y);
-  const double radius = isWide ? place.x : place.y;
+  const bool isWide = std::abs(position.x) > std::abs(position.y);
+  const double radius = isWide ? position.x : position.y;
   const double angle =
-    0.25 * vtkMath::Pi() * (isWide ? place.y / place.x : 2.0 - place.x / place.y);
+    0.25 * vtkMath::Pi() * (isWide ? position.y / position.x : 2.0 - position.x / position.y);
   return { radius * std::cos(angle), radius * std::sin(angle) };
 }
 

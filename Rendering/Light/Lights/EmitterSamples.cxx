@@ -17,7 +17,7 @@ namespace interlume
 namespace
 {
 
-// Computes the second coordinate of a point of the net, 32 binary digits.
+// Returns the second coordinate of a point of the net, as 32 binary digits.
 std::uint32_t GetNetDigits(std::uint32_t index)
 {
   std::uint32_t digits = 0;
@@ -30,7 +30,7 @@ std::uint32_t GetNetDigits(std::uint32_t index)
   return digits;
 }
 
-// Computes points of the unit square, in the middle of their columns and rows.
+// Returns points of the unit square, at the centers of their columns and rows.
 std::vector<glm::dvec2> MakeNet(int count)
 {
   std::vector<int> rows(static_cast<std::size_t>(count));
@@ -50,8 +50,8 @@ std::vector<glm::dvec2> MakeNet(int count)
   return net;
 }
 
-// Scales the weights of a channel so that their sum is 1; all are the same where the samples have
-// nothing of it. As multiples of 2^-50 they are added without rounding, in any order.
+// Scales the weights of a channel so that their sum is 1. If all samples are 0 in this channel, the
+// weights are equal. Multiples of 2^-50 add up without rounding errors, in any order.
 void Normalize(std::vector<EmitterSamples::Sample>& samples, int channel)
 {
   const double unit = std::ldexp(1.0, -50);
@@ -93,13 +93,13 @@ std::vector<EmitterSamples::Sample> EmitterSamples::Make(
   glm::dvec2 mean(0.0);
   for (std::size_t i = 0; i < samples.size(); ++i)
   {
-    samples[i] = { EmitterGrid::GetPlace(isRound, points[i]), colors[i] };
-    mean += samples[i].Place / static_cast<double>(count);
+    samples[i] = { EmitterGrid::MapToEmitter(isRound, points[i]), colors[i] };
+    mean += samples[i].Position / static_cast<double>(count);
   }
   for (Sample& sample : samples)
   {
-    // The mean of the net is some thousandths off, less than half a row, and would move the shadow.
-    sample.Place -= isUniform ? mean : glm::dvec2(0.0);
+    // The net's mean is slightly off center, by less than half a row, and would shift the shadow.
+    sample.Position -= isUniform ? mean : glm::dvec2(0.0);
   }
   for (int channel = 0; channel < 3; ++channel)
   {
@@ -111,7 +111,7 @@ std::vector<EmitterSamples::Sample> EmitterSamples::Make(
 LightSource EmitterSamples::MakeSource(const LightSource& light, const Sample& sample)
 {
   const glm::dvec3 offset =
-    sample.Place.x * light.EmitterAxes[0] + sample.Place.y * light.EmitterAxes[1];
+    sample.Position.x * light.EmitterAxes[0] + sample.Position.y * light.EmitterAxes[1];
   LightSource source = light;
   source.Area = nullptr;
   if (light.IsPositional)

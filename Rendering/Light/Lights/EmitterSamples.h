@@ -15,42 +15,42 @@ class EmitterGrid;
 
 /**
  * @class   EmitterSamples
- * @brief   computes stratified samples of an area light's emitter
+ * @brief   stratified samples of an area light's emitter
  *
- * The samples are a net of G. Larcher and F. Pillichshammer (2001), a (0,m,2)-net in base 2 where
- * their number is 2^m: each of the N columns, each of the N rows and each of the N rectangles
- * between, of equal area, has one of them. For other numbers columns and rows have one each. A
- * round emitter gets them by the map of P. Shirley and K. Chiu (1997), which keeps areas. One
- * sample is the centre.
+ * The samples are a digital net of G. Larcher and F. Pillichshammer (2001). For N = 2^m samples, it
+ * is a (0,m,2)-net in base 2: in each division of the emitter into N equal rectangles, from N
+ * columns to N rows, each rectangle contains one sample. For other N, each column and each row
+ * contains one sample. A round emitter uses the area-preserving map of P. Shirley and K. Chiu
+ * (1997). A single sample is at the center.
  *
- * With an image a sample's chance to be at a place is the sum of the three channels there, so that
- * bright places get many samples and black ones none. The samples depend on nothing but what is
- * given here.
+ * With an image, the density of samples is proportional to the sum of the three channels, so bright
+ * regions get many samples and black regions none. Sampling is deterministic.
  */
 class EmitterSamples
 {
 public:
   struct Sample
   {
-    /// The place on the emitter, x right and y up, each -1/2 to 1/2 of its size.
-    glm::dvec2 Place{ 0.0, 0.0 };
-    /// The share of the light that this sample stands for, of red, green and blue. The shares of
-    /// all samples, added in order, are exactly 1 in each channel.
+    /// Position on the emitter, x right and y up, from -1/2 to 1/2 in units of its size.
+    glm::dvec2 Position{ 0.0, 0.0 };
+    /// Fraction of the light in red, green and blue. In each channel, the weights of all samples
+    /// add up to exactly 1.
     glm::dvec3 Weight{ 1.0, 1.0, 1.0 };
   };
 
-  /// Computes \a count samples, 1 where \a count is less. \a grid is null for a uniform emitter.
+  /// Returns \a count samples, or one if \a count is below 1. \a grid is null for a uniform
+  /// emitter.
   static std::vector<Sample> Make(bool isRound, const EmitterGrid* grid, int count);
 
-  /// Computes the samples of an area light.
+  /// Returns the samples of an area light.
   static std::vector<Sample> Make(const LightSource& light, int count);
 
-  /// Makes the light without extent that stands for a sample of an area light. The sources of all
-  /// samples add up to the colours of \a light, the ambient one too.
+  /// Returns the light without extent that represents a sample of an area light. The colors of all
+  /// samples' lights, including the ambient color, add up to the color of \a light.
   static LightSource MakeSource(const LightSource& light, const Sample& sample);
 
-  /// Returns lights with those of these indices, area lights, as lights without extent: \a count
-  /// each, in the place of the area light.
+  /// Returns \a lights, with each of the area lights at \a indices replaced by \a count lights
+  /// without extent.
   static std::vector<LightSource> Split(
     const std::vector<LightSource>& lights, const std::vector<int>& indices, int count);
 };

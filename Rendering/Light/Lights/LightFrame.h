@@ -9,21 +9,21 @@ namespace interlume
 
 /**
  * @class   LightFrame
- * @brief   the directions of a light that has an up: its axis, and right and up across it
+ * @brief   orthonormal frame of a light: forward, right and up
  */
 struct LightFrame
 {
   glm::dvec3 Origin{ 0.0, 0.0, 0.0 };
-  /// Where the light goes, right and up; of length 1 and perpendicular, right = forward x up.
+  /// The light direction, right and up: perpendicular unit vectors, with right = forward x up.
   glm::dvec3 Forward{ 0.0, 0.0, -1.0 };
   glm::dvec3 Right{ 1.0, 0.0, 0.0 };
   glm::dvec3 Up{ 0.0, 1.0, 0.0 };
-  /// The distance from position to focal point.
+  /// Distance from the position to the focal point.
   double Distance = 1.0;
 
   /**
-   * Computes the frame; where \a viewUp is along the axis or has no length another up is taken.
-   * Returns false where position and focal point are the same or not finite.
+   * Computes the frame. If \a viewUp is parallel to the axis or 0, another direction is used.
+   * Returns false if the position and the focal point coincide or are not finite.
    */
   bool Set(const double position[3], const double focalPoint[3], const double viewUp[3])
   {
@@ -41,8 +41,7 @@ struct LightFrame
     return true;
   }
 
-  /// Sets the up of a light. Returns whether it is another now: one that is
-  /// not finite changes nothing.
+  /// Sets the view up of a light, unless it is not finite. Returns true if it has changed.
   static bool SetViewUp(double (&viewUp)[3], const glm::dvec3& up)
   {
     if (!IsFinite(up) || glm::make_vec3(viewUp) == up)

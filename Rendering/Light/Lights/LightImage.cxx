@@ -23,7 +23,8 @@ Error LightImage::GetError(const std::string& name) const
   }
   if (scalars->GetNumberOfTuples() != this->Image->GetNumberOfPoints())
   {
-    return name + " has not one value for each of its points";
+    return name + " has " + std::to_string(scalars->GetNumberOfTuples()) +
+      " values, not one per point";
   }
   if (scalars->GetNumberOfComponents() > 4)
   {
@@ -44,11 +45,11 @@ glm::dvec3 LightImage::GetSample(vtkIdType index) const
   vtkDataArray* scalars = this->Image->GetPointData()->GetScalars();
   const double largest = scalars->GetDataType() == VTK_UNSIGNED_CHAR ? 255.0 : 1.0;
   const int components = scalars->GetNumberOfComponents();
-  // NaN is not above 0.
+  // NaN becomes 0, because it is not above 0.
   const auto value = [&](int component)
   {
-    const double share = scalars->GetComponent(index, component) / largest;
-    return share > 0.0 ? std::min(share, 1.0) : 0.0;
+    const double scaled = scalars->GetComponent(index, component) / largest;
+    return scaled > 0.0 ? std::min(scaled, 1.0) : 0.0;
   };
   const double opacity = components % 2 == 0 ? value(components - 1) : 1.0;
   if (components < 3)
@@ -75,27 +76,27 @@ glm::dvec3 LightImage::GetColor(double u, double v, bool isInterpolated) const
 {
   int size[3];
   this->Image->GetDimensions(size);
-  const double place[2] = { u * size[0] - 0.5, v * size[1] - 0.5 };
+  const double position[2] = { u * size[0] - 0.5, v * size[1] - 0.5 };
   double lower[2];
   double weight[2];
   for (int axis = 0; axis < 2; ++axis)
   {
-    lower[axis] = isInterpolated ? std::floor(place[axis]) : std::floor(place[axis] + 0.5);
-    weight[axis] = isInterpolated ? place[axis] - lower[axis] : 0.0;
+    lower[axis] = isInterpolated ? std::floor(position[axis]) : std::floor(position[axis] + 0.5);
+    weight[axis] = isInterpolated ? position[axis] - lower[axis] : 0.0;
   }
   glm::dvec3 color(0.0);
   for (int corner = 0; corner < 4; ++corner)
   {
     const int steps[2] = { corner % 2, corner / 2 };
-    double share = 1.0;
+    double product = 1.0;
     vtkIdType index[2];
     for (int axis = 0; axis < 2; ++axis)
     {
-      share *= steps[axis] ? weight[axis] : 1.0 - weight[axis];
+      product *= steps[axis] ? weight[axis] : 1.0 - weight[axis];
       index[axis] = static_cast<vtkIdType>(
         std::min(std::max(lower[axis] + steps[axis], 0.0), size[axis] - 1.0));
     }
-    color += share * this->GetSample(index[1] * size[0] + index[0]);
+    color += product * this->GetSample(index[1] * size[0] + index[0]);
   }
   return color;
 }

@@ -5,7 +5,7 @@
 #include "Common/Error.h"
 #include "Common/Vectors.h"
 
-#include "vtkType.h" // for ids
+#include "vtkType.h" // for vtkIdType
 
 #include <string>
 #include <vector>
@@ -17,11 +17,12 @@ namespace interlume
 
 /**
  * @class   LightImage
- * @brief   reads the colours of a light's image
+ * @brief   reads the colors of a light's image
  *
- * The image is two-dimensional (one sample along z), unsigned char 0 to 255 or floating point 0 to
- * 1, of 1 (grey), 2 (grey, opacity), 3 (RGB) or 4 (RGB, opacity) components in its point scalars.
- * A colour is red, green and blue, each times opacity. Values outside 0 to 1 are clamped, NaN is 0.
+ * The image is two-dimensional (one sample along z). Its point scalars are unsigned char (0 to 255)
+ * or floating point (0 to 1), with 1 (gray), 2 (gray, opacity), 3 (RGB) or 4 (RGB, opacity)
+ * components. A color is red, green and blue, each multiplied by the opacity. Values outside 0 to 1
+ * are clamped; NaN becomes 0.
  */
 class LightImage
 {
@@ -31,17 +32,17 @@ public:
   {
   }
 
-  /// Returns an error if the image cannot be read. The message calls it \a name.
+  /// Returns an error if the image cannot be read. The message calls the image \a name.
   Error GetError(const std::string& name) const;
 
-  /// Returns the colour of a sample.
+  /// Returns the color of a sample.
   glm::dvec3 GetSample(vtkIdType index) const;
 
-  /// Returns the colours of all samples, x fastest.
+  /// Returns the colors of all samples, x fastest.
   std::vector<float> GetTexels() const;
 
-  /// Returns the colour at (u,v) of the image, each 0 to 1: bilinear between samples, or the
-  /// nearest one's. The samples at the image's edge continue beyond it.
+  /// Returns the color at image coordinates (u, v), each 0 to 1: interpolated bilinearly, or the
+  /// color of the nearest sample. Colors at the image border are extended outward.
   glm::dvec3 GetColor(double u, double v, bool isInterpolated) const;
 
 private:

@@ -17,7 +17,7 @@ namespace interlume
 
 /**
  * @class   LightSource
- * @brief   a light as slices see it, in unit space
+ * @brief   a light in unit space, as used by the slice shaders
  */
 struct LightSource
 {
@@ -26,38 +26,39 @@ struct LightSource
   vtkProjectiveLight* Projective = nullptr;
 
   bool IsPositional = false;
-  /// Of positional lights.
+  /// Position of a positional light.
   glm::dvec3 Position{ 0.0, 0.0, 0.0 };
-  /// Where light goes, length 1: of directional lights everywhere, of positional ones along the
-  /// axis.
+  /// Unit vector: the direction of a directional light, or the axis of a positional light.
   glm::dvec3 Direction{ 0.0, 0.0, -1.0 };
 
-  /// Colours times intensity.
+  /// Colors multiplied by the intensity.
   glm::dvec3 Ambient{ 0.0, 0.0, 0.0 };
   glm::dvec3 Diffuse{ 1.0, 1.0, 1.0 };
   glm::dvec3 Specular{ 1.0, 1.0, 1.0 };
 
-  /// The cosine of the cone's half angle and the exponent of the fall-off to its edge; -1 without a
-  /// cone.
+  /// Cosine of the cone's half angle, or -1 without a cone, and exponent of the falloff toward its
+  /// edge.
   double ConeCosine = -1.0;
   double Exponent = 0.0;
-  /// 1 / (a + b d + c d^2) with d in unit space; 1, 0, 0 for directional lights.
+  /// Coefficients a, b, c of the attenuation 1 / (a + b d + c d^2) with the distance d in unit
+  /// space; 1, 0, 0 for directional lights.
   glm::dvec3 Attenuation{ 1.0, 0.0, 0.0 };
 
-  /// The share of the light that shadows take, 0 to 1; a light with 0 casts none.
+  /// Fraction of the light that shadows remove, 0 to 1. With 0, the light casts no shadows.
   double ShadowStrength = 0.0;
 
-  /// The matrix from unit space to the screen of a projective light, as GetScreenMatrix computes
-  /// it.
+  /// Matrix from unit space to the screen of a projective light, as in
+  /// vtkProjectiveLight::GetScreenMatrix.
   glm::dmat4 ScreenFromUnit{ 0.0 };
 
-  /// The area light whose emitter has an extent; null for all other lights, those of size 0 too.
+  /// The area light if its emitter has an extent; null for all other lights, including area lights
+  /// of size 0.
   vtkAreaLight* Area = nullptr;
-  /// The width and height of its emitter as vectors: to the right and up. Of positional lights in
-  /// unit space, of directional ones where the distance to the emitter is 1.
+  /// Width and height of the emitter, as vectors to the right and up: for positional lights in unit
+  /// space, for directional lights scaled to an emitter at distance 1.
   std::array<glm::dvec3, 2> EmitterAxes{};
 
-  /// Returns the light's place, or where its light comes from, in homogeneous coordinates.
+  /// Returns the homogeneous position of the light, or the direction to a directional light and 0.
   glm::dvec4 GetHomogeneous() const
   {
     return this->IsPositional ? glm::dvec4(this->Position, 1.0) : glm::dvec4(-this->Direction, 0.0);

@@ -23,12 +23,12 @@ namespace
 
 using namespace UnitVector;
 
-// The place of a light, in world coordinates.
-struct Place
+// Position and focal point of a light in world coordinates.
+struct Placement
 {
   double Position[3];
   double FocalPoint[3];
-  /// The transform from the light's own coordinates; null if they are the world's.
+  /// Transform from light coordinates to world coordinates, or null if they are identical.
   vtkMatrix4x4* Transform = nullptr;
 };
 
@@ -40,33 +40,33 @@ void TransformPoint(vtkMatrix4x4* transform, const double point[3], double resul
   std::copy_n(to, 3, result);
 }
 
-// Computes what vtkRenderer::UpdateLightsGeometryToFollowCamera makes of the light, without
-// changing it.
-Place FindPlace(vtkLight* light, vtkRenderer* renderer)
+// Returns the placement that vtkRenderer::UpdateLightsGeometryToFollowCamera would compute, without
+// changing the light.
+Placement FindPlacement(vtkLight* light, vtkRenderer* renderer)
 {
   vtkCamera* camera = renderer->GetLightFollowCamera() && renderer->IsActiveCameraCreated()
     ? renderer->GetActiveCamera()
     : nullptr;
-  Place place;
-  place.Transform = light->GetTransformMatrix();
-  light->GetPosition(place.Position);
-  light->GetFocalPoint(place.FocalPoint);
+  Placement placement;
+  placement.Transform = light->GetTransformMatrix();
+  light->GetPosition(placement.Position);
+  light->GetFocalPoint(placement.FocalPoint);
   if (camera && light->LightTypeIsHeadlight())
   {
-    camera->GetPosition(place.Position);
-    camera->GetFocalPoint(place.FocalPoint);
-    place.Transform = nullptr;
+    camera->GetPosition(placement.Position);
+    camera->GetFocalPoint(placement.FocalPoint);
+    placement.Transform = nullptr;
   }
   else if (camera && light->LightTypeIsCameraLight())
   {
-    place.Transform = camera->GetCameraLightTransformMatrix();
+    placement.Transform = camera->GetCameraLightTransformMatrix();
   }
-  if (place.Transform)
+  if (placement.Transform)
   {
-    TransformPoint(place.Transform, place.Position, place.Position);
-    TransformPoint(place.Transform, place.FocalPoint, place.FocalPoint);
+    TransformPoint(placement.Transform, placement.Position, placement.Position);
+    TransformPoint(placement.Transform, placement.FocalPoint, placement.FocalPoint);
   }
-  return place;
+  return placement;
 }
 
 bool IsBlack(const glm::dvec3& color)
@@ -84,24 +84,24 @@ double GetBrightness(const LightSource& source)
   return std::max({ source.Diffuse.r, source.Diffuse.g, source.Diffuse.b });
 }
 
-// Computes where up is in world coordinates.
-glm::dvec3 GetViewUp(const double viewUp[3], const Place& place)
+// Returns the view up in world coordinates.
+glm::dvec3 GetViewUp(const double viewUp[3], const Placement& placement)
 {
   double to[4] = { viewUp[0], viewUp[1], viewUp[2], 0.0 };
-  if (place.Transform)
+  if (placement.Transform)
   {
-    place.Transform->MultiplyPoint(to, to);
+    placement.Transform->MultiplyPoint(to, to);
   }
   return glm::make_vec3(to);
 }
 
-// Sets the further values of an area light whose emitter has an extent. Returns an error if they
-// are not finite.
-Error SetEmitter(LightSource& source, const Place& place, const UnitSpace& space)
+// Sets the members of an area light whose emitter has an extent. Returns an error if they are not
+// finite.
+Error SetEmitter(LightSource& source, const Placement& placement, const UnitSpace& space)
 {
-  const glm::dvec3 viewUp = GetViewUp(source.Area->GetViewUp(), place);
+  const glm::dvec3 viewUp = GetViewUp(source.Area->GetViewUp(), placement);
   LightFrame frame;
-  frame.Set(place.Position, place.FocalPoint, glm::value_ptr(viewUp));
+  frame.Set(placement.Position, placement.FocalPoint, glm::value_ptr(viewUp));
   const double unit = source.IsPositional ? space.Radius : frame.Distance;
   const double* size = source.Area->GetSize();
   source.EmitterAxes = { (size[0] / unit) * frame.Right, (size[1] / unit) * frame.Up };
@@ -112,7 +112,8 @@ Error SetEmitter(LightSource& source, const Place& place, const UnitSpace& space
   return {};
 }
 
-// Multiplies the colors by that of the emitter's image. Returns an error if that cannot be read.
+// Multiplies the colors by the color of the emitter's image. Returns an error if the image cannot
+// be read.
 Error SetEmitterColor(LightSource& source, const vtkAreaLight* light)
 {
   glm::dvec3 color;
@@ -122,11 +123,11 @@ Error SetEmitterColor(LightSource& source, const vtkAreaLight* light)
   return light->GetEmitterError();
 }
 
-// Sets the further values of a projective light. Returns an error if it cannot shine.
-Error SetScreen(
-  LightSource& source, const Place& place, const glm::dvec3& focalPoint, const UnitSpace& space)
+// Sets the members of a projective light. Returns an error if the light is invalid.
+Error SetScreen(LightSource& source, const Placement& placement, const glm::dvec3& focalPoint,
+  const UnitSpace& space)
 {
-  const glm::dvec3 viewUp = GetViewUp(source.Projective->GetViewUp(), place);
+  const glm::dvec3 viewUp = GetViewUp(source.Projective->GetViewUp(), placement);
   vtkNew<vtkMatrix4x4> matrix;
   if (!source.Projective->GetScreenMatrix(glm::value_ptr(source.Position),
         glm::value_ptr(focalPoint), glm::value_ptr(viewUp), 1.0 / space.Radius, matrix))
@@ -137,7 +138,7 @@ Error SetScreen(
   return source.Projective->GetImageError();
 }
 
-// Sets the values of a light. Returns an error if it cannot shine.
+// Sets all members of a light. Returns an error if the light is invalid.
 Error SetSource(LightSource& source, vtkLight* light, vtkRenderer* renderer, const UnitSpace& space)
 {
   source.Light = light;
@@ -152,14 +153,15 @@ Error SetSource(LightSource& source, vtkLight* light, vtkRenderer* renderer, con
   if (!Vectors::IsFinite(source.Ambient) || !Vectors::IsFinite(source.Diffuse) ||
     !Vectors::IsFinite(source.Specular))
   {
-    return "its colour or intensity is not finite";
+    return "its color or intensity is not finite";
   }
 
-  const Place place = FindPlace(light, renderer);
-  source.Position = space.ToUnit(place.Position);
-  const glm::dvec3 focalPoint = space.ToUnit(place.FocalPoint);
-  // In world coordinates, which have all digits of it.
-  const glm::dvec3 axis = glm::make_vec3(place.FocalPoint) - glm::make_vec3(place.Position);
+  const Placement placement = FindPlacement(light, renderer);
+  source.Position = space.ToUnit(placement.Position);
+  const glm::dvec3 focalPoint = space.ToUnit(placement.FocalPoint);
+  // Compute the axis in world coordinates, to avoid the rounding errors of the transformation to
+  // unit space.
+  const glm::dvec3 axis = glm::make_vec3(placement.FocalPoint) - glm::make_vec3(placement.Position);
   if (!Vectors::IsFinite(source.Position) || !Vectors::IsFinite(axis) ||
     !std::isfinite(Vectors::SafeLength(axis)))
   {
@@ -195,10 +197,10 @@ Error SetSource(LightSource& source, vtkLight* light, vtkRenderer* renderer, con
   }
   if (source.Projective)
   {
-    return SetScreen(source, place, focalPoint, space);
+    return SetScreen(source, placement, focalPoint, space);
   }
   Error error = area ? SetEmitterColor(source, area) : Error();
-  return error || !hasExtent ? error : SetEmitter(source, place, space);
+  return error || !hasExtent ? error : SetEmitter(source, placement, space);
 }
 
 }
@@ -220,7 +222,7 @@ std::vector<LightSource> LightSources::Gather(vtkRenderer* renderer, const UnitS
     if (const Error error = SetSource(source, light, renderer, space))
     {
       warnings.push_back(
-        "Light " + std::to_string(index) + " is left out: " + error.GetMessage() + ".");
+        "Light " + std::to_string(index) + " is skipped: " + error.GetMessage() + ".");
       continue;
     }
     const bool shines = !IsBlack(source.Diffuse) || !IsBlack(source.Specular);
@@ -247,8 +249,8 @@ std::vector<LightSource> LightSources::Gather(vtkRenderer* renderer, const UnitS
   std::stable_sort(shadowed.begin(), shadowed.end(),
     [&](std::size_t a, std::size_t b)
     { return GetBrightness(sources[a]) > GetBrightness(sources[b]); });
-  const auto most = static_cast<std::size_t>(std::max(settings.MaximumNumberOfShadows, 0));
-  for (std::size_t i = most; i < shadowed.size(); ++i)
+  const auto maximum = static_cast<std::size_t>(std::max(settings.MaximumNumberOfShadowLights, 0));
+  for (std::size_t i = maximum; i < shadowed.size(); ++i)
   {
     sources[shadowed[i]].ShadowStrength = 0.0;
   }

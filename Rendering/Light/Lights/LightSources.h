@@ -16,7 +16,7 @@ class UnitSpace;
 
 /**
  * @class   LightSources
- * @brief   the lights of a renderer in unit space
+ * @brief   collects the lights of a renderer in unit space
  */
 class LightSources
 {
@@ -24,18 +24,20 @@ public:
   struct Settings
   {
     bool Shadows = true;
-    int MaximumNumberOfShadows = 16;
+    int MaximumNumberOfShadowLights = 16;
   };
 
   /**
-   * Gathers all lights that are switched on and not black, in the renderer's order, with the
-   * position and direction they have in world coordinates for the renderer's camera. Among lights
-   * that cast shadows only the brightest (intensity times the largest channel of the diffuse
-   * colour) keep their ShadowStrength. \a warnings gets one text for each light left out: position
-   * and focal point the same (of lights that need a direction: all but positional ones without
-   * cone, screen and emitter), values that are not finite, a projective or area light whose image
-   * has no samples or another kind of samples than it may. An emitter's image multiplies the
-   * diffuse and specular colour by its own.
+   * Returns all lights that are switched on and not black, in the renderer's order. Positions and
+   * directions are valid for the renderer's camera. Among lights that cast shadows, only the
+   * brightest (intensity times the largest channel of the diffuse color) keep their ShadowStrength.
+   * The diffuse and specular colors of an area light are multiplied by the mean color of its
+   * emitter's image.
+   *
+   * Adds a message to \a warnings for each light that is skipped: if values are not finite, the
+   * image of a projective or area light is invalid, or position and focal point coincide.
+   * Coinciding points are allowed for positional lights without cone, screen and emitter, which
+   * need no direction.
    */
   static std::vector<LightSource> Gather(vtkRenderer* renderer, const UnitSpace& space,
     const Settings& settings, std::vector<std::string>& warnings);

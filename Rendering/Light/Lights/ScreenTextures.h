@@ -18,7 +18,7 @@ namespace interlume
 
 /**
  * @class   ScreenTextures
- * @brief   the images of projective lights on the graphics card
+ * @brief   textures of the images of projective lights
  */
 class ScreenTextures
 {
@@ -27,11 +27,11 @@ public:
   ~ScreenTextures();
 
   /**
-   * Returns the texture of a light's image, RGB in floats, which is made where \a light is new or
-   * has changed. \a bytes grows by what was sent.
+   * Returns the floating-point RGB texture of a light's image. It is created if \a light is new or
+   * has changed; the uploaded size is then added to \a bytes.
    */
   vtkTextureObject* Get(vtkOpenGLRenderWindow* window, vtkProjectiveLight* light, vtkIdType& bytes);
-  /// Frees the images of lights that are not among \a lights.
+  /// Releases the textures of lights that are not in \a lights.
   void Keep(const std::vector<vtkProjectiveLight*>& lights, vtkWindow* window);
 
 private:

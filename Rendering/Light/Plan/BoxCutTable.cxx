@@ -14,30 +14,30 @@ bool IsCut(int edge, unsigned above)
   return (above >> on.Start & 1u) != (above >> end & 1u);
 }
 
-// Returns whether both edges are at the same place along the axis.
-bool IsOnFace(int edge, int axis, unsigned place)
+// Returns true if the edge lies on the face at \a position along \a axis.
+bool IsOnFace(int edge, int axis, unsigned position)
 {
   const BoxCutTable::Edge on = BoxCutTable::GetEdge(edge);
-  return on.Axis != axis && (on.Start >> axis & 1u) == place;
+  return on.Axis != axis && (on.Start >> axis & 1u) == position;
 }
 
-// Returns the cut edge that shares a face with \a edge, other than the one that leads back; -1 if a
-// face has more than two.
+// Returns the next cut edge around the polygon: it shares a face with \a edge and is not \a from.
+// Returns -1 if a face has more than two cut edges.
 int FindNext(int edge, int from, unsigned above)
 {
   int next = -1;
   for (int axis = 0; axis < 3; ++axis)
   {
-    for (unsigned place = 0; place < 2; ++place)
+    for (unsigned position = 0; position < 2; ++position)
     {
-      if (!IsOnFace(edge, axis, place))
+      if (!IsOnFace(edge, axis, position))
       {
         continue;
       }
       int other = -1;
       for (int candidate = 0; candidate < 12; ++candidate)
       {
-        if (candidate != edge && IsOnFace(candidate, axis, place) && IsCut(candidate, above))
+        if (candidate != edge && IsOnFace(candidate, axis, position) && IsCut(candidate, above))
         {
           if (other >= 0)
           {
@@ -59,8 +59,8 @@ BoxCutTable::Edge BoxCutTable::GetEdge(int edge)
   const int axis = edge / 4;
   const int across = (axis + 1) % 3;
   const int up = (axis + 2) % 3;
-  const auto places = static_cast<unsigned>(edge % 4);
-  return { axis, (places & 1u) << across | (places >> 1 & 1u) << up };
+  const auto positions = static_cast<unsigned>(edge % 4);
+  return { axis, (positions & 1u) << across | (positions >> 1 & 1u) << up };
 }
 
 BoxCutTable::BoxCutTable()
@@ -86,7 +86,7 @@ BoxCutTable::BoxCutTable()
       from = edge;
       edge = next == first ? -1 : next;
     }
-    // A second loop, or one that is not closed, does not come from a plane.
+    // A plane produces one closed loop. Clear any other case.
     if (static_cast<int>(edges.size()) != cut || cut > 6)
     {
       edges.clear();

@@ -10,10 +10,11 @@ namespace interlume
 
 /**
  * @class   BoxCutTable
- * @brief   the edges of a box that a plane cuts, one after the other around its polygon
+ * @brief   table of the box edges that a plane cuts, in order around the cut polygon
  *
- * Corner i of the box is at bit a of i along axis a. Edge 4 a + b goes along axis a upwards; bits 0
- * and 1 of b are its places along axes a + 1 and a + 2 (modulo 3).
+ * Bit a of a corner index is the corner's position along axis a: 0 at the lower end, 1 at the upper
+ * end. Edge 4 a + b runs along axis a in the positive direction. Bits 0 and 1 of b are its
+ * positions along axes a + 1 and a + 2 (modulo 3).
  */
 class BoxCutTable
 {
@@ -21,7 +22,7 @@ public:
   struct Edge
   {
     int Axis;
-    /// The corner that the edge starts from, at 0 along its axis.
+    /// The corner where the edge starts, at position 0 along its axis.
     unsigned Start;
   };
 
@@ -29,8 +30,8 @@ public:
 
   static Edge GetEdge(int edge);
 
-  /// Returns the edges that a plane cuts; \a above has a bit for each corner above the plane. Empty
-  /// if no plane separates them so.
+  /// Returns the edges that a plane cuts, in order. \a above has a bit for each corner above the
+  /// plane. Returns no edges if no plane separates the corners in this way.
   const std::vector<int>& GetEdges(unsigned above) const { return this->Edges[above]; }
 
 private:

@@ -45,11 +45,12 @@ Error ClipRegion::Set(const Cuts& cuts, const UnitSpace& space)
     plane->GetOrigin(origin);
     if (!(vtkMath::Normalize(normal) > 0.0))
     {
-      return "clipping plane " + std::to_string(i) + " has no normal";
+      return "Clipping plane " + std::to_string(i) +
+        " has no normal. Set a normal that is finite and not 0.";
     }
-    const glm::dvec3 place = space.ToUnit(origin);
+    const glm::dvec3 position = space.ToUnit(origin);
     this->ClippingPlanes.push_back(
-      { { normal[0], normal[1], normal[2], -glm::dot(glm::make_vec3(normal), place) } });
+      { { normal[0], normal[1], normal[2], -glm::dot(glm::make_vec3(normal), position) } });
   }
   return {};
 }

@@ -17,15 +17,15 @@ class UnitSpace;
 
 /**
  * @class   ClipRegion
- * @brief   the part of the volume that cropping and clipping planes leave
+ * @brief   the region of the volume that remains after cropping and clipping
  */
 class ClipRegion
 {
 public:
-  /// Cropping and clipping as a vtkVolumeMapper has them.
+  /// Cropping and clipping of a vtkVolumeMapper.
   struct Cuts
   {
-    /// In world coordinates; null for none.
+    /// Clipping planes in world coordinates, or null.
     vtkPlaneCollection* Planes = nullptr;
     bool IsCropped = false;
     std::array<double, 6> CroppingPlanes{};
@@ -33,17 +33,17 @@ public:
   };
 
   /**
-   * Takes the whole box of \a space less what \a cuts take away. The half spaces around the regions
-   * that cropping keeps make the box smaller where they are along its axes, and are planes
-   * elsewhere. Returns an error if a clipping plane has no normal.
+   * Sets the region to the box of \a space, reduced by \a cuts. Outer planes of the cropping
+   * regions shrink the box if they are perpendicular to its axes; otherwise they become clipping
+   * planes. Returns an error if a clipping plane has no normal.
    */
   Error Set(const Cuts& cuts, const UnitSpace& space);
 
-  /// The box that is left, in texture coordinates.
+  /// The remaining box, in texture coordinates.
   std::array<std::array<double, 2>, 3> Box{};
-  /// The half spaces a x + b y + c z + d >= 0 that are left, in unit space.
+  /// The half spaces a x + b y + c z + d >= 0 that contain the region, in unit space.
   std::vector<std::array<double, 4>> ClippingPlanes;
-  /// The regions that cropping leaves, with gaps or without, in unit space.
+  /// The regions that cropping keeps, contiguous or not, in unit space.
   CroppingRegions Regions;
 };
 

@@ -13,20 +13,22 @@ namespace interlume
 namespace
 {
 
-// Texels around a slice from which light is interpolated within its slab, by layers half as fine.
+// Border around a slice, in light buffer texels. Interpolation within the slice's slab reads it,
+// also in layers, whose texels are twice as large.
 constexpr double Border = 4.0;
 
-// The most slabs of a batch, whose own matter casts the shadows of a light without extent in it.
+// Maximum number of slabs in a batch. Inside a batch, its slabs cast hard shadows on each other.
 constexpr int LongestBatch = 64;
 
-// How far the shadows of the emitter's edge and of its center may diverge within a batch, in texels
-// of the light's buffer. Small lights diverge little in all of the volume: they have at least so
-// many batches, unless a batch would be finer than layers resolve.
-constexpr double LargestApart = 2.0;
-constexpr double LeastApart = 0.25;
-constexpr double LeastBatches = 20.0;
+// Limits for the divergence between the shadows cast by light from the emitter's edge and from its
+// center within a batch, in texels of the light buffer. A small light diverges little over the
+// entire volume. It gets at least MinimumBatches batches, unless they would be finer than the
+// layers' resolution.
+constexpr double DivergenceBound = 2.0;
+constexpr double DivergenceResolution = 0.25;
+constexpr double MinimumBatches = 20.0;
 
-// The tiles of a light's buffer.
+// Tiles of a light buffer.
 class Tiles
 {
 public:
@@ -40,7 +42,7 @@ public:
 
   void MarkAll() { std::fill(this->Marks.begin(), this->Marks.end(), 1); }
 
-  // Marks what a slab's triangles may lie in.
+  // Marks the tiles that a slab's triangles may intersect.
   void Mark(const SlicePolygons& polygons, int slab)
   {
     const std::vector<float>& vertices = polygons.GetVertices();
@@ -53,15 +55,15 @@ public:
       {
         const glm::dvec4 clip = this->View *
           glm::dvec4(vertices[3 * corner], vertices[3 * corner + 1], vertices[3 * corner + 2], 1.0);
-        const glm::dvec2 place = clip.w > 0.0 ? glm::dvec2(clip) / clip.w : glm::dvec2(2.0);
-        low = clip.w > 0.0 ? glm::min(low, place) : glm::dvec2(-2.0);
-        high = glm::max(high, place);
+        const glm::dvec2 position = clip.w > 0.0 ? glm::dvec2(clip) / clip.w : glm::dvec2(2.0);
+        low = clip.w > 0.0 ? glm::min(low, position) : glm::dvec2(-2.0);
+        high = glm::max(high, position);
       }
       this->MarkRectangle(low, high);
     }
   }
 
-  // Appends the triangles of all marked tiles, and unmarks them.
+  // Appends the triangles of all marked tiles and clears the marks.
   void Move(std::vector<float>& vertices)
   {
     for (int row = 0; row < this->Number; ++row)
@@ -122,39 +124,41 @@ private:
 
 }
 
-void LayerBatches::Spread(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light)
+void LayerBatches::FindLimits(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light)
 {
-  const double most = light.Spread * sweep.Spacing;
-  this->Period = most * LongestBatch > LargestApart
-    ? std::max(static_cast<int>(LargestApart / most), 1)
+  const double slabDivergence = light.Spread * sweep.Spacing;
+  this->Period = slabDivergence * LongestBatch > DivergenceBound
+    ? std::max(static_cast<int>(DivergenceBound / slabDivergence), 1)
     : LongestBatch;
   const bool isPositional = light.Center.w > 0.0;
   const double start = sweep.First - glm::dot(glm::dvec3(light.Center), sweep.Normal);
-  this->Apart.clear();
+  this->Divergences.clear();
   for (int slab = 0; slab <= sweep.Slabs; ++slab)
   {
-    const double way = slab * sweep.Spacing;
-    this->Apart.push_back(light.Divergence * (isPositional ? way / (start * (start + way)) : way));
+    const double distance = slab * sweep.Spacing;
+    this->Divergences.push_back(
+      light.Divergence * (isPositional ? distance / (start * (start + distance)) : distance));
   }
-  this->MostApart = std::max(this->Apart.back() / LeastBatches, LeastApart);
+  this->MaximumDivergence =
+    std::max(this->Divergences.back() / MinimumBatches, DivergenceResolution);
 }
 
-bool LayerBatches::AreMore(int first, int end, int batches) const
+bool LayerBatches::NeedMoreBatches(int first, int end, int batches) const
 {
-  const double apart =
-    this->Apart[static_cast<std::size_t>(end)] - this->Apart[static_cast<std::size_t>(first)];
-  return end - first > batches * this->Period || apart > batches * this->MostApart;
+  const double divergence = this->Divergences[static_cast<std::size_t>(end)] -
+    this->Divergences[static_cast<std::size_t>(first)];
+  return end - first > batches * this->Period || divergence > batches * this->MaximumDivergence;
 }
 
-bool LayerBatches::AreApart(const Batch& first, const Batch& second, int batches) const
+bool LayerBatches::AreSeparated(const Batch& first, const Batch& second, int batches) const
 {
-  return this->AreMore(first.Last, second.First, batches);
+  return this->NeedMoreBatches(first.Last, second.First, batches);
 }
 
 void LayerBatches::Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-  const std::vector<const SlicePolygons*>& polygons, bool isWhole)
+  const std::vector<const SlicePolygons*>& polygons, bool coversBuffer)
 {
-  this->Spread(sweep, light);
+  this->FindLimits(sweep, light);
   this->Batches.clear();
   this->Vertices.clear();
   this->Starts.assign(1, 0);
@@ -170,7 +174,7 @@ void LayerBatches::Build(const SlicePlan::Sweep& sweep, const SlicePlan::Shadowe
     {
       continue;
     }
-    if (this->Batches.empty() || this->AreMore(this->Batches.back().First, slab + 1, 1))
+    if (this->Batches.empty() || this->NeedMoreBatches(this->Batches.back().First, slab + 1, 1))
     {
       this->Batches.push_back({ slab, slab });
     }
@@ -179,7 +183,7 @@ void LayerBatches::Build(const SlicePlan::Sweep& sweep, const SlicePlan::Shadowe
   Tiles tiles(light);
   for (const Batch& batch : this->Batches)
   {
-    if (isWhole || &batch == &this->Batches.back())
+    if (coversBuffer || &batch == &this->Batches.back())
     {
       tiles.MarkAll();
     }

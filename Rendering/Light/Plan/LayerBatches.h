@@ -14,17 +14,18 @@ class SlicePolygons;
 
 /**
  * @class   LayerBatches
- * @brief   the slabs whose matter goes into an area light's layers together, and where it is
+ * @brief batches of slabs that are multiplied into an area light's layers together
  *
- * A batch begins at a slab with matter. It ends where the shadows of the emitter's edge and of its
- * center have diverged by two texels of the light's buffer, or by a twentieth of their divergence
- * over the whole volume. All matter of a batch is treated as if it were in the batch's middle
- * plane, which shifts shadows by up to half that divergence. With the first bound alone, this would
- * be a large part of the width of a small light's penumbras. The second costs at most twenty
- * batches. Its tiles are the squares of about TileSize texels of the light's buffer that a slice of
- * the batch, with a border for interpolation, lies in; neighbors in a row are one rectangle.
- * Nothing but them meets matter or has matter that asks for light. The last batch has the whole
- * buffer, so that it is known everywhere in the end.
+ * A batch starts at a slab that is not empty. Its end is determined by the divergence between the
+ * shadows cast by light from the emitter's edge and from its center: it is limited to two texels of
+ * the light buffer, and to 1/20 of the divergence over the entire volume. A batch is treated as if
+ * all of its extinction were in its central plane, which shifts shadows by up to half that
+ * divergence. The second bound is needed for small lights, whose penumbras are not much wider than
+ * two texels. It costs at most 20 batches.
+ *
+ * Only tiles of about TileSize x TileSize texels that may contain a slice of the batch are drawn,
+ * with a border for interpolation. Adjacent tiles of a row are merged into one rectangle. The last
+ * batch covers the entire buffer, so that the final transmittance is valid everywhere.
  */
 class LayerBatches
 {
@@ -33,39 +34,39 @@ public:
 
   struct Batch
   {
-    /// The first and last slab with something in it.
+    /// The first and last nonempty slab.
     int First = 0;
     int Last = 0;
   };
 
-  /// Finds the batches of the matter of all \a polygons. All of them have the whole buffer where
-  /// \a isWhole.
+  /// Finds the batches for all \a polygons. If \a coversBuffer is true, each batch covers the
+  /// entire buffer.
   void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-    const std::vector<const SlicePolygons*>& polygons, bool isWhole);
+    const std::vector<const SlicePolygons*>& polygons, bool coversBuffer);
 
-  /// Returns whether shadows go apart by more than in a number of batches between the end of one
-  /// batch and the start of another.
-  bool AreApart(const Batch& first, const Batch& second, int batches) const;
+  /// Returns true if the shadows diverge by more than the limit for \a batches batches between the
+  /// end of \a first and the start of \a second.
+  bool AreSeparated(const Batch& first, const Batch& second, int batches) const;
 
   const std::vector<Batch>& Get() const { return this->Batches; }
-  /// Returns the corners x, y, 0 of triangles in clip coordinates of the buffer, batch after batch.
+  /// Returns the triangle vertices (x, y, 0) in clip coordinates of the buffer, batch after batch.
   const std::vector<float>& GetVertices() const { return this->Vertices; }
-  /// Returns the first vertex of each batch, and their number.
+  /// Returns the index of the first vertex of each batch, followed by the number of vertices.
   const std::vector<std::size_t>& GetStarts() const { return this->Starts; }
 
 private:
-  /// Finds the numbers below from which batches end.
-  void Spread(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
-  /// Returns whether so many batches cannot hold all slabs from \a first up to \a end.
-  bool AreMore(int first, int end, int batches) const;
+  /// Computes the limits of a batch.
+  void FindLimits(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
+  /// Returns true if the slabs from \a first to before \a end need more than \a batches batches.
+  bool NeedMoreBatches(int first, int end, int batches) const;
 
   std::vector<Batch> Batches;
-  /// The most slabs of a batch.
+  /// Maximum number of slabs in a batch.
   int Period = 1;
-  /// How far shadows go apart up to each slab and up to the end of the sweep, in texels, and the
-  /// most within a batch.
-  std::vector<double> Apart;
-  double MostApart = 0.0;
+  /// Divergence of the shadows, in texels, from the sweep's start to each slab and to the sweep's
+  /// end, and its maximum within a batch.
+  std::vector<double> Divergences;
+  double MaximumDivergence = 0.0;
   std::vector<float> Vertices;
   std::vector<std::size_t> Starts = { 0 };
 };

@@ -2,7 +2,7 @@
 #include "Plan/LightGroup.h"
 
 #include "Common/Vectors.h"
-#include "Plan/LightFit.h"
+#include "Plan/LightBufferProjection.h"
 #include "Plan/SliceNormal.h"
 
 namespace interlume
@@ -11,17 +11,18 @@ namespace interlume
 namespace
 {
 
-// Light that is perpendicular to the view but for rounding goes with it.
+// Tolerance within which light perpendicular to the view direction is treated as traveling along
+// it.
 constexpr double Perpendicularity = 1e-9;
-// The length below which sums of directions have no direction.
-constexpr double Nothing = 1e-9;
+// Length below which a sum of directions has no direction.
+constexpr double MinimumLength = 1e-9;
 
 }
 
 using namespace UnitVector;
 
-LightGroup::Caster::Caster(int index, const LightSource& source, const BoxCorners& corners)
-  : Light(index)
+LightGroup::Light::Light(int index, const LightSource& source, const BoxCorners& corners)
+  : Index(index)
   , Direction(source.Direction)
   , Rays({ source.Direction })
 {
@@ -29,39 +30,39 @@ LightGroup::Caster::Caster(int index, const LightSource& source, const BoxCorner
   {
     const glm::dvec3 toCenter = corners.GetCenter() - source.Position;
     this->Direction = Normalize(toCenter, source.Direction);
-    this->Rays = Vectors::SafeLength(toCenter) < LightFit::FarDistance
+    this->Rays = Vectors::SafeLength(toCenter) < LightBufferProjection::FarDistance
       ? corners.GetRays(source.Position)
       : std::vector<glm::dvec3>{ this->Direction };
   }
 }
 
-LightGroup::LightGroup(const ViewRange& view, const Caster& caster, double side)
+LightGroup::LightGroup(const ViewRange& view, const Light& light, double side)
   : Side(side)
-  , Casters({ caster })
+  , Lights({ light })
 {
   this->FindNormal(view);
 }
 
-LightGroup LightGroup::Make(const ViewRange& view, const Caster& caster)
+LightGroup LightGroup::Make(const ViewRange& view, const Light& light)
 {
-  const double side = glm::dot(view.Direction, caster.Direction) >= -Perpendicularity ? 1.0 : -1.0;
-  LightGroup own(view, caster, side);
+  const double side = glm::dot(view.Direction, light.Direction) >= -Perpendicularity ? 1.0 : -1.0;
+  LightGroup own(view, light, side);
   if (own.Ratio >= 1.0)
   {
     return own;
   }
-  LightGroup other(view, caster, -side);
+  LightGroup other(view, light, -side);
   return other.Ratio > own.Ratio ? other : own;
 }
 
-bool LightGroup::Join(const ViewRange& view, const Caster& caster, std::size_t most)
+bool LightGroup::Join(const ViewRange& view, const Light& light, std::size_t maximum)
 {
-  if (this->Casters.size() >= most)
+  if (this->Lights.size() >= maximum)
   {
     return false;
   }
   LightGroup joined = *this;
-  joined.Casters.push_back(caster);
+  joined.Lights.push_back(light);
   joined.FindNormal(view);
   if (joined.Ratio < 1.0)
   {
@@ -74,9 +75,9 @@ bool LightGroup::Join(const ViewRange& view, const Caster& caster, std::size_t m
 double LightGroup::GetLightCosine() const
 {
   SliceNormal rays;
-  for (const Caster& caster : this->Casters)
+  for (const Light& light : this->Lights)
   {
-    rays.Add(caster.Rays, 1.0, 1.0);
+    rays.Add(light.Rays, 1.0, 1.0);
   }
   return rays.GetRatio(this->Normal);
 }
@@ -84,18 +85,20 @@ double LightGroup::GetLightCosine() const
 void LightGroup::FindNormal(const ViewRange& view)
 {
   SliceNormal normal;
-  normal.Add(view.Rays, this->Side, SlicePlan::EyeCosine);
+  normal.Add(view.Rays, this->Side, SlicePlan::ViewCosine);
   glm::dvec3 sum{ 0.0, 0.0, 0.0 };
-  for (const Caster& caster : this->Casters)
+  for (const Light& light : this->Lights)
   {
-    normal.Add(caster.Rays, 1.0, SlicePlan::LightCosine);
-    sum += caster.Direction;
+    normal.Add(light.Rays, 1.0, SlicePlan::LightCosine);
+    sum += light.Direction;
   }
   this->Ratio = normal.FindBest();
   const glm::dvec3 along = this->Side * view.Direction;
-  const glm::dvec3 average = Vectors::SafeLength(sum) > Nothing ? Normalize(sum, along) : along;
+  const glm::dvec3 average =
+    Vectors::SafeLength(sum) > MinimumLength ? Normalize(sum, along) : along;
   const glm::dvec3 half = along + average;
-  this->Normal = normal.Turn(Vectors::SafeLength(half) > Nothing ? Normalize(half, along) : along);
+  this->Normal =
+    normal.Adjust(Vectors::SafeLength(half) > MinimumLength ? Normalize(half, along) : along);
 }
 
 }

@@ -17,44 +17,46 @@ class LightGroup
 {
 public:
   /// A light that casts shadows.
-  struct Caster
+  struct Light
   {
-    Caster(int index, const LightSource& source, const BoxCorners& corners);
+    Light(int index, const LightSource& source, const BoxCorners& corners);
 
-    /// The index in the list of lights.
-    int Light;
-    /// To the box's middle from positional lights.
+    /// Index in the list of lights.
+    int Index;
+    /// Light direction; for a positional light, the direction to the center of the box.
     glm::dvec3 Direction;
-    /// Through the box's corners.
+    /// Directions of the light rays through the corners of the box.
     std::vector<glm::dvec3> Rays;
   };
 
-  /// Makes a group of one light, on its own side of the view, unless only the other side has a
-  /// normal that serves both.
-  static LightGroup Make(const ViewRange& view, const Caster& caster);
+  /// Creates a group with one light. The sweep runs front to back if the light comes from the
+  /// viewer's side, otherwise back to front. It runs in the opposite order if only then a normal
+  /// suits both the view and the light.
+  static LightGroup Make(const ViewRange& view, const Light& light);
 
-  /// Takes the light into the group if the group stays below \a most and a normal serves all.
-  bool Join(const ViewRange& view, const Caster& caster, std::size_t most);
+  /// Adds the light if the group has fewer than \a maximum lights and one slice normal suits all of
+  /// them. Returns true if the light was added.
+  bool Join(const ViewRange& view, const Light& light, std::size_t maximum);
 
-  /// Returns whether light goes with the view, from front to back.
+  /// Returns true if the light travels in the view direction, so slices are drawn front to back.
   bool IsFrontToBack() const { return this->Side > 0.0; }
-  const std::vector<Caster>& GetCasters() const { return this->Casters; }
-  /// The half vector of the view, or its opposite, and the average of lights (2.3.4), turned as far
-  /// as rays need it.
+  const std::vector<Light>& GetLights() const { return this->Lights; }
+  /// Returns the half vector of the view direction, or its opposite, and the average light
+  /// direction (C. Zhang, dissertation, 2.3.4), rotated as far as the rays require.
   const glm::dvec3& GetNormal() const { return this->Normal; }
-  /// The least cosine between the normal and a light's ray.
+  /// Returns the minimum cosine between the normal and the lights' rays.
   double GetLightCosine() const;
 
 private:
-  LightGroup(const ViewRange& view, const Caster& caster, double side);
+  LightGroup(const ViewRange& view, const Light& light, double side);
 
   void FindNormal(const ViewRange& view);
 
-  /// The side of the lights: 1 along the view, -1 against it.
+  /// 1 if the light travels along the view direction, -1 if against it.
   double Side;
-  std::vector<Caster> Casters;
+  std::vector<Light> Lights;
   glm::dvec3 Normal;
-  /// Of SliceNormal.
+  /// SliceNormal::GetRatio of the best normal.
   double Ratio = 0.0;
 };
 

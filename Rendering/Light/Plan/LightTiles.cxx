@@ -19,29 +19,30 @@ using namespace UnitVector;
 
 using Box = std::array<std::array<double, 2>, 3>;
 
-// The lower and upper corner of a box.
+// Lower and upper corner of a box.
 struct Bounds
 {
   glm::dvec3 Lower;
   glm::dvec3 Upper;
 };
 
-// Rays are cut to the box in single precision.
+// Tolerance for the rays, which are clipped to the box in single precision.
 constexpr double Margin = 1e-5;
-// Rays along the slices meet them that far away, in heights of a slab above the light, or farther.
+// Minimum cosine between a ray and the normal. It bounds the lateral distance at which rays
+// parallel to the slices intersect them.
 constexpr double SmallestSlope = 1e-9;
 
-// Tells whether a range of blocks has visible ones, from sums over all blocks before.
+// Counts the visible blocks in a range of blocks, by prefix sums along all three axes.
 class BlockCounts
 {
 public:
-  BlockCounts(const BlockLattice& lattice, const Box& box)
-    : Lattice(lattice)
-    , Matter{ { box[0][0], box[1][0], box[2][0] }, { box[0][1], box[1][1], box[2][1] } }
+  BlockCounts(const BlockGrid& grid, const Box& box)
+    : Grid(grid)
+    , MediumBounds{ { box[0][0], box[1][0], box[2][0] }, { box[0][1], box[1][1], box[2][1] } }
   {
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      this->Size[axis] = static_cast<std::size_t>(lattice.GetSize(axis));
+      this->Size[axis] = static_cast<std::size_t>(grid.GetSize(axis));
     }
     this->Sums.assign((this->Size[0] + 1) * (this->Size[1] + 1) * (this->Size[2] + 1), 0);
     for (std::size_t k = 0; k < this->Size[2]; ++k)
@@ -51,8 +52,8 @@ public:
         int row = 0;
         for (std::size_t i = 0; i < this->Size[0]; ++i)
         {
-          row += lattice.IsVisible(
-            { { static_cast<int>(i), static_cast<int>(j), static_cast<int>(k) } });
+          row +=
+            grid.IsVisible({ { static_cast<int>(i), static_cast<int>(j), static_cast<int>(k) } });
           this->Sums[this->GetIndex(i + 1, j + 1, k + 1)] =
             row + this->Get(i + 1, j, k + 1) + this->Get(i + 1, j + 1, k) - this->Get(i + 1, j, k);
         }
@@ -60,10 +61,10 @@ public:
     }
   }
 
-  bool Meets(const Bounds& part) const
+  bool HasVisibleBlock(const Bounds& part) const
   {
-    const glm::dvec3 lower = glm::max(part.Lower, this->Matter.Lower) - Margin;
-    const glm::dvec3 upper = glm::min(part.Upper, this->Matter.Upper) + Margin;
+    const glm::dvec3 lower = glm::max(part.Lower, this->MediumBounds.Lower) - Margin;
+    const glm::dvec3 upper = glm::min(part.Upper, this->MediumBounds.Upper) + Margin;
     if (!glm::all(glm::lessThanEqual(lower, upper)))
     {
       return false;
@@ -92,16 +93,16 @@ private:
   {
     return this->Sums[this->GetIndex(i, j, k)];
   }
-  // Returns the block of a place; the first and last blocks reach as far as one likes.
-  std::size_t Find(std::size_t axis, double place) const
+  // Returns the block at a position. The first and last blocks extend to infinity.
+  std::size_t Find(std::size_t axis, double position) const
   {
-    const std::vector<double>& borders = this->Lattice.GetBorders(axis);
-    const auto above = std::upper_bound(borders.begin() + 1, borders.end() - 1, place);
+    const std::vector<double>& borders = this->Grid.GetBorders(axis);
+    const auto above = std::upper_bound(borders.begin() + 1, borders.end() - 1, position);
     return static_cast<std::size_t>(above - borders.begin()) - 1;
   }
 
-  const BlockLattice& Lattice;
-  const Bounds Matter;
+  const BlockGrid& Grid;
+  const Bounds MediumBounds;
   std::array<std::size_t, 3> Size{};
   std::vector<int> Sums;
 };
@@ -121,7 +122,7 @@ public:
       for (std::size_t i = 0; i <= this->Number; ++i)
       {
         const glm::dvec3 direction =
-          SlicePlan::GetBufferDirection(light.Frame, { { this->GetPlace(i), this->GetPlace(j) } });
+          SlicePlan::GetBufferDirection(light.Frame, { { this->GetEdge(i), this->GetEdge(j) } });
         const double slope = glm::dot(direction, normal);
         const glm::dvec3 across = direction - slope * normal;
         this->Across.push_back(
@@ -131,13 +132,14 @@ public:
   }
 
   std::size_t GetNumber() const { return this->Number; }
-  /// Returns where a tile's edge is in the buffer, 0 to 1.
-  double GetPlace(std::size_t i) const
+  /// Returns the position of a tile's edge in the buffer, 0 to 1.
+  double GetEdge(std::size_t i) const
   {
     return static_cast<double>(i) / static_cast<double>(this->Number);
   }
-  /// Returns a box around the part of tile i, j between two heights above the light. Its edges are
-  /// straight in every plane of slices: what bends the map runs along the diagonals of tiles.
+  /// Returns a box around the part of tile (i, j) between two heights above the light. Bounding the
+  /// corners suffices: tile edges are straight in every slice plane, because the creases of the
+  /// octahedral map run along the tiles' diagonals.
   Bounds Bound(std::size_t i, std::size_t j, const std::array<double, 2>& heights) const
   {
     Bounds box{ glm::dvec3(VTK_DOUBLE_MAX), glm::dvec3(-VTK_DOUBLE_MAX) };
@@ -147,9 +149,9 @@ public:
       const glm::dvec3& across = this->Across[j * (this->Number + 1) + i + corner];
       for (const double height : heights)
       {
-        const glm::dvec3 place = this->Apex + height * (this->Upwards + across);
-        box.Lower = glm::min(box.Lower, place);
-        box.Upper = glm::max(box.Upper, place);
+        const glm::dvec3 point = this->Apex + height * (this->Upwards + across);
+        box.Lower = glm::min(box.Lower, point);
+        box.Upper = glm::max(box.Upper, point);
       }
     }
     return box;
@@ -159,7 +161,7 @@ private:
   const std::size_t Number;
   const glm::dvec3 Apex;
   const glm::dvec3 Upwards;
-  // How far across the tiles' corners are at a height of 1.
+  // Lateral offset of each tile corner at height 1.
   std::vector<glm::dvec3> Across;
 };
 
@@ -182,14 +184,14 @@ void AddTiles(const Pyramids& pyramids, const BlockCounts& blocks,
     std::size_t first = 0;
     for (std::size_t i = 0; i <= number; ++i)
     {
-      if (i < number && blocks.Meets(pyramids.Bound(i, j, heights)))
+      if (i < number && blocks.HasVisibleBlock(pyramids.Bound(i, j, heights)))
       {
         continue;
       }
       if (i > first)
       {
-        AddRectangle({ { pyramids.GetPlace(first), pyramids.GetPlace(i) } },
-          { { pyramids.GetPlace(j), pyramids.GetPlace(j + 1) } }, vertices);
+        AddRectangle({ { pyramids.GetEdge(first), pyramids.GetEdge(i) } },
+          { { pyramids.GetEdge(j), pyramids.GetEdge(j + 1) } }, vertices);
       }
       first = i + 1;
     }
@@ -199,9 +201,9 @@ void AddTiles(const Pyramids& pyramids, const BlockCounts& blocks,
 }
 
 void LightTiles::Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-  const glm::dvec3& position, const BlockLattice& lattice, const UnitSpace& space, const Box& box)
+  const glm::dvec3& position, const BlockGrid& grid, const UnitSpace& space, const Box& box)
 {
-  const BlockCounts counts(lattice, box);
+  const BlockCounts counts(grid, box);
   const Pyramids pyramids(light, sweep.Normal, position, space);
   const double apex = glm::dot(position, sweep.Normal);
   std::vector<std::vector<float>> parts(static_cast<std::size_t>(sweep.Slabs));

@@ -5,7 +5,7 @@
 #include "Common/Vectors.h"
 #include "Plan/SlabTriangles.h"
 #include "Plan/SlicePlan.h"
-#include "Volume/BlockLattice.h"
+#include "Volume/BlockGrid.h"
 
 #include <array>
 
@@ -16,13 +16,13 @@ class UnitSpace;
 
 /**
  * @class   LightTiles
- * @brief   which directions of a wide light can meet matter in a slab
+ * @brief   tiles of a wide light's buffer whose rays can intersect the medium in a slab
  *
- * The light's buffer is cut into squares of about TileSize texels along an edge, whose directions
- * form a pyramid. A slab's tiles are those of which the pyramid's part in the slab has a bounding
- * box, in texture coordinates, that meets a visible block inside the box of the matter. Neighbours
- * in a row are one rectangle. No texel is in two. Corners are x, y, 0, from 0 to 1 across the
- * buffer.
+ * The light buffer is divided into squares of about TileSize x TileSize texels. The directions of a
+ * square form a pyramid. A slab's tiles are the squares whose pyramid, clipped to the slab, has a
+ * bounding box (in texture coordinates) that intersects a visible block inside the box of the
+ * medium. Adjacent tiles in a row are merged into one rectangle. Tiles do not overlap. Vertices are
+ * (x, y, 0), from 0 to 1 across the buffer.
  */
 class LightTiles : public SlabTriangles
 {
@@ -30,12 +30,12 @@ public:
   static constexpr int TileSize = 16;
 
   /**
-   * Finds the tiles of all slabs of a light at \a position, in unit space, whose buffer is wide.
-   * \a box is that of the matter in texture coordinates. Threads share the slabs; the tiles are the
-   * same for any number of threads.
+   * Finds the tiles of all slabs for a wide light at \a position, in unit space. \a box is the box
+   * of the medium in texture coordinates. Slabs are processed in parallel; the result does not
+   * depend on the number of threads.
    */
   void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
-    const glm::dvec3& position, const BlockLattice& lattice, const UnitSpace& space,
+    const glm::dvec3& position, const BlockGrid& grid, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box);
 };
 

@@ -21,20 +21,20 @@ using namespace UnitVector;
 
 using Block = std::array<int, 3>;
 
-// Tiles from the first to before the end, along an axis.
+// Range of tiles along an axis, from the first to before the second.
 using Range = std::array<int, 2>;
 
-// The part of a tile by which bounds are enlarged, against rounding.
+// Enlargement of bounds against rounding errors, in tiles.
 constexpr double Rounding = 1e-3;
 
-// The least cosine of a line of sight with the slices' normal: corners of tiles would be too far
-// away for single precision.
-constexpr double LeastCosine = 0.1;
+// Minimum cosine between a view ray and the slice normal. For a smaller cosine, tile corners are
+// too far away for single precision.
+constexpr double MinimumCosine = 0.1;
 
-// The slabs whose tiles are found at a time.
+// Number of slabs that a task processes at once.
 constexpr int Batch = 16;
 
-// Which tiles of a slab there are: a bit for each.
+// A bit mask of the tiles in a slab.
 class TileMask
 {
 public:
@@ -58,7 +58,8 @@ public:
     }
   }
 
-  // Returns the first run of tiles in a row from a column on: empty at the end of the row.
+  // Returns the first run of tiles in a row, starting at a column. It is empty at the end of the
+  // row.
   Range FindRun(int column, int row) const
   {
     const int first = this->Find(column, row, true);
@@ -73,7 +74,8 @@ private:
     return static_cast<std::size_t>(row) * this->Words + word;
   }
 
-  // Returns the first column from one on that has a tile, or has none; else the row's end.
+  // Returns the first column at or after \a column that has a tile or, if \a hasTile is false, that
+  // has none. Returns the row's end if there is no such column.
   int Find(int column, int row, bool hasTile) const
   {
     while (column < this->Number[0])
@@ -100,7 +102,7 @@ struct Rectangle
   Range Rows;
 };
 
-// Returns the mask's tiles as rectangles: runs of a row, and those below each other that are alike.
+// Returns the mask's tiles as rectangles. Equal runs of consecutive rows are merged.
 std::vector<Rectangle> MakeRectangles(const TileMask& mask)
 {
   std::vector<Rectangle> rectangles;
@@ -132,11 +134,11 @@ std::vector<Rectangle> MakeRectangles(const TileMask& mask)
   return rectangles;
 }
 
-// Planes of slabs in a lattice of blocks, as a view sees them.
+// Projects the slab planes inside a grid of blocks to a view.
 class Viewer
 {
 public:
-  Viewer(const BlockLattice& lattice, const UnitSpace& space, const SlicePlan::Sweep& sweep,
+  Viewer(const BlockGrid& grid, const UnitSpace& space, const SlicePlan::Sweep& sweep,
     const glm::dmat4& clipFromUnit, const std::array<int, 2>& size)
     : IsParallel(GetRow(clipFromUnit, 3) == glm::dvec3(0.0))
   {
@@ -154,7 +156,7 @@ public:
     this->Origin = map[3];
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      for (const double border : lattice.GetBorders(axis))
+      for (const double border : grid.GetBorders(axis))
       {
         this->Borders[axis].push_back(border * map[static_cast<int>(axis)]);
       }
@@ -163,33 +165,34 @@ public:
 
   const std::array<int, 2>& GetNumber() const { return this->Number; }
 
-  // Returns whether all of the lattice is before the eye, and no line of sight that meets it runs
-  // along the slices.
+  // Returns true if the entire block grid is in front of the camera, and no view ray that
+  // intersects it is nearly parallel to the slices.
   bool IsSuitable() const
   {
-    std::array<glm::dvec2, 8> places;
+    std::array<glm::dvec2, 8> positions;
     for (unsigned corner = 0; corner < 8; ++corner)
     {
-      glm::dvec4 place = this->Origin;
+      glm::dvec4 point = this->Origin;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        place +=
+        point +=
           (corner >> axis & 1u) != 0 ? this->Borders[axis].back() : this->Borders[axis].front();
       }
-      if (!(place.z > 0.0))
+      if (!(point.z > 0.0))
       {
         return false;
       }
-      places[corner] = glm::dvec2(place) / place.z;
+      positions[corner] = glm::dvec2(point) / point.z;
     }
     std::array<Range, 2> ranges;
     for (int axis = 0; axis < 2; ++axis)
     {
-      const auto [least, most] = std::minmax_element(places.begin(), places.end(),
+      const auto [minimum, maximum] = std::minmax_element(positions.begin(), positions.end(),
         [axis](const glm::dvec2& a, const glm::dvec2& b) { return a[axis] < b[axis]; });
-      ranges[static_cast<std::size_t>(axis)] = this->GetRange((*least)[axis], (*most)[axis], axis);
+      ranges[static_cast<std::size_t>(axis)] =
+        this->GetRange((*minimum)[axis], (*maximum)[axis], axis);
     }
-    // Lines of sight change evenly from tile to tile, so that corners bound all others.
+    // View rays vary linearly over the tiles, so the rays at the corners bound all others.
     const glm::dvec3 normal(glm::row(this->TilesFromUnit, 3));
     double side = 0.0;
     for (unsigned corner = 0; corner < 4; ++corner)
@@ -198,7 +201,7 @@ public:
       const double along = glm::dot(ray, normal);
       side = corner == 0 ? along : side;
       if (!(along * side > 0.0 &&
-            std::abs(along) > LeastCosine * glm::length(ray) * glm::length(normal)))
+            std::abs(along) > MinimumCosine * glm::length(ray) * glm::length(normal)))
       {
         return false;
       }
@@ -206,7 +209,7 @@ public:
     return true;
   }
 
-  // Adds what a block has in slabs from the first one on to their masks.
+  // Adds the cross-sections of a block with the slabs from \a firstSlab on to their masks.
   void Add(const Block& block, int firstSlab, int slabs, std::vector<TileMask>& masks) const
   {
     std::array<glm::dvec4, 8> corners;
@@ -214,14 +217,14 @@ public:
     double highest = -VTK_DOUBLE_MAX;
     for (unsigned corner = 0; corner < 8; ++corner)
     {
-      glm::dvec4 place = this->Origin;
+      glm::dvec4 point = this->Origin;
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        place += this->Borders[axis][static_cast<std::size_t>(block[axis]) + (corner >> axis & 1u)];
+        point += this->Borders[axis][static_cast<std::size_t>(block[axis]) + (corner >> axis & 1u)];
       }
-      corners[corner] = place;
-      lowest = std::min(lowest, place.w);
-      highest = std::max(highest, place.w);
+      corners[corner] = point;
+      lowest = std::min(lowest, point.w);
+      highest = std::max(highest, point.w);
     }
     if (lowest < firstSlab + slabs && highest > firstSlab - 1)
     {
@@ -234,31 +237,31 @@ public:
     }
   }
 
-  // Returns where the line of sight through a tile's corner meets a slab's plane.
-  std::array<float, 3> GetPlace(int column, int row, int slab) const
+  // Returns the point where the view ray through a tile's corner intersects a slab's plane.
+  std::array<float, 3> GetPoint(int column, int row, int slab) const
   {
     const glm::dvec4 depth = glm::row(this->TilesFromUnit, 2);
     const glm::dvec4 a = glm::row(this->TilesFromUnit, 0) - static_cast<double>(column) * depth;
     const glm::dvec4 b = glm::row(this->TilesFromUnit, 1) - static_cast<double>(row) * depth;
     const glm::dvec4 c = glm::row(this->TilesFromUnit, 3) - glm::dvec4(0.0, 0.0, 0.0, slab);
     const glm::dvec3 ray = this->GetRay(column, row);
-    const glm::dvec3 place = -(a.w * glm::cross(glm::dvec3(b), glm::dvec3(c)) +
+    const glm::dvec3 point = -(a.w * glm::cross(glm::dvec3(b), glm::dvec3(c)) +
                                b.w * glm::cross(glm::dvec3(c), glm::dvec3(a)) + c.w * ray) /
       glm::dot(ray, glm::dvec3(c));
-    return { { static_cast<float>(place.x), static_cast<float>(place.y),
-      static_cast<float>(place.z) } };
+    return { { static_cast<float>(point.x), static_cast<float>(point.y),
+      static_cast<float>(point.z) } };
   }
 
 private:
-  // Returns the tiles of an axis that meet a range in tiles.
+  // Returns the tiles along an axis that intersect a range given in tiles.
   Range GetRange(double lower, double upper, int axis) const
   {
-    const double most = this->Number[static_cast<std::size_t>(axis)];
-    return { { static_cast<int>(std::floor(std::max(std::min(lower - Rounding, most), 0.0))),
-      static_cast<int>(std::ceil(std::max(std::min(upper + Rounding, most), 0.0))) } };
+    const double end = this->Number[static_cast<std::size_t>(axis)];
+    return { { static_cast<int>(std::floor(std::max(std::min(lower - Rounding, end), 0.0))),
+      static_cast<int>(std::ceil(std::max(std::min(upper + Rounding, end), 0.0))) } };
   }
 
-  // Returns the direction of the line of sight through a tile's corner, either way.
+  // Returns the direction of the view ray through a tile's corner, with either sign.
   glm::dvec3 GetRay(int column, int row) const
   {
     const glm::dvec3 depth = GetRow(this->TilesFromUnit, 2);
@@ -266,7 +269,7 @@ private:
       GetRow(this->TilesFromUnit, 1) - static_cast<double>(row) * depth);
   }
 
-  // Adds the polygon that a slab's plane has inside a block.
+  // Adds the cross-section of a block with a slab's plane.
   void AddCut(const std::array<glm::dvec4, 8>& corners, int slab, TileMask& mask) const
   {
     const double height = slab;
@@ -284,8 +287,8 @@ private:
       const BoxCutTable::Edge edge = BoxCutTable::GetEdge(index);
       const glm::dvec4& start = corners[edge.Start];
       const glm::dvec4& end = corners[edge.Start | 1u << edge.Axis];
-      const glm::dvec4 place = start + (height - start.w) / (end.w - start.w) * (end - start);
-      points[number] = this->IsParallel ? glm::dvec2(place) : glm::dvec2(place) / place.z;
+      const glm::dvec4 point = start + (height - start.w) / (end.w - start.w) * (end - start);
+      points[number] = this->IsParallel ? glm::dvec2(point) : glm::dvec2(point) / point.z;
       lowest = std::min(lowest, points[number].y);
       highest = std::max(highest, points[number].y);
       ++number;
@@ -297,14 +300,14 @@ private:
     }
   }
 
-  // Adds what a polygon has in a row of tiles.
+  // Adds the tiles of a row that a polygon covers.
   void AddRow(
     const std::array<glm::dvec2, 6>& points, std::size_t number, int row, TileMask& mask) const
   {
     const double lower = row - Rounding;
     const double upper = row + 1 + Rounding;
-    double least = VTK_DOUBLE_MAX;
-    double most = -VTK_DOUBLE_MAX;
+    double minimum = VTK_DOUBLE_MAX;
+    double maximum = -VTK_DOUBLE_MAX;
     for (std::size_t i = 0; i < number; ++i)
     {
       const glm::dvec2& point = points[i];
@@ -319,10 +322,10 @@ private:
       const double slope = end.y > start.y ? (end.x - start.x) / (end.y - start.y) : 0.0;
       const double first = start.x + slope * std::max(lower - start.y, 0.0);
       const double last = end.x - slope * std::max(end.y - upper, 0.0);
-      least = std::min(least, std::min(first, last));
-      most = std::max(most, std::max(first, last));
+      minimum = std::min(minimum, std::min(first, last));
+      maximum = std::max(maximum, std::max(first, last));
     }
-    const Range columns = this->GetRange(least, most, 0);
+    const Range columns = this->GetRange(minimum, maximum, 0);
     if (columns[0] < columns[1])
     {
       mask.Add(columns, row);
@@ -331,9 +334,10 @@ private:
 
   std::array<int, 2> Number{};
   const bool IsParallel;
-  /// To columns and rows of tiles times depth, depth, and slabs from the first one's middle.
+  /// Transforms unit space to (column * depth, row * depth, depth, slab), with tile columns and
+  /// rows, and slabs counted from the center of the first slab.
   glm::dmat4 TilesFromUnit;
-  /// What of it the lattice's origin has, and each border along its axis.
+  /// The transformed origin of the block grid, and the transformed block borders along each axis.
   glm::dvec4 Origin;
   std::array<std::vector<glm::dvec4>, 3> Borders;
   const BoxCutTable Table;
@@ -342,27 +346,27 @@ private:
 void AddRectangle(
   const Viewer& viewer, const Rectangle& rectangle, int slab, std::vector<float>& vertices)
 {
-  std::array<std::array<float, 3>, 4> places;
+  std::array<std::array<float, 3>, 4> points;
   for (std::size_t corner = 0; corner < 4; ++corner)
   {
-    places[corner] =
-      viewer.GetPlace(rectangle.Columns[corner & 1u], rectangle.Rows[corner >> 1u], slab);
+    points[corner] =
+      viewer.GetPoint(rectangle.Columns[corner & 1u], rectangle.Rows[corner >> 1u], slab);
   }
   for (const std::size_t corner : { 0, 1, 3, 0, 3, 2 })
   {
-    vertices.insert(vertices.end(), places[corner].begin(), places[corner].end());
+    vertices.insert(vertices.end(), points[corner].begin(), points[corner].end());
   }
 }
 
 }
 
 bool PlaneTiles::Build(const SlicePlan::Sweep& sweep, const glm::dmat4& clipFromUnit,
-  const std::array<int, 2>& size, BlockLattice lattice, const UnitSpace& space,
+  const std::array<int, 2>& size, BlockGrid grid, const UnitSpace& space,
   const std::array<std::array<double, 2>, 3>& box, double margin)
 {
-  lattice.Crop(box, space.GetMargins(margin));
-  const std::vector<Block> blocks = lattice.GetVisible();
-  const Viewer viewer(lattice, space, sweep, clipFromUnit, size);
+  grid.Crop(box, space.GetMargins(margin));
+  const std::vector<Block> blocks = grid.GetVisible();
+  const Viewer viewer(grid, space, sweep, clipFromUnit, size);
   const bool isSuitable = viewer.IsSuitable();
   std::vector<std::vector<float>> parts(static_cast<std::size_t>(sweep.Slabs));
   vtkSMPTools::For(0, isSuitable ? (sweep.Slabs + Batch - 1) / Batch : 0,

@@ -4,7 +4,7 @@
 
 #include "Plan/SlabTriangles.h"
 #include "Plan/SlicePlan.h"
-#include "Volume/BlockLattice.h"
+#include "Volume/BlockGrid.h"
 
 #include <array>
 
@@ -17,29 +17,30 @@ class UnitSpace;
 
 /**
  * @class   PlaneTiles
- * @brief   which squares of a picture, or of a light's buffer, slices have matter in
+ * @brief   tiles of an image or light buffer that contain the medium, for each slab
  *
- * The picture is cut into squares of TileSize pixels along an edge. A slab's tiles are those that
- * meet what the plane through its middle has of a visible block. Neighbours are one rectangle, and
- * no pixel is in two. Software OpenGL shades whole squares of pixels, whatever part of them a
- * triangle has: the polygons of blocks share most squares, once for each triangle, and these tiles
- * none. Corners are in unit space, in the slices' planes.
+ * The image is divided into squares of TileSize x TileSize pixels. A slab's tiles are the squares
+ * that intersect the projection of a visible block's cross-section with the slab's central plane.
+ * Adjacent tiles are merged into rectangles; tiles do not overlap. Software OpenGL shades whole
+ * squares of pixels even if a triangle covers only part of them. Polygons of blocks share most
+ * squares, which are then shaded once per triangle; tiles avoid that. Vertices are in unit space,
+ * in the slice planes.
  */
 class PlaneTiles : public SlabTriangles
 {
 public:
-  /// As many as llvmpipe shades at a time.
+  /// Size of the squares that llvmpipe shades.
   static constexpr int TileSize = 4;
 
   /**
-   * Finds the tiles of all slabs. \a clipFromUnit is the view, \a size the columns and rows of its
-   * picture, \a box the box of the matter in texture coordinates, \a margin the length by which its
-   * outer blocks are enlarged, in unit space. Threads share the slabs; the tiles are the same for
-   * any number of threads. Returns false, and there are no tiles, where some of the box is beside
-   * or behind the eye of the view, or slices are seen nearly edge-on.
+   * Finds the tiles of all slabs. \a clipFromUnit is the view, \a size the number of columns and
+   * rows of its image, \a box the box of the medium in texture coordinates, and \a margin the
+   * length in unit space by which outer blocks are enlarged. Slabs are processed in parallel; the
+   * result does not depend on the number of threads. Returns false without tiles if part of the box
+   * is beside or behind the viewpoint, or if slices are seen nearly edge-on.
    */
   bool Build(const SlicePlan::Sweep& sweep, const glm::dmat4& clipFromUnit,
-    const std::array<int, 2>& size, BlockLattice lattice, const UnitSpace& space,
+    const std::array<int, 2>& size, BlockGrid grid, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box, double margin);
 };
 

@@ -13,7 +13,7 @@ namespace interlume
 
 glm::dmat3x4 PlaneView::GetPoints(const glm::dmat4& view, const std::array<double, 4>& plane)
 {
-  // The third row of a view is not used: depth on the plane takes its place, which is 0.
+  // The view's third row is not used. The plane's equation, which is 0 on the plane, replaces it.
   const glm::dmat4 rows(
     glm::row(view, 0), glm::row(view, 1), glm::row(view, 3), glm::make_vec4(plane.data()));
   const glm::dmat4 matrix = glm::transpose(rows);

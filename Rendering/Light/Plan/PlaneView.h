@@ -12,23 +12,23 @@ namespace interlume
 {
 
 /**
- * Views of one plane.
+ * Views of a plane.
  */
 namespace PlaneView
 {
 /**
- * Computes the points of a plane from clip coordinates (x, y, 1) of a view, homogeneous ones: (X,
- * Y, Z, W). The view is a matrix as BufferFromUnit of SlicePlan::ShadowedLight; \a
- * plane is n.x + plane[3] = 0. The matrix is 0 where the view sees the plane edge-on.
+ * Computes the matrix from clip coordinates (x, y, 1) of a view to the homogeneous points (X, Y, Z,
+ * W) of a plane. The view matrix has the form of SlicePlan::ShadowedLight::BufferFromUnit. The
+ * plane is n.x + plane[3] = 0. The result is 0 if the view sees the plane edge-on.
  */
 glm::dmat3x4 GetPoints(const glm::dmat4& view, const std::array<double, 4>& plane);
 
 /**
- * Computes the homography from one view of a plane to another one: (x, y, 1) in clip coordinates of
- * the first to (x', y', 1) of the second, times a factor that is above 0 where a point is before
- * both views or behind both. Views are matrices as BufferFromUnit of
- * SlicePlan::ShadowedLight; \a plane is n.x + plane[3] = 0. The matrix is 0 where the first view
- * sees the plane edge-on.
+ * Computes the homography between two views of a plane: it maps (x, y, 1) in clip coordinates of
+ * the first view to (x', y', 1) of the second, times a factor. The factor is positive if a point is
+ * in front of both views or behind both. The view matrices have the form of
+ * SlicePlan::ShadowedLight::BufferFromUnit. The plane is n.x + plane[3] = 0. The result is 0 if the
+ * first view sees the plane edge-on.
  */
 glm::dmat3 GetHomography(
   const glm::dmat4& from, const glm::dmat4& to, const std::array<double, 4>& plane);

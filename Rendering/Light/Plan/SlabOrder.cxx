@@ -16,27 +16,29 @@ namespace
 
 using namespace UnitVector;
 
-// Boxes that reach into each other by no more than rounding stand apart.
-constexpr double Rounding = 1e-6;
+// Boxes with a smaller overlap are treated as separate.
+constexpr double OverlapTolerance = 1e-6;
 
-// Light along a plane between boxes has no order.
-constexpr double Nothing = 1e-9;
+// Below this value, a ray is treated as parallel to the separating plane, and the order is
+// undefined.
+constexpr double ParallelTolerance = 1e-9;
 
-// A plane n.x = Height that stands between two boxes, n towards the second one.
-struct Border
+// A plane n.x = Height that separates two boxes. The normal n points toward the second box.
+struct SeparatingPlane
 {
   bool IsFound = false;
   glm::dvec3 Normal{ 0.0, 0.0, 0.0 };
   double Height = 0.0;
 };
 
-Border FindBorder(const SlicePlan::Matter& first, const SlicePlan::Matter& second)
+SeparatingPlane FindSeparatingPlane(
+  const SlicePlan::SlicedVolume& first, const SlicePlan::SlicedVolume& second)
 {
   const BoxCorners a(*first.Space, first.Box);
   const BoxCorners b(*second.Space, second.Box);
-  Border best;
-  double widest = -Rounding;
-  for (const SlicePlan::Matter* volume : { &first, &second })
+  SeparatingPlane best;
+  double widest = -OverlapTolerance;
+  for (const SlicePlan::SlicedVolume* volume : { &first, &second })
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -57,37 +59,38 @@ Border FindBorder(const SlicePlan::Matter& first, const SlicePlan::Matter& secon
   return best;
 }
 
-// Returns 1 where rays from or to a place, or along a direction, come through the first box first,
-// -1 where they come through the second one first, and 0 where that cannot be said.
-int GetSide(const Border& border, bool hasPlace, const glm::dvec3& place, const glm::dvec3& ray)
+// Returns 1 if rays from or to a point, or along a direction, pass through the first box first, -1
+// if they pass through the second box first, and 0 if the order is undefined.
+int GetSide(
+  const SeparatingPlane& plane, bool hasPoint, const glm::dvec3& point, const glm::dvec3& ray)
 {
   const double along =
-    hasPlace ? border.Height - glm::dot(border.Normal, place) : glm::dot(border.Normal, ray);
-  return along > Nothing ? 1 : along < -Nothing ? -1 : 0;
+    hasPoint ? plane.Height - glm::dot(plane.Normal, point) : glm::dot(plane.Normal, ray);
+  return along > ParallelTolerance ? 1 : along < -ParallelTolerance ? -1 : 0;
 }
 
 }
 
-void SlabOrder::Find(const SlicePlan::Sweep& sweep, const SlicePlan::Eye& eye,
-  const std::vector<LightSource>& lights, const std::vector<SlicePlan::Matter>& matter)
+void SlabOrder::Find(const SlicePlan::Sweep& sweep, const SlicePlan::Camera& eye,
+  const std::vector<LightSource>& lights, const std::vector<SlicePlan::SlicedVolume>& volumes)
 {
   const auto compare = [&](std::size_t i, std::size_t j)
   {
-    const Border border = FindBorder(matter[i], matter[j]);
+    const SeparatingPlane plane = FindSeparatingPlane(volumes[i], volumes[j]);
     int side = 0;
-    for (std::size_t k = 0; k < sweep.Lights.size() && border.IsFound && side == 0; ++k)
+    for (std::size_t k = 0; k < sweep.Lights.size() && plane.IsFound && side == 0; ++k)
     {
       const LightSource& light = lights[static_cast<std::size_t>(sweep.Lights[k].Light)];
-      side = GetSide(border, light.IsPositional, light.Position, light.Direction);
+      side = GetSide(plane, light.IsPositional, light.Position, light.Direction);
     }
-    if (border.IsFound && side == 0)
+    if (plane.IsFound && side == 0)
     {
       side = (sweep.IsFrontToBack ? 1 : -1) *
-        GetSide(border, !eye.IsParallel, eye.Position, eye.Direction);
+        GetSide(plane, !eye.IsParallel, eye.Position, eye.Direction);
     }
     return side;
   };
-  const std::size_t count = matter.size();
+  const std::size_t count = volumes.size();
   std::vector<int> sides(count * count, 0);
   for (std::size_t i = 0; i < count; ++i)
   {
@@ -99,24 +102,24 @@ void SlabOrder::Find(const SlicePlan::Sweep& sweep, const SlicePlan::Eye& eye,
   }
   for (std::vector<std::size_t>& order : this->Orders)
   {
-    std::vector<std::size_t> left;
+    std::vector<std::size_t> remaining;
     for (std::size_t i = 0; i < count; ++i)
     {
-      left.push_back(&order == this->Orders.data() ? i : count - 1 - i);
+      remaining.push_back(&order == this->Orders.data() ? i : count - 1 - i);
     }
     order.clear();
-    while (!left.empty())
+    while (!remaining.empty())
     {
-      // Where volumes stand around each other in a ring, none is first.
-      auto next = std::find_if(left.begin(), left.end(),
+      // If volumes block each other in a cycle, no volume is first. Take any.
+      auto next = std::find_if(remaining.begin(), remaining.end(),
         [&](std::size_t i)
         {
-          return std::none_of(
-            left.begin(), left.end(), [&](std::size_t j) { return sides[j * count + i] > 0; });
+          return std::none_of(remaining.begin(), remaining.end(),
+            [&](std::size_t j) { return sides[j * count + i] > 0; });
         });
-      next = next == left.end() ? left.begin() : next;
+      next = next == remaining.end() ? remaining.begin() : next;
       order.push_back(*next);
-      left.erase(next);
+      remaining.erase(next);
     }
   }
 }

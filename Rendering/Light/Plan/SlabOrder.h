@@ -13,30 +13,29 @@ namespace interlume
 
 /**
  * @class   SlabOrder
- * @brief   in which order volumes draw their parts of a slab
+ * @brief   the order in which volumes are drawn within a slab
  *
- * Where a plane along a face of one box stands between two boxes, the volume on the side that the
- * light comes from is first; without light that casts shadows, the one that the sweep's eye wants
- * first. Such an order is right for each ray of that light, and wrong for others by no more than
- * what is in the slab. Volumes that overlap take turns: one is first in even slabs and the other
- * one in odd slabs, so that the errors of both orders, each of the first order in the slab's
- * optical depth, cancel from slab to slab.
+ * If a plane parallel to a box face separates two boxes, the volume on the light's side is drawn
+ * first. Without a light that casts shadows, the sweep's order along the view direction decides.
+ * Such an order is correct for all rays of that light, and for other rays the error is limited to
+ * the extinction within the slab. Overlapping volumes alternate: one is first in even slabs, the
+ * other in odd slabs. The two orders' first-order errors in the slab's optical depth then cancel.
  */
 class SlabOrder
 {
 public:
-  /// Finds the orders of a sweep. \a lights are those of the plan.
-  void Find(const SlicePlan::Sweep& sweep, const SlicePlan::Eye& eye,
-    const std::vector<LightSource>& lights, const std::vector<SlicePlan::Matter>& matter);
+  /// Computes the order of a sweep. \a lights are the lights of the plan.
+  void Find(const SlicePlan::Sweep& sweep, const SlicePlan::Camera& eye,
+    const std::vector<LightSource>& lights, const std::vector<SlicePlan::SlicedVolume>& volumes);
 
-  /// Returns the indices of all volumes, as they are drawn in a slab.
+  /// Returns the indices of all volumes in drawing order for a slab.
   const std::vector<std::size_t>& Get(int slab) const
   {
     return this->Orders[static_cast<std::size_t>(slab % 2)];
   }
 
 private:
-  /// Of even and of odd slabs.
+  /// Orders of even and odd slabs.
   std::array<std::vector<std::size_t>, 2> Orders;
 };
 

@@ -10,14 +10,14 @@ namespace interlume
 
 /**
  * @class   SlabTriangles
- * @brief   the triangles that are drawn for each slab of a sweep
+ * @brief   triangles to draw for each slab of a sweep
  */
 class SlabTriangles
 {
 public:
-  /// Returns the coordinates x, y, z of the triangles' corners, slab after slab.
+  /// Returns the coordinates (x, y, z) of the triangles' vertices, slab after slab.
   const std::vector<float>& GetVertices() const { return this->Vertices; }
-  /// Returns the first vertex of each slab; one more than slabs.
+  /// Returns the index of the first vertex of each slab, followed by the number of vertices.
   const std::vector<std::size_t>& GetStarts() const { return this->Starts; }
   int GetNumberOfSlabs() const { return static_cast<int>(this->Starts.size()) - 1; }
   bool IsEmpty(int slab) const
@@ -27,7 +27,7 @@ public:
   }
 
 protected:
-  /// Takes the corners of each slab. Threads share the slabs.
+  /// Concatenates the vertices of all slabs, in parallel.
   void Join(const std::vector<std::vector<float>>& slabs);
 
 private:

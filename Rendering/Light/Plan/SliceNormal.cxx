@@ -13,17 +13,20 @@ namespace
 
 using namespace UnitVector;
 
-// The length below which the hull of rays holds 0 as far as rounding tells.
-constexpr double Smallest = 1e-6;
+// If the hull's closest point is closer to the origin than this, the hull is treated as containing
+// the origin.
+constexpr double MinimumLength = 1e-6;
 
-// The point of a simplex nearest to 0, and its corners that the point is between.
-struct Nearest
+// The point of a simplex that is closest to the origin, and the vertices of the face that contains
+// it.
+struct ClosestPoint
 {
   glm::dvec3 Point{ 0.0, 0.0, 0.0 };
   std::vector<glm::dvec3> Corners;
 };
 
-// Of the plane, line or point through all corners; false where it is not between them.
+// Projects the origin to the plane, line or point through all vertices. Returns false if the
+// projection is not inside the simplex.
 bool Project(const std::vector<glm::dvec3>& corners, glm::dvec3& point)
 {
   const glm::dvec3& a = corners[0];
@@ -49,9 +52,9 @@ bool Project(const std::vector<glm::dvec3>& corners, glm::dvec3& point)
   return s > 0.0 && t > 0.0 && s + t < 1.0;
 }
 
-bool HoldsZero(const std::vector<glm::dvec3>& corners)
+bool ContainsOrigin(const std::vector<glm::dvec3>& corners)
 {
-  // The foot has to be on the inner side of each face.
+  // The origin has to be on the inner side of each face.
   for (std::size_t i = 0; i < 4; ++i)
   {
     const glm::dvec3& a = corners[(i + 1) % 4];
@@ -65,14 +68,14 @@ bool HoldsZero(const std::vector<glm::dvec3>& corners)
   return true;
 }
 
-Nearest FindNearest(const std::vector<glm::dvec3>& corners)
+ClosestPoint FindClosest(const std::vector<glm::dvec3>& corners)
 {
-  Nearest nearest;
-  if (corners.size() == 4 && HoldsZero(corners))
+  ClosestPoint closest;
+  if (corners.size() == 4 && ContainsOrigin(corners))
   {
-    return nearest;
+    return closest;
   }
-  double least = std::numeric_limits<double>::max();
+  double minimum = std::numeric_limits<double>::max();
   const unsigned all = (1u << corners.size()) - 1;
   for (unsigned subset = 1; subset <= all; ++subset)
   {
@@ -85,14 +88,14 @@ Nearest FindNearest(const std::vector<glm::dvec3>& corners)
       }
     }
     glm::dvec3 point;
-    if (face.size() < 4 && Project(face, point) && glm::dot(point, point) < least)
+    if (face.size() < 4 && Project(face, point) && glm::dot(point, point) < minimum)
     {
-      least = glm::dot(point, point);
-      nearest.Point = point;
-      nearest.Corners = face;
+      minimum = glm::dot(point, point);
+      closest.Point = point;
+      closest.Corners = face;
     }
   }
-  return nearest;
+  return closest;
 }
 
 }
@@ -122,47 +125,48 @@ double SliceNormal::GetRatio(const glm::dvec3& normal) const
 
 double SliceNormal::FindBest()
 {
-  // The method of Gilbert, Johnson and Keerthi goes from simplex to simplex of the hull, always
-  // nearer to 0.
+  // The algorithm of Gilbert, Johnson and Keerthi moves from simplex to simplex of the hull, closer
+  // to the origin with each step.
   this->BestRatio = 0.0;
   if (this->Rays.empty())
   {
     return 0.0;
   }
-  Nearest nearest;
-  nearest.Corners = { this->Rays.front() };
-  nearest.Point = this->Rays.front();
-  constexpr int most = 100;
+  ClosestPoint closest;
+  closest.Corners = { this->Rays.front() };
+  closest.Point = this->Rays.front();
+  constexpr int maximumSteps = 100;
   constexpr double tolerance = 1e-13;
-  for (int step = 0; step < most && Vectors::SafeLength(nearest.Point) > Smallest; ++step)
+  for (int step = 0; step < maximumSteps && Vectors::SafeLength(closest.Point) > MinimumLength;
+       ++step)
   {
-    const auto next = std::min_element(this->Rays.begin(), this->Rays.end(),
+    const auto support = std::min_element(this->Rays.begin(), this->Rays.end(),
       [&](const glm::dvec3& a, const glm::dvec3& b)
-      { return glm::dot(a, nearest.Point) < glm::dot(b, nearest.Point); });
-    const double squared = glm::dot(nearest.Point, nearest.Point);
-    if (glm::dot(*next, nearest.Point) >= squared * (1.0 - tolerance))
+      { return glm::dot(a, closest.Point) < glm::dot(b, closest.Point); });
+    const double squared = glm::dot(closest.Point, closest.Point);
+    if (glm::dot(*support, closest.Point) >= squared * (1.0 - tolerance))
     {
       break;
     }
-    std::vector<glm::dvec3> corners = nearest.Corners;
-    corners.push_back(*next);
-    const Nearest nearer = FindNearest(corners);
-    if (!(glm::dot(nearer.Point, nearer.Point) < squared))
+    std::vector<glm::dvec3> corners = closest.Corners;
+    corners.push_back(*support);
+    const ClosestPoint next = FindClosest(corners);
+    if (!(glm::dot(next.Point, next.Point) < squared))
     {
       break;
     }
-    nearest = nearer;
+    closest = next;
   }
-  const double length = Vectors::SafeLength(nearest.Point);
-  if (length > Smallest)
+  const double length = Vectors::SafeLength(closest.Point);
+  if (length > MinimumLength)
   {
-    this->Best = Normalize(nearest.Point, nearest.Point);
+    this->Best = Normalize(closest.Point, closest.Point);
     this->BestRatio = std::max(this->GetRatio(this->Best), 0.0);
   }
   return this->BestRatio;
 }
 
-glm::dvec3 SliceNormal::Turn(const glm::dvec3& preferred) const
+glm::dvec3 SliceNormal::Adjust(const glm::dvec3& preferred) const
 {
   if (!(this->BestRatio > 0.0) || this->GetRatio(preferred) >= 1.0)
   {
@@ -172,24 +176,25 @@ glm::dvec3 SliceNormal::Turn(const glm::dvec3& preferred) const
   {
     return this->Best;
   }
-  // On the chord to the best normal min d_k.x / c_k - |x| is concave: it has one change of sign.
+  // On the chord from preferred to the best normal, min d_k.x / c_k - |x| is concave and changes
+  // its sign once, so bisection finds the rotation.
   double bad = 0.0;
   double good = 1.0;
   glm::dvec3 normal = this->Best;
   constexpr int halvings = 50;
   for (int i = 0; i < halvings; ++i)
   {
-    const double middle = 0.5 * (bad + good);
-    const glm::dvec3 turned =
-      Normalize((1.0 - middle) * preferred + middle * this->Best, this->Best);
-    if (this->GetRatio(turned) >= 1.0)
+    const double midpoint = 0.5 * (bad + good);
+    const glm::dvec3 rotated =
+      Normalize((1.0 - midpoint) * preferred + midpoint * this->Best, this->Best);
+    if (this->GetRatio(rotated) >= 1.0)
     {
-      good = middle;
-      normal = turned;
+      good = midpoint;
+      normal = rotated;
     }
     else
     {
-      bad = middle;
+      bad = midpoint;
     }
   }
   return normal;

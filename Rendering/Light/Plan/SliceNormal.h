@@ -11,37 +11,36 @@ namespace interlume
 
 /**
  * @class   SliceNormal
- * @brief   a direction that makes small enough angles with rays
+ * @brief   finds a direction that makes small enough angles with a set of rays
  *
- * Of the normals n of length 1 the best one has the greatest m = min d_k.n / c_k over all rays d_k,
- * with c_k the cosine wanted. It is along the point nearest to 0 of the convex hull of all d_k /
- * c_k, and m is that point's distance (the two problems are dual). All rays have their cosines if m
- * >= 1.
+ * Each ray d_k has a required cosine c_k. The best unit normal n maximizes m = min d_k.n / c_k. All
+ * rays have at least their required cosines if m >= 1. By duality, the best normal points to the
+ * point of the convex hull of all d_k / c_k that is closest to the origin, and m is its distance.
  */
 class SliceNormal
 {
 public:
-  /// Wants a normal that makes \a cosine, above 0, or more with \a ray, of length 1.
+  /// Requires a cosine of at least \a cosine, above 0, between the normal and the unit vector \a
+  /// ray.
   void Add(const glm::dvec3& ray, double cosine);
   void Add(const std::vector<glm::dvec3>& rays, double sign, double cosine);
 
-  /// Finds the best normal, and returns its m; 0 without rays, and if every normal is perpendicular
-  /// to some ray or goes against it.
+  /// Finds the best normal and returns its m. Returns 0 if there are no rays, or if every normal
+  /// has a cosine of 0 or less with some ray.
   double FindBest();
-  /// The best normal after FindBest; not defined where that was 0.
+  /// Returns the best normal, after FindBest. It is undefined if FindBest returned 0.
   const glm::dvec3& GetBest() const { return this->Best; }
 
-  /// m of this normal.
+  /// Returns m for \a normal.
   double GetRatio(const glm::dvec3& normal) const;
 
-  /// \a preferred turned towards the best normal as far as the rays need it, which is not at all
-  /// where they have their cosines already; the best normal where they cannot have them, and
-  /// \a preferred where there is no best. After FindBest. Continuous in the rays and in \a
-  /// preferred.
-  glm::dvec3 Turn(const glm::dvec3& preferred) const;
+  /// Returns \a preferred, rotated toward the best normal only as far as the rays require. Returns
+  /// the best normal if the requirements cannot be met, and \a preferred if there is no best
+  /// normal. Call FindBest first. The result is continuous in the rays and in \a preferred.
+  glm::dvec3 Adjust(const glm::dvec3& preferred) const;
 
 private:
-  /// d_k / c_k
+  /// Rays divided by their required cosines, d_k / c_k.
   std::vector<glm::dvec3> Rays;
   glm::dvec3 Best{ 0.0, 0.0, 0.0 };
   double BestRatio = 0.0;

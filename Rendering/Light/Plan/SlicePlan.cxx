@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Plan/SlicePlan.h"
 
-#include "Plan/LightFit.h"
+#include "Plan/LightBufferProjection.h"
 #include "Plan/LightGroup.h"
 #include "Plan/SliceNormal.h"
 #include "Plan/ViewRange.h"
@@ -21,19 +21,20 @@ namespace
 
 using namespace UnitVector;
 
-// The part of the volume behind a light below which there is none.
-constexpr double Nothing = 1e-9;
+// Minimum extent of the volume on a side of a wide light, below which the side is ignored.
+constexpr double MinimumExtent = 1e-9;
 
-// Puts a light into a group that has a normal for it, one of its own side first.
-void AddLight(
-  const ViewRange& view, const LightGroup& own, std::size_t most, std::vector<LightGroup>& groups)
+// Adds a light to a group with a suitable normal, preferably one with the same drawing order, or to
+// a new group.
+void AddLight(const ViewRange& view, const LightGroup& own, std::size_t maximum,
+  std::vector<LightGroup>& groups)
 {
-  for (const bool isOwnSide : { true, false })
+  for (const bool mustHaveSameOrder : { true, false })
   {
     for (LightGroup& group : groups)
     {
-      const bool isSameSide = group.IsFrontToBack() == own.IsFrontToBack();
-      if (isSameSide == isOwnSide && group.Join(view, own.GetCasters().front(), most))
+      const bool hasSameOrder = group.IsFrontToBack() == own.IsFrontToBack();
+      if (hasSameOrder == mustHaveSameOrder && group.Join(view, own.GetLights().front(), maximum))
       {
         return;
       }
@@ -42,13 +43,13 @@ void AddLight(
   groups.push_back(own);
 }
 
-// A sweep with room that goes along \a normal, or -1.
+// Returns the index of a sweep along \a normal with fewer than \a maximum lights, or -1.
 int FindSweep(
-  const std::vector<SlicePlan::Sweep>& sweeps, const glm::dvec3& normal, std::size_t most)
+  const std::vector<SlicePlan::Sweep>& sweeps, const glm::dvec3& normal, std::size_t maximum)
 {
   for (std::size_t i = 0; i < sweeps.size(); ++i)
   {
-    if (sweeps[i].Normal == normal && sweeps[i].Lights.size() < most)
+    if (sweeps[i].Normal == normal && sweeps[i].Lights.size() < maximum)
     {
       return static_cast<int>(i);
     }
@@ -56,9 +57,10 @@ int FindSweep(
   return -1;
 }
 
-// Adds a wide light to the sweeps along and against the normal that needs the fewest new ones.
+// Adds a wide light to the sweeps along and against a normal, chosen to need the fewest new sweeps.
 void AddWide(const ViewRange& view, const LightSource& source, int index, const BoxCorners& corners,
-  std::size_t most, const LightFit& fit, std::vector<SlicePlan::Sweep>& sweeps)
+  std::size_t maximum, const LightBufferProjection& projection,
+  std::vector<SlicePlan::Sweep>& sweeps)
 {
   std::vector<glm::dvec3> normals;
   normals.reserve(sweeps.size() + 1);
@@ -73,11 +75,11 @@ void AddWide(const ViewRange& view, const LightSource& source, int index, const 
     const std::array<double, 2> range = corners.GetRange(normal);
     const double light = glm::dot(source.Position, normal);
     std::vector<glm::dvec3> sides;
-    if (range[1] > light + Nothing)
+    if (range[1] > light + MinimumExtent)
     {
       sides.push_back(normal);
     }
-    if (range[0] < light - Nothing)
+    if (range[0] < light - MinimumExtent)
     {
       sides.push_back(-normal);
     }
@@ -87,14 +89,14 @@ void AddWide(const ViewRange& view, const LightSource& source, int index, const 
   {
     const std::vector<glm::dvec3> sides = getSides(normal);
     return std::count_if(sides.begin(), sides.end(),
-      [&](const glm::dvec3& side) { return FindSweep(sweeps, side, most) < 0; });
+      [&](const glm::dvec3& side) { return FindSweep(sweeps, side, maximum) < 0; });
   };
   const glm::dvec3 normal = *std::min_element(normals.begin(), normals.end(),
     [&](const glm::dvec3& a, const glm::dvec3& b) { return countNew(a) < countNew(b); });
 
   for (const glm::dvec3& side : getSides(normal))
   {
-    int sweep = FindSweep(sweeps, side, most);
+    int sweep = FindSweep(sweeps, side, maximum);
     if (sweep < 0)
     {
       sweep = static_cast<int>(sweeps.size());
@@ -104,7 +106,7 @@ void AddWide(const ViewRange& view, const LightSource& source, int index, const 
     }
     SlicePlan::ShadowedLight light;
     light.Light = index;
-    fit.FitHalfSpace(side, source.Position, light);
+    projection.FitHalfSpace(side, source.Position, light);
     sweeps[static_cast<std::size_t>(sweep)].Lights.push_back(light);
   }
 }
@@ -114,8 +116,8 @@ bool IsWide(const SlicePlan::ShadowedLight& light)
   return light.IsWide;
 }
 
-// Of the half spaces of one light that are sweeps of their own the farther one from the eye comes
-// second, behind the other.
+// If two consecutive sweeps are the half spaces of one light and have no other lights, draws the
+// half space farther from the camera second, behind the other.
 void PairHalves(std::vector<SlicePlan::Sweep>& sweeps)
 {
   for (std::size_t i = 1; i < sweeps.size(); ++i)
@@ -134,9 +136,9 @@ void PairHalves(std::vector<SlicePlan::Sweep>& sweeps)
   }
 }
 
-// Whether what lies before the sweep's first light must be drawn: for its opacity, or for light
-// that comes from elsewhere.
-bool IsWhole(const std::vector<SlicePlan::Sweep>& sweeps, std::size_t index)
+// Returns true if the sweep must start at the front of the volumes rather than at its first light:
+// to draw the opacity, or because it has lights that are not wide.
+bool CoversVolumes(const std::vector<SlicePlan::Sweep>& sweeps, std::size_t index)
 {
   const SlicePlan::Sweep& sweep = sweeps[index];
   const bool isHalf = sweep.IsBehind || (index + 1 < sweeps.size() && sweeps[index + 1].IsBehind);
@@ -145,7 +147,7 @@ bool IsWhole(const std::vector<SlicePlan::Sweep>& sweeps, std::size_t index)
       !std::all_of(sweep.Lights.begin(), sweep.Lights.end(), IsWide));
 }
 
-// Where the first of the sweep's lights is along its normal.
+// Returns the smallest coordinate of the sweep's lights along the sweep's normal.
 double GetFirstLight(const SlicePlan::Sweep& sweep, const std::vector<LightSource>& lights)
 {
   double first = std::numeric_limits<double>::max();
@@ -157,7 +159,8 @@ double GetFirstLight(const SlicePlan::Sweep& sweep, const std::vector<LightSourc
   return first;
 }
 
-// A line of sight along the thick side of long voxels needs no more slices for being cut obliquely.
+// Returns the automatic slice spacing. View rays along the long edges of anisotropic voxels do not
+// require more slices if the slices are oblique.
 double GetAutomaticSpacing(
   const UnitSpace& space, const glm::dvec3& normal, const glm::dvec3& direction, double factor)
 {
@@ -166,32 +169,32 @@ double GetAutomaticSpacing(
   return factor * std::max(SlicePlan::GetVoxelSpacing(space, normal), seen);
 }
 
-// Slabs from the first place to the second one along the normal.
+// Sets slabs that cover a range along the normal.
 void SetSlabs(SlicePlan::Sweep& sweep, const std::array<double, 2>& range,
-  const std::vector<SlicePlan::Matter>& matter, const glm::dvec3& direction,
+  const std::vector<SlicePlan::SlicedVolume>& volumes, const glm::dvec3& direction,
   const SlicePlan::Settings& settings)
 {
   const double extent = range[1] - range[0];
   double spacing = std::numeric_limits<double>::max();
-  for (const SlicePlan::Matter& volume : matter)
+  for (const SlicePlan::SlicedVolume& volume : volumes)
   {
     spacing = std::min(spacing, SlicePlan::GetSpacing(volume, sweep.Normal, direction, settings));
   }
-  // Rounding adds no slab.
+  // Rounding errors must not add a slab.
   constexpr double rounding = 1e-9;
   const double slabs = std::ceil(extent / spacing * (1.0 - rounding));
-  const int most = std::max(settings.MaximumNumberOfSlabs, 1);
-  sweep.Slabs = slabs < most ? std::max(static_cast<int>(slabs), 1) : most;
+  const int maximum = std::max(settings.MaximumNumberOfSlabs, 1);
+  sweep.Slabs = slabs < maximum ? std::max(static_cast<int>(slabs), 1) : maximum;
   sweep.First = range[0];
   sweep.Spacing = extent / sweep.Slabs;
 }
 
-// Refines the buffers of the hard lights of a sweep in which a slab of some volume is dense.
+// Refines the buffers of a sweep's hard lights if a slab of some volume is dense.
 void RefineLights(SlicePlan::Sweep& sweep, const std::vector<LightSource>& lights,
-  const std::vector<SlicePlan::Matter>& matter, const LightFit& fit)
+  const std::vector<SlicePlan::SlicedVolume>& volumes, const LightBufferProjection& projection)
 {
-  if (std::none_of(matter.begin(), matter.end(),
-        [&sweep](const SlicePlan::Matter& volume)
+  if (std::none_of(volumes.begin(), volumes.end(),
+        [&sweep](const SlicePlan::SlicedVolume& volume)
         { return volume.RampExtinction * sweep.Spacing > SlicePlan::DenseDepth; }))
   {
     return;
@@ -200,30 +203,30 @@ void RefineLights(SlicePlan::Sweep& sweep, const std::vector<LightSource>& light
   {
     if (!light.IsWide && light.SoftMethod == SlicePlan::HARD)
     {
-      fit.Refine(lights[static_cast<std::size_t>(light.Light)], light);
+      projection.Refine(lights[static_cast<std::size_t>(light.Light)], light);
     }
   }
 }
 
 }
 
-void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights, const UnitSpace& space,
-  const std::array<std::array<double, 2>, 3>& box, const Settings& settings)
+void SlicePlan::Make(const Camera& eye, const std::vector<LightSource>& lights,
+  const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box, const Settings& settings)
 {
   this->Make(eye, lights, { { &space, box, 0.0 } }, settings);
 }
 
-void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights,
-  const std::vector<Matter>& matter, const Settings& settings)
+void SlicePlan::Make(const Camera& eye, const std::vector<LightSource>& lights,
+  const std::vector<SlicedVolume>& volumes, const Settings& settings)
 {
-  BoxCorners corners(*matter[0].Space, matter[0].Box);
-  for (std::size_t i = 1; i < matter.size(); ++i)
+  BoxCorners corners(*volumes[0].Space, volumes[0].Box);
+  for (std::size_t i = 1; i < volumes.size(); ++i)
   {
-    corners.Add(*matter[i].Space, matter[i].Box);
+    corners.Add(*volumes[i].Space, volumes[i].Box);
   }
   const ViewRange view(eye, corners);
-  const LightFit fit(corners, matter, settings);
-  const auto most = static_cast<std::size_t>(std::max(settings.LightsOfSweep, 1));
+  const LightBufferProjection projection(corners, volumes, settings);
+  const auto maximum = static_cast<std::size_t>(std::max(settings.LightsOfSweep, 1));
 
   std::vector<LightGroup> groups;
   std::vector<int> wide;
@@ -231,15 +234,15 @@ void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights,
   {
     if (lights[i].ShadowStrength > 0.0)
     {
-      const LightGroup::Caster caster(static_cast<int>(i), lights[i], corners);
-      const LightGroup own = LightGroup::Make(view, caster);
+      const LightGroup::Light light(static_cast<int>(i), lights[i], corners);
+      const LightGroup own = LightGroup::Make(view, light);
       if (lights[i].IsPositional && own.GetLightCosine() < WideCosine)
       {
-        wide.push_back(caster.Light);
+        wide.push_back(light.Index);
       }
       else
       {
-        AddLight(view, own, most, groups);
+        AddLight(view, own, maximum, groups);
       }
     }
   }
@@ -256,15 +259,16 @@ void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights,
     Sweep sweep;
     sweep.Normal = group.GetNormal();
     sweep.IsFrontToBack = group.IsFrontToBack();
-    for (const LightGroup::Caster& caster : group.GetCasters())
+    for (const LightGroup::Light& member : group.GetLights())
     {
       ShadowedLight light;
-      light.Light = caster.Light;
-      const LightSource& source = lights[static_cast<std::size_t>(caster.Light)];
-      fit.FitPlane(source, light);
-      if (source.Area && settings.SoftMethod != HARD && !fit.Soften(source, sweep.Normal, light))
+      light.Light = member.Index;
+      const LightSource& source = lights[static_cast<std::size_t>(member.Index)];
+      projection.FitPlane(source, light);
+      if (source.Area && settings.SoftMethod != HARD &&
+        !projection.PlanSoftShadows(source, sweep.Normal, light))
       {
-        this->NotSoft.push_back(caster.Light);
+        this->NotSoft.push_back(member.Index);
       }
       sweep.Lights.push_back(light);
     }
@@ -272,15 +276,16 @@ void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights,
   }
   for (const int light : wide)
   {
-    AddWide(view, lights[static_cast<std::size_t>(light)], light, corners, most, fit, this->Sweeps);
+    AddWide(view, lights[static_cast<std::size_t>(light)], light, corners, maximum, projection,
+      this->Sweeps);
   }
   if (this->Sweeps.empty())
   {
     SliceNormal normal;
-    normal.Add(view.Rays, 1.0, EyeCosine);
+    normal.Add(view.Rays, 1.0, ViewCosine);
     normal.FindBest();
     Sweep sweep;
-    sweep.Normal = normal.Turn(view.Direction);
+    sweep.Normal = normal.Adjust(view.Direction);
     this->Sweeps.push_back(sweep);
   }
   PairHalves(this->Sweeps);
@@ -288,12 +293,12 @@ void SlicePlan::Make(const Eye& eye, const std::vector<LightSource>& lights,
   {
     Sweep& sweep = this->Sweeps[i];
     std::array<double, 2> range = corners.GetRange(sweep.Normal);
-    if (!IsWhole(this->Sweeps, i))
+    if (!CoversVolumes(this->Sweeps, i))
     {
       range[0] = std::max(range[0], GetFirstLight(sweep, lights));
     }
-    SetSlabs(sweep, range, matter, view.Direction, settings);
-    RefineLights(sweep, lights, matter, fit);
+    SetSlabs(sweep, range, volumes, view.Direction, settings);
+    RefineLights(sweep, lights, volumes, projection);
   }
 }
 
@@ -302,16 +307,16 @@ double SlicePlan::GetVoxelSpacing(const UnitSpace& space, const glm::dvec3& norm
   return 1.0 / Vectors::SafeLength(space.GetTexels(normal));
 }
 
-double SlicePlan::GetSpacing(const Matter& matter, const glm::dvec3& normal,
+double SlicePlan::GetSpacing(const SlicedVolume& volume, const glm::dvec3& normal,
   const glm::dvec3& direction, const Settings& settings)
 {
-  const double set = matter.Spacing > 0.0 ? matter.Spacing : settings.Spacing;
+  const double set = volume.Spacing > 0.0 ? volume.Spacing : settings.Spacing;
   return set > 0.0
     ? set
-    : GetAutomaticSpacing(*matter.Space, normal, direction, settings.AutomaticFactor);
+    : GetAutomaticSpacing(*volume.Space, normal, direction, settings.AutomaticFactor);
 }
 
-std::array<double, 2> SlicePlan::GetBufferPlace(
+std::array<double, 2> SlicePlan::GetBufferPosition(
   const std::array<double, 9>& frame, const glm::dvec3& direction)
 {
   double along[3];
@@ -326,10 +331,10 @@ std::array<double, 2> SlicePlan::GetBufferPlace(
 }
 
 glm::dvec3 SlicePlan::GetBufferDirection(
-  const std::array<double, 9>& frame, const std::array<double, 2>& place)
+  const std::array<double, 9>& frame, const std::array<double, 2>& position)
 {
-  const double x = place[0] + place[1] - 1.0;
-  const double y = place[0] - place[1];
+  const double x = position[0] + position[1] - 1.0;
+  const double y = position[0] - position[1];
   const double z = 1.0 - std::abs(x) - std::abs(y);
   const glm::dvec3 across = x * glm::make_vec3(&frame[0]) + y * glm::make_vec3(&frame[3]);
   const glm::dvec3 normal = glm::make_vec3(&frame[6]);

@@ -3,7 +3,7 @@
 #define interlume_SlicePlan_h
 
 #include "Common/Vectors.h"
-#include "Lights/LightSource.h" // for the lights
+#include "Lights/LightSource.h"
 
 #include <array>
 #include <vector>
@@ -17,49 +17,51 @@ class UnitSpace;
 
 /**
  * @class   SlicePlan
- * @brief   which slices are drawn in which order, for which lights
+ * @brief   plan of the sweeps, their slices and the lights of each sweep
  *
- * A sweep goes through the slabs of one set of parallel planes along their normal; light goes the
- * same way in all of its lights. Where the eye looks along the normal too, the sweep is from front
- * to back, else from back to front.
+ * A sweep traverses the slabs between parallel planes along their normal. All its lights shine
+ * toward the same side of the planes. If the camera looks along the normal, the sweep runs front to
+ * back, otherwise back to front.
  *
- * One light, one sweep: its normal is the half vector of view and light where the light is on the
- * viewer's side, and of view and the light's opposite where it is behind the volume, turned as far
- * as the rays through the corners of the volume need it: wherever that can be had the eye's make a
- * cosine of at least EyeCosine with the normal, and the lights' one of at least LightCosine.
- * Several lights share a sweep as long as the average vector (2.3.4) leaves all of them and the eye
- * these angles; lights that no normal serves together have sweeps of their own. A positional light
- * that no normal gives a cosine of at least WideCosine, as one in whose plane some of the volume
- * lies, is *wide*: it shines along the normal on one side of that plane, and against it on the
- * other, and takes part in one sweep for each side on which there is something of the volume. Where
- * it has both sweeps for itself they are halves of one picture, cut at the light: first from there
- * to the eye, then away from the eye, behind what is drawn. Else a sweep from back to front begins
- * at its first light if all are wide: it adds no opacity to the picture, and before that light it
- * has no colour.
+ * The normal for a single light is the half vector of the view and light directions if the light is
+ * on the viewer's side, or of the view and the opposite light direction if it is behind the volume.
+ * It is rotated as far as the rays through the volume's corners require: view rays have a cosine of
+ * at least ViewCosine with it and light rays of at least LightCosine, if such a normal exists.
+ * Several lights share a sweep if the half vector of the view and the average light direction (C.
+ * Zhang, dissertation, 2.3.4) meets these bounds for all of them. Other lights have separate
+ * sweeps.
  *
- * A small change of eye or light changes normals by little, except where it changes the number of
- * sweeps, their sides, or the lights that share one, as where light and view are perpendicular.
- * What slices show is an integral that does not depend on the choice of planes: such a change moves
- * the picture by the error of the slices (their distance and the size of the buffers), by no more.
+ * A positional light is *wide* if no normal gives it a cosine of at least WideCosine, for example
+ * if it is inside the volume. Its light travels along the normal on one side of the slice plane
+ * through it and against the normal on the other side, so it takes part in up to two sweeps. If it
+ * is the only light of both, the sweeps are the halves of one image, cut at the light: the sweep on
+ * the camera's side is drawn first, and the other sweep is drawn behind it. Otherwise, if a
+ * back-to-front sweep has wide lights only, it starts at its first light: the sweep adds no opacity
+ * to the image, and no color before that light.
+ *
+ * The normals are continuous in the camera and the lights, unless the number of sweeps, their order
+ * or the lights of a sweep change, as when light and view are perpendicular. The image is an
+ * integral that does not depend on the slice planes. Therefore such a change alters the image only
+ * by the discretization error of slices and buffers.
  */
 class SlicePlan
 {
 public:
-  /// The eye, in unit space.
-  struct Eye
+  /// The camera, in unit space.
+  struct Camera
   {
     bool IsParallel = false;
     glm::dvec3 Position{ 0.0, 0.0, 4.0 };
-    /// Length 1.
+    /// View direction, a unit vector.
     glm::dvec3 Direction{ 0.0, 0.0, -1.0 };
-    /// From unit space to clip coordinates.
+    /// Matrix from unit space to clip coordinates.
     glm::dmat4 ClipFromUnit{ 0.0 };
   };
 
-  /// How soft shadows of area lights are planned.
+  /// Methods for the soft shadows of area lights.
   enum SoftMethods
   {
-    /// Area lights are lights without extent.
+    /// Area lights are treated as lights without extent.
     HARD,
     LAYERS,
     CONVOLUTION
@@ -68,41 +70,45 @@ public:
   /// A sample of an area light's emitter, with its layer of transmittance.
   struct SampleView
   {
-    /// A matrix as BufferFromUnit of ShadowedLight, for the light at the sample.
+    /// Matrix like ShadowedLight::BufferFromUnit, for a light at the sample.
     glm::dmat4 LayerFromUnit{ 0.0 };
-    /// Its share of the light, the mean over the three channels.
+    /// Fraction of the light, averaged over the three channels.
     double Weight = 0.0;
-    /// Its place and 1 in unit space; where light comes from and 0 without a place.
+    /// Homogeneous position in unit space, or for a directional light, the direction to the light
+    /// and 0.
     glm::dvec4 Source{ 0.0, 0.0, 0.0, 1.0 };
   };
 
   /// A light with its buffer.
   struct ShadowedLight
   {
-    /// The index in the list of lights.
+    /// Index in the list of lights.
     int Light = 0;
-    /// The number of columns and rows of the buffer.
+    /// Number of columns and rows of the buffer.
     int BufferSize = 0;
-    /// Whether its buffer holds directions of a half space (octahedral) instead of a plane.
+    /// Whether the buffer stores the directions of a half space (octahedral map) instead of a
+    /// plane.
     bool IsWide = false;
-    /// For lights that are not wide, the matrix from unit space to clip coordinates of the buffer,
-    /// -1 to 1 after division by the fourth, which is above 0 in front of the light.
+    /// If the light is not wide, the matrix from unit space to clip coordinates of the buffer: -1
+    /// to 1 after division by the fourth coordinate, which is positive in front of the light.
     glm::dmat4 BufferFromUnit{ 0.0 };
-    /// For lights that are not wide, the longer edge of a texel where it is largest in the volume,
-    /// and the length of a voxel along the light.
+    /// If the light is not wide, the longer edge of a texel where texels are largest in the volume,
+    /// and the length of a voxel along the light direction.
     double TexelSize = 0.0;
     double VoxelLength = 0.0;
-    /// How the light's shadows are made soft; hard for wide lights.
+    /// Method of the light's soft shadows. Wide lights have hard shadows.
     SoftMethods SoftMethod = HARD;
-    /// For layers, one view for each sample, and how far a sample's shadow goes from the centre's,
-    /// in texels, on its way through a distance of 1 along the normal: the most in the volume, and
-    /// the most of it times the square of the distance from a positional light.
+    /// If SoftMethod is LAYERS, a view for each sample.
     std::vector<SampleView> Samples;
-    /// The emitter's centre, as Source of a sample.
+    /// The emitter's center, in the form of SampleView::Source.
     glm::dvec4 Center{ 0.0, 0.0, 0.0, 1.0 };
+    /// If SoftMethod is LAYERS, the divergence of a sample's shadow from the center's shadow over a
+    /// distance of 1 along the normal, in texels. Spread is the maximum of this value in the
+    /// volume. Divergence is the maximum of this value times the squared distance from a positional
+    /// light.
     double Spread = 0.0;
     double Divergence = 0.0;
-    /// For wide lights, two directions in the slices' plane and the sweep's normal, as rows.
+    /// For wide lights, two directions in the slice plane and the sweep's normal, as rows.
     std::array<double, 9> Frame{};
   };
 
@@ -110,9 +116,9 @@ public:
   {
     glm::dvec3 Normal{ 0.0, 0.0, -1.0 };
     bool IsFrontToBack = true;
-    /// Whether its slabs lie behind all of the sweep before, in the same picture.
+    /// If true, the slabs are behind all slabs of the previous sweep, in the same image.
     bool IsBehind = false;
-    /// Slab i is First + i Spacing <= x.Normal <= First + (i + 1) Spacing.
+    /// Slab i contains the points x with First + i Spacing <= x.Normal <= First + (i + 1) Spacing.
     double First = 0.0;
     double Spacing = 0.0;
     int Slabs = 0;
@@ -120,101 +126,99 @@ public:
   };
 
   /// A volume in the common unit space.
-  struct Matter
+  struct SlicedVolume
   {
     const UnitSpace* Space = nullptr;
-    /// The part with something to see, in texture coordinates.
+    /// The part that is not transparent, in texture coordinates.
     std::array<std::array<double, 2>, 3> Box{};
-    /// The spacing of slices that this volume asks for; 0 stands for that of the settings.
+    /// Slice spacing of this volume; 0 uses the spacing of the settings.
     double Spacing = 0.0;
-    /// The largest extinction in unit space of matter whose surfaces are ramps of opacity;
-    /// otherwise 0.
+    /// Maximum extinction, in unit space, of a medium whose surfaces are opacity ramps; otherwise
+    /// 0.
     double RampExtinction = 0.0;
   };
 
   struct Settings
   {
-    /// The spacing of slices in unit space; 0 stands for GetVoxelSpacing times AutomaticFactor, of
-    /// the normal or, where that is more, of the direction of view times its cosine with the
-    /// normal.
+    /// Slice spacing in unit space. 0 is automatic: AutomaticFactor times the larger of two
+    /// lengths. One is GetVoxelSpacing along the normal. The other is GetVoxelSpacing along the
+    /// view direction, times the cosine of the angle between view direction and normal.
     double Spacing = 0.0;
     double AutomaticFactor = 1.0;
     int BufferSize = 0;
-    /// The least size where BufferSize is 0.
-    int LeastBufferSize = 0;
+    /// Minimum size of an automatic buffer (BufferSize 0).
+    int MinimumBufferSize = 0;
     int LargestBufferSize = 8192;
-    /// The number of an automatic buffer's columns for each voxel, but for lights within the
-    /// volume.
+    /// Number of texels per voxel of an automatic buffer, except for lights inside the volume.
     double TexelsOfVoxel = 1.0;
-    /// The number of pixels along the picture's shorter edge.
-    int PictureSize = 0;
+    /// Number of pixels along the image's shorter edge.
+    int SmallerImageSize = 0;
     int MaximumNumberOfSlabs = 65536;
     int LightsOfSweep = 4;
     SoftMethods SoftMethod = HARD;
-    /// The number of samples of each area light, for layers.
+    /// Number of samples of each area light, for the method LAYERS.
     int Samples = 0;
   };
 
   /**
-   * Makes the plan. \a lights are all that shine; those with a ShadowStrength above 0 get a buffer.
-   * There is at least one sweep, the first one, with no lights where none has shadows; its normal
-   * is then the direction of view. \a box is the part of the volume with something to see, in
-   * texture coordinates.
+   * Creates the plan. \a lights are all lights; lights with a ShadowStrength above 0 get a buffer.
+   * There is at least one sweep. Without shadows, it has no lights and its normal is the view
+   * direction. \a box is the part of the volume that is not transparent, in texture coordinates.
    */
-  void Make(const Eye& eye, const std::vector<LightSource>& lights, const UnitSpace& space,
+  void Make(const Camera& eye, const std::vector<LightSource>& lights, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box, const Settings& settings);
-  /// Makes the plan of volumes whose slices are drawn together, at least one: sweeps go through all
-  /// of them with the finest spacing that one asks for, and a light's buffer is around all of them
-  /// with texels as fine as the finest voxels.
-  void Make(const Eye& eye, const std::vector<LightSource>& lights,
-    const std::vector<Matter>& matter, const Settings& settings);
+  /// Creates the plan for one or more volumes drawn in shared slices. Sweeps traverse all volumes
+  /// with the finest of their spacings. A light's buffer encloses all volumes, and its texels are
+  /// as fine as the finest voxels.
+  void Make(const Camera& eye, const std::vector<LightSource>& lights,
+    const std::vector<SlicedVolume>& volumes, const Settings& settings);
 
   std::vector<Sweep> Sweeps;
-  /// The area lights, by their index, that cannot have the soft method of the settings: they are
-  /// wide, or slices are seen edge-on from some of the emitter.
+  /// Indices of the area lights that cannot use the soft method of the settings: they are wide, or
+  /// slices are seen edge-on from part of the emitter.
   std::vector<int> NotSoft;
 
-  /// Whether the sweep is of the first picture, which has the opacity and all light that casts no
-  /// shadows; other pictures' colours are added to it.
-  bool IsOfFirstPicture(std::size_t sweep) const
+  /// Returns true if the sweep belongs to the first image, which contains the opacity and all light
+  /// without shadows. The colors of other images are added to it.
+  bool IsOfFirstImage(std::size_t sweep) const
   {
     return sweep == 0 || (sweep == 1 && this->Sweeps[1].IsBehind);
   }
-  /// Whether the sweep is the last one of its picture.
-  bool IsLastOfPicture(std::size_t sweep) const
+  /// Returns true if the sweep is the last one of its image.
+  bool IsLastOfImage(std::size_t sweep) const
   {
     return sweep + 1 == this->Sweeps.size() || !this->Sweeps[sweep + 1].IsBehind;
   }
-  /// Whether there is more than one picture.
-  bool HasFurtherPictures() const { return !this->IsOfFirstPicture(this->Sweeps.size() - 1); }
+  /// Returns true if there is more than one image.
+  bool HasFurtherImages() const { return !this->IsOfFirstImage(this->Sweeps.size() - 1); }
 
-  /// Least cosines between a sweep's normal and the rays of the eye and of lights, and the least of
-  /// a light that is not wide.
-  static constexpr double EyeCosine = 0.5;
+  /// Minimum cosines between a sweep's normal and view rays, light rays, and the rays of a light
+  /// that is not wide.
+  static constexpr double ViewCosine = 0.5;
   static constexpr double LightCosine = 0.35;
   static constexpr double WideCosine = 0.2;
-  /// The least cosine of rays from all of an emitter with the normal.
+  /// Minimum cosine between the normal and rays from any point of an emitter.
   static constexpr double SampleCosine = 0.1;
-  /// The optical depth of a slab from which on the surfaces of matter are ramps as narrow as the
-  /// texels of light buffers. In thinner matter interpolation along a ramp would move edges of
-  /// faint shadows.
+  /// Minimum optical depth of a slab at which the opacity ramps of surfaces are regarded as no
+  /// wider than a buffer's texels. In a thinner medium, interpolation along a ramp would shift the
+  /// edges of faint shadows.
   static constexpr double DenseDepth = 1.0;
 
-  /// Distance of slices that is one voxel along \a normal: the length within a voxel of a line
-  /// along it, 1 / sqrt(sum (n_i / voxel_i)^2) in the volume's own axes.
+  /// Returns the slice spacing of one voxel along \a normal, 1 / sqrt(sum (n_i / voxel_i)^2) in the
+  /// volume's axes: the length of a line along \a normal within a voxel.
   static double GetVoxelSpacing(const UnitSpace& space, const glm::dvec3& normal);
-  /// The spacing of slices along \a normal that a volume asks for.
-  static double GetSpacing(const Matter& matter, const glm::dvec3& normal,
+  /// Returns the slice spacing along \a normal that a volume requests.
+  static double GetSpacing(const SlicedVolume& volume, const glm::dvec3& normal,
     const glm::dvec3& direction, const Settings& settings);
 
-  /// Returns the place of direction d of the half space d.n >= 0 in the buffer of a wide light, 0
-  /// to 1: with (e1, e2, n) the rows of \a frame and p = (d.e1, d.e2) / (|d.e1| + |d.e2| + d.n),
-  /// this is ((p.x + p.y), (p.x - p.y)) / 2 + 1/2 (the octahedral map).
-  static std::array<double, 2> GetBufferPlace(
+  /// Returns the position, 0 to 1, of a direction d in a wide light's buffer (octahedral map), for
+  /// the half space d.n >= 0. If (e1, e2, n) are the rows of \a frame and p = (d.e1, d.e2) /
+  /// (|d.e1| + |d.e2| + d.n), the position is ((p.x + p.y), (p.x - p.y)) / 2 + 1/2.
+  static std::array<double, 2> GetBufferPosition(
     const std::array<double, 9>& frame, const glm::dvec3& direction);
-  /// The direction, of length 1, that has this place.
+  /// Returns the unit direction at a position in the buffer.
   static glm::dvec3 GetBufferDirection(
-    const std::array<double, 9>& frame, const std::array<double, 2>& place);
+    const std::array<double, 9>& frame, const std::array<double, 2>& position);
 };
 
 }

@@ -18,26 +18,26 @@ using namespace UnitVector;
 using Block = std::array<int, 3>;
 using Point = std::array<float, 3>;
 
-// Cuts a lattice of blocks with planes.
+// Cuts a grid of blocks with planes.
 class Cutter
 {
 public:
-  Cutter(const BlockLattice& lattice, const UnitSpace& space, const glm::dvec3& normal)
-    : Lattice(lattice)
+  Cutter(const BlockGrid& grid, const UnitSpace& space, const glm::dvec3& normal)
+    : Grid(grid)
     , Space(space)
     , Constant(glm::dot(normal, glm::dvec3(space.UnitFromTexture[3])))
   {
     for (int axis = 0; axis < 3; ++axis)
     {
       const glm::dvec3 column(space.UnitFromTexture[axis]);
-      for (const double border : lattice.GetBorders(axis))
+      for (const double border : grid.GetBorders(axis))
       {
         this->Heights[axis].push_back(glm::dot(normal, column) * border);
       }
     }
   }
 
-  // Returns the lowest and highest place of a block along the normal.
+  // Returns the minimum and maximum position of a block along the normal.
   std::array<double, 2> GetRange(const Block& block) const
   {
     std::array<double, 2> range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };
@@ -50,14 +50,14 @@ public:
     return range;
   }
 
-  // Appends the triangles of the plane at \a place inside the block.
-  void Cut(const Block& block, double place, std::vector<float>& vertices) const
+  // Appends the cross-section of a block with the plane at \a position, as triangles.
+  void Cut(const Block& block, double position, std::vector<float>& vertices) const
   {
     std::array<double, 8> heights;
     unsigned above = 0;
     for (unsigned corner = 0; corner < 8; ++corner)
     {
-      heights[corner] = this->GetHeight(block, corner, place);
+      heights[corner] = this->GetHeight(block, corner, position);
       above |= heights[corner] > 0.0 ? 1u << corner : 0u;
     }
     std::array<Point, 6> points;
@@ -84,9 +84,10 @@ public:
   }
 
 private:
-  // Returns the height above the plane. All blocks add in the same order: sums are equal where
-  // corners are, and grow along an axis for all others alike, so that no face is cut twice.
-  double GetHeight(const Block& block, unsigned corner, double place) const
+  // Returns a corner's height above the plane at \a position. All blocks add the terms in the same
+  // order. Sums at common corners are then bit-identical and monotonic along each axis, so no face
+  // is cut twice.
+  double GetHeight(const Block& block, unsigned corner, double position) const
   {
     std::array<double, 3> heights;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -94,10 +95,11 @@ private:
       const auto border = static_cast<std::size_t>(block[axis]) + (corner >> axis & 1u);
       heights[axis] = this->Heights[axis][border];
     }
-    return heights[0] + heights[1] + heights[2] + (this->Constant - place);
+    return heights[0] + heights[1] + heights[2] + (this->Constant - position);
   }
 
-  // Returns where the plane cuts an edge, counted from its lower end, whichever block asks.
+  // Returns the intersection of the plane and an edge. It is computed from the edge's lower end, so
+  // all blocks compute the same point.
   Point GetPoint(
     const Block& block, const BoxCutTable::Edge& edge, const std::array<double, 8>& heights) const
   {
@@ -105,35 +107,35 @@ private:
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const auto border = static_cast<std::size_t>(block[axis]) + (edge.Start >> axis & 1u);
-      texture[axis] = this->Lattice.GetBorders(axis)[border];
+      texture[axis] = this->Grid.GetBorders(axis)[border];
     }
     const auto axis = static_cast<std::size_t>(edge.Axis);
     const double start = heights[edge.Start];
     const double end = heights[edge.Start | 1u << edge.Axis];
     const double length =
-      this->Lattice.GetBorders(axis)[static_cast<std::size_t>(block[axis]) + 1] - texture[axis];
+      this->Grid.GetBorders(axis)[static_cast<std::size_t>(block[axis]) + 1] - texture[axis];
     texture[axis] += start / (start - end) * length;
     const glm::dvec3 unit = TransformPoint(this->Space.UnitFromTexture, texture);
     return { { static_cast<float>(unit[0]), static_cast<float>(unit[1]),
       static_cast<float>(unit[2]) } };
   }
 
-  const BlockLattice& Lattice;
+  const BlockGrid& Grid;
   const UnitSpace& Space;
   const double Constant;
-  /// The heights of each axis' borders along the normal.
+  /// Positions along the normal of the block borders of each axis.
   std::array<std::vector<double>, 3> Heights;
   const BoxCutTable Table;
 };
 
-// Finds the blocks that each slab's plane may cut, in the order of blocks.
+// Returns the blocks that each slab's plane may cut, in block order.
 std::vector<std::vector<Block>> Distribute(
   const std::vector<Block>& blocks, const Cutter& cutter, const SlicePlan::Sweep& sweep)
 {
   std::vector<std::vector<Block>> slabs(static_cast<std::size_t>(sweep.Slabs));
-  const auto toSlab = [&](double place)
+  const auto toSlab = [&](double position)
   {
-    const double slab = (place - sweep.First) / sweep.Spacing - 0.5;
+    const double slab = (position - sweep.First) / sweep.Spacing - 0.5;
     return static_cast<int>(std::max(std::min(slab, double(sweep.Slabs)), -1.0));
   };
   for (const Block& block : blocks)
@@ -150,14 +152,14 @@ std::vector<std::vector<Block>> Distribute(
 
 }
 
-void SlicePolygons::Build(const SlicePlan::Sweep& sweep, BlockLattice lattice,
-  const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box, double margin)
+void SlicePolygons::Build(const SlicePlan::Sweep& sweep, BlockGrid grid, const UnitSpace& space,
+  const std::array<std::array<double, 2>, 3>& box, double margin)
 {
-  lattice.Crop(box, space.GetMargins(margin));
-  lattice.Join();
+  grid.Crop(box, space.GetMargins(margin));
+  grid.Join();
 
-  const Cutter cutter(lattice, space, sweep.Normal);
-  const std::vector<std::vector<Block>> blocks = Distribute(lattice.GetVisible(), cutter, sweep);
+  const Cutter cutter(grid, space, sweep.Normal);
+  const std::vector<std::vector<Block>> blocks = Distribute(grid.GetVisible(), cutter, sweep);
   std::vector<std::vector<float>> parts(blocks.size());
   vtkSMPTools::For(0, sweep.Slabs,
     [&](vtkIdType first, vtkIdType end)
@@ -165,10 +167,10 @@ void SlicePolygons::Build(const SlicePlan::Sweep& sweep, BlockLattice lattice,
       for (vtkIdType slab = first; slab < end; ++slab)
       {
         const auto index = static_cast<std::size_t>(slab);
-        const double place = sweep.First + (static_cast<double>(slab) + 0.5) * sweep.Spacing;
+        const double position = sweep.First + (static_cast<double>(slab) + 0.5) * sweep.Spacing;
         for (const Block& block : blocks[index])
         {
-          cutter.Cut(block, place, parts[index]);
+          cutter.Cut(block, position, parts[index]);
         }
       }
     });

@@ -4,7 +4,7 @@
 
 #include "Plan/SlabTriangles.h"
 #include "Plan/SlicePlan.h"
-#include "Volume/BlockLattice.h"
+#include "Volume/BlockGrid.h"
 
 #include <array>
 
@@ -15,25 +15,25 @@ class UnitSpace;
 
 /**
  * @class   SlicePolygons
- * @brief   where slices cut the blocks that can be seen
+ * @brief   triangles of the slices inside the visible blocks
  *
- * Computes for each slab the triangles of the plane through its middle inside the visible blocks,
- * in unit space. Neighbouring blocks share the corners of their common edge bit for bit, so that a
- * pixel is covered once. A plane along the common face of two blocks is in the one that the normal
- * points into. Triangles wind either way. Blocks on the outside of the box are larger there by what
- * a ray can enter the slab beside the box's own cut; the shader cuts the ray at the box. Layers of
- * blocks that are visible in the same places are cut as one.
+ * Computes for each slab the triangles of its central plane inside the visible blocks, in unit
+ * space. Adjacent blocks compute bit-identical vertices on a common edge, so each pixel is covered
+ * exactly once. A plane along the common face of two blocks belongs to the block that the normal
+ * points into. Triangles have either winding. Blocks at the border of the box are enlarged to
+ * include rays that enter the slab outside the plane's cross-section with the box; the shader clips
+ * the ray at the box. Adjacent layers of blocks with the same visibility are merged.
  */
 class SlicePolygons : public SlabTriangles
 {
 public:
   /**
-   * Cuts all slabs. \a box is the box of the medium in texture coordinates: blocks outside of it
-   * are skipped, others cut at it, and the first and last reach to it. \a margin is the length by
-   * which outer blocks are enlarged, in unit space. Threads share the slabs; the triangles are the
-   * same for any number of threads.
+   * Computes the triangles of all slabs. \a box is the box of the medium in texture coordinates:
+   * blocks outside it are skipped, and other blocks are clipped; the first and last blocks extend
+   * to it. \a margin is the length in unit space by which outer blocks are enlarged. Slabs are
+   * processed in parallel; the result does not depend on the number of threads.
    */
-  void Build(const SlicePlan::Sweep& sweep, BlockLattice lattice, const UnitSpace& space,
+  void Build(const SlicePlan::Sweep& sweep, BlockGrid grid, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box, double margin);
 };
 

@@ -19,8 +19,8 @@ double FindBest(const std::vector<glm::dvec3>& rays, double cosine)
   return normal.FindBest();
 }
 
-// Through the corners of the picture; empty where the matrix has none.
-std::vector<glm::dvec3> GetPictureRays(const SlicePlan::Eye& eye)
+// Returns the rays through the corners of the frame, or no rays if the camera's matrix is singular.
+std::vector<glm::dvec3> GetImageRays(const SlicePlan::Camera& eye)
 {
   const glm::dmat4& m = eye.ClipFromUnit;
   const glm::dvec3 rows[3] = { GetRow(m, 0), GetRow(m, 1), GetRow(m, 3) };
@@ -30,7 +30,7 @@ std::vector<glm::dvec3> GetPictureRays(const SlicePlan::Eye& eye)
   {
     for (const double y : { -1.0, 1.0 })
     {
-      // What the planes of the pixel's column and row have in common.
+      // The ray is the intersection of two planes: the pixel's column and its row.
       const glm::dvec3 ray =
         Normalize(glm::cross(rows[0] - x * rows[2], rows[1] - y * rows[2]), none);
       const double forward = glm::dot(ray, eye.Direction);
@@ -46,7 +46,7 @@ std::vector<glm::dvec3> GetPictureRays(const SlicePlan::Eye& eye)
 
 }
 
-ViewRange::ViewRange(const SlicePlan::Eye& eye, const BoxCorners& corners)
+ViewRange::ViewRange(const SlicePlan::Camera& eye, const BoxCorners& corners)
   : Direction(eye.Direction)
   , Rays({ eye.Direction })
 {
@@ -55,12 +55,12 @@ ViewRange::ViewRange(const SlicePlan::Eye& eye, const BoxCorners& corners)
     return;
   }
   const std::vector<glm::dvec3> rays = corners.GetRays(eye.Position);
-  const double ratio = FindBest(rays, SlicePlan::EyeCosine);
-  const std::vector<glm::dvec3> picture =
-    ratio < 1.0 ? GetPictureRays(eye) : std::vector<glm::dvec3>();
-  if (!picture.empty() && FindBest(picture, SlicePlan::EyeCosine) > ratio)
+  const double ratio = FindBest(rays, SlicePlan::ViewCosine);
+  const std::vector<glm::dvec3> imageRays =
+    ratio < 1.0 ? GetImageRays(eye) : std::vector<glm::dvec3>();
+  if (!imageRays.empty() && FindBest(imageRays, SlicePlan::ViewCosine) > ratio)
   {
-    this->Rays = picture;
+    this->Rays = imageRays;
   }
   else if (ratio > 0.0)
   {

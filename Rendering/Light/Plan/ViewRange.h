@@ -11,16 +11,17 @@ namespace interlume
 
 /**
  * @class   ViewRange
- * @brief   the rays of the eye to which slices must not be too flat
+ * @brief   view rays that must not be nearly parallel to the slices
  *
- * They are the rays through the box's corners, or those through the picture's corners where these
- * spread less, as from close to the volume or inside it.
+ * These are the rays through the corners of the boxes. If the camera is close to a volume or inside
+ * it, the rays through the corners of the frame are used if they span a smaller range.
  */
 struct ViewRange
 {
-  ViewRange(const SlicePlan::Eye& eye, const BoxCorners& corners);
+  ViewRange(const SlicePlan::Camera& eye, const BoxCorners& corners);
 
-  /// To the box's middle with the first kind of rays, else the eye's.
+  /// Direction to the center of the boxes if the rays pass through their corners, otherwise the
+  /// view direction.
   glm::dvec3 Direction;
   std::vector<glm::dvec3> Rays;
 };

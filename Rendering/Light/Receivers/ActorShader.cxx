@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Receivers/ActorShader.h"
 
-#include "Casters/SceneCasters.h"
+#include "ShadowMaps/SceneOccluders.h"
 #include "Lights/LightSource.h"
 #include "Offscreen/ShaderFeatures.h"
 #include "Receivers/LightTransmittance.h"
-#include "Receivers/SceneFields.h"
-#include "Receivers/SceneScreens.h"
+#include "Receivers/SceneScatteredLight.h"
+#include "Receivers/SceneLightImages.h"
 #include "Space/UnitVector.h"
-#include "Translucent/PaneMaps.h"
+#include "Translucent/TranslucentShadowMaps.h"
 
 #include "InterlumeSceneActor.h"
 #include "vtkCamera.h"
@@ -38,13 +38,14 @@ std::string Tuple(const std::string& type, const std::array<int, 2>& values)
 }
 
 bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
-  const SceneCasters& casters, const LightTransmittance& transmittance, const PaneMaps& panes,
-  const SceneScreens& screens, const SceneFields& fields)
+  const SceneOccluders& occluders, const LightTransmittance& transmittance,
+  const TranslucentShadowMaps& translucentMaps, const SceneLightImages& screens,
+  const SceneScatteredLight& fields)
 {
   this->Fields = &fields;
-  this->Panes = &panes;
+  this->TranslucentMaps = &translucentMaps;
   this->Screens = &screens;
-  this->Casters = &casters;
+  this->Occluders = &occluders;
   this->WorldFromView = glm::inverse(
     UnitVector::FromRows(renderer->GetActiveCamera()->GetModelViewTransformMatrix()->GetData()));
   std::array<int, 4> viewport{};
@@ -72,7 +73,7 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
     if (source != lights.end() && source->ShadowStrength > 0.0)
     {
       shadowed.Strength = static_cast<float>(source->ShadowStrength);
-      shadowed.Share = casters.GetShare(light, "vertexVC.xyz", "scenePlaneHere");
+      shadowed.OpaqueCall = occluders.GetLightFraction(light, "vertexVC.xyz", "scenePlaneHere");
       shadowed.Tile = transmittance.IsUsed() ? transmittance.GetTile(light) : -1;
     }
     shadowed.Screen = screens.GetFactor(light);
@@ -82,9 +83,10 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
       imageParts.Implementation +=
         "  vec3 sceneLight" + std::to_string(number) + " = vec3(1.0)" + shadowed.Screen + ";\n";
     }
-    shadowed.Panes = panes.GetShare(light, "vertexVC.xyz", "scenePlaneHere");
-    if (!shadowed.Share.empty() || shadowed.Tile >= 0 || !shadowed.Screen.empty() ||
-      !shadowed.Panes.empty())
+    shadowed.TranslucentCall =
+      translucentMaps.GetLightFraction(light, "vertexVC.xyz", "scenePlaneHere");
+    if (!shadowed.OpaqueCall.empty() || shadowed.Tile >= 0 || !shadowed.Screen.empty() ||
+      !shadowed.TranslucentCall.empty())
     {
       shadowedParts.Numbers.push_back(number);
       this->Lights.push_back(shadowed);
@@ -98,7 +100,7 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
   }
 
   std::string features = "SCENE_LIGHTS=" + std::to_string(this->Lights.size());
-  features += casters.HasViews() ? " CASTER_PLANES " + casters.GetFeatures() : "";
+  features += occluders.HasViews() ? " OCCLUDER_PLANES " + occluders.GetFeatures() : "";
   if (hasVolumes)
   {
     features += " TRANSMITTANCE SCENE_CHANNELS=";
@@ -106,30 +108,30 @@ bool ActorShader::Update(vtkRenderer* renderer, const std::vector<LightSource>& 
   }
   std::string source = InterlumeSceneActor;
   vtkShaderProgram::Substitute(
-    source, "//INTERLUME::CASTERS", casters.HasViews() ? casters.GetSource() : "", false);
+    source, "//INTERLUME::OCCLUDERS", occluders.HasViews() ? occluders.GetSource() : "", false);
   imageParts.Declarations = screens.GetDeclarations();
-  shadowedParts.Declarations = ShaderFeatures::Insert(source, features) + panes.GetSource(true) +
-    imageParts.Declarations + fields.GetSource();
+  shadowedParts.Declarations = ShaderFeatures::Insert(source, features) +
+    translucentMaps.GetSource(true) + imageParts.Declarations + fields.GetSource();
   std::string& implementation = shadowedParts.Implementation;
   implementation = hasVolumes ? "  ivec2 scenePixelHere = scenePixel();\n" : "";
-  implementation += casters.HasViews() || panes.GetLayers() > 0
+  implementation += occluders.HasViews() || translucentMaps.GetLayers() > 0
     ? "  vec4 scenePlaneHere = scenePlane(vertexVC.xyz);\n"
     : "";
   for (std::size_t i = 0; i < this->Lights.size(); ++i)
   {
     const Light& light = this->Lights[i];
-    std::string share = "vec3(1.0)";
-    share += light.Share.empty() ? "" : " * " + light.Share;
-    share += light.Panes.empty() ? "" : " * " + light.Panes;
+    std::string factor = "vec3(1.0)";
+    factor += light.OpaqueCall.empty() ? "" : " * " + light.OpaqueCall;
+    factor += light.TranslucentCall.empty() ? "" : " * " + light.TranslucentCall;
     if (light.Tile >= 0)
     {
-      share += " * sceneLightOfVolumes(scenePixelHere + " +
+      factor += " * sceneLightOfVolumes(scenePixelHere + " +
         Tuple("ivec2", transmittance.GetOrigin(light.Tile)) + ")";
     }
     implementation += "  vec3 sceneLight" + std::to_string(shadowedParts.Numbers[i]) +
-      " = sceneLightOf(" + std::to_string(i) + ", " + share + ")" + light.Screen + ";\n";
+      " = sceneLightOf(" + std::to_string(i) + ", " + factor + ")" + light.Screen + ";\n";
   }
-  // What is put in for images alone is part of what is put in for shadows.
+  // The source for images is part of the source for shadows, so it needs no comparison.
   const bool isNew = shadowedParts.Declarations != this->Shadowed.Declarations ||
     implementation != this->Shadowed.Implementation;
   this->Shadowed = std::move(shadowedParts);
@@ -169,27 +171,27 @@ bool ActorShader::Replace(std::string& fragmentShader, bool isReceiver) const
   const std::size_t body = mark == std::string::npos ? fragmentShader.find("main()") : mark;
   bool isLit = false;
   std::string text = fragmentShader;
-  for (std::size_t place = body == std::string::npos ? body : text.find(LIGHT_COLOR, body);
-       place != std::string::npos;)
+  for (std::size_t position = body == std::string::npos ? body : text.find(LIGHT_COLOR, body);
+       position != std::string::npos;)
   {
-    std::size_t end = place + LIGHT_COLOR.size();
+    std::size_t end = position + LIGHT_COLOR.size();
     while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) != 0)
     {
       ++end;
     }
     const std::string number =
-      text.substr(place + LIGHT_COLOR.size(), end - place - LIGHT_COLOR.size());
+      text.substr(position + LIGHT_COLOR.size(), end - position - LIGHT_COLOR.size());
     const bool isShadowed = !number.empty() &&
       std::find(parts.Numbers.begin(), parts.Numbers.end(), std::stoi(number)) !=
         parts.Numbers.end();
     if (isShadowed)
     {
       const std::string product = "(" + LIGHT_COLOR + number + " * sceneLight" + number + ")";
-      text.replace(place, end - place, product);
-      end = place + product.size();
+      text.replace(position, end - position, product);
+      end = position + product.size();
       isLit = true;
     }
-    place = text.find(LIGHT_COLOR, end);
+    position = text.find(LIGHT_COLOR, end);
   }
   if (isLit && mark == std::string::npos)
   {
@@ -201,8 +203,8 @@ bool ActorShader::Replace(std::string& fragmentShader, bool isReceiver) const
       "ambientColor + diffuse + sceneScattered(vertexVC.xyz, normalVCVSOutput) * diffuseColor + "
       "specular",
       false);
-    // What a physically based surface reflects of light from all around; later versions of VTK
-    // leave that out of their own formula where there is no image of an environment.
+    // Diffuse reflection of environment light in physically based shading. Recent VTK versions omit
+    // it if there is no environment image.
     vtkShaderProgram::Substitute(text, "vec3 color = iblDiffuse + iblSpecular;",
       "iblDiffuse += (1.0 - F0) * (1.0 - metallic) * recPI * sceneScattered(vertexVC.xyz, N) * "
       "albedo;\n  vec3 color = iblDiffuse + iblSpecular;",
@@ -217,15 +219,15 @@ bool ActorShader::Replace(std::string& fragmentShader, bool isReceiver) const
 }
 
 void ActorShader::SetUniforms(
-  vtkShaderProgram* program, bool isOpaque, bool isOfDepths, vtkTextureObject* placeholder) const
+  vtkShaderProgram* program, bool isOpaque, bool isDepthOnly, vtkTextureObject* placeholder) const
 {
   if (this->Screens)
   {
-    this->Screens->SetUniforms(program, this->WorldFromView, isOfDepths ? placeholder : nullptr);
+    this->Screens->SetUniforms(program, this->WorldFromView, isDepthOnly ? placeholder : nullptr);
   }
   if (this->Fields)
   {
-    this->Fields->SetUniforms(program, this->WorldFromView, isOpaque && !isOfDepths);
+    this->Fields->SetUniforms(program, this->WorldFromView, isOpaque && !isDepthOnly);
   }
   if (!program->IsUniformUsed("sceneStrengths"))
   {
@@ -238,12 +240,12 @@ void ActorShader::SetUniforms(
   }
   program->SetUniform1fv("sceneStrengths", static_cast<int>(strengths.size()), strengths.data());
   const bool hasVolumes = program->IsUniformUsed("sceneTransmittance");
-  if (isOfDepths)
+  if (isDepthOnly)
   {
-    this->Casters->ClearUniforms(program);
-    // A map that is being drawn cannot be read.
-    for (const char* name :
-      { "casterDepths", "emitterDepths", "paneLayers", "sceneTransmittance", "sceneDepth" })
+    this->Occluders->ClearUniforms(program);
+    // A map cannot be read while it is being drawn.
+    for (const char* name : { "occluderDepths", "emitterDepths", "translucentLayers",
+           "sceneTransmittance", "sceneDepth" })
     {
       if (program->IsUniformUsed(name))
       {
@@ -252,8 +254,8 @@ void ActorShader::SetUniforms(
     }
     return;
   }
-  this->Casters->SetUniforms(program, this->WorldFromView);
-  this->Panes->SetUniforms(program, this->WorldFromView);
+  this->Occluders->SetUniforms(program, this->WorldFromView);
+  this->TranslucentMaps->SetUniforms(program, this->WorldFromView);
   if (hasVolumes)
   {
     program->SetUniformi("sceneTransmittance", this->Transmittance->GetTexture()->GetTextureUnit());

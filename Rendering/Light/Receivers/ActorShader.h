@@ -16,61 +16,63 @@ namespace interlume
 {
 
 class LightTransmittance;
-class PaneMaps;
-class SceneCasters;
-class SceneFields;
-class SceneScreens;
+class TranslucentShadowMaps;
+class SceneOccluders;
+class SceneScatteredLight;
+class SceneLightImages;
 struct LightSource;
 
 /**
  * @class   ActorShader
- * @brief   makes the fragment shaders of VTK's mappers ask which share of each light comes through
+ * @brief   inserts shadows and light images into the fragment shaders of VTK's mappers
  *
- * VTK's shaders have `lightColorN` for the light N that is switched on, in all kinds of shading;
- * each use of it becomes `(lightColorN * sceneLightN)`. What volumes scatter on and on is added to
- * the sum of diffuse light, in physically based shading to the irradiance of an environment.
+ * In all shading models, VTK's shaders use `lightColorN` for the N-th light that is switched on.
+ * Each use is replaced by `(lightColorN * sceneLightN)`. Multiply scattered light of volumes is
+ * added to the diffuse light, or to the irradiance of the environment in physically based shading.
  */
 class ActorShader
 {
 public:
   /**
-   * Puts the sources together. Returns whether they are others than before.
+   * Assembles the GLSL sources to insert. Returns true if they have changed.
    */
   bool Update(vtkRenderer* renderer, const std::vector<LightSource>& lights,
-    const SceneCasters& casters, const LightTransmittance& transmittance, const PaneMaps& panes,
-    const SceneScreens& screens, const SceneFields& fields);
-  /// What is drawn next: surfaces of these depths, which \a transmittance is for, in the
-  /// renderer's viewport or, not \a isOnScreen, in a framebuffer of its size.
+    const SceneOccluders& occluders, const LightTransmittance& transmittance,
+    const TranslucentShadowMaps& translucentMaps, const SceneLightImages& screens,
+    const SceneScatteredLight& fields);
+  /// Sets the textures for the surfaces drawn next: their \a depth, and the \a transmittance of
+  /// volumes at them. The surfaces are drawn in the renderer's viewport or, if \a isOnScreen is
+  /// false, in a framebuffer of its size.
   void SetSurfaces(
     const LightTransmittance& transmittance, vtkTextureObject* depth, bool isOnScreen);
-  /// Takes all away. Returns whether there was something.
+  /// Removes all sources. Returns true if there were any.
   bool Clear();
 
-  /// Marks where the sources go, in a shader without VTK's parts.
+  /// Inserts markers for the sources. Call this before VTK replaces its tags.
   static void Mark(std::string& fragmentShader);
-  /// Puts the sources in, or those of lights' images alone where a surface receives no shadows.
-  /// Returns false where light falls in a shader that has no place for them.
+  /// Replaces the markers by the sources. If \a isReceiver is false, inserts only light images.
+  /// Returns false if the shader uses lights but has no markers.
   bool Replace(std::string& fragmentShader, bool isReceiver) const;
 
-  /// Sets the uniforms; the textures are active where not \a isOfDepths. \a placeholder is active
-  /// otherwise.
-  void SetUniforms(
-    vtkShaderProgram* program, bool isOpaque, bool isOfDepths, vtkTextureObject* placeholder) const;
+  /// Sets the uniforms. If \a isDepthOnly is true, only depths are drawn, and \a placeholder must
+  /// be active. Otherwise the textures must be active.
+  void SetUniforms(vtkShaderProgram* program, bool isOpaque, bool isDepthOnly,
+    vtkTextureObject* placeholder) const;
 
 private:
   struct Light
   {
-    /// What surfaces leave of it, a call; empty where they cast no shadows of it.
-    std::string Share;
+    /// GLSL call for the transmittance of opaque surfaces. Empty if they do not block the light.
+    std::string OpaqueCall;
     int Tile = -1;
     float Strength = 1.0F;
-    /// The factor of its image, as source; empty without.
+    /// GLSL factor for the light's image. Empty without an image.
     std::string Screen;
-    /// What translucent surfaces leave of it, as source; empty where that is all.
-    std::string Panes;
+    /// GLSL call for the transmittance of translucent surfaces. Empty if it is 1.
+    std::string TranslucentCall;
   };
 
-  /// What is put into a shader: the numbers of lights in it, and sources.
+  /// Sources for a shader, and the indices of the lights in it.
   struct Parts
   {
     std::vector<int> Numbers;
@@ -81,11 +83,11 @@ private:
   std::vector<Light> Lights;
   Parts Shadowed;
   Parts Images;
-  const SceneCasters* Casters = nullptr;
+  const SceneOccluders* Occluders = nullptr;
   const LightTransmittance* Transmittance = nullptr;
-  const PaneMaps* Panes = nullptr;
-  const SceneScreens* Screens = nullptr;
-  const SceneFields* Fields = nullptr;
+  const TranslucentShadowMaps* TranslucentMaps = nullptr;
+  const SceneLightImages* Screens = nullptr;
+  const SceneScatteredLight* Fields = nullptr;
   vtkTextureObject* Depth = nullptr;
   glm::dmat4 WorldFromView{ 0.0 };
   std::array<float, 4> Viewport{};

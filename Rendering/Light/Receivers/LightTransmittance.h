@@ -19,10 +19,10 @@ namespace interlume
 
 /**
  * @class   LightTransmittance
- * @brief   what volumes leave of each light at the surface that each pixel shows
+ * @brief   transmittance of volumes for each light, at the surface visible in each pixel
  *
- * Each light has a tile of one texture, as large as the viewport; all light comes through where
- * nothing is drawn. A frame begins with Clear; the first light asks for the texture.
+ * Each light has a tile of one texture, as large as the viewport. Texels where nothing is drawn are
+ * 1. Call Clear at the start of a frame. The texture is allocated when it is first needed.
  */
 class LightTransmittance
 {
@@ -30,20 +30,21 @@ public:
   LightTransmittance();
   ~LightTransmittance();
 
-  /// Forgets what was there. A picture of \a channels, 1 or 3, of \a lights has tiles of this size.
+  /// Starts a frame with one tile for each of \a lights, and \a channels (1 or 3) per texel.
   void Clear(int width, int height, int channels, const std::vector<vtkLight*>& lights);
 
-  /// Returns the tile of a light, or -1 where it has none.
+  /// Returns the tile of a light, or -1 if there is no tile.
   int GetTile(vtkLight* light) const;
   /// Returns the first column and row of a tile.
   std::array<int, 2> GetOrigin(int tile) const;
 
-  /// Binds the texture for what is multiplied with it, and makes it where it is not. Returns false
-  /// where the graphics card has no memory.
+  /// Binds the texture, so that transmittances can be multiplied into it, and allocates it if
+  /// necessary. Returns false if the GPU runs out of memory.
   bool Bind(vtkOpenGLRenderWindow* window);
-  /// Makes the texture where it is not: all light comes through. Returns false as Bind.
+  /// Allocates the texture if necessary, with a transmittance of 1. Returns false if the GPU runs
+  /// out of memory.
   bool Make(vtkOpenGLRenderWindow* window);
-  /// Whether something has been drawn, or the texture made, since Clear.
+  /// Returns true if the texture has been allocated since Clear.
   bool IsUsed() const { return this->HasContents; }
 
   vtkTextureObject* GetTexture() const { return this->Texture; }

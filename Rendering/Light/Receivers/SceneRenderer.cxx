@@ -32,20 +32,20 @@ bool HasBounds(vtkProp* prop)
     std::all_of(bounds, bounds + 6, [](double value) { return std::isfinite(value); });
 }
 
-// Returns whether render passes can change the prop's shaders.
+// Returns true if render passes can change the prop's shaders.
 bool HasSurfaces(vtkProp* prop)
 {
   return prop->IsA("vtkActor") || prop->IsA("vtkAssembly") || prop->IsA("vtkLODProp3D");
 }
 
-// Returns whether a prop that is none of these can hide a volume.
+// Returns true if a prop for which HasSurfaces is false can hide a volume.
 bool MayOcclude(vtkProp* prop)
 {
   return prop->IsA("vtkProp3D") && !prop->IsA("vtkVolume") && prop->HasOpaqueGeometry();
 }
 
-// Returns coordinates of size 1 around all boxes.
-UnitSpace MakeSpace(const std::vector<CasterView::Box>& boxes)
+// Returns a unit space that encloses all boxes.
+UnitSpace MakeSpace(const std::vector<ShadowMapView::Box>& boxes)
 {
   if (boxes.empty())
   {
@@ -53,7 +53,7 @@ UnitSpace MakeSpace(const std::vector<CasterView::Box>& boxes)
   }
   glm::dvec3 lower(VTK_DOUBLE_MAX);
   glm::dvec3 upper(-VTK_DOUBLE_MAX);
-  for (const CasterView::Box& box : boxes)
+  for (const ShadowMapView::Box& box : boxes)
   {
     lower = glm::min(lower, glm::dvec3(box[0], box[2], box[4]));
     upper = glm::max(upper, glm::dvec3(box[1], box[3], box[5]));
@@ -74,11 +74,11 @@ bool SceneRenderer::SortProps(vtkRenderer* renderer, Boxes& boxes)
 {
   this->Props.clear();
   this->Opaque.clear();
-  this->Panes.clear();
-  this->Casters.clear();
-  this->PaneCasters.clear();
+  this->Translucent.clear();
+  this->Occluders.clear();
+  this->TranslucentOccluders.clear();
   this->Unsliced.clear();
-  std::vector<vtkProp*> lit;
+  std::vector<vtkProp*> nonReceivers;
   bool hasOthers = false;
   vtkPropCollection* props = renderer->GetViewProps();
   vtkCollectionSimpleIterator iterator;
@@ -95,34 +95,34 @@ bool SceneRenderer::SortProps(vtkRenderer* renderer, Boxes& boxes)
     this->Report.NonCastingActors += casts ? 0 : 1;
     if (!this->Settings.Receives(prop))
     {
-      lit.push_back(prop);
+      nonReceivers.push_back(prop);
     }
     if (!HasBounds(prop))
     {
       continue;
     }
-    CasterView::Box box{};
+    ShadowMapView::Box box{};
     std::copy_n(prop->GetBounds(), 6, box.begin());
     boxes.All.push_back(box);
-    const auto add = [&](std::vector<vtkProp*>& all, std::vector<vtkProp*>& casters,
-                       std::vector<CasterView::Box>& castersBoxes)
+    const auto add = [&](std::vector<vtkProp*>& all, std::vector<vtkProp*>& occluders,
+                       std::vector<ShadowMapView::Box>& occluderBoxes)
     {
       all.push_back(prop);
       if (casts)
       {
-        casters.push_back(prop);
-        castersBoxes.push_back(box);
+        occluders.push_back(prop);
+        occluderBoxes.push_back(box);
       }
     };
     if (prop->HasOpaqueGeometry())
     {
-      add(this->Opaque, this->Casters, boxes.Opaque);
+      add(this->Opaque, this->Occluders, boxes.Opaque);
     }
     if (prop->HasTranslucentPolygonalGeometry())
     {
       if (LayerShader::CanDraw(prop))
       {
-        add(this->Panes, this->PaneCasters, boxes.Panes);
+        add(this->Translucent, this->TranslucentOccluders, boxes.Translucent);
       }
       else
       {
@@ -130,10 +130,10 @@ bool SceneRenderer::SortProps(vtkRenderer* renderer, Boxes& boxes)
       }
     }
   }
-  this->Report.NonReceivingActors = static_cast<int>(lit.size());
-  if (lit != this->Lit)
+  this->Report.NonReceivingActors = static_cast<int>(nonReceivers.size());
+  if (nonReceivers != this->NonReceivers)
   {
-    this->Lit = std::move(lit);
+    this->NonReceivers = std::move(nonReceivers);
     this->ShaderTime.Modified();
   }
   return hasOthers;
@@ -147,57 +147,59 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
   this->Reached.clear();
   this->Failed.clear();
   this->Scene = SliceScene();
-  this->Fields.Forget();
+  this->Fields.ClearTextures();
   this->Transmittance.Clear(0, 0, 1, {});
   Boxes boxes;
   const bool hasOthers = this->SortProps(renderer, boxes);
-  // Props of other kinds have no depth yet when volumes are drawn ahead.
+  // When volumes are drawn ahead of the scene, props without surfaces have not written their depth
+  // yet.
   const bool isGroup = volumes > 1 && !hasOthers;
   if (this->Props.empty() && !isGroup)
   {
     return false;
   }
   const UnitSpace space = MakeSpace(boxes.All);
-  // Whoever draws the scene without this pass says nothing of such lights either.
+  // Ignore the warnings: drawing the scene without this pass does not report these lights either.
   std::vector<std::string> warnings;
   this->Lights =
-    LightSources::Gather(renderer, space, { true, request.MaximumNumberOfShadows }, warnings);
+    LightSources::Gather(renderer, space, { true, request.MaximumNumberOfShadowLights }, warnings);
   for (LightSource& light : this->Lights)
   {
-    // One sample is the light's centre.
+    // With one sample, an area light is replaced by its center.
     light.Area = request.Samples > 1 ? light.Area : nullptr;
   }
   this->Maps.Fit(this->Lights, space, boxes.Opaque, request.Resolution, request.Samples);
-  // What translucent surfaces take of an area light is that of its centre.
+  // Translucent surfaces attenuate an area light as seen from its center.
   std::vector<LightSource> centers = this->Lights;
   for (LightSource& light : centers)
   {
     light.Area = nullptr;
   }
-  this->PaneViews.Fit(centers, space, boxes.Panes, request.Resolution);
+  this->TranslucentViews.Fit(centers, space, boxes.Translucent, request.Resolution);
   this->Screens.Gather(this->Lights, space);
   const bool hasShadows = std::any_of(this->Lights.begin(), this->Lights.end(),
     [](const LightSource& light) { return light.ShadowStrength > 0.0; });
-  // What lies between two peels of VTK's cannot be drawn by itself.
+  // If VTK draws volumes between its own depth peels, this class cannot draw them in segments.
   const bool isPeeled =
     renderer->GetUseDepthPeeling() != 0 && renderer->GetUseDepthPeelingForVolumes();
   this->IsLayered =
-    !this->Panes.empty() && volumes > 0 && !isPeeled && (!this->Opaque.empty() || !hasOthers);
+    !this->Translucent.empty() && volumes > 0 && !isPeeled && (!this->Opaque.empty() || !hasOthers);
   this->IsMixed =
     (volumes > 0 && hasShadows && (!this->Opaque.empty() || isGroup)) || this->IsLayered;
-  if (this->Layering.Enable(!this->Panes.empty()))
+  if (this->Layering.Enable(!this->Translucent.empty()))
   {
     this->ShaderTime.Modified();
   }
   return this->Maps.HasViews() || this->IsMixed || !this->Screens.IsEmpty() ||
-    (!this->PaneCasters.empty() && !this->PaneViews.GetViews().empty());
+    (!this->TranslucentOccluders.empty() && !this->TranslucentViews.GetViews().empty());
 }
 
 Error SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
 {
   if (!HasOpenGL32())
   {
-    return Error("OpenGL is older than 3.2", ErrorCode::OpenGL);
+    return Error(
+      "The OpenGL version is too old. OpenGL 3.2 or newer is required.", ErrorCode::OpenGL);
   }
   if (this->Window != window)
   {
@@ -208,33 +210,35 @@ Error SceneRenderer::UpdateContext(vtkOpenGLRenderWindow* window)
   this->Placeholder->SetContext(window);
   const bool isMade = this->Placeholder->GetHandle() != 0 ||
     this->Placeholder->Create2DFromRaw(1, 1, 1, VTK_FLOAT, &texel);
-  return isMade ? Error()
-                : Error("the graphics card has no memory for a texture", ErrorCode::OutOfMemory);
+  return isMade
+    ? Error()
+    : Error("The graphics card is out of memory for a texture.", ErrorCode::OutOfMemory);
 }
 
 Error SceneRenderer::DrawMaps(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  Error error = this->UpdateContext(window).Then([&] { return this->DrawPanes(renderer); });
+  Error error =
+    this->UpdateContext(window).Then([&] { return this->DrawTranslucentMaps(renderer); });
   if (!this->Maps.HasViews() || error)
   {
     this->Maps.ReleaseGraphicsResources(window);
     return error;
   }
-  this->IsOfDepths = true;
+  this->IsDepthOnly = true;
   this->Placeholder->Activate();
   error = this->Maps.Draw(
-    renderer, this->Casters, this->Settings.Resolution, this->Settings.Bias, this->Report);
+    renderer, this->Occluders, this->Settings.Resolution, this->Settings.Bias, this->Report);
   this->Placeholder->Deactivate();
-  this->IsOfDepths = false;
+  this->IsDepthOnly = false;
   return error;
 }
 
 Error SceneRenderer::DrawEyeDepth(vtkRenderer* renderer, int channels)
 {
-  this->Scene.Casters = &this->Maps;
-  this->Scene.Blockers = this->Casters;
-  this->Scene.Panes = &this->PaneLight;
+  this->Scene.Occluders = &this->Maps;
+  this->Scene.Blockers = this->Occluders;
+  this->Scene.TranslucentMaps = &this->TranslucentMaps;
   if (this->Opaque.empty() && !this->IsLayered && !renderer->GetPreserveDepthBuffer())
   {
     return {};
@@ -244,24 +248,26 @@ Error SceneRenderer::DrawEyeDepth(vtkRenderer* renderer, int channels)
   int bottom = 0;
   std::array<int, 2>& size = this->Scene.Size;
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &left, &bottom);
-  if (size[0] <= 0 || size[1] <= 0 || !this->EyeDepth.Allocate(window, size[0], size[1]))
+  if (size[0] <= 0 || size[1] <= 0 || !this->CameraDepth.Allocate(window, size[0], size[1]))
   {
-    return Error("the graphics card has no memory for the depth of actors", ErrorCode::OutOfMemory);
+    return Error(
+      "The graphics card is out of memory for the depth of the actors, or the viewport is empty.",
+      ErrorCode::OutOfMemory);
   }
-  // What other renderers have left occludes as well.
-  const bool isKept =
-    renderer->GetPreserveDepthBuffer() && SceneDepth::CopyTo(renderer, this->EyeDepth.GetTexture());
-  this->IsOfDepths = true;
+  // Surfaces from other renderers are occluders as well.
+  const bool isPreserved = renderer->GetPreserveDepthBuffer() &&
+    SceneDepth::CopyTo(renderer, this->CameraDepth.GetTexture());
+  this->IsDepthOnly = true;
   this->Placeholder->Activate();
-  this->EyeDepth.Draw(window, !isKept,
+  this->CameraDepth.Draw(window, !isPreserved,
     [&]() {
       PropDepths::DrawProps(renderer, this->Opaque, { { 0, 0, size[0], size[1] } });
     });
   this->Placeholder->Deactivate();
-  this->IsOfDepths = false;
-  this->EyeDepth.Read(window, this->Scene.EyeDepths);
+  this->IsDepthOnly = false;
+  this->CameraDepth.Read(window, this->Scene.CameraDepths);
   this->OpaqueDepths.clear();
-  this->Scene.EyeDepth = this->EyeDepth.GetTexture();
+  this->Scene.CameraDepth = this->CameraDepth.GetTexture();
   std::vector<vtkLight*> lights;
   for (const LightSource& light : this->Lights)
   {
@@ -274,29 +280,30 @@ Error SceneRenderer::DrawEyeDepth(vtkRenderer* renderer, int channels)
   this->LayerLight.Clear(size[0], size[1], channels, lights);
   this->Scene.Transmittance = &this->Transmittance;
   this->Report.CameraDepthPasses = 1;
-  this->Report.CameraDepthBytes = this->EyeDepth.GetBytes();
+  this->Report.CameraDepthBytes = this->CameraDepth.GetBytes();
   return {};
 }
 
-Error SceneRenderer::DrawPanes(vtkRenderer* renderer)
+Error SceneRenderer::DrawTranslucentMaps(vtkRenderer* renderer)
 {
-  const int views = static_cast<int>(this->PaneViews.GetViews().size());
-  this->Report.TranslucentActors = static_cast<int>(this->Panes.size());
-  if (this->PaneCasters.empty() || views == 0)
+  const int views = static_cast<int>(this->TranslucentViews.GetViews().size());
+  this->Report.TranslucentActors = static_cast<int>(this->Translucent.size());
+  if (this->TranslucentOccluders.empty() || views == 0)
   {
-    this->PaneLight.Clear(renderer->GetRenderWindow());
+    this->TranslucentMaps.Clear(renderer->GetRenderWindow());
     return {};
   }
   const int resolution =
-    std::min(this->Settings.Resolution, CasterMaps::GetLargestResolution(views, 16384));
-  this->IsOfDepths = true;
+    std::min(this->Settings.Resolution, SurfaceShadowMaps::GetLargestResolution(views, 16384));
+  this->IsDepthOnly = true;
   this->Placeholder->Activate();
-  Error error = this->PaneLight.Draw(renderer, this->PaneViews, this->PaneCasters, resolution,
-    this->Settings.Bias, static_cast<std::size_t>(this->Settings.Layers), this->Layering);
+  Error error = this->TranslucentMaps.Draw(renderer, this->TranslucentViews,
+    this->TranslucentOccluders, resolution, this->Settings.Bias,
+    static_cast<std::size_t>(this->Settings.Layers), this->Layering);
   this->Placeholder->Deactivate();
-  this->IsOfDepths = false;
-  this->Report.LightLayers = this->PaneLight.GetLayers();
-  this->Report.LightLayerBytes = this->PaneLight.GetBytes();
+  this->IsDepthOnly = false;
+  this->Report.LightLayers = this->TranslucentMaps.GetLayers();
+  this->Report.LightLayerBytes = this->TranslucentMaps.GetBytes();
   return error;
 }
 
@@ -304,25 +311,25 @@ Error SceneRenderer::PeelLayers(vtkRenderer* renderer)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   const std::array<int, 2>& size = this->Scene.Size;
-  // Programs are the same for layers and for the picture.
+  // Allocate both textures first, so that the layers and the final image use the same programs.
   if (!this->Transmittance.Make(window) || !this->LayerLight.Make(window))
   {
-    return Error("the graphics card has no memory for the light at translucent surfaces",
+    return Error("The graphics card is out of memory for the light at translucent surfaces.",
       ErrorCode::OutOfMemory);
   }
   this->UpdateShader(renderer, true);
-  this->IsOfDepths = true;
+  this->IsDepthOnly = true;
   this->Placeholder->Activate();
   Error error = this->Layers.GetDepths().Peel(window, size[0], this->OpaqueDepths,
     static_cast<std::size_t>(this->Settings.Layers), this->Layering,
     [&]() {
-      LayerShader::DrawProps(renderer, this->Panes, { { 0, 0, size[0], size[1] } });
+      LayerShader::DrawProps(renderer, this->Translucent, { { 0, 0, size[0], size[1] } });
     });
   this->Placeholder->Deactivate();
-  this->IsOfDepths = false;
+  this->IsDepthOnly = false;
   if (!error && this->Layers.GetNumber() > 0 && !this->Layers.Clear(window, size[0], size[1]))
   {
-    error = Error("the graphics card has no memory for the picture of translucent surfaces",
+    error = Error("The graphics card is out of memory for the image of translucent surfaces.",
       ErrorCode::OutOfMemory);
   }
   this->Report.CameraLayers = static_cast<int>(this->Layers.GetNumber());
@@ -339,11 +346,11 @@ void SceneRenderer::BeginSegment(std::size_t segment)
     return;
   }
   const DepthLayers::Layer& behind = layers[segment];
-  this->Scene.EyeDepth = behind.Texture;
-  // Light is asked for at the surfaces of the layer, not at what is behind it.
-  this->Scene.EyeDepths.resize(this->OpaqueDepths.size());
+  this->Scene.CameraDepth = behind.Texture;
+  // Light is required only at the surfaces of the layer, not behind it.
+  this->Scene.CameraDepths.resize(this->OpaqueDepths.size());
   std::transform(behind.Depths.begin(), behind.Depths.end(), this->OpaqueDepths.begin(),
-    this->Scene.EyeDepths.begin(),
+    this->Scene.CameraDepths.begin(),
     [](float depth, float opaque) { return depth < opaque ? depth : 1.0F; });
   this->Scene.Transmittance = &this->LayerLight;
 }
@@ -360,7 +367,7 @@ void SceneRenderer::ShadeLayer(vtkRenderer* renderer, std::size_t layer)
     [&]()
     {
       LayerShader::DrawProps(
-        renderer, this->Panes, { { 0, 0, this->Scene.Size[0], this->Scene.Size[1] } });
+        renderer, this->Translucent, { { 0, 0, this->Scene.Size[0], this->Scene.Size[1] } });
     });
   depth->Deactivate();
   this->LayerLight.GetTexture()->Deactivate();
@@ -378,7 +385,7 @@ Error SceneRenderer::DrawSegments(vtkRenderer* renderer, const std::function<voi
     drawVolumes();
     return {};
   }
-  this->OpaqueDepths = this->Scene.EyeDepths;
+  this->OpaqueDepths = this->Scene.CameraDepths;
   if (Error error = this->PeelLayers(renderer))
   {
     return error;
@@ -398,14 +405,14 @@ Error SceneRenderer::DrawSegments(vtkRenderer* renderer, const std::function<voi
     if (segment < layers)
     {
       this->ShadeLayer(renderer, segment);
-      // The next layer has light of its own.
+      // Start again with full light for the next layer.
       this->LayerLight.Clear(
         this->Scene.Size[0], this->Scene.Size[1], this->Transmittance.GetChannels(), lights);
       this->LayerLight.Make(window);
     }
     if (layers > 0)
     {
-      this->Layers.Lay(window, showVolumes);
+      this->Layers.Composite(window, showVolumes);
     }
   }
   this->Report.SlicedSegments = static_cast<int>(layers) + 1;
@@ -414,27 +421,27 @@ Error SceneRenderer::DrawSegments(vtkRenderer* renderer, const std::function<voi
     this->Scene.Show = [this, window]() { this->Layers.Show(window); };
     this->Layering.Begin(LayerShader::HIDE);
   }
-  this->Shader.SetSurfaces(this->Transmittance, this->EyeDepth.GetTexture(), true);
+  this->Shader.SetSurfaces(this->Transmittance, this->CameraDepth.GetTexture(), true);
   return {};
 }
 
 void SceneRenderer::MakeShader(vtkRenderer* renderer, bool isShadowed)
 {
-  this->Report.PixelsInFrontOfVolumes = this->Scene.PixelsBefore;
-  this->Report.PixelsInsideVolumes = this->Scene.PixelsWithin;
+  this->Report.PixelsInFrontOfVolumes = this->Scene.PixelsInFront;
+  this->Report.PixelsInsideVolumes = this->Scene.PixelsInside;
   this->Report.PixelsBehindVolumes = this->Scene.PixelsBehind;
   this->Report.ReceiverPasses = this->Scene.ReceiverPasses;
   this->Report.TransmittanceBytes = this->Transmittance.GetBytes();
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (this->Report.CameraDepthPasses == 0)
   {
-    this->EyeDepth.ReleaseGraphicsResources(window);
+    this->CameraDepth.ReleaseGraphicsResources(window);
   }
   if (!this->Transmittance.IsUsed())
   {
     this->Transmittance.ReleaseGraphicsResources(window);
   }
-  this->Fields.Set(isShadowed ? this->Scene.Fields : std::vector<ScatteredField>());
+  this->Fields.Set(isShadowed ? this->Scene.Fields : std::vector<ScatteredLightTexture>());
   this->ReportFields();
   this->UpdateShader(renderer, isShadowed);
   this->Report.Images = this->Screens.GetNumber();
@@ -442,8 +449,8 @@ void SceneRenderer::MakeShader(vtkRenderer* renderer, bool isShadowed)
 
 void SceneRenderer::ReportFields()
 {
-  const std::vector<ScatteredField>& fields = this->Fields.Get();
-  for (const ScatteredField& field : fields)
+  const std::vector<ScatteredLightTexture>& fields = this->Fields.Get();
+  for (const ScatteredLightTexture& field : fields)
   {
     this->Report.ScatteringBlockedCells += field.BlockedCells;
   }
@@ -457,7 +464,7 @@ void SceneRenderer::ReportFields()
   std::set<vtkProp*> props(this->Opaque.begin(), this->Opaque.end());
   if (this->IsLayered)
   {
-    props.insert(this->Panes.begin(), this->Panes.end());
+    props.insert(this->Translucent.begin(), this->Translucent.end());
   }
   this->Report.ScatteringReceivers +=
     static_cast<int>(std::count_if(props.begin(), props.end(), receives));
@@ -467,10 +474,10 @@ void SceneRenderer::UpdateShader(vtkRenderer* renderer, bool isShadowed)
 {
   this->Screens.Upload(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
   const bool isNew = isShadowed
-    ? this->Shader.Update(renderer, this->Lights, this->Maps, this->Transmittance, this->PaneLight,
-        this->Screens, this->Fields)
+    ? this->Shader.Update(renderer, this->Lights, this->Maps, this->Transmittance,
+        this->TranslucentMaps, this->Screens, this->Fields)
     : this->Shader.Clear();
-  this->Shader.SetSurfaces(this->Transmittance, this->EyeDepth.GetTexture(), true);
+  this->Shader.SetSurfaces(this->Transmittance, this->CameraDepth.GetTexture(), true);
   if (isNew)
   {
     this->ShaderTime.Modified();
@@ -481,9 +488,9 @@ void SceneRenderer::Activate()
 {
   std::vector<vtkTextureObject*> textures = this->Screens.GetTextures();
   textures.insert(textures.end(),
-    { this->EyeDepth.GetTexture(), this->Transmittance.GetTexture(),
-      this->PaneLight.GetTexture() });
-  for (const ScatteredField& field : this->Fields.Get())
+    { this->CameraDepth.GetTexture(), this->Transmittance.GetTexture(),
+      this->TranslucentMaps.GetTexture() });
+  for (const ScatteredLightTexture& field : this->Fields.Get())
   {
     if (field.Texture)
     {
@@ -512,7 +519,7 @@ void SceneRenderer::End(vtkRenderer* renderer)
 {
   if (this->Scene.Show)
   {
-    // All volumes may be out of the eye's view, so that none has shown the picture.
+    // All volumes may be out of view, so that none of them has shown the image.
     this->Layers.Show(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
     this->Scene.Show = nullptr;
   }
@@ -532,11 +539,11 @@ void SceneRenderer::Deactivate()
 void SceneRenderer::SetUniforms(vtkShaderProgram* program, vtkProp* prop)
 {
   this->Reached.insert(prop);
-  // Views of the eye and of lights take turns: VTK would keep what it knows of the last camera
-  // where none has been modified since.
+  // Views of the camera and of lights alternate. VTK would otherwise reuse the light uniforms of
+  // the last camera if no light has been modified.
   program->SetUniformGroupUpdateTime(vtkShaderProgram::LightingGroup, 0);
   const bool isSeen = prop->HasTranslucentPolygonalGeometry() == 0 || this->Layering.IsShading();
-  this->Shader.SetUniforms(program, isSeen, this->IsOfDepths, this->Placeholder);
+  this->Shader.SetUniforms(program, isSeen, this->IsDepthOnly, this->Placeholder);
   this->Layering.SetUniforms(program, prop, this->Placeholder);
 }
 
@@ -555,27 +562,27 @@ void SceneRenderer::Replace(std::string& fragmentShader, vtkProp* prop)
   this->Layering.Replace(fragmentShader);
 }
 
-std::vector<vtkProp*> SceneRenderer::TakeUnsliced()
+std::vector<vtkProp*> SceneRenderer::ConsumeUnsliced()
 {
   std::vector<vtkProp*> unsliced;
   std::copy_if(this->Unsliced.begin(), this->Unsliced.end(), std::back_inserter(unsliced),
-    [this](vtkProp* prop) { return this->Named.insert(prop).second; });
+    [this](vtkProp* prop) { return this->Reported.insert(prop).second; });
   return unsliced;
 }
 
-std::vector<vtkProp*> SceneRenderer::TakeUnreached()
+std::vector<vtkProp*> SceneRenderer::ConsumeUnreached()
 {
   std::vector<vtkProp*> unreached;
   for (vtkProp* prop : this->Opaque)
   {
     auto* actor = vtkActor::SafeDownCast(prop);
     vtkMapper* mapper = actor ? actor->GetMapper() : nullptr;
-    // An actor with levels of detail draws by others of its own, and VTK's mappers of polygons ask
-    // for shaders wherever they have something to draw.
+    // A vtkLODActor draws with internal mappers. VTK's polygon mappers request shaders whenever
+    // they draw something.
     const bool isForeign = mapper && !mapper->IsA("vtkOpenGLPolyDataMapper") &&
       !mapper->IsA("vtkCompositePolyDataMapper") && !prop->IsA("vtkLODActor") &&
       this->Reached.count(prop) == 0;
-    if ((isForeign || this->Failed.count(prop) > 0) && this->Named.insert(prop).second)
+    if ((isForeign || this->Failed.count(prop) > 0) && this->Reported.insert(prop).second)
     {
       unreached.push_back(prop);
     }
@@ -586,10 +593,10 @@ std::vector<vtkProp*> SceneRenderer::TakeUnreached()
 void SceneRenderer::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Maps.ReleaseGraphicsResources(window);
-  this->EyeDepth.ReleaseGraphicsResources(window);
+  this->CameraDepth.ReleaseGraphicsResources(window);
   this->Transmittance.ReleaseGraphicsResources(window);
   this->Screens.ReleaseGraphicsResources(window);
-  this->PaneLight.ReleaseGraphicsResources(window);
+  this->TranslucentMaps.ReleaseGraphicsResources(window);
   this->Layers.ReleaseGraphicsResources(window);
   this->LayerLight.ReleaseGraphicsResources(window);
   this->Placeholder->ReleaseGraphicsResources(window);

@@ -2,19 +2,19 @@
 #ifndef interlume_SceneRenderer_h
 #define interlume_SceneRenderer_h
 
-#include "Casters/PropDepths.h"
-#include "Casters/SceneCasters.h"
-#include "Casters/SceneReport.h"
+#include "ShadowMaps/PropDepths.h"
+#include "ShadowMaps/SceneOccluders.h"
+#include "ShadowMaps/SceneReport.h"
 #include "Common/Error.h"
 #include "Lights/LightSource.h"
 #include "Receivers/ActorShader.h"
 #include "Receivers/LightTransmittance.h"
-#include "Receivers/SceneFields.h"
-#include "Receivers/SceneScreens.h"
+#include "Receivers/SceneScatteredLight.h"
+#include "Receivers/SceneLightImages.h"
 #include "Receivers/SliceScene.h"
-#include "Translucent/EyeLayers.h"
+#include "Translucent/CameraLayers.h"
 #include "Translucent/LayerShader.h"
-#include "Translucent/PaneMaps.h"
+#include "Translucent/TranslucentShadowMaps.h"
 
 #include "vtkNew.h"
 #include "vtkTimeStamp.h"
@@ -37,20 +37,20 @@ namespace interlume
 
 /**
  * @class   SceneRenderer
- * @brief   draws what surfaces and volumes leave of the lights of a scene, before it is drawn
+ * @brief   renders the shadows of a scene's surfaces and volumes before the scene is drawn
  */
 class SceneRenderer
 {
 public:
-  /// The settings of the pass.
+  /// Settings of the pass.
   struct Request
   {
-    int MaximumNumberOfShadows = 16;
+    int MaximumNumberOfShadowLights = 16;
     int Resolution = 1024;
     double Bias = 1.0;
     int Samples = 16;
     int Layers = 16;
-    /// Whether a prop casts shadows, and whether it receives them.
+    /// Return true if a prop casts shadows, and if it receives them.
     bool (*Casts)(vtkProp* prop) = nullptr;
     bool (*Receives)(vtkProp* prop) = nullptr;
   };
@@ -58,72 +58,76 @@ public:
   SceneRenderer();
   ~SceneRenderer();
 
-  /// Finds the props that cast shadows and the lights that they cast them of. Returns whether there
-  /// are both, or lights whose light so many \a volumes may take from them, or from each other, or
-  /// lights with images.
+  /// Finds the props that cast shadows and the lights of the scene. Returns true if there is work
+  /// for this pass: surfaces cast shadows, volumes and surfaces or several of the \a volumes
+  /// attenuate each other's light, or lights have images.
   bool Begin(vtkRenderer* renderer, const Request& request, int volumes);
 
-  /// Whether volumes are part of the scene: else they are drawn as without it.
+  /// Returns true if volumes are rendered as a part of the scene. Otherwise they are drawn as if
+  /// the pass did not exist.
   bool HasVolumes() const { return this->IsMixed; }
 
-  /// The props whose shaders are changed: all visible ones that have surfaces.
+  /// Returns the props whose shaders are changed: all visible props with surfaces.
   std::vector<vtkProp*>& GetProps() { return this->Props; }
 
-  /// Draws the maps of lights, of opaque and translucent surfaces. Returns an error if that fails.
+  /// Draws the shadow maps of opaque and translucent surfaces. Returns an error if the maps cannot
+  /// be drawn.
   Error DrawMaps(vtkRenderer* renderer);
-  /// Draws the depth that the eye sees, where there is something to see, for volumes whose light
-  /// has so many channels. Returns an error if there is no memory for it.
+  /// Draws the depth buffer of the camera's view if there are surfaces. \a channels is the number
+  /// of color channels of the volumes' light. Returns an error if the GPU runs out of memory.
   Error DrawEyeDepth(vtkRenderer* renderer, int channels);
 
   /**
-   * Draws translucent surfaces and volumes in order into one picture, which the volumes show then:
-   * \a drawVolumes draws them for GetScene(), \a showVolumes lays what it drew over the framebuffer
-   * that is bound. Without translucent surfaces that the eye sees it only calls the first. Returns
-   * an error if the surfaces cannot be drawn.
+   * Draws translucent surfaces and volumes in depth order into one image, which the volumes then
+   * show. \a drawVolumes draws the volumes for GetScene(). \a showVolumes composites the result
+   * over the bound framebuffer. If no translucent surfaces are in view, only calls \a drawVolumes.
+   * Returns an error if the surfaces cannot be drawn.
    */
   Error DrawSegments(vtkRenderer* renderer, const std::function<void()>& drawVolumes,
     const std::function<void()>& showVolumes);
 
-  /// What volumes of this frame are drawn with, after DrawEyeDepth.
+  /// Returns the scene for the volumes of this frame. Call DrawEyeDepth first.
   SliceScene& GetScene() { return this->Scene; }
-  /// Makes the shaders of props. \a isShadowed is false after an error.
+  /// Updates the shaders of props. Pass false for \a isShadowed after an error.
   void MakeShader(vtkRenderer* renderer, bool isShadowed);
 
   /// Binds the textures that shaders of props read.
   void Activate();
-  /// Shows what no volume has shown, and unbinds the textures.
+  /// Shows the image if no volume has shown it, and unbinds the textures.
   void End(vtkRenderer* renderer);
 
-  /// Marks where sources go, in a shader without VTK's parts.
+  /// Inserts markers for the sources. Call this before VTK replaces its tags.
   static void Mark(std::string& fragmentShader);
-  /// Puts the sources in the shader of a prop.
+  /// Inserts the sources into the shader of a prop.
   void Replace(std::string& fragmentShader, vtkProp* prop);
   vtkMTimeType GetShaderTime() const { return this->ShaderTime.GetMTime(); }
   /// Sets the uniforms of a prop's program.
   void SetUniforms(vtkShaderProgram* program, vtkProp* prop);
-  /// Returns the opaque actors that are drawn without shadows, each of them once.
-  std::vector<vtkProp*> TakeUnreached();
-  /// Returns the translucent actors that are drawn before volumes and cast no shadows, each once.
-  std::vector<vtkProp*> TakeUnsliced();
+  /// Returns the opaque actors that are drawn without shadows. Each actor is returned only once.
+  std::vector<vtkProp*> ConsumeUnreached();
+  /// Returns the translucent actors that are drawn before volumes and cast no shadows. Each actor
+  /// is returned only once.
+  std::vector<vtkProp*> ConsumeUnsliced();
 
-  /// Returns the report of the image since Begin, which the pass completes.
+  /// Returns the report of the frame that Begin started. The pass completes it.
   SceneReport& GetReport() { return this->Report; }
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// The boxes of opaque and of translucent props that cast shadows, and of all props.
+  /// Boxes of opaque and of translucent props that cast shadows, and of all props.
   struct Boxes
   {
-    std::vector<CasterView::Box> Opaque;
-    std::vector<CasterView::Box> Panes;
-    std::vector<CasterView::Box> All;
+    std::vector<ShadowMapView::Box> Opaque;
+    std::vector<ShadowMapView::Box> Translucent;
+    std::vector<ShadowMapView::Box> All;
   };
 
-  /// Sorts the visible props of the renderer. Returns whether there are others that hide volumes.
+  /// Classifies the renderer's visible props. Returns true if props that are not drawn as surfaces
+  /// can hide volumes.
   bool SortProps(vtkRenderer* renderer, Boxes& boxes);
   Error UpdateContext(vtkOpenGLRenderWindow* window);
-  Error DrawPanes(vtkRenderer* renderer);
+  Error DrawTranslucentMaps(vtkRenderer* renderer);
   Error PeelLayers(vtkRenderer* renderer);
   void BeginSegment(std::size_t segment);
   void Deactivate();
@@ -135,37 +139,37 @@ private:
   SceneReport Report;
   std::vector<vtkProp*> Props;
   std::vector<vtkProp*> Opaque;
-  std::vector<vtkProp*> Panes;
-  /// Those of both that cast shadows, and props that receive none.
-  std::vector<vtkProp*> Casters;
-  std::vector<vtkProp*> PaneCasters;
-  std::vector<vtkProp*> Lit;
+  std::vector<vtkProp*> Translucent;
+  /// Opaque and translucent props that cast shadows, and props that receive none.
+  std::vector<vtkProp*> Occluders;
+  std::vector<vtkProp*> TranslucentOccluders;
+  std::vector<vtkProp*> NonReceivers;
   std::vector<vtkProp*> Unsliced;
   std::vector<LightSource> Lights;
-  SceneCasters Maps;
-  PropDepths EyeDepth;
+  SceneOccluders Maps;
+  PropDepths CameraDepth;
   LightTransmittance Transmittance;
-  CasterViews PaneViews;
-  PaneMaps PaneLight;
+  ShadowMapViews TranslucentViews;
+  TranslucentShadowMaps TranslucentMaps;
   LayerShader Layering;
-  EyeLayers Layers;
-  /// What volumes leave of the lights at a layer.
+  CameraLayers Layers;
+  /// Transmittance of volumes for the lights at a translucent layer.
   LightTransmittance LayerLight;
   std::vector<float> OpaqueDepths;
-  SceneScreens Screens;
-  SceneFields Fields;
+  SceneLightImages Screens;
+  SceneScatteredLight Fields;
   SliceScene Scene;
   ActorShader Shader;
   vtkTimeStamp ShaderTime;
   bool IsMixed = false;
   bool IsLayered = false;
-  bool IsOfDepths = false;
+  bool IsDepthOnly = false;
   std::vector<vtkTextureObject*> Active;
   vtkNew<vtkTextureObject> Placeholder;
   vtkWeakPointer<vtkWindow> Window;
   std::set<vtkProp*> Reached;
   std::set<vtkProp*> Failed;
-  std::set<vtkProp*> Named;
+  std::set<vtkProp*> Reported;
 };
 
 }

@@ -2,7 +2,7 @@
 #ifndef interlume_SliceScene_h
 #define interlume_SliceScene_h
 
-#include "Receivers/ScatteredField.h"
+#include "Receivers/ScatteredLightTexture.h"
 
 #include "vtkType.h"
 
@@ -17,39 +17,41 @@ namespace interlume
 {
 
 class LightTransmittance;
-class PaneMaps;
-class SceneCasters;
+class TranslucentShadowMaps;
+class SceneOccluders;
 
 /**
  * @class   SliceScene
- * @brief   what a picture of slices takes from the scene around, and gives to it
+ * @brief   input and output of sliced volumes in a scene
  */
 struct SliceScene
 {
-  /// The depth of the opaque surfaces that the eye sees: a texture, null for no surface, and its
-  /// values row by row from below.
-  vtkTextureObject* EyeDepth = nullptr;
-  std::vector<float> EyeDepths;
+  /// Depth of the surfaces that the camera sees behind the slices: a texture (null if there are no
+  /// surfaces), and its values row by row from the bottom. These are opaque surfaces or a
+  /// translucent layer.
+  vtkTextureObject* CameraDepth = nullptr;
+  std::vector<float> CameraDepths;
   std::array<int, 2> Size{ { 0, 0 } };
-  /// The depth of the translucent surfaces before which the picture shows nothing; null where it
-  /// begins at the eye.
+  /// Depth of the translucent surfaces in front of the slices. Null if the slices start at the
+  /// camera.
   vtkTextureObject* FrontDepth = nullptr;
-  /// Shows the picture in the place of all volumes; they show their own where it is empty.
+  /// Shows one image for all volumes. If empty, each volume shows its own image.
   std::function<void()> Show;
 
-  /// The depth maps of lights.
-  const SceneCasters* Casters = nullptr;
-  /// The opaque props that these are of.
+  /// Shadow maps of the lights.
+  const SceneOccluders* Occluders = nullptr;
+  /// Opaque props in the shadow maps.
   std::vector<vtkProp*> Blockers;
-  /// What translucent surfaces leave of the lights.
-  const PaneMaps* Panes = nullptr;
+  /// Transmittance of translucent surfaces for the lights.
+  const TranslucentShadowMaps* TranslucentMaps = nullptr;
 
-  /// What is left of the lights at the eye's surfaces, which the slices multiply.
+  /// Transmittance of volumes for the lights, at the surfaces that the camera sees. The
+  /// transmittance of the slices is multiplied into it.
   LightTransmittance* Transmittance = nullptr;
-  /// The light that volumes have scattered on and on; they add theirs.
-  std::vector<ScatteredField> Fields;
-  vtkIdType PixelsBefore = 0;
-  vtkIdType PixelsWithin = 0;
+  /// Multiply scattered light of volumes. Each volume adds its own.
+  std::vector<ScatteredLightTexture> Fields;
+  vtkIdType PixelsInFront = 0;
+  vtkIdType PixelsInside = 0;
   vtkIdType PixelsBehind = 0;
   int ReceiverPasses = 0;
 };

@@ -21,63 +21,64 @@ namespace interlume
 namespace
 {
 
-/// A side of the box, with rays through it.
+/// A face of the box that rays are traced through.
 struct Side
 {
   int Axis = 0;
   bool IsUpper = false;
 };
 
-/// What the rays of one part have in the cells.
+/// Sums over a task's rays, per cell.
 class RaySums
 {
 public:
-  RaySums(const ScatteringMedium& medium, const std::vector<glm::vec3>& parts)
+  RaySums(const ScatteringMedium& medium, const std::vector<glm::vec3>& fractions)
     : Medium(medium)
-    , Parts(parts)
+    , Fractions(fractions)
     , Sums(medium.GetNumberOfCells())
   {
   }
 
-  /// Follows a ray that starts \a start away from the light; \a weight is its area or, from a
-  /// place, its solid angle.
+  /// Traces a ray that starts at distance \a start from the light. \a weight is its cross-sectional
+  /// area or, for a positional light, its solid angle.
   void Follow(CellRay ray, double weight, bool isPositional, double start)
   {
     glm::dvec3 through(1.0);
-    int turns = 0;
+    int cells = 0;
     do
     {
       const std::size_t index = ray.GetIndex();
       const double length = ray.GetExit() - ray.GetEntry();
-      const double way = weight * length;
+      const double weightedLength = weight * length;
       const double distance = start + ray.GetEntry();
       Sum& sum = this->Sums[index];
-      // The area across a ray from a place grows with the square of the distance.
-      sum.Way +=
-        isPositional ? way * (distance * (distance + length) + length * length / 3.0) : way;
+      // The cross section of a diverging ray grows with the square of the distance.
+      sum.Length += isPositional
+        ? weightedLength * (distance * (distance + length) + length * length / 3.0)
+        : weightedLength;
       if (this->Medium.IsBlocked(index))
       {
         through = glm::dvec3(0.0);
       }
       else if (through.x + through.y + through.z > 0.0)
       {
-        const double half = distance + this->GetPlace(index, length);
+        const double half = distance + this->GetMeanDistance(index, length);
         const double growth = isPositional ? half * half : 1.0;
-        sum.Light += growth * way * this->TakeMean(index, length, through);
+        sum.Light += growth * weightedLength * this->AttenuateRay(index, length, through);
       }
-    } while (ray.Advance() && (!this->HasMirrors || ++turns < MostTurns));
+    } while (ray.Advance() && (!this->HasMirrors || ++cells < MaximumCells));
   }
 
   struct Sum
   {
     glm::dvec3 Light{ 0.0 };
-    double Way = 0.0;
+    double Length = 0.0;
   };
   const std::vector<Sum>& Get() const { return this->Sums; }
 
 private:
-  /// Returns the mean transmittance in a cell; \a through becomes that behind it.
-  glm::dvec3 TakeMean(std::size_t index, double length, glm::dvec3& through) const
+  /// Returns the mean transmittance in a cell and advances \a through to the exit.
+  glm::dvec3 AttenuateRay(std::size_t index, double length, glm::dvec3& through) const
   {
     const float extinction = this->Medium.Extinction[index];
     if (!(extinction > 0.0f) || !std::isfinite(extinction))
@@ -85,14 +86,14 @@ private:
       return through;
     }
     const double depth = extinction * length;
-    if (this->Parts.empty())
+    if (this->Fractions.empty())
     {
       const double mean = this->GetMean(depth);
       const double before = through.x;
       through = glm::dvec3(std::max(before * (1.0 - depth * mean), 0.0));
       return glm::dvec3(before * mean);
     }
-    const glm::dvec3 depths = depth * glm::dvec3(this->Parts[index]);
+    const glm::dvec3 depths = depth * glm::dvec3(this->Fractions[index]);
     const glm::dvec3 mean(
       this->GetMean(depths.x), this->GetMean(depths.y), this->GetMean(depths.z));
     const glm::dvec3 before = through;
@@ -100,8 +101,8 @@ private:
     return before * mean;
   }
 
-  /// Returns how far into a cell light meets its matter on the average.
-  double GetPlace(std::size_t index, double length) const
+  /// Returns the mean distance from entry to extinction inside a cell.
+  double GetMeanDistance(std::size_t index, double length) const
   {
     const double depth = std::max(this->Medium.Extinction[index] * length, 0.0);
     return depth > 1e-2 ? length * (1.0 / depth - 1.0 / std::expm1(depth)) : 0.5 * length;
@@ -112,16 +113,16 @@ private:
     return depth > 1e-4 ? -std::expm1(-depth) / depth : 1.0 - 0.5 * depth;
   }
 
-  /// The cells after which a ray between mirrors ends.
-  static constexpr int MostTurns = 10000;
+  /// Maximum number of cells along a ray between mirrors.
+  static constexpr int MaximumCells = 10000;
 
   const ScatteringMedium& Medium;
-  const std::vector<glm::vec3>& Parts;
+  const std::vector<glm::vec3>& Fractions;
   bool HasMirrors = glm::any(Medium.Mirrors);
   std::vector<Sum> Sums;
 };
 
-/// The rays through one side.
+/// Traces the rays through one face.
 class SideRays
 {
 public:
@@ -129,8 +130,8 @@ public:
     const glm::dvec2& offset)
     : Medium(medium)
     , Light(light)
-    , At((light.Position - medium.Origin) / medium.CellSize)
-    , On(side)
+    , LightPosition((light.Position - medium.Origin) / medium.CellSize)
+    , Face(side)
     , Rays(rays)
     , Offset(offset)
   {
@@ -144,63 +145,65 @@ public:
 
   void FollowRow(int row, RaySums& sums) const
   {
-    glm::dvec3 place(0.0);
-    place[this->On.Axis] = this->On.IsUpper ? this->Medium.Cells[this->On.Axis] : 0.0;
-    place[this->Across[1]] = (row + 0.5 + this->Offset.y) / this->Rays;
+    glm::dvec3 position(0.0);
+    position[this->Face.Axis] = this->Face.IsUpper ? this->Medium.Cells[this->Face.Axis] : 0.0;
+    position[this->Across[1]] = (row + 0.5 + this->Offset.y) / this->Rays;
     const int columns = this->Rays * this->Medium.Cells[this->Across[0]];
     for (int column = 0; column < columns; ++column)
     {
-      place[this->Across[0]] = (column + 0.5 + this->Offset.x) / this->Rays;
-      this->FollowTo(place, sums);
+      position[this->Across[0]] = (column + 0.5 + this->Offset.x) / this->Rays;
+      this->FollowTo(position, sums);
     }
   }
 
 private:
-  void FollowTo(const glm::dvec3& place, RaySums& sums) const
+  void FollowTo(const glm::dvec3& position, RaySums& sums) const
   {
     if (!this->Light.IsPositional)
     {
-      const glm::dvec3& way = this->Light.Direction;
-      sums.Follow(
-        CellRay(this->Medium, place, way), this->Area * std::abs(way[this->On.Axis]), false, 0.0);
+      const glm::dvec3& direction = this->Light.Direction;
+      sums.Follow(CellRay(this->Medium, position, direction),
+        this->Area * std::abs(direction[this->Face.Axis]), false, 0.0);
       return;
     }
-    // From the light, or where the ray enters the box, to the place where it leaves.
-    const glm::dvec3 inCells = place - this->At;
+    // The ray begins at the light, or at its entry into the box, and ends at the position on the
+    // face.
+    const glm::dvec3 inCells = position - this->LightPosition;
     double entry = 0.0;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double border = inCells[axis] > 0.0 ? 0.0 : this->Medium.Cells[axis];
       if (inCells[axis] != 0.0)
       {
-        entry = std::max(entry, std::min((border - this->At[axis]) / inCells[axis], 1.0));
+        entry =
+          std::max(entry, std::min((border - this->LightPosition[axis]) / inCells[axis], 1.0));
       }
     }
-    const glm::dvec3 way = inCells * this->Medium.CellSize;
-    const double reach = glm::length(way);
+    const glm::dvec3 toFace = inCells * this->Medium.CellSize;
+    const double reach = glm::length(toFace);
     if (!(reach > 0.0))
     {
       return;
     }
-    const glm::dvec3 direction = way / reach;
-    const glm::dvec3 start =
-      glm::clamp(this->At + entry * inCells, glm::dvec3(0.0), glm::dvec3(this->Medium.Cells));
+    const glm::dvec3 direction = toFace / reach;
+    const glm::dvec3 start = glm::clamp(
+      this->LightPosition + entry * inCells, glm::dvec3(0.0), glm::dvec3(this->Medium.Cells));
     sums.Follow(CellRay(this->Medium, start, direction),
-      this->Area * std::abs(direction[this->On.Axis]) / (reach * reach), true, entry * reach);
+      this->Area * std::abs(direction[this->Face.Axis]) / (reach * reach), true, entry * reach);
   }
 
   const ScatteringMedium& Medium;
   const ScatteringLight& Light;
-  /// The light's place, in cells.
-  glm::dvec3 At;
-  Side On;
+  /// Position of the light, in cells.
+  glm::dvec3 LightPosition;
+  Side Face;
   int Rays;
   glm::dvec2 Offset;
   std::array<int, 2> Across{};
   double Area = 0.0;
 };
 
-/// Returns the sides that rays enter by or, from a place, leave by.
+/// Returns the faces through which rays enter or, for a positional light, exit.
 std::vector<Side> FindSides(const ScatteringMedium& medium, const ScatteringLight& light)
 {
   const glm::dvec3 at = (light.Position - medium.Origin) / medium.CellSize;
@@ -210,8 +213,8 @@ std::vector<Side> FindSides(const ScatteringMedium& medium, const ScatteringLigh
     for (const bool isUpper : { false, true })
     {
       const double along = isUpper ? -light.Direction[axis] : light.Direction[axis];
-      const bool isLeft = isUpper ? at[axis] < medium.Cells[axis] : at[axis] > 0.0;
-      if (!medium.Mirrors[axis] && (light.IsPositional ? isLeft : along > 0.0))
+      const bool isExited = isUpper ? at[axis] < medium.Cells[axis] : at[axis] > 0.0;
+      if (!medium.Mirrors[axis] && (light.IsPositional ? isExited : along > 0.0))
       {
         sides.push_back({ axis, isUpper });
       }
@@ -224,19 +227,19 @@ std::vector<Side> FindSides(const ScatteringMedium& medium, const ScatteringLigh
 
 int CellLight::CountRays(const glm::ivec3& cells)
 {
-  constexpr double most = 4096.0;
+  constexpr double maximumRays = 4096.0;
   const double sides = static_cast<double>(cells.x) * cells.y +
     static_cast<double>(cells.y) * cells.z + static_cast<double>(cells.z) * cells.x;
-  return glm::clamp(static_cast<int>(std::sqrt(most / std::max(sides, 1.0)) + 0.5), 2, 16);
+  return glm::clamp(static_cast<int>(std::sqrt(maximumRays / std::max(sides, 1.0)) + 0.5), 2, 16);
 }
 
 std::vector<glm::vec3> CellLight::Find(const ScatteringMedium& medium,
-  const std::vector<glm::vec3>& parts, const ScatteringLight& light, int rays,
+  const std::vector<glm::vec3>& fractions, const ScatteringLight& light, int rays,
   const glm::dvec2& offset)
 {
-  // Each part has its own sums, which are added in their order.
+  // Each task has separate sums, added in a fixed order for a deterministic result.
   constexpr int number = 4;
-  std::vector<RaySums> sums(number, RaySums(medium, parts));
+  std::vector<RaySums> sums(number, RaySums(medium, fractions));
   std::vector<SideRays> sides;
   for (const Side& side : FindSides(medium, light))
   {
@@ -258,35 +261,37 @@ std::vector<glm::vec3> CellLight::Find(const ScatteringMedium& medium,
     });
   std::vector<glm::vec3> means(medium.GetNumberOfCells(), glm::vec3(0.0f));
   const double volume = medium.CellSize.x * medium.CellSize.y * medium.CellSize.z;
-  glm::dvec3 lost(0.0);
-  glm::dvec3 taken(0.0);
+  glm::dvec3 rayTotal(0.0);
+  glm::dvec3 cellTotal(0.0);
   for (std::size_t cell = 0; cell < means.size(); ++cell)
   {
     RaySums::Sum sum;
     for (const RaySums& part : sums)
     {
       sum.Light += part.Get()[cell].Light;
-      sum.Way += part.Get()[cell].Way;
+      sum.Length += part.Get()[cell].Length;
     }
-    if (sum.Way > 0.0)
+    if (sum.Length > 0.0)
     {
-      means[cell] = glm::vec3(sum.Light / sum.Way);
+      means[cell] = glm::vec3(sum.Light / sum.Length);
       const float extinction = medium.Extinction[cell];
       if (extinction > 0.0f && std::isfinite(extinction))
       {
-        const glm::dvec3 each = static_cast<double>(extinction) *
-          (parts.empty() ? glm::dvec3(1.0) : glm::dvec3(parts[cell]));
-        lost += each * sum.Light;
-        taken += each * sum.Light * (volume / sum.Way);
+        const glm::dvec3 extinctions = static_cast<double>(extinction) *
+          (fractions.empty() ? glm::dvec3(1.0) : glm::dvec3(fractions[cell]));
+        rayTotal += extinctions * sum.Light;
+        cellTotal += extinctions * sum.Light * (volume / sum.Length);
       }
     }
   }
-  // Rays meet a little more or less of a cell than there is: cells take no more than rays lose.
+  // Rays sample slightly more or less than a cell's volume. Cells must not extinguish more light
+  // than rays lose.
   glm::vec3 factor(1.0f);
   for (int color = 0; color < 3; ++color)
   {
-    factor[color] =
-      taken[color] > lost[color] ? static_cast<float>(lost[color] / taken[color]) : 1.0f;
+    factor[color] = cellTotal[color] > rayTotal[color]
+      ? static_cast<float>(rayTotal[color] / cellTotal[color])
+      : 1.0f;
   }
   for (glm::vec3& mean : means)
   {

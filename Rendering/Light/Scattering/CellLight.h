@@ -15,29 +15,30 @@ namespace interlume
 
 /**
  * @class   CellLight
- * @brief   computes what matter leaves of a light in the cells of a medium, as the mean over each
+ * @brief   computes the mean transmittance of a light in each cell
  *
- * Rays go from the light through the box, several for each cell's side, and each counts in all
- * cells on its way: with T where it enters a cell, and the depth tau of its way s there,
+ * Traces several rays from the light through each cell face on the boundary of the box. The mean of
+ * a cell is computed from all rays that cross it. With the transmittance T where a ray enters the
+ * cell, the ray's length s and the optical depth tau inside the cell,
  *
- *   mean = sum of w s T (1 - exp(-tau)) / tau   over   sum of w s,
+ *   mean = (sum of w s T (1 - exp(-tau)) / tau) / (sum of w s),
  *
- * where w is the area across the ray that it stands for. What cells take, extinction times mean
- * times volume, is so what rays lose in them, however thick cells are and however light grazes: one
- * ray through a cell's middle finds the cells at a side that light grazes dark where a free path is
- * shorter than a cell.
+ * where w is the cross-sectional area that a ray represents. Therefore extinction times mean times
+ * volume equals the light that the rays lose in the cell, for any optical depth and at grazing
+ * incidence. A single ray through each cell's center would leave grazed cells dark if the mean free
+ * path is shorter than a cell.
  */
 namespace CellLight
 {
-/// Returns the number of rays along an edge of a cell's side: two, or more where cells are few.
+/// Returns the number of rays along an edge of a cell face: 2, or more in a grid of few cells.
 int CountRays(const glm::ivec3& cells);
 /**
- * Returns the means. \a parts are the shares of each cell's extinction that take from red, green
- * and blue, or empty where it is all of it for all; \a light has a place or a direction. There are
- * \a rays times \a rays rays for each cell's side, so far from the middles of their parts of it as
- * \a offset says, in parts. Blocked cells are dark, and what lies behind them.
+ * Returns the mean transmittance of each cell. \a fractions holds the fraction of each cell's
+ * extinction that affects red, green and blue; if it is empty, all extinction affects each channel.
+ * \a light needs a position or direction. There are \a rays times \a rays rays per cell face,
+ * shifted by \a offset, in ray spacings. Blocked cells, and cells in their shadow, are dark.
  */
-std::vector<glm::vec3> Find(const ScatteringMedium& medium, const std::vector<glm::vec3>& parts,
+std::vector<glm::vec3> Find(const ScatteringMedium& medium, const std::vector<glm::vec3>& fractions,
   const ScatteringLight& light, int rays, const glm::dvec2& offset = glm::dvec2(0.0));
 }
 

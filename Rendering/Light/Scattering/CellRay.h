@@ -17,20 +17,20 @@ namespace interlume
 
 /**
  * @class   CellRay
- * @brief   the cells that a ray goes through, one after the other, reflected by mirrors
+ * @brief   traverses the cells along a ray, which mirrors reflect
  */
 class CellRay
 {
 public:
-  /// \a place is in the box, in cells from its lower corner; \a direction of length 1, in the
-  /// world's units along the axes of the box.
-  CellRay(const ScatteringMedium& medium, const glm::dvec3& place, const glm::dvec3& direction)
-    : CellRay(medium, glm::clamp(glm::ivec3(glm::floor(place)), glm::ivec3(0), medium.Cells - 1),
-        place, direction)
+  /// \a position is a position in the box, in cells from its lower corner. \a direction has length
+  /// 1 in world units, along the axes of the box.
+  CellRay(const ScatteringMedium& medium, const glm::dvec3& position, const glm::dvec3& direction)
+    : CellRay(medium, glm::clamp(glm::ivec3(glm::floor(position)), glm::ivec3(0), medium.Cells - 1),
+        position, direction)
   {
   }
-  /// \a place is in or on the sides of \a cell.
-  CellRay(const ScatteringMedium& medium, const glm::ivec3& cell, const glm::dvec3& place,
+  /// \a position is in \a cell or on its boundary.
+  CellRay(const ScatteringMedium& medium, const glm::ivec3& cell, const glm::dvec3& position,
     const glm::dvec3& direction)
     : Medium(medium)
     , Cell(cell)
@@ -41,7 +41,7 @@ public:
     for (int axis = 0; axis < 3; ++axis)
     {
       const double along = direction[axis];
-      const double within = place[axis] - this->Cell[axis];
+      const double within = position[axis] - this->Cell[axis];
       this->Within[axis] = within;
       if (along != 0.0)
       {
@@ -55,34 +55,35 @@ public:
   }
 
   const glm::ivec3& GetCell() const { return this->Cell; }
-  /// Its index in the medium.
+  /// Returns the cell's index in the medium.
   std::size_t GetIndex() const { return static_cast<std::size_t>(this->Index); }
-  /// The direction in this cell; mirrors turn it.
+  /// Returns the direction in this cell. Mirrors change it.
   const glm::dvec3& GetDirection() const { return this->Direction; }
-  /// Returns how far from its start the ray enters and leaves this cell.
-  double GetEntry() const { return this->Gone; }
+  /// Returns the distance from the start at which the ray enters or exits this cell.
+  double GetEntry() const { return this->Entry; }
   double GetExit() const { return this->Next[this->Axis]; }
 
-  /// Returns the place, in cells from the lower corner, so far from the start, in this cell.
-  glm::dvec3 GetPlace(double distance) const
+  /// Returns the position at a distance from the start, within this cell, in cells from the lower
+  /// corner.
+  glm::dvec3 GetPosition(double distance) const
   {
-    glm::dvec3 place;
+    glm::dvec3 position;
     for (int axis = 0; axis < 3; ++axis)
     {
-      // Up to the border that comes next.
+      // The fraction that remains up to the next cell boundary.
       const double along = this->Direction[axis];
-      const double left =
+      const double remaining =
         along != 0.0 ? (this->Next[axis] - distance) / this->Step[axis] : 1.0 - this->Within[axis];
-      place[axis] = this->Cell[axis] + (along < 0.0 ? left : 1.0 - left);
+      position[axis] = this->Cell[axis] + (along < 0.0 ? remaining : 1.0 - remaining);
     }
-    return place;
+    return position;
   }
 
-  /// Goes on to the next cell; returns false where the ray leaves the box.
+  /// Advances to the next cell. Returns false if the ray leaves the box.
   bool Advance()
   {
     const int axis = this->Axis;
-    this->Gone = this->Next[axis];
+    this->Entry = this->Next[axis];
     this->Next[axis] += this->Step[axis];
     const int next = this->Cell[axis] + (this->Direction[axis] > 0.0 ? 1 : -1);
     if (next >= 0 && next < this->Medium.Cells[axis])
@@ -113,14 +114,15 @@ private:
   const ScatteringMedium& Medium;
   glm::ivec3 Cell;
   glm::dvec3 Direction;
-  /// The cell's index, and what a step along each axis adds to it.
+  /// The cell's index, and its change per step along each axis.
   std::ptrdiff_t Index;
   std::array<std::ptrdiff_t, 3> Strides{};
-  /// How far the ray goes between two borders along each axis, and to the next of them.
+  /// For each axis, the length of the ray between two cell boundaries, and the distance from its
+  /// start to the next boundary.
   glm::dvec3 Step{ std::numeric_limits<double>::infinity() };
   glm::dvec3 Next{ std::numeric_limits<double>::infinity() };
-  double Gone = 0.0;
-  /// Where in its first cell the ray starts.
+  double Entry = 0.0;
+  /// Position of the start within its cell, 0 to 1 along each axis.
   glm::dvec3 Within{ 0.5 };
   int Axis = 0;
 };

@@ -20,7 +20,7 @@ std::size_t Index(const glm::ivec3& cells, int i, int j, int k)
     (static_cast<std::size_t>(j) + static_cast<std::size_t>(cells.y) * static_cast<std::size_t>(k));
 }
 
-/// Calls \a work(k) for each layer of cells, by threads where there are cells enough for them.
+/// Calls \a work(k) for each layer of cells, in parallel if there are enough cells.
 template <typename Work>
 void ForLayers(const glm::ivec3& cells, Work&& work)
 {
@@ -31,8 +31,8 @@ void ForLayers(const glm::ivec3& cells, Work&& work)
       work(static_cast<int>(k));
     }
   };
-  constexpr int fewest = 8192;
-  if (cells.x * cells.y * cells.z < fewest)
+  constexpr int minimumCells = 8192;
+  if (cells.x * cells.y * cells.z < minimumCells)
   {
     range(0, cells.z);
     return;
@@ -40,7 +40,8 @@ void ForLayers(const glm::ivec3& cells, Work&& work)
   vtkSMPTools::For(0, cells.z, 4, range);
 }
 
-/// Returns the scalar product, summed layer by layer so that threads do not matter.
+/// Returns the scalar product, summed per layer so that it does not depend on the number of
+/// threads.
 double Product(const glm::ivec3& cells, const std::vector<double>& a, const std::vector<double>& b)
 {
   std::vector<double> sums(static_cast<std::size_t>(cells.z));
@@ -63,7 +64,7 @@ double Product(const glm::ivec3& cells, const std::vector<double>& a, const std:
   return sum;
 }
 
-/// a = s a + t b.
+/// Replaces \a a by s a + t b.
 void Combine(
   const glm::ivec3& cells, double s, std::vector<double>& a, double t, const std::vector<double>& b)
 {
@@ -161,7 +162,7 @@ void DiffusionGrid::Prepare()
   }
 }
 
-double DiffusionGrid::Neighbours(
+double DiffusionGrid::Neighbors(
   const Level& level, const std::vector<double>& x, int i, int j, int k)
 {
   const glm::ivec3& cells = level.Cells;
@@ -190,7 +191,7 @@ void DiffusionGrid::Smooth(Level& level, int color)
         {
           const std::size_t at = Index(cells, i, j, k);
           level.Solution[at] =
-            level.Inverse[at] * (level.Source[at] + Neighbours(level, level.Solution, i, j, k));
+            level.Inverse[at] * (level.Source[at] + Neighbors(level, level.Solution, i, j, k));
         }
       }
     });
@@ -208,9 +209,8 @@ void DiffusionGrid::Multiply(
         for (int i = 0; i < cells.x; ++i)
         {
           const std::size_t at = Index(cells, i, j, k);
-          y[at] = level.Inverse[at] > 0.0
-            ? x[at] / level.Inverse[at] - Neighbours(level, x, i, j, k)
-            : 0.0;
+          y[at] = level.Inverse[at] > 0.0 ? x[at] / level.Inverse[at] - Neighbors(level, x, i, j, k)
+                                          : 0.0;
         }
       }
     });
@@ -222,7 +222,7 @@ void DiffusionGrid::Cycle(std::size_t number)
   std::fill(level.Solution.begin(), level.Solution.end(), 0.0);
   if (number + 1 == this->Levels.size())
   {
-    // Eight cells at most.
+    // The coarsest level has at most eight cells, so smoothing solves it.
     for (int sweep = 0; sweep < 40; ++sweep)
     {
       Smooth(level, 0);
@@ -247,11 +247,11 @@ void DiffusionGrid::Cycle(std::size_t number)
           for (int i = 0; i < cells.x; ++i)
           {
             const std::size_t at = Index(cells, i, j, k);
-            // Cells that were smoothed last have no residual.
+            // Cells of the checkerboard color smoothed last have no residual.
             if ((i + j + k) % 2 == 0 && level.Inverse[at] > 0.0)
             {
               coarse.Source[Index(coarse.Cells, i / 2, j / 2, kk)] += level.Source[at] -
-                level.Solution[at] / level.Inverse[at] + Neighbours(level, level.Solution, i, j, k);
+                level.Solution[at] / level.Inverse[at] + Neighbors(level, level.Solution, i, j, k);
             }
           }
         }

@@ -13,28 +13,29 @@ namespace interlume
 
 /**
  * @class   DiffusionGrid
- * @brief   solves the equations of diffusion between the cells of a box
+ * @brief   solves diffusion equations on the cells of a box
  *
- *   Sink_i x_i + sum_j Coupling_ij (x_i - x_j) = b_i   over the up to six neighbours j of cell i,
+ *   Sink_i x_i + sum_j Coupling_ij (x_i - x_j) = b_i   over the up to six neighbors j of cell i
  *
- * by conjugate gradients, preconditioned by one V-cycle of multigrid: cells are joined two by two
- * along each axis, and the couplings between joined cells are half of the sum, as their distance is
- * twice as large. The result is the same for any number of threads.
+ * The solver is the conjugate gradient method, preconditioned by one multigrid V-cycle. Coarsening
+ * merges two cells along each axis. Couplings between merged cells are half their sum because their
+ * distance doubles. The result does not depend on the number of threads.
  */
 class DiffusionGrid
 {
 public:
   explicit DiffusionGrid(const glm::ivec3& cells);
 
-  /// Along each axis, that of a cell to its upper neighbour.
+  /// Couplings of each cell to its upper neighbor along each axis.
   std::array<std::vector<double>, 3>& GetCouplings() { return this->Levels.front().Coupling; }
   std::vector<double>& GetSink() { return this->Levels.front().Sink; }
-  /// To be called once couplings and sinks are set.
+  /// Builds the multigrid levels. Call this after setting couplings and sinks.
   void Prepare();
 
   /**
-   * Improves \a x until the residual is at most \a tolerance times b, in the Euclidean norm, or for
-   * so many cycles. Returns the residual over b; \a cycles becomes the number that was needed.
+   * Improves \a x until the residual is at most \a tolerance times b in the Euclidean norm, or for
+   * at most \a maximumCycles cycles. Returns the relative residual and sets \a cycles to the number
+   * of cycles done.
    */
   double Solve(const std::vector<double>& b, std::vector<double>& x, double tolerance,
     int maximumCycles, int& cycles);
@@ -45,7 +46,7 @@ private:
     glm::ivec3 Cells{ 1 };
     std::array<std::vector<double>, 3> Coupling;
     std::vector<double> Sink;
-    /// One over the sum of the sink and the couplings.
+    /// Reciprocal of the sum of the sink and the couplings.
     std::vector<double> Inverse;
     std::vector<double> Solution;
     std::vector<double> Source;
@@ -53,7 +54,7 @@ private:
 
   static void Allocate(Level& level, const glm::ivec3& cells);
   static void Coarsen(const Level& fine, Level& coarse);
-  static double Neighbours(const Level& level, const std::vector<double>& x, int i, int j, int k);
+  static double Neighbors(const Level& level, const std::vector<double>& x, int i, int j, int k);
   static void Smooth(Level& level, int color);
   static void Multiply(const Level& level, const std::vector<double>& x, std::vector<double>& y);
   void Cycle(std::size_t level);

@@ -26,19 +26,21 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// A direction, and the directions' share of the sphere.
+/// A direction of view and its fraction of the sphere.
 struct Ordinate
 {
   glm::dvec3 Out{ 0.0 };
   double Weight = 0.0;
-  /// Position of rays within their parts of a side. Neither the directions around an axis nor those
-  /// of the same angle around it share a position, so that together they sample a cell evenly.
-  glm::dvec2 Place{ 0.5 };
+  /// Offset of rays within their grid on a face. Directions around one axis have different offsets,
+  /// and so do directions at the same angle around different axes. Together they sample a cell
+  /// uniformly.
+  glm::dvec2 Offset{ 0.5 };
 };
 
 /**
- * Returns 192 directions: about each of the three axes, eight around it at the cosines of Gauss'
- * quadrature between 0 and 1 to either side, so that light along thin layers is met too.
+ * Returns 192 directions: around each axis, eight azimuths at each cosine of Gauss-Legendre
+ * quadrature between 0 and 1 and their opposites. Directions close to each axis plane are included,
+ * so light along thin layers is sampled too.
  */
 std::vector<Ordinate> MakeOrdinates()
 {
@@ -50,7 +52,7 @@ std::vector<Ordinate> MakeOrdinates()
   {
     for (std::size_t i = 0; i < 8; ++i)
     {
-      // Both signs of a node, and both sides of the sphere.
+      // Each node has two signs, and each cosine is used on both hemispheres.
       const double node = (i & 1 ? -1.0 : 1.0) * nodes[i / 4];
       const double cosine = 0.5 * (1.0 + node);
       const double across = std::sqrt(1.0 - cosine * cosine);
@@ -63,7 +65,7 @@ std::vector<Ordinate> MakeOrdinates()
         ordinate.Out[(axis + 2) % 3] = across * std::sin(angle);
         ordinate.Weight = weights[i / 4] / (3.0 * 4.0 * turns);
         const double ring = static_cast<double>(ordinates.size() / turns);
-        ordinate.Place = glm::fract(glm::dvec2(1.0, 3.0) * ((turn + 0.5) / turns) +
+        ordinate.Offset = glm::fract(glm::dvec2(1.0, 3.0) * ((turn + 0.5) / turns) +
           ring * glm::dvec2(0.41421356237, 0.73205080757));
         ordinates.push_back(ordinate);
       }
@@ -72,7 +74,7 @@ std::vector<Ordinate> MakeOrdinates()
   return ordinates;
 }
 
-/// The phase function over that of an isotropic one, its mean over one direction's share.
+/// The phase function relative to an isotropic one, averaged over the solid angle of a direction.
 class MeanPhase
 {
 public:
@@ -101,10 +103,10 @@ public:
 
   double Get(double cosine) const
   {
-    const double place = glm::clamp(0.5 * (cosine + 1.0), 0.0, 1.0) * Number;
-    const std::size_t below = std::min(static_cast<std::size_t>(place), Number - 1);
-    const double share = place - static_cast<double>(below);
-    return (1.0 - share) * this->Values[below] + share * this->Values[below + 1];
+    const double position = glm::clamp(0.5 * (cosine + 1.0), 0.0, 1.0) * Number;
+    const std::size_t below = std::min(static_cast<std::size_t>(position), Number - 1);
+    const double fraction = position - static_cast<double>(below);
+    return (1.0 - fraction) * this->Values[below] + fraction * this->Values[below + 1];
   }
 
 private:
@@ -112,12 +114,12 @@ private:
   std::vector<double> Values;
 };
 
-/// The largest number of rays along a side of the box.
-constexpr int MostRays = 8;
+/// Maximum number of rays along an edge of a box face.
+constexpr int MaximumRays = 8;
 
 /**
- * The fields of all sources, cell by cell: a fluence of each source, and a lean behind that of a
- * source that has one. A ray looks all of them up in the same eight cells.
+ * The fields of all sources, interleaved per cell: a fluence per source, followed by its NetFlux
+ * field if it has one. A ray samples all of them in the same eight cells.
  */
 class SourceFields
 {
@@ -126,31 +128,31 @@ public:
   {
     for (const EscapeRays::Source& source : sources)
     {
-      this->Count += source.Lean ? 2 : 1;
+      this->Count += source.NetFlux ? 2 : 1;
     }
     const std::size_t cells = sources.empty() ? 0 : sources.front().Fluence->size();
     this->Values.resize(cells * this->Count);
-    std::size_t place = 0;
+    std::size_t position = 0;
     for (const EscapeRays::Source& source : sources)
     {
-      this->Set(place++, *source.Fluence);
-      if (source.Lean)
+      this->Set(position++, *source.Fluence);
+      if (source.NetFlux)
       {
-        this->Set(place++, *source.Lean);
+        this->Set(position++, *source.NetFlux);
       }
     }
   }
 
   std::size_t GetCount() const { return this->Count; }
-  /// Returns the first field in a cell.
+  /// Returns a pointer to the fields of a cell.
   const glm::vec4* Get(std::size_t cell) const { return this->Values.data() + cell * this->Count; }
 
 private:
-  void Set(std::size_t place, const std::vector<glm::vec3>& values)
+  void Set(std::size_t position, const std::vector<glm::vec3>& values)
   {
     for (std::size_t cell = 0; cell < values.size(); ++cell)
     {
-      this->Values[cell * this->Count + place] = glm::vec4(values[cell], 0.0f);
+      this->Values[cell * this->Count + position] = glm::vec4(values[cell], 0.0f);
     }
   }
 
@@ -161,31 +163,31 @@ private:
 class DirectionTrace
 {
 public:
-  DirectionTrace(const MatterCells& matter, const MeanPhase& phase,
+  DirectionTrace(const SanitizedMedium& medium, const MeanPhase& phase,
     const std::vector<EscapeRays::Source>& sources, const SourceFields& fields,
     const Ordinate& ordinate, bool isBack)
-    : Cells(matter)
+    : Cells(medium)
     , Phase(phase)
     , Sources(sources)
     , Fields(fields)
     , Out(ordinate.Out)
     , Weight(ordinate.Weight)
-    , Place(ordinate.Place)
+    , Offset(ordinate.Offset)
     , IsBack(isBack)
     , Seen(fields.GetCount())
   {
     this->Result.resize(sources.size());
     for (const EscapeRays::Source& source : sources)
     {
-      const bool isEven = source.Light && !source.Light->IsPositional;
-      this->Factors.push_back(isEven ? this->GetPhase(*source.Light, {}, this->Out) : 0.0);
+      const bool isDirectional = source.Light && !source.Light->IsPositional;
+      this->Factors.push_back(isDirectional ? this->GetPhase(*source.Light, {}, this->Out) : 0.0);
     }
   }
 
-  /// The optical depth of the matter that rays met times their areas.
-  double GetMet() const { return this->Met; }
+  /// Returns the sum of the optical depths that the rays sample, weighted by area.
+  double GetSampledDepth() const { return this->SampledDepth; }
 
-  std::vector<EscapeRays::Sums> Go()
+  std::vector<EscapeRays::Sums> Trace()
   {
     const ScatteringMedium& box = this->Cells.Box;
     for (int axis = 0; axis < 3; ++axis)
@@ -196,18 +198,18 @@ public:
       }
       const int u = (axis + 1) % 3;
       const int v = (axis + 2) % 3;
-      const int rows = std::min(box.Cells[v], MostRays);
-      const int columns = std::min(box.Cells[u], MostRays);
+      const int rows = std::min(box.Cells[v], MaximumRays);
+      const int columns = std::min(box.Cells[u], MaximumRays);
       const double area = box.CellSize[u] * box.Cells[u] / columns * box.CellSize[v] *
         box.Cells[v] / rows * std::abs(this->Out[axis]) * this->Weight;
       glm::dvec3 start(0.0);
       start[axis] = this->Out[axis] > 0.0 ? box.Cells[axis] : 0.0;
       for (int row = 0; row < rows; ++row)
       {
-        start[v] = (row + this->Place.y) * box.Cells[v] / rows;
+        start[v] = (row + this->Offset.y) * box.Cells[v] / rows;
         for (int column = 0; column < columns; ++column)
         {
-          start[u] = (column + this->Place.x) * box.Cells[u] / columns;
+          start[u] = (column + this->Offset.x) * box.Cells[u] / columns;
           this->Follow(CellRay(box, start, -this->Out), area);
         }
       }
@@ -216,7 +218,7 @@ public:
   }
 
 private:
-  /// Follows a ray from where it leaves the box to where it enters.
+  /// Follows a ray from its exit out of the box back to its entry.
   void Follow(CellRay ray, double area)
   {
     const ScatteringMedium& box = this->Cells.Box;
@@ -229,7 +231,7 @@ private:
       const double extinction = this->Cells.Extinction[cell];
       if (box.IsBlocked(cell))
       {
-        // What is beyond ends here.
+        // A blocked cell absorbs light from behind it.
         through = 1.0;
         lost = 0.0;
         isBlocked = true;
@@ -242,25 +244,25 @@ private:
         {
           continue;
         }
-        // depth - own, of which nothing cancels where depths are small.
+        // ended is depth - own, computed without cancellation for small depths.
         const double left = std::exp(-depth);
         const double ended = depth < 1e-2
           ? depth * depth * (0.5 - depth * (1.0 / 6.0 - depth / 24.0))
           : depth - 1.0 + left;
         const double own = depth - ended;
-        this->Met += area * depth;
-        // Where the eye sees the ray's way in the cell on the average, as slices look it up.
+        this->SampledDepth += area * depth;
+        // The mean visible position along the ray in this cell, at which slices sample the fields.
         const double part = depth < 0.05 ? 0.5 - depth / 12.0 : 1.0 / depth - left / own;
-        this->FindSeen(ray.GetPlace(ray.GetEntry() + part * length), cell);
-        const double kept = area * (depth * lost + through * ended);
+        this->FindSeen(ray.GetPosition(ray.GetEntry() + part * length), cell);
+        const double recaptured = area * (depth * lost + through * ended);
         const double out = area * through * own;
         const glm::vec4* seen = this->Seen.data();
         for (std::size_t i = 0; i < this->Sources.size(); ++i)
         {
           const glm::dvec3 color = this->GetColor(i, ray, cell, seen);
           EscapeRays::Sums& sums = this->Result[i];
-          sums.Kept += kept * color;
-          (isBlocked ? sums.Blocked : (this->IsBack ? sums.Back : sums.On)) += out * color;
+          sums.Recaptured += recaptured * color;
+          (isBlocked ? sums.Blocked : (this->IsBack ? sums.Backward : sums.Forward)) += out * color;
         }
         lost += through * own;
         through *= 1.0 - own;
@@ -268,14 +270,14 @@ private:
     } while (ray.Advance());
   }
 
-  /// Looks all fields up at a place in or on the sides of \a cell. Blocked cells have none of them;
-  /// here they have what \a cell has, which is no less.
-  void FindSeen(const glm::dvec3& place, std::size_t cell)
+  /// Samples all fields at a position inside \a cell or on its boundary. Blocked cells have no
+  /// values, so the values of \a cell replace them.
+  void FindSeen(const glm::dvec3& position, std::size_t cell)
   {
     const ScatteringMedium& box = this->Cells.Box;
-    const glm::dvec3 at = glm::clamp(place - 0.5, glm::dvec3(0.0), glm::dvec3(box.Cells - 1));
+    const glm::dvec3 at = glm::clamp(position - 0.5, glm::dvec3(0.0), glm::dvec3(box.Cells - 1));
     const glm::ivec3 lower(at);
-    const glm::vec3 share(at - glm::dvec3(lower));
+    const glm::vec3 fraction(at - glm::dvec3(lower));
     const std::size_t row = static_cast<std::size_t>(box.Cells.x);
     const std::size_t layer = row * static_cast<std::size_t>(box.Cells.y);
     const std::size_t first = box.GetIndex(lower);
@@ -289,8 +291,8 @@ private:
       const bool isZ = (corner & 4u) != 0;
       const std::size_t other =
         first + (isX ? next[0] : 0) + (isY ? next[1] : 0) + (isZ ? next[2] : 0);
-      const float weight = (isX ? share.x : 1.0f - share.x) * (isY ? share.y : 1.0f - share.y) *
-        (isZ ? share.z : 1.0f - share.z);
+      const float weight = (isX ? fraction.x : 1.0f - fraction.x) *
+        (isY ? fraction.y : 1.0f - fraction.y) * (isZ ? fraction.z : 1.0f - fraction.z);
       const glm::vec4* values = this->Fields.Get(box.IsBlocked(other) ? cell : other);
       for (glm::vec4& sum : this->Seen)
       {
@@ -302,11 +304,11 @@ private:
   double GetPhase(const ScatteringLight& light, const glm::ivec3& cell, const glm::dvec3& out) const
   {
     const ScatteringMedium& box = this->Cells.Box;
-    const glm::dvec3 middle = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
-    return this->Phase.Get(glm::dot(light.GetDirection(middle), out));
+    const glm::dvec3 center = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
+    return this->Phase.Get(glm::dot(light.GetDirection(center), out));
   }
 
-  /// Returns what a source sends out against the ray; \a seen becomes the next source's.
+  /// Returns the light that a source emits against the ray. Advances \a seen to the next source.
   glm::vec3 GetColor(
     std::size_t number, const CellRay& ray, std::size_t cell, const glm::vec4*& seen) const
   {
@@ -315,48 +317,48 @@ private:
     double factor = 1.0;
     if (source.Light)
     {
-      // Mirrors have turned the ray.
+      // The cached factor does not apply if mirrors have reflected the ray.
       const bool isSame = !source.Light->IsPositional && ray.GetDirection() == -this->Out;
       factor = isSame ? this->Factors[number]
                       : this->GetPhase(*source.Light, ray.GetCell(), -ray.GetDirection());
     }
-    else if (source.Lean)
+    else if (source.NetFlux)
     {
-      const glm::dvec3 lean(*seen++);
-      factor = std::max(1.0 - source.LeanFactor * glm::dot(lean, ray.GetDirection()), 0.0);
+      const glm::dvec3 netFlux(*seen++);
+      factor = std::max(1.0 - source.NetFluxFactor * glm::dot(netFlux, ray.GetDirection()), 0.0);
     }
     return static_cast<float>(factor) * fluence * this->Cells.Albedo[cell];
   }
 
-  const MatterCells& Cells;
+  const SanitizedMedium& Cells;
   const MeanPhase& Phase;
   const std::vector<EscapeRays::Source>& Sources;
   const SourceFields& Fields;
   glm::dvec3 Out;
   double Weight;
-  glm::dvec2 Place;
+  glm::dvec2 Offset;
   bool IsBack;
-  /// The phase function for each light in a direction.
+  /// Relative phase function of each directional light toward Out.
   std::vector<double> Factors;
-  /// The fields where the ray is.
+  /// The fields sampled at the current position.
   std::vector<glm::vec4> Seen;
   std::vector<EscapeRays::Sums> Result;
-  double Met = 0.0;
+  double SampledDepth = 0.0;
 };
 
 }
 
 void EscapeRays::Sums::Add(const Sums& other)
 {
-  this->Kept += other.Kept;
-  this->Back += other.Back;
-  this->On += other.On;
+  this->Recaptured += other.Recaptured;
+  this->Backward += other.Backward;
+  this->Forward += other.Forward;
   this->Blocked += other.Blocked;
 }
 
 void EscapeRays::Sums::Scale(const glm::dvec3& factor)
 {
-  for (glm::dvec3* part : { &this->Kept, &this->Back, &this->On, &this->Blocked })
+  for (glm::dvec3* part : { &this->Recaptured, &this->Backward, &this->Forward, &this->Blocked })
   {
     *part *= factor;
   }
@@ -364,37 +366,37 @@ void EscapeRays::Sums::Scale(const glm::dvec3& factor)
 
 void EscapeRays::Sums::ScaleTo(const glm::dvec3& sent)
 {
-  const glm::dvec3 found = this->Kept + this->GetOut();
+  const glm::dvec3 found = this->Recaptured + this->GetOut();
   glm::dvec3 factor(1.0);
   for (int color = 0; color < 3; ++color)
   {
     factor[color] = found[color] > 0.0 ? sent[color] / found[color] : 1.0;
-    // No ray enters a box of mirrors.
-    this->Kept[color] = found[color] > 0.0 ? this->Kept[color] : sent[color];
+    // No ray enters a box with mirrors on all faces.
+    this->Recaptured[color] = found[color] > 0.0 ? this->Recaptured[color] : sent[color];
   }
   this->Scale(factor);
 }
 
-void EscapeRays::Sums::ScaleOut(double matter)
+void EscapeRays::Sums::ScaleOut(double medium)
 {
   const glm::dvec3 out = this->GetOut();
   glm::dvec3 factor(1.0);
   for (int color = 0; color < 3; ++color)
   {
-    const double found = this->Kept[color] + out[color];
-    factor[color] += found > 0.0 ? out[color] / found * (matter - 1.0) : 0.0;
+    const double found = this->Recaptured[color] + out[color];
+    factor[color] += found > 0.0 ? out[color] / found * (medium - 1.0) : 0.0;
   }
   this->Scale(factor);
 }
 
-std::vector<EscapeRays::Sums> EscapeRays::Trace(const MatterCells& matter,
+std::vector<EscapeRays::Sums> EscapeRays::Trace(const SanitizedMedium& medium,
   const PhaseFunction& phase, const std::vector<Source>& sources, const glm::dvec3& direction)
 {
   const std::vector<Ordinate> ordinates = MakeOrdinates();
   const MeanPhase meanPhase(phase, ordinates.size());
   const SourceFields cellFields(sources);
   std::vector<std::vector<Sums>> parts(ordinates.size());
-  std::vector<double> met(ordinates.size(), 0.0);
+  std::vector<double> sampledDepths(ordinates.size(), 0.0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(ordinates.size()), 1,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -402,17 +404,17 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(const MatterCells& matter,
       {
         const std::size_t at = static_cast<std::size_t>(i);
         const bool isBack = glm::dot(ordinates[at].Out, direction) < 0.0;
-        DirectionTrace trace(matter, meanPhase, sources, cellFields, ordinates[at], isBack);
-        parts[at] = trace.Go();
-        met[at] = trace.GetMet();
+        DirectionTrace trace(medium, meanPhase, sources, cellFields, ordinates[at], isBack);
+        parts[at] = trace.Trace();
+        sampledDepths[at] = trace.GetSampledDepth();
       }
     });
   double present = 0.0;
-  for (const float extinction : matter.Extinction)
+  for (const float extinction : medium.Extinction)
   {
-    present += matter.CellVolume * extinction;
+    present += medium.CellVolume * extinction;
   }
-  const double found = std::accumulate(met.begin(), met.end(), 0.0);
+  const double found = std::accumulate(sampledDepths.begin(), sampledDepths.end(), 0.0);
   std::vector<Sums> sums(sources.size());
   for (std::size_t i = 0; i < sums.size(); ++i)
   {
@@ -420,13 +422,13 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(const MatterCells& matter,
     {
       sums[i].Add(part[i]);
     }
-    // Rays meet a little more or less matter than there is, and few directions meet a narrow phase
-    // function as it is.
+    // Corrects two errors: the rays sample slightly more or less optical depth than the medium has,
+    // and the directions are too few to sample a narrow phase function accurately.
     glm::dvec3 sent(0.0);
-    for (std::size_t cell = 0; cell < matter.Extinction.size(); ++cell)
+    for (std::size_t cell = 0; cell < medium.Extinction.size(); ++cell)
     {
-      sent += matter.CellVolume * matter.Extinction[cell] *
-        glm::dvec3((*sources[i].Fluence)[cell] * matter.Albedo[cell]);
+      sent += medium.CellVolume * medium.Extinction[cell] *
+        glm::dvec3((*sources[i].Fluence)[cell] * medium.Albedo[cell]);
     }
     if (sources[i].Light)
     {

@@ -2,7 +2,7 @@
 #ifndef interlume_EscapeRays_h
 #define interlume_EscapeRays_h
 
-#include "Scattering/MatterCells.h"
+#include "Scattering/SanitizedMedium.h"
 
 #include <vector>
 
@@ -13,50 +13,51 @@ namespace interlume
 
 /**
  * @class   EscapeRays
- * @brief   computes how much of what the cells send out leaves the medium
+ * @brief   computes the fraction of scattered light that escapes the medium
  *
- * It traces what an eye sees that looks at the box from everywhere: 192 directions, with a ray
- * through each cell of the sides that are seen, up to 8 along an edge. Fields are linear between
- * the middles of cells, and looked up where slices do.
+ * Traces rays for 192 view directions, as cameras around the box would see it. Each direction has a
+ * ray per cell of the visible box faces, up to 8 along an edge. Fields are interpolated linearly
+ * between cell centers and sampled at the same positions as in slices.
  */
 class EscapeRays
 {
 public:
   /**
-   * What a cell scatters into direction w, for each unit of optical depth: its albedo times Fluence
-   * times 1 + LeanFactor Lean . w, or, of a light that still goes in its direction, times the phase
-   * function to w over that of an isotropic one.
+   * Light that a cell scatters into direction w per unit of optical depth: its albedo times Fluence
+   * (1 + NetFluxFactor NetFlux . w). If Light is set, the fluence still travels in the light's
+   * direction, and the factor is the phase function toward w relative to an isotropic one.
    */
   struct Source
   {
     const std::vector<glm::vec3>* Fluence = nullptr;
-    const std::vector<glm::vec3>* Lean = nullptr;
-    double LeanFactor = 0.0;
+    const std::vector<glm::vec3>* NetFlux = nullptr;
+    double NetFluxFactor = 0.0;
     const ScatteringLight* Light = nullptr;
   };
-  /// Sums over the box, for each color.
+  /// Sums over the box, per color channel.
   struct Sums
   {
-    /// What meets matter again.
-    glm::dvec3 Kept{ 0.0 };
-    /// What leaves the box against a direction, and with it.
-    glm::dvec3 Back{ 0.0 };
-    glm::dvec3 On{ 0.0 };
-    /// What ends on blocked cells.
+    /// Light that interacts with the medium again.
+    glm::dvec3 Recaptured{ 0.0 };
+    /// Light that leaves the box against the direction passed to Trace, and along it.
+    glm::dvec3 Backward{ 0.0 };
+    glm::dvec3 Forward{ 0.0 };
+    /// Light absorbed by blocked cells.
     glm::dvec3 Blocked{ 0.0 };
 
-    glm::dvec3 GetOut() const { return this->Back + this->On + this->Blocked; }
+    glm::dvec3 GetOut() const { return this->Backward + this->Forward + this->Blocked; }
     void Add(const Sums& other);
     void Scale(const glm::dvec3& factor);
-    /// Scales all parts alike so that together they are what the cells send out.
+    /// Scales all parts by one factor so that their sum is \a sent.
     void ScaleTo(const glm::dvec3& sent);
-    /// Scales by the matter that there is over what rays met, the more, the more of all light
-    /// leaves: what leaves thick matter comes from its sides alone.
-    void ScaleOut(double matter);
+    /// Scales by \a medium, the ratio of the optical depth present to that sampled by the rays. The
+    /// larger the escaping fraction, the more of this correction applies: light escapes from thick
+    /// media only near the surface.
+    void ScaleOut(double medium);
   };
 
-  /// Traces several sources at once; what leaves against \a direction is kept apart.
-  static std::vector<Sums> Trace(const MatterCells& matter, const PhaseFunction& phase,
+  /// Traces several sources at once. Light that leaves against \a direction is summed separately.
+  static std::vector<Sums> Trace(const SanitizedMedium& medium, const PhaseFunction& phase,
     const std::vector<Source>& sources, const glm::dvec3& direction);
 };
 

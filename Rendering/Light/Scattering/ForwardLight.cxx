@@ -19,52 +19,53 @@ namespace interlume
 namespace
 {
 
-/// The largest variance of the angle to one axis, that of light in all directions.
-constexpr double LargestAngle = 1.0 / 3.0;
-/// The largest variance of a kernel, in square cells.
-constexpr double LargestKernel = 400.0;
-/// The largest variance that a kernel of three cells has.
-constexpr double LargestThree = 0.75;
-/// How far light is followed beside the box, over its width. Light is spread by kernels, so that
-/// some of it comes back.
-constexpr double MarginShare = 0.25;
+/// Maximum variance of the angle along one axis: the variance of isotropic light.
+constexpr double MaximumAngleVariance = 1.0 / 3.0;
+/// Maximum variance of a kernel, in squared cells.
+constexpr double MaximumKernelVariance = 400.0;
+/// Maximum variance of a kernel of three cells.
+constexpr double MaximumThreeCellVariance = 0.75;
+/// Width of the margin around the box relative to the width of the box. Kernels return some of the
+/// light in the margin.
+constexpr double MarginFraction = 0.25;
 
-/// The light that leaves a cell for the next layer. All but Light is times the light's sum.
+/// Light passed from a cell to the next layer. All members except Light are weighted by the sum of
+/// Light.
 struct Beam
 {
   glm::dvec3 Light{ 0.0 };
-  /// The variance of the angle and the covariance of angle and place.
-  double Angle = 0.0;
-  double Cross = 0.0;
-  /// The variance of place along two axes that is still to be given, in square cells. It is
-  /// negative where a kernel was too wide.
-  std::array<double, 2> Place{};
+  /// Variance of the angle, and covariance of angle and position.
+  double AngleVariance = 0.0;
+  double Covariance = 0.0;
+  /// Variance of position that remains to be applied along two axes, in squared cells. Negative if
+  /// a kernel was too wide.
+  std::array<double, 2> PositionVariance{};
 
   double GetSum() const { return this->Light.x + this->Light.y + this->Light.z; }
   void Add(double weight, const Beam& other)
   {
     this->Light += weight * other.Light;
-    this->Angle += weight * other.Angle;
-    this->Cross += weight * other.Cross;
-    this->Place[0] += weight * other.Place[0];
-    this->Place[1] += weight * other.Place[1];
+    this->AngleVariance += weight * other.AngleVariance;
+    this->Covariance += weight * other.Covariance;
+    this->PositionVariance[0] += weight * other.PositionVariance[0];
+    this->PositionVariance[1] += weight * other.PositionVariance[1];
   }
 };
 
-/// The weights of cells around a place between them, with that mean and a variance.
+/// Weights of the cells around a position with the given mean and variance.
 struct Kernel
 {
-  /// Sets weights for three cells or, where \a isWide allows it, as many as are needed. \a variance
-  /// becomes what the kernel has.
+  /// Computes weights of three cells or, if \a isWide, of as many as needed. Sets \a variance to
+  /// the kernel's actual variance.
   Kernel(double mean, double& variance, bool isWide)
   {
     const double nearest = std::floor(mean + 0.5);
     const double rest = mean - nearest;
-    const double least = std::abs(rest) * (1.0 - std::abs(rest));
-    variance = std::max(variance, least);
-    if (!isWide || variance + rest * rest <= LargestThree)
+    const double minimum = std::abs(rest) * (1.0 - std::abs(rest));
+    variance = std::max(variance, minimum);
+    if (!isWide || variance + rest * rest <= MaximumThreeCellVariance)
     {
-      variance = std::max(std::min(variance, LargestThree - rest * rest), least);
+      variance = std::max(std::min(variance, MaximumThreeCellVariance - rest * rest), minimum);
       const double square = variance + rest * rest;
       this->First = static_cast<int>(nearest) - 1;
       this->Count = 3;
@@ -73,11 +74,12 @@ struct Kernel
       this->Weights[2] = 0.5 * (square + rest);
       return;
     }
-    variance = std::min(variance, LargestKernel);
-    const int reach = std::min(static_cast<int>(std::ceil(3.5 * std::sqrt(variance))), Reach);
+    variance = std::min(variance, MaximumKernelVariance);
+    const int reach =
+      std::min(static_cast<int>(std::ceil(3.5 * std::sqrt(variance))), MaximumRadius);
     this->First = static_cast<int>(nearest) - reach;
     this->Count = 2 * reach + 1;
-    // From the middle outwards, each weight by the one before.
+    // Compute the Gaussian from the center outward by recurrence.
     const double square = std::exp(-1.0 / variance);
     double sum = this->Weights[static_cast<std::size_t>(reach)] =
       std::exp(-0.5 * rest * rest / variance);
@@ -98,15 +100,16 @@ struct Kernel
     }
   }
 
-  static constexpr int Reach = 70;
+  static constexpr int MaximumRadius = 70;
   int First = 0;
   int Count = 0;
-  /// Of which Count are set.
-  std::array<double, 2 * Reach + 1> Weights; // NOLINT(cppcoreguidelines-pro-type-member-init)
+  /// The first Count values are set.
+  std::array<double, 2 * MaximumRadius + 1>
+    Weights; // NOLINT(cppcoreguidelines-pro-type-member-init)
 };
 
-/// Returns the index in a row of cells, which is repeated where it \a isEndless, or -1 outside.
-int Inside(int index, int cells, bool isEndless)
+/// Returns the index of a cell in a row, wrapped around if \a isEndless, or -1 outside.
+int WrapIndex(int index, int cells, bool isEndless)
 {
   if (isEndless)
   {
@@ -115,67 +118,68 @@ int Inside(int index, int cells, bool isEndless)
   return index >= 0 && index < cells ? index : -1;
 }
 
-/// Scattering within one cell.
+/// Propagates forward light through one cell.
 class CellStep
 {
 public:
-  CellStep(const MatterCells& matter, std::size_t light, double share, double variance)
-    : Matter(matter)
-    , Direct(matter.Direct[light])
-    , Share(share)
+  CellStep(const SanitizedMedium& medium, std::size_t light, double fraction, double variance)
+    : Medium(medium)
+    , Direct(medium.Direct[light])
+    , Fraction(fraction)
     , Variance(variance)
   {
   }
 
   /**
-   * Turns the light that enters a cell into what leaves it after a path of \a length; returns the
-   * mean. \a spread is the variance of place that one square unit adds, along each of two axes.
+   * Updates a beam from the entry of a cell to its exit after a path of \a length. Returns the mean
+   * light along the path. \a spread is the variance of position along each of two axes, in squared
+   * cells, per square world unit.
    */
   glm::dvec3 Go(
     std::size_t cell, double length, const std::array<double, 2>& spread, Beam& beam) const
   {
-    if (this->Matter.Box.IsBlocked(cell))
+    if (this->Medium.Box.IsBlocked(cell))
     {
       beam = Beam();
       return glm::dvec3(0.0);
     }
-    const double depth = this->Matter.Extinction[cell] * length;
+    const double depth = this->Medium.Extinction[cell] * length;
     const glm::dvec3 entering = beam.Light;
     const double before = beam.GetSum();
-    double kept = before;
-    double events = 0.0;
+    double retained = before;
+    double scatterings = 0.0;
     glm::dvec3 mean = entering;
     if (depth > 0.0)
     {
-      const glm::dvec3 on = depth * this->Share * glm::dvec3(this->Matter.Albedo[cell]);
+      const glm::dvec3 on = depth * this->Fraction * glm::dvec3(this->Medium.Albedo[cell]);
       const glm::dvec3 lost = depth - on;
       const glm::dvec3 direct = this->Direct[cell];
-      // The direct light where the ray enters, from its mean.
+      // The direct light at the ray's entry, derived from the cell's mean direct light.
       const glm::dvec3 first = direct * (depth / -std::expm1(-depth));
-      kept = 0.0;
+      retained = 0.0;
       for (int color = 0; color < 3; ++color)
       {
         const double through = std::exp(-lost[color]);
         const double added = first[color] * through * -std::expm1(-on[color]);
         const double leaving = entering[color] * through + added;
-        kept += entering[color] * through;
+        retained += entering[color] * through;
         mean[color] = lost[color] > 1e-3
           ? (entering[color] + on[color] * direct[color] - leaving) / lost[color]
           : (entering[color] + first[color]) * (1.0 - 0.5 * lost[color]) - direct[color];
         mean[color] = std::max(mean[color], 0.0);
         beam.Light[color] = leaving;
-        events += on[color] * (direct[color] + mean[color]) * std::exp(-0.5 * lost[color]);
+        scatterings += on[color] * (direct[color] + mean[color]) * std::exp(-0.5 * lost[color]);
       }
     }
-    this->Move(before > 0.0 ? kept / before : 0.0, events, length, spread, beam);
+    this->Move(before > 0.0 ? retained / before : 0.0, scatterings, length, spread, beam);
     return mean;
   }
 
   /**
-   * Moves light on, of which the share \a left entered the cell and which was scattered
-   * \a events times.
+   * Advances the beam's moments. \a left is the fraction of the entering light that leaves the
+   * cell. \a scatterings is the number of scattering events, weighted by light.
    */
-  void Move(double left, double events, double length, const std::array<double, 2>& spread,
+  void Move(double left, double scatterings, double length, const std::array<double, 2>& spread,
     Beam& beam) const
   {
     const double after = beam.GetSum();
@@ -184,37 +188,37 @@ public:
       beam = Beam();
       return;
     }
-    const double angle = left * beam.Angle;
-    const double cross = left * beam.Cross;
-    const double turned = this->Variance * events;
-    beam.Angle = std::min(angle + turned, LargestAngle * after);
-    beam.Cross = cross + angle * length + 0.5 * turned * length;
-    // Light is placed as it is in the middle of a layer: half of the way through the next is given
-    // before, half of the way through this one was.
-    const double place = 2.0 * cross * length + (angle + turned / 3.0) * length * length -
-      GetDrift(angle, cross, length) + GetDrift(beam.Angle, beam.Cross, length);
+    const double angle = left * beam.AngleVariance;
+    const double cross = left * beam.Covariance;
+    const double addedAngle = this->Variance * scatterings;
+    beam.AngleVariance = std::min(angle + addedAngle, MaximumAngleVariance * after);
+    beam.Covariance = cross + angle * length + 0.5 * addedAngle * length;
+    // Positions refer to the center of a layer: half of the next layer's drift is included here,
+    // and half of this layer's drift was included in the previous step.
+    const double location = 2.0 * cross * length + (angle + addedAngle / 3.0) * length * length -
+      GetDrift(angle, cross, length) + GetDrift(beam.AngleVariance, beam.Covariance, length);
     for (std::size_t axis = 0; axis < 2; ++axis)
     {
-      beam.Place[axis] = left * beam.Place[axis] + spread[axis] * place;
+      beam.PositionVariance[axis] = left * beam.PositionVariance[axis] + spread[axis] * location;
     }
   }
 
   bool HasSpread() const { return this->Variance > 0.0; }
 
 private:
-  /// Returns what half of a way adds to the variance of place.
+  /// Returns the variance of position added along half of a path.
   static double GetDrift(double angle, double cross, double length)
   {
     return cross * length + 0.25 * angle * length * length;
   }
 
-  const MatterCells& Matter;
+  const SanitizedMedium& Medium;
   const std::vector<glm::vec3>& Direct;
-  double Share;
+  double Fraction;
   double Variance;
 };
 
-/// The axes across and along which light goes through layers.
+/// The axis along which light crosses layers, and the two perpendicular axes.
 struct Axes
 {
   explicit Axes(const glm::dvec3& inCells)
@@ -228,7 +232,7 @@ struct Axes
   std::array<int, 2> Across;
 };
 
-/// One layer's beams on their way to the next.
+/// Shifts and spreads the beams that leave one layer and enter the next.
 class LayerShift
 {
 public:
@@ -239,7 +243,7 @@ public:
   {
   }
 
-  /// Moves and spreads the beams along one axis after the other.
+  /// Applies the kernels along one axis after the other.
   void Go(std::vector<Beam>& beams)
   {
     for (int axis = 0; axis < 2; ++axis)
@@ -260,20 +264,20 @@ public:
 private:
   void Spread(int axis, int column, int row, Beam& beam)
   {
-    const std::size_t place = static_cast<std::size_t>(axis);
+    const std::size_t location = static_cast<std::size_t>(axis);
     const double sum = beam.GetSum();
     if (!(sum > 0.0))
     {
       return;
     }
-    double variance = beam.Place[place] / sum;
-    const Kernel kernel(this->Shift[place], variance, true);
-    beam.Place[place] -= variance * sum;
+    double variance = beam.PositionVariance[location] / sum;
+    const Kernel kernel(this->Shift[location], variance, true);
+    beam.PositionVariance[location] -= variance * sum;
     for (int i = 0; i < kernel.Count; ++i)
     {
       const int offset = kernel.First + i;
       const int at =
-        Inside((axis == 0 ? column : row) + offset, this->Sizes[place], this->Mirrors[axis]);
+        WrapIndex((axis == 0 ? column : row) + offset, this->Sizes[location], this->Mirrors[axis]);
       if (at >= 0)
       {
         const int to = axis == 0 ? at + row * this->Sizes[0] : column + at * this->Sizes[0];
@@ -289,13 +293,14 @@ private:
   std::vector<Beam> Next;
 };
 
-/// Solves for light in one direction, in layers; the light that leaves a layer is given to others.
+/// Solves for a directional light, layer by layer. Each layer scatters its outgoing light to cells
+/// of the next.
 std::vector<glm::vec3> SolveLayers(
-  const MatterCells& matter, const CellStep& step, const glm::dvec3& direction, int& layers)
+  const SanitizedMedium& medium, const CellStep& step, const glm::dvec3& direction, int& layers)
 {
-  const ScatteringMedium& box = matter.Box;
+  const ScatteringMedium& box = medium.Box;
   const glm::dvec3 inCells = direction / box.CellSize;
-  // Light comes from outside, where there is no mirror.
+  // Light enters through faces without mirrors, so an axis with mirrors is the last choice.
   glm::dvec3 open = inCells;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -316,12 +321,12 @@ std::vector<glm::vec3> SolveLayers(
   const glm::bvec2 mirrors(box.Mirrors[u], box.Mirrors[v]);
   const glm::ivec2 sizes(box.Cells[u], box.Cells[v]);
   const glm::ivec2 margin = step.HasSpread()
-    ? glm::ivec2(MarginShare * glm::dvec2(sizes)) * glm::ivec2(!mirrors.x, !mirrors.y)
+    ? glm::ivec2(MarginFraction * glm::dvec2(sizes)) * glm::ivec2(!mirrors.x, !mirrors.y)
     : glm::ivec2(0);
   LayerShift move(sizes.x + 2 * margin.x, sizes.y + 2 * margin.y, mirrors, shift);
   std::vector<Beam> beams(
     static_cast<std::size_t>((sizes.x + 2 * margin.x) * (sizes.y + 2 * margin.y)));
-  std::vector<glm::vec3> result(matter.Extinction.size(), glm::vec3(0.0f));
+  std::vector<glm::vec3> result(medium.Extinction.size(), glm::vec3(0.0f));
   const int count = box.Cells[axes.Along];
   for (int layer = 0; layer < count; ++layer)
   {
@@ -347,30 +352,31 @@ std::vector<glm::vec3> SolveLayers(
   return result;
 }
 
-/// Solves for light from a place: each cell takes what comes to it from cells nearer to the light.
-class PlaceSweep
+/// Solves for a positional light. Each cell gathers light from cells closer to the light.
+class PointLightSweep
 {
 public:
-  PlaceSweep(const MatterCells& matter, const CellStep& step, const glm::dvec3& position)
-    : Matter(matter)
+  PointLightSweep(const SanitizedMedium& medium, const CellStep& step, const glm::dvec3& position)
+    : Medium(medium)
     , Step(step)
-    , Place((position - matter.Box.Origin) / matter.Box.CellSize - 0.5)
-    , Reach(matter.Extinction.size())
-    , Leaving(matter.Extinction.size())
+    , LightPosition((position - medium.Box.Origin) / medium.Box.CellSize - 0.5)
+    , Distances(medium.Extinction.size())
+    , Leaving(medium.Extinction.size())
   {
   }
 
   std::vector<glm::vec3> Solve(int& layers)
   {
-    const glm::ivec3& cells = this->Matter.Box.Cells;
-    std::vector<std::size_t> order(this->Reach.size());
+    const glm::ivec3& cells = this->Medium.Box.Cells;
+    std::vector<std::size_t> order(this->Distances.size());
     std::iota(order.begin(), order.end(), 0);
     for (const std::size_t index : order)
     {
-      this->Reach[index] = Vectors::InfinityNorm(glm::dvec3(this->GetCell(index)) - this->Place);
+      this->Distances[index] =
+        Vectors::InfinityNorm(glm::dvec3(this->GetCell(index)) - this->LightPosition);
     }
     std::stable_sort(order.begin(), order.end(),
-      [this](std::size_t a, std::size_t b) { return this->Reach[a] < this->Reach[b]; });
+      [this](std::size_t a, std::size_t b) { return this->Distances[a] < this->Distances[b]; });
     std::vector<glm::vec3> result(order.size(), glm::vec3(0.0f));
     for (const std::size_t index : order)
     {
@@ -383,29 +389,29 @@ public:
 private:
   glm::ivec3 GetCell(std::size_t index) const
   {
-    const glm::ivec3& cells = this->Matter.Box.Cells;
+    const glm::ivec3& cells = this->Medium.Box.Cells;
     const int number = static_cast<int>(index);
     return { number % cells.x, number / cells.x % cells.y, number / (cells.x * cells.y) };
   }
 
-  /// Returns the mean of the cell, and keeps what leaves it.
+  /// Returns the mean light in a cell and stores the cell's outgoing light.
   glm::dvec3 Visit(std::size_t index)
   {
     const glm::ivec3 cell = this->GetCell(index);
-    const glm::dvec3 away = glm::dvec3(cell) - this->Place;
+    const glm::dvec3 away = glm::dvec3(cell) - this->LightPosition;
     const Axes axes(away);
-    const double reach = this->Reach[index];
-    const glm::dvec3 inWorld = away * this->Matter.Box.CellSize;
+    const double reach = this->Distances[index];
+    const glm::dvec3 inWorld = away * this->Medium.Box.CellSize;
     Beam& beam = this->Leaving[index];
-    double length = 0.5 * this->Matter.Box.CellSize[axes.Along];
+    double length = 0.5 * this->Medium.Box.CellSize[axes.Along];
     std::array<double, 2> spread{};
     if (reach > 0.0)
     {
-      // From the layer before, or from the light where it is nearer.
+      // Length of the path from the previous layer, or from the light if the light is closer.
       length = Vectors::SafeLength(inWorld) / reach * std::min(1.0, reach + 0.5);
       for (std::size_t i = 0; i < 2; ++i)
       {
-        const double size = this->Matter.Box.CellSize[axes.Across[i]];
+        const double size = this->Medium.Box.CellSize[axes.Across[i]];
         const double tilt = inWorld[axes.Across[i]] / inWorld[axes.Along];
         spread[i] = (1.0 + tilt * tilt) / (size * size);
       }
@@ -419,7 +425,7 @@ private:
 
   Beam Gather(const glm::ivec3& cell, const glm::dvec3& away, const Axes& axes, double reach) const
   {
-    const ScatteringMedium& box = this->Matter.Box;
+    const ScatteringMedium& box = this->Medium.Box;
     glm::ivec3 from = cell;
     from[axes.Along] -= away[axes.Along] > 0.0 ? 1 : -1;
     Beam sum;
@@ -427,12 +433,12 @@ private:
     {
       return sum;
     }
-    const glm::dvec3 place = glm::dvec3(cell) - away / reach;
-    // The variance that the light at the place has to be given decides about the kernel.
+    const glm::dvec3 location = glm::dvec3(cell) - away / reach;
+    // The nearest beam's remaining variance determines the kernel.
     std::array<double, 2> variance = { { 0.0, 0.0 } };
     for (std::size_t i = 0; i < 2; ++i)
     {
-      from[axes.Across[i]] = static_cast<int>(std::floor(place[axes.Across[i]] + 0.5));
+      from[axes.Across[i]] = static_cast<int>(std::floor(location[axes.Across[i]] + 0.5));
     }
     if (this->IsBefore(from, reach))
     {
@@ -440,11 +446,11 @@ private:
       const double light = nearest.GetSum();
       for (std::size_t i = 0; i < 2 && light > 0.0; ++i)
       {
-        variance[i] = nearest.Place[i] / light;
+        variance[i] = nearest.PositionVariance[i] / light;
       }
     }
-    const Kernel rows(place[axes.Across[1]], variance[1], false);
-    const Kernel columns(place[axes.Across[0]], variance[0], false);
+    const Kernel rows(location[axes.Across[1]], variance[1], false);
+    const Kernel columns(location[axes.Across[0]], variance[0], false);
     double total = 0.0;
     for (std::size_t row = 0; row < 3; ++row)
     {
@@ -466,14 +472,14 @@ private:
         }
       }
     }
-    // Light goes apart: what comes from the layer before is spread over more cells, as many as lie
-    // around the light.
+    // Light diverges: it spreads over more cells than in the previous layer, in proportion to the
+    // number of cells around the light.
     const double closer = (reach - 1.0) * (reach - 1.0) + 1.0 / 12.0;
     Beam mean;
     mean.Add(total > 0.0 ? closer / (reach * reach + 1.0 / 12.0) / total : 0.0, sum);
     for (std::size_t i = 0; i < 2; ++i)
     {
-      mean.Place[i] -= variance[i] * mean.GetSum();
+      mean.PositionVariance[i] -= variance[i] * mean.GetSum();
     }
     return mean;
   }
@@ -481,27 +487,27 @@ private:
   bool IsBefore(const glm::ivec3& cell, double reach) const
   {
     return glm::all(glm::greaterThanEqual(cell, glm::ivec3(0))) &&
-      glm::all(glm::lessThan(cell, this->Matter.Box.Cells)) &&
-      this->Reach[this->Matter.Box.GetIndex(cell)] < reach;
+      glm::all(glm::lessThan(cell, this->Medium.Box.Cells)) &&
+      this->Distances[this->Medium.Box.GetIndex(cell)] < reach;
   }
 
-  const MatterCells& Matter;
+  const SanitizedMedium& Medium;
   const CellStep& Step;
-  /// The light's place, where cell 0 has its middle at 0.
-  glm::dvec3 Place;
-  std::vector<double> Reach;
+  /// Position of the light in cells; cell centers have integer coordinates.
+  glm::dvec3 LightPosition;
+  std::vector<double> Distances;
   std::vector<Beam> Leaving;
 };
 
 }
 
 std::vector<glm::vec3> ForwardLight::Solve(
-  const MatterCells& matter, std::size_t light, double share, double variance, int& layers)
+  const SanitizedMedium& medium, std::size_t light, double fraction, double variance, int& layers)
 {
-  const CellStep step(matter, light, share, variance);
-  const ScatteringLight& source = matter.Lights[light];
-  return source.IsPositional ? PlaceSweep(matter, step, source.Position).Solve(layers)
-                             : SolveLayers(matter, step, source.Direction, layers);
+  const CellStep step(medium, light, fraction, variance);
+  const ScatteringLight& source = medium.Lights[light];
+  return source.IsPositional ? PointLightSweep(medium, step, source.Position).Solve(layers)
+                             : SolveLayers(medium, step, source.Direction, layers);
 }
 
 }

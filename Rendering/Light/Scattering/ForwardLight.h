@@ -2,7 +2,7 @@
 #ifndef interlume_ForwardLight_h
 #define interlume_ForwardLight_h
 
-#include "Scattering/MatterCells.h"
+#include "Scattering/SanitizedMedium.h"
 
 #include <cstddef>
 #include <vector>
@@ -14,37 +14,41 @@ namespace interlume
 
 /**
  * @class   ForwardLight
- * @brief   computes the light that is scattered on in the direction of its source, layer by layer
+ * @brief   computes forward scattering, layer by layer along the light
  *
- * This is the recurrence 2.19 of the source: what is incident on a layer is what the layer before
- * lets through and what it scatters on, spread by a convolution. Along the light's path s
+ * Implements the recurrence 2.19 of C. Zhang's dissertation: the light incident on a layer is what
+ * the previous layer transmits and forward-scatters, spread by a convolution. Along the light's
+ * path s,
  *
- *   dP/ds = -(extinction) (1 - albedo share) P + extinction albedo share Direct,
+ *   dP/ds = -(extinction) (1 - albedo fraction) P + extinction albedo fraction Direct,
  *
- * solved exactly within a cell. Layers are those of cells across the axis that the light is closest
- * to; between mirrors cells are repeated without end. For a light at a place, the cells in the
- * order of their distance along these axes.
+ * solved exactly within a cell. A layer consists of the cells between two planes across the axis
+ * closest to the light direction. Between mirrors, cells repeat periodically. For a positional
+ * light, each cell has its own such axis, and cells are visited in the order of their distance from
+ * the light along it.
  *
- * The convolution between two layers is that of Fermi and Eyges: each scattering adds to the
- * variance of angle, and light carries the variance of its angle and the covariance of angle and
- * place, so that the variance of place grows with the cube of the distance, whatever the layers.
- * Kernels have this variance exactly for light along an axis; for other light a kernel across the
- * cells is no narrower than the cells are, and what is too much is taken from the layers that
- * follow. Light that goes to neighbours is taken from where it was, so that its sum does not grow.
- * Layers go on beside the box for a quarter of its width, since kernels bring some of the light
- * there back. For a light at a place, kernels reach one cell in a layer, which bounds the spread,
- * and what leaves the box is lost.
+ * The convolution between two layers follows Fermi and Eyges. Each scattering event increases the
+ * variance of the angle. Light carries the variance of its angle and the covariance of angle and
+ * position, so that the variance of position grows with the cube of the distance for any layer
+ * thickness. Kernels have exactly this variance if the light is parallel to an axis. For oblique
+ * light a kernel is at least as wide as the cells; the excess is subtracted in the following
+ * layers. Light spread to neighbors is removed from its cell of origin, so that the sum does not
+ * grow.
+ *
+ * Layers extend past the box by a quarter of its width, since kernels return some of that light.
+ * For a positional light, kernels reach one cell per layer, which bounds the spread, and light that
+ * leaves the box is lost.
  */
 class ForwardLight
 {
 public:
   /**
-   * \a share is the part of the scattered light that goes on, \a variance that of the angle to each
-   * of two axes for each scattering, in square radians. Returns the fluence in each cell, and the
-   * number of layers added to \a layers.
+   * \a fraction is the forward-scattered fraction of the scattered light. \a variance is the
+   * variance added per scattering event to the angle along each of two transverse axes, in square
+   * radians. Returns the fluence of each cell and adds the number of layers to \a layers.
    */
-  static std::vector<glm::vec3> Solve(
-    const MatterCells& matter, std::size_t light, double share, double variance, int& layers);
+  static std::vector<glm::vec3> Solve(const SanitizedMedium& medium, std::size_t light,
+    double fraction, double variance, int& layers);
 };
 
 }

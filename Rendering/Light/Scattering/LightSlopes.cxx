@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scattering/LightSlopes.h"
 
-#include "Scattering/MatterLoop.h"
+#include "Scattering/MediumLoop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,7 +17,7 @@ double SumOf(const glm::vec3& color)
   return static_cast<double>(color.x) + color.y + color.z;
 }
 
-/// Returns the slope of one light along an axis.
+/// Returns the logarithmic attenuation of one light across a cell along an axis.
 double FindSlope(const ScatteringMedium& box, const std::vector<glm::vec3>& light,
   const glm::ivec3& cell, int axis, double along, double extinction)
 {
@@ -33,30 +33,30 @@ double FindSlope(const ScatteringMedium& box, const std::vector<glm::vec3>& ligh
   const double before = find(-side);
   const double after = find(side);
   const double ratio = before > 0.0 ? before / here : (after > 0.0 ? here / after : 1.0);
-  // Without neighbours in the light, all the matter of the cell may be before it.
-  const double own = extinction * box.CellSize[axis] / std::abs(along);
-  const bool isAlone = !(before > 0.0) && !(after > 0.0);
-  return side * std::min(isAlone ? own : std::log(std::max(ratio, 1.0)), own);
+  // Without lit neighbors, the cell's full optical depth may attenuate the light.
+  const double cellDepth = extinction * box.CellSize[axis] / std::abs(along);
+  const bool isIsolated = !(before > 0.0) && !(after > 0.0);
+  return side * std::min(isIsolated ? cellDepth : std::log(std::max(ratio, 1.0)), cellDepth);
 }
 
 }
 
 std::vector<glm::vec3> LightSlopes::Find(
-  const MatterCells& matter, const std::vector<std::vector<glm::vec3>>& lights)
+  const SanitizedMedium& medium, const std::vector<std::vector<glm::vec3>>& lights)
 {
-  const ScatteringMedium& box = matter.Box;
-  std::vector<glm::vec3> slopes(matter.Extinction.size(), glm::vec3(0.0f));
-  ForCellsOfMatter(matter,
+  const ScatteringMedium& box = medium.Box;
+  std::vector<glm::vec3> slopes(medium.Extinction.size(), glm::vec3(0.0f));
+  ForOccupiedCells(medium,
     [&](const glm::ivec3& cell, std::size_t at)
     {
-      const double extinction = matter.Extinction[at];
-      const glm::dvec3 middle = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
+      const double extinction = medium.Extinction[at];
+      const glm::dvec3 center = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
       glm::dvec3 sum(0.0);
       double total = 0.0;
       for (std::size_t light = 0; light < lights.size(); ++light)
       {
         const double here = SumOf(lights[light][at]);
-        const glm::dvec3 along = matter.Lights[light].GetDirection(middle);
+        const glm::dvec3 along = medium.Lights[light].GetDirection(center);
         total += here;
         for (int axis = 0; axis < 3 && here > 0.0; ++axis)
         {

@@ -2,7 +2,7 @@
 #ifndef interlume_LightSlopes_h
 #define interlume_LightSlopes_h
 
-#include "Scattering/MatterCells.h"
+#include "Scattering/SanitizedMedium.h"
 
 #include <vector>
 
@@ -12,19 +12,19 @@ namespace interlume
 {
 
 /**
- * How light is attenuated within cells, which may hold more matter than light comes through: it is
- * scattered where it enters them.
+ * Estimates the attenuation of light within cells. In optically thick cells, light is scattered
+ * near the face through which it enters.
  */
 namespace LightSlopes
 {
 /**
- * Returns for each cell and axis the logarithm of the light at its lower side over that at its
- * upper side, the mean of \a lights. It is found from the neighbours' light
- * and is at most the cell's own depth.
+ * Returns for each cell and axis the logarithm of the ratio of light at the lower face to light at
+ * the upper face, averaged over \a lights. It is estimated from neighbor cells and is at most the
+ * optical depth of the cell.
  */
 std::vector<glm::vec3> Find(
-  const MatterCells& matter, const std::vector<std::vector<glm::vec3>>& lights);
-/// Returns how far from the middle of a cell light is scattered on the whole, in cells.
+  const SanitizedMedium& medium, const std::vector<std::vector<glm::vec3>>& lights);
+/// Returns the mean offset of scattering from the cell center, in cells, for a slope from Find.
 double GetOffset(double slope);
 }
 

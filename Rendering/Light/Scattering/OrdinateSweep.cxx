@@ -2,7 +2,7 @@
 #include "Scattering/OrdinateSweep.h"
 
 #include "Common/Vectors.h"
-#include "Scattering/MatterLoop.h"
+#include "Scattering/MediumLoop.h"
 
 #include "vtkSMPTools.h"
 #include "vtkType.h"
@@ -25,47 +25,49 @@ namespace
 {
 
 constexpr std::size_t Octants = 8;
-/// How soon a sweep counts less as cells are thicker. At 1 the corners of a cube in even light
-/// are brighter than 1.02 of it; at 2 a ball in twice as many cells changes by more than 2 %.
-constexpr float Thickness = 1.5f;
+/// Factor by which the sweep's weight falls off with a cell's optical depth. Tests constrain it
+/// from both sides: at 1 the corners of a uniformly lit cube are too bright; at 2 the result
+/// depends too much on the cell size.
+constexpr float DepthFalloff = 1.5f;
 
-/// S4 in the first octant: its second moments are those of the sphere.
+/// S4 directions in the first octant. Their second moments equal the moments of the sphere.
 constexpr double Low = 0.3500212;
 constexpr double High = 0.8688903;
 const std::array<glm::dvec3, 3> Ordinates = { { { High, Low, Low }, { Low, High, Low },
   { Low, Low, High } } };
-constexpr float Share = 1.0f / (Octants * 3);
+constexpr float OrdinateWeight = 1.0f / (Octants * 3);
 
-/// What a cell sends out for each unit of length, Even + Along . w, and what it takes.
+/// Light emitted by a cell per unit length, Isotropic + Linear . w, and the cell's scaled
+/// extinction.
 struct Source
 {
-  glm::vec4 Even{ 0.0f };
-  std::array<glm::vec4, 3> Along{};
-  glm::vec4 Taken{ 0.0f };
+  glm::vec4 Isotropic{ 0.0f };
+  std::array<glm::vec4, 3> Linear{};
+  glm::vec4 Extinction{ 0.0f };
 };
 
-std::vector<Source> MakeSources(
-  const MatterCells& matter, const DiffuseLight::Input& input, const DiffuseLight::Output& output)
+std::vector<Source> MakeSources(const SanitizedMedium& medium, const DiffuseLight::Input& input,
+  const DiffuseLight::Output& output)
 {
-  const ScatteringMedium& box = matter.Box;
-  const auto even = static_cast<float>(1.0 - input.Peak);
-  const auto along = static_cast<float>(3.0 * (input.Cosine - input.Peak));
-  std::vector<Source> sources(matter.Extinction.size());
-  ForCellsOfMatter(matter,
+  const ScatteringMedium& box = medium.Box;
+  const auto isotropic = static_cast<float>(1.0 - input.Peak);
+  const auto linear = static_cast<float>(3.0 * (input.Cosine - input.Peak));
+  std::vector<Source> sources(medium.Extinction.size());
+  ForOccupiedCells(medium,
     [&](const glm::ivec3& cell, std::size_t at)
     {
-      const float extinction = matter.Extinction[at];
-      const glm::dvec3 middle = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
+      const float extinction = medium.Extinction[at];
+      const glm::dvec3 center = box.Origin + (glm::dvec3(cell) + 0.5) * box.CellSize;
       glm::vec3 sum = output.Mean[at];
       std::array<glm::vec3, 3> flux{};
       for (int axis = 0; axis < 3; ++axis)
       {
-        flux[static_cast<std::size_t>(axis)] = output.Lean[at][axis] * output.Mean[at];
+        flux[static_cast<std::size_t>(axis)] = output.NetFlux[at][axis] * output.Mean[at];
       }
       for (std::size_t light = 0; light < input.Lights.size(); ++light)
       {
         const glm::vec3& here = input.Lights[light][at];
-        const glm::vec3 way(matter.Lights[light].GetDirection(middle));
+        const glm::vec3 way(medium.Lights[light].GetDirection(center));
         sum += here;
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -73,23 +75,24 @@ std::vector<Source> MakeSources(
         }
       }
       Source& source = sources[at];
-      const glm::vec3 scattered = extinction * matter.Albedo[at];
-      source.Even = glm::vec4(even * scattered * sum, 0.0f);
+      const glm::vec3 scattered = extinction * medium.Albedo[at];
+      source.Isotropic = glm::vec4(isotropic * scattered * sum, 0.0f);
       for (std::size_t axis = 0; axis < 3; ++axis)
       {
-        source.Along[axis] = glm::vec4(along * scattered * flux[axis], 0.0f);
+        source.Linear[axis] = glm::vec4(linear * scattered * flux[axis], 0.0f);
       }
-      source.Taken = glm::vec4(extinction - scattered * static_cast<float>(input.Peak), extinction);
+      source.Extinction =
+        glm::vec4(extinction - scattered * static_cast<float>(input.Peak), extinction);
     });
   return sources;
 }
 
-/// The light along the directions of one octant.
+/// Sweeps the cells along the directions of one octant.
 class OctantSweep
 {
 public:
-  OctantSweep(const MatterCells& matter, const std::vector<Source>& sources, std::size_t octant)
-    : Box(matter.Box)
+  OctantSweep(const SanitizedMedium& medium, const std::vector<Source>& sources, std::size_t octant)
+    : Box(medium.Box)
     , Sources(sources)
     , Signs(octant & 1u ? -1.0 : 1.0, octant & 2u ? -1.0 : 1.0, octant & 4u ? -1.0 : 1.0)
     , Light(sources.size())
@@ -98,20 +101,20 @@ public:
   {
   }
 
-  void Go()
+  void Run()
   {
     for (const glm::dvec3& ordinate : Ordinates)
     {
-      this->Follow(this->Signs * ordinate);
+      this->SweepDirection(this->Signs * ordinate);
     }
   }
 
   const glm::vec4& GetMean(std::size_t cell) const { return this->Means[cell]; }
-  /// Returns the sum of the colours' fluxes.
+  /// Returns the flux, summed over the color channels.
   const glm::vec3& GetFlux(std::size_t cell) const { return this->Fluxes[cell]; }
 
 private:
-  void Follow(const glm::dvec3& way)
+  void SweepDirection(const glm::dvec3& way)
   {
     const glm::ivec3& cells = this->Box.Cells;
     const glm::ivec3 steps(this->Signs);
@@ -119,7 +122,7 @@ private:
       -static_cast<std::ptrdiff_t>(steps.y) * cells.x,
       -static_cast<std::ptrdiff_t>(steps.z) * cells.x * cells.y } };
     const glm::vec3 speed(glm::abs(way) / this->Box.CellSize);
-    const float whole = speed.x + speed.y + speed.z;
+    const float totalSpeed = speed.x + speed.y + speed.z;
     const glm::vec3 direction(way);
     glm::ivec3 passed;
     for (passed.z = 0; passed.z < cells.z; ++passed.z)
@@ -140,12 +143,13 @@ private:
                                       : glm::vec4(0.0f);
           }
           const Source& source = this->Sources[at];
-          light += glm::max(source.Even + direction.x * source.Along[0] +
-              direction.y * source.Along[1] + direction.z * source.Along[2],
+          light += glm::max(source.Isotropic + direction.x * source.Linear[0] +
+              direction.y * source.Linear[1] + direction.z * source.Linear[2],
             0.0f);
-          light = this->Box.IsBlocked(at) ? glm::vec4(0.0f) : light / (whole + source.Taken);
+          light =
+            this->Box.IsBlocked(at) ? glm::vec4(0.0f) : light / (totalSpeed + source.Extinction);
           this->Light[at] = light;
-          light *= Share;
+          light *= OrdinateWeight;
           this->Means[at] += light;
           this->Fluxes[at] += (light.x + light.y + light.z) * direction;
         }
@@ -156,7 +160,7 @@ private:
   const ScatteringMedium& Box;
   const std::vector<Source>& Sources;
   glm::dvec3 Signs;
-  /// Of the direction that is followed.
+  /// Radiance in the current direction.
   std::vector<glm::vec4> Light;
   std::vector<glm::vec4> Means;
   std::vector<glm::vec3> Fluxes;
@@ -165,28 +169,28 @@ private:
 }
 
 void OrdinateSweep::Improve(
-  const MatterCells& matter, const DiffuseLight::Input& input, DiffuseLight::Output& output)
+  const SanitizedMedium& medium, const DiffuseLight::Input& input, DiffuseLight::Output& output)
 {
-  if (glm::any(matter.Box.Mirrors))
+  if (glm::any(medium.Box.Mirrors))
   {
     return;
   }
-  const std::vector<Source> sources = MakeSources(matter, input, output);
+  const std::vector<Source> sources = MakeSources(medium, input, output);
   std::vector<OctantSweep> sweeps;
   sweeps.reserve(Octants);
   for (std::size_t octant = 0; octant < Octants; ++octant)
   {
-    sweeps.emplace_back(matter, sources, octant);
+    sweeps.emplace_back(medium, sources, octant);
   }
   vtkSMPTools::For(0, static_cast<vtkIdType>(Octants), 1,
     [&sweeps](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType octant = begin; octant < end; ++octant)
       {
-        sweeps[static_cast<std::size_t>(octant)].Go();
+        sweeps[static_cast<std::size_t>(octant)].Run();
       }
     });
-  const auto size = static_cast<float>(Vectors::InfinityNorm(matter.Box.CellSize));
+  const auto size = static_cast<float>(Vectors::InfinityNorm(medium.Box.CellSize));
   for (std::size_t cell = 0; cell < sources.size(); ++cell)
   {
     glm::vec3 mean(0.0f);
@@ -197,13 +201,13 @@ void OrdinateSweep::Improve(
       flux += sweep.GetFlux(cell);
     }
     const float sum = mean.x + mean.y + mean.z;
-    const glm::vec3 lean = sum > 0.0f ? flux / sum : glm::vec3(0.0f);
-    const glm::vec3 limited = lean / std::max(1.0f, 3.0f * glm::length(lean));
-    const float depth = size * matter.Extinction[cell] * static_cast<float>(1.0 - input.Peak);
-    const float through = std::exp(-Thickness * depth);
-    output.Fluence[cell] += through * (mean - output.Fluence[cell]);
-    output.Mean[cell] += through * (mean - output.Mean[cell]);
-    output.Lean[cell] += through * (limited - output.Lean[cell]);
+    const glm::vec3 netFlux = sum > 0.0f ? flux / sum : glm::vec3(0.0f);
+    const glm::vec3 limited = netFlux / std::max(1.0f, 3.0f * glm::length(netFlux));
+    const float depth = size * medium.Extinction[cell] * static_cast<float>(1.0 - input.Peak);
+    const float weight = std::exp(-DepthFalloff * depth);
+    output.Fluence[cell] += weight * (mean - output.Fluence[cell]);
+    output.Mean[cell] += weight * (mean - output.Mean[cell]);
+    output.NetFlux[cell] += weight * (limited - output.NetFlux[cell]);
   }
 }
 

@@ -25,7 +25,7 @@ Error PhaseFunction::SetHenyeyGreenstein(double g)
   if (!(std::abs(g) < 1.0))
   {
     return "The anisotropy of the phase function is " + std::to_string(g) +
-      ", but has to be between -1 and 1.";
+      ". It has to be between -1 and 1, exclusive.";
   }
   this->Table.clear();
   this->Anisotropy = g;
@@ -36,22 +36,22 @@ Error PhaseFunction::SetTable(const std::vector<double>& values)
 {
   if (values.size() < 2)
   {
-    return "The table of the phase function has fewer than 2 values.";
+    return "The phase function's table has fewer than 2 values. Add points to PhaseTable.";
   }
   for (const double value : values)
   {
     if (!(value >= 0.0 && std::isfinite(value)))
     {
-      return "The table of the phase function has the value " + std::to_string(value) +
-        ", which is negative or not finite.";
+      return "The phase function's table has the value " + std::to_string(value) +
+        ", which is negative or not finite. Correct PhaseTable.";
     }
   }
   const double largest = *std::max_element(values.begin(), values.end());
   if (!(largest > 0.0))
   {
-    return "The table of the phase function has no value above 0.";
+    return "The phase function's table has no value above 0. Correct PhaseTable.";
   }
-  // The trapezoidal rule is exact for the function between the values.
+  // The trapezoidal rule is exact for a piecewise linear function.
   double sum = -0.5 * (values.front() + values.back()) / largest;
   for (const double value : values)
   {
@@ -72,21 +72,21 @@ double PhaseFunction::Value(double cosine) const
   if (this->Table.empty())
   {
     const double g = this->Anisotropy;
-    // Written so that nothing cancels where both are near 1.
+    // This form avoids cancellation if both g and the cosine are near 1.
     const double base = (1.0 - g) * (1.0 - g) + 2.0 * g * (1.0 - cosine);
     return (1.0 - g) * (1.0 + g) / (4.0 * Pi * base * std::sqrt(base));
   }
-  const double place = 0.5 * (cosine + 1.0) * static_cast<double>(this->Table.size() - 1);
-  const std::size_t below = std::min(static_cast<std::size_t>(place), this->Table.size() - 2);
-  const double share = place - static_cast<double>(below);
-  return (1.0 - share) * this->Table[below] + share * this->Table[below + 1];
+  const double position = 0.5 * (cosine + 1.0) * static_cast<double>(this->Table.size() - 1);
+  const std::size_t below = std::min(static_cast<std::size_t>(position), this->Table.size() - 2);
+  const double fraction = position - static_cast<double>(below);
+  return (1.0 - fraction) * this->Table[below] + fraction * this->Table[below + 1];
 }
 
 template <typename Function>
 double PhaseFunction::Integrate(double lower, Function&& function) const
 {
-  // Steps even in the logarithm of 1 + scale - cosine resolve a forward peak, and in that of
-  // 1 + scale + cosine a backward one.
+  // Equal steps in the logarithm of 1 + scale - cosine resolve a forward peak. Equal steps in the
+  // logarithm of 1 + scale + cosine resolve a backward peak.
   const double scale = this->Table.empty()
     ? std::max(0.5 * (1.0 - std::abs(this->Anisotropy)) * (1.0 - std::abs(this->Anisotropy)), 1e-12)
     : 0.05;
@@ -116,7 +116,7 @@ double PhaseFunction::Moment(int n) const
     this->Integrate(-1.0, [](double) { return 1.0; });
 }
 
-double PhaseFunction::ForwardShare() const
+double PhaseFunction::ForwardFraction() const
 {
   const double g = this->Anisotropy;
   if (this->Table.empty())
@@ -131,9 +131,10 @@ double PhaseFunction::ForwardShare() const
 
 double PhaseFunction::ForwardVariance() const
 {
-  const double share = this->Integrate(0.0, [](double) { return 1.0; });
-  return share > 0.0 ? 0.5 * this->Integrate(0.0, [](double c) { return 1.0 - c * c; }) / share
-                     : 0.0;
+  const double fraction = this->Integrate(0.0, [](double) { return 1.0; });
+  return fraction > 0.0
+    ? 0.5 * this->Integrate(0.0, [](double c) { return 1.0 - c * c; }) / fraction
+    : 0.0;
 }
 
 bool PhaseFunction::operator==(const PhaseFunction& other) const

@@ -11,40 +11,40 @@ namespace interlume
 
 /**
  * @class   PhaseFunction
- * @brief   the share of scattered light that goes on at an angle to where it came from
+ * @brief   the angular distribution of scattered light
  *
- * A function p of the cosine between the direction of light before and after it is scattered, in
- * 1/steradian: 2 pi times its integral over the cosine from -1 to 1 is 1. It is isotropic unless
- * set: p = 1 / (4 pi).
+ * The phase function p depends on the cosine between the directions of light before and after
+ * scattering, in 1/steradian. Its integral over the sphere is 1: 2 pi times its integral over the
+ * cosine from -1 to 1. By default it is isotropic: p = 1 / (4 pi).
  */
 class PhaseFunction
 {
 public:
   void SetIsotropic();
   /**
-   * Henyey and Greenstein's p = (1 - g^2) / (4 pi (1 + g^2 - 2 g cosine)^1.5) with the mean cosine
-   * g, of which \a g is the value; between -1 and 1, these excluded. Returns an error
-   * for other values; the function does not change then.
+   * Sets the Henyey-Greenstein function p = (1 - g^2) / (4 pi (1 + g^2 - 2 g cosine)^1.5) with the
+   * mean cosine \a g, between -1 and 1 exclusive. For other values, returns an error and leaves the
+   * function unchanged.
    */
   Error SetHenyeyGreenstein(double g);
   /**
-   * Linear between \a values at cosines that are evenly spaced from -1 (light that goes back) to 1
-   * (light that goes on), 2 at least, scaled so that it is normalised. Returns an error if a
-   * value is negative or not finite, or all are 0.
+   * Interpolates linearly between at least 2 \a values at equally spaced cosines, from -1
+   * (backscattered light) to 1 (forward-scattered light), and normalizes them. Returns an error if
+   * a value is negative or not finite, or if all values are 0.
    */
   Error SetTable(const std::vector<double>& values);
 
-  /// Returns p at a cosine, which is clamped to -1 to 1.
+  /// Returns p at a cosine, which is clamped to the range from -1 to 1.
   double Value(double cosine) const;
-  /// Returns the integral of p times the Legendre polynomial of degree \a n over the sphere: 1 for
-  /// n = 0, the mean cosine for n = 1, g^n by Henyey and Greenstein.
+  /// Returns the integral over the sphere of p times the Legendre polynomial of degree \a n: 1 for
+  /// n = 0, the mean cosine for n = 1, g^n for Henyey-Greenstein.
   double Moment(int n) const;
-  /// Returns the share of light that is scattered by less than a right angle.
-  double ForwardShare() const;
+  /// Returns the fraction of light scattered by less than a right angle.
+  double ForwardFraction() const;
   /**
-   * Returns the variance of angle to each of two axes across the light that one scattering adds to
-   * the light that goes on forwards: half of the mean of sin^2 of the angle over the forward
-   * directions, in square radians where angles are small, and 1/3 for an isotropic function.
+   * Returns the variance that one scattering event adds to the angle of forward-scattered light,
+   * along each of two transverse axes: half the mean of sin^2 of the angle over forward directions.
+   * It is in square radians if angles are small, and 1/3 for an isotropic function.
    */
   double ForwardVariance() const;
 
@@ -52,11 +52,11 @@ public:
   bool operator!=(const PhaseFunction& other) const { return !(*this == other); }
 
 private:
-  /// The integral of p times a function of the cosine from \a lower to 1 over the sphere's part.
+  /// Returns the integral of p times a function of the cosine, over cosines from \a lower to 1.
   template <typename Function>
   double Integrate(double lower, Function&& function) const;
 
-  /// Empty for Henyey and Greenstein's function.
+  /// Empty for the Henyey-Greenstein function.
   std::vector<double> Table;
   double Anisotropy = 0.0;
 };

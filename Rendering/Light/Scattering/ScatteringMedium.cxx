@@ -19,23 +19,23 @@ Error ScatteringMedium::Check() const
     if (this->Cells[axis] < 1)
     {
       return "The scattering grid has " + std::to_string(this->Cells[axis]) + " cells along axis " +
-        std::to_string(axis) + ".";
+        std::to_string(axis) + ". It needs at least 1.";
     }
     if (!(this->CellSize[axis] > 0.0 && std::isfinite(this->CellSize[axis])))
     {
-      return "The scattering grid's cells have the size " + std::to_string(this->CellSize[axis]) +
-        " along axis " + std::to_string(axis) + ".";
+      return "The scattering grid's cell size is " + std::to_string(this->CellSize[axis]) +
+        " along axis " + std::to_string(axis) + ". It has to be finite and above 0.";
     }
   }
   if (!Vectors::IsFinite(this->Origin))
   {
-    return "The scattering grid's origin is not finite.";
+    return "The scattering grid's origin is not finite. Check the volume's origin and matrix.";
   }
   const std::size_t number = this->GetNumberOfCells();
   if (this->Extinction.size() != number || this->Albedo.size() != number ||
     (!this->Blocked.empty() && this->Blocked.size() != number))
   {
-    return "The scattering grid of " + std::to_string(number) + " cells has " +
+    return "The scattering grid has " + std::to_string(number) + " cells, but " +
       std::to_string(this->Extinction.size()) + " values of extinction, " +
       std::to_string(this->Albedo.size()) + " of albedo and " +
       std::to_string(this->Blocked.size()) + " of blocked cells.";

@@ -15,30 +15,31 @@ namespace interlume
 
 /**
  * @class   ScatteringMedium
- * @brief   the matter that scatters light, in the cells of a box
+ * @brief   a scattering medium on the cells of a box
  *
- * Cell (i, j, k) has index i + Cells.x (j + Cells.y k). All vectors are in the axes of the box.
- * There is nothing beyond the box, and what leaves it does not return, unless a side is a mirror.
+ * Cell (i, j, k) has the index i + Cells.x (j + Cells.y k). Vectors have components along the axes
+ * of the box. Space outside the box is empty, and light that leaves the box does not return, unless
+ * a face is a mirror.
  */
 struct ScatteringMedium
 {
   glm::ivec3 Cells{ 0 };
-  /// The size of a cell in world units. Cubes give the best accuracy; sizes that differ by more
-  /// than a factor of 2 are allowed, and worse.
+  /// Cell size in world units. Cubes give the best accuracy. Aspect ratios above 2 are valid but
+  /// less accurate.
   glm::dvec3 CellSize{ 1.0 };
-  /// The lower corner of the box, in the coordinates that places of lights have.
+  /// Lower corner of the box, in the coordinates of light positions.
   glm::dvec3 Origin{ 0.0 };
-  /// The mean extinction of each cell in 1 / world unit. What is no finite positive number counts
-  /// as 0; NaN and infinities are counted in the report.
+  /// Mean extinction of each cell, in 1 / world unit. Values that are negative or not finite are
+  /// treated as 0; cells with non-finite values are counted in the report.
   std::vector<float> Extinction;
-  /// The share of the light that goes on where it meets matter, for red, green and blue; clamped to
-  /// 0 to 1, NaN is 0.
+  /// Fraction of extinguished light that is scattered, for red, green and blue. Clamped to the
+  /// range from 0 to 1; NaN is treated as 0.
   std::vector<glm::vec3> Albedo;
-  /// Not 0 for cells that opaque surfaces fill, which absorb what reaches them. Empty where there
-  /// is none.
+  /// Nonzero for cells filled by opaque surfaces, which absorb all light. Empty without such cells.
   std::vector<unsigned char> Blocked;
   PhaseFunction Phase;
-  /// Along which axes both sides of the box are mirrors, which makes a box a slab without end.
+  /// Axes along which both faces of the box are mirrors. The medium then repeats to infinity along
+  /// them.
   glm::bvec3 Mirrors{ false };
 
   std::size_t GetNumberOfCells() const;
@@ -50,7 +51,7 @@ struct ScatteringMedium
         static_cast<std::size_t>(this->Cells.y) * static_cast<std::size_t>(cell.z));
   }
   bool IsBlocked(std::size_t cell) const { return !this->Blocked.empty() && this->Blocked[cell]; }
-  /// Returns an error if a size is not valid.
+  /// Returns an error if a size or an array length is invalid.
   Error Check() const;
 };
 

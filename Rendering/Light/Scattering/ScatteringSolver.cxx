@@ -6,7 +6,7 @@
 #include "Scattering/EscapeRays.h"
 #include "Scattering/ForwardLight.h"
 #include "Scattering/LightSlopes.h"
-#include "Scattering/MatterCells.h"
+#include "Scattering/SanitizedMedium.h"
 #include "Scattering/OrdinateSweep.h"
 #include "Scattering/SingleEscape.h"
 
@@ -31,32 +31,32 @@ double MeanOf(const glm::dvec3& color)
   return (color.x + color.y + color.z) / 3.0;
 }
 
-/// One solution, from the forward light to the sums of energy.
+/// Computes one solution, from the forward light to the energy sums.
 class Solution
 {
 public:
   Solution(const ScatteringMedium& medium, const std::vector<ScatteringLight>& lights,
-    const ScatteringSettings& settings, ScatteringField& field, ScatteringReport& report)
-    : Matter(medium, lights)
+    const ScatteringSettings& settings, ScatteredLight& field, ScatteringReport& report)
+    : Medium(medium, lights)
     , Phase(medium.Phase)
     , Settings(settings)
     , Field(field)
     , Report(report)
   {
-    this->Report.BadCells = this->Matter.BadCells;
-    const std::size_t cells = this->Matter.Extinction.size();
+    this->Report.BadCells = this->Medium.BadCells;
+    const std::size_t cells = this->Medium.Extinction.size();
     this->Field.Fluence.assign(cells, glm::vec3(0.0f));
-    this->Field.Lean.assign(cells, glm::vec3(0.0f));
+    this->Field.NetFlux.assign(cells, glm::vec3(0.0f));
   }
 
   void Forward()
   {
     const double variance = this->Settings.AngleVariance >= 0.0 ? this->Settings.AngleVariance
                                                                 : this->Phase.ForwardVariance();
-    this->GoForward(this->Phase.ForwardShare(), variance);
+    this->SolveForward(this->Phase.ForwardFraction(), variance);
     const std::vector<EscapeRays::Sums> sums = this->TraceLights({});
-    const glm::dvec3 left = this->LimitForward(sums, 1.0);
-    this->Report.Dropped = MeanOf(left);
+    const glm::dvec3 remaining = this->LimitForward(sums, 1.0);
+    this->Report.Dropped = MeanOf(remaining);
     this->ReportLights(sums);
   }
 
@@ -64,43 +64,43 @@ public:
   {
     const double cosine = this->Phase.Moment(1);
     const double peak = cosine > 0.0 ? std::min(std::max(this->Phase.Moment(2), 0.0), cosine) : 0.0;
-    this->GoForward(peak, 0.0);
+    this->SolveForward(peak, 0.0);
     DiffuseLight::Input input;
     input.Cosine = cosine;
     input.Peak = peak;
     input.BackwardLayers = this->Settings.BackwardLayers;
     input.Tolerance = this->Settings.Tolerance;
     input.MaximumCycles = this->Settings.MaximumCycles;
-    for (std::size_t light = 0; light < this->Matter.Lights.size(); ++light)
+    for (std::size_t light = 0; light < this->Medium.Lights.size(); ++light)
     {
-      input.Lights.push_back(this->Matter.Direct[light]);
+      input.Lights.push_back(this->Medium.Direct[light]);
       for (std::size_t i = 0; i < input.Lights.back().size(); ++i)
       {
         input.Lights.back()[i] +=
           this->Field.Forward.empty() ? glm::vec3(0.0f) : this->Field.Forward[light][i];
       }
     }
-    this->Slopes = LightSlopes::Find(this->Matter, input.Lights);
+    this->Slopes = LightSlopes::Find(this->Medium, input.Lights);
     input.Slopes = this->Slopes;
-    DiffuseLight::Output diffuse = DiffuseLight::Solve(this->Matter, input);
+    DiffuseLight::Output diffuse = DiffuseLight::Solve(this->Medium, input);
     this->Report.Cycles = diffuse.Cycles;
     this->Report.Residual = diffuse.Residual;
-    OrdinateSweep::Improve(this->Matter, input, diffuse);
+    OrdinateSweep::Improve(this->Medium, input, diffuse);
     this->Balance(input, diffuse);
     this->Field.Fluence.swap(diffuse.Fluence);
-    this->Field.Lean.swap(diffuse.Lean);
+    this->Field.NetFlux.swap(diffuse.NetFlux);
   }
 
 private:
-  void GoForward(double share, double variance)
+  void SolveForward(double fraction, double variance)
   {
-    const std::size_t lights = this->Matter.Lights.size();
+    const std::size_t lights = this->Medium.Lights.size();
     for (std::size_t light = 0; light < lights; ++light)
     {
-      this->Report.Taken += MeanOf(this->SumTaken(light));
+      this->Report.Taken += MeanOf(this->SumExtinguished(light));
     }
-    this->Slopes = LightSlopes::Find(this->Matter, this->Matter.Direct);
-    if (!(share > 0.0))
+    this->Slopes = LightSlopes::Find(this->Medium, this->Medium.Direct);
+    if (!(fraction > 0.0))
     {
       return;
     }
@@ -113,7 +113,7 @@ private:
         {
           const std::size_t light = static_cast<std::size_t>(i);
           this->Field.Forward[light] =
-            ForwardLight::Solve(this->Matter, light, share, variance, layers[light]);
+            ForwardLight::Solve(this->Medium, light, fraction, variance, layers[light]);
         }
       });
     for (const int count : layers)
@@ -126,11 +126,11 @@ private:
   glm::dvec3 SumCells(Function&& function) const
   {
     glm::dvec3 sum(0.0);
-    for (std::size_t i = 0; i < this->Matter.Extinction.size(); ++i)
+    for (std::size_t i = 0; i < this->Medium.Extinction.size(); ++i)
     {
-      if (this->Matter.Extinction[i] > 0.0f)
+      if (this->Medium.Extinction[i] > 0.0f)
       {
-        sum += this->Matter.CellVolume * this->Matter.Extinction[i] * function(i);
+        sum += this->Medium.CellVolume * this->Medium.Extinction[i] * function(i);
       }
     }
     return sum;
@@ -138,41 +138,42 @@ private:
 
   glm::dvec3 GetLight(std::size_t light, std::size_t cell) const
   {
-    return glm::dvec3(this->Matter.Direct[light][cell]) +
+    return glm::dvec3(this->Medium.Direct[light][cell]) +
       (this->Field.Forward.empty() ? glm::dvec3(0.0)
                                    : glm::dvec3(this->Field.Forward[light][cell]));
   }
 
-  glm::dvec3 SumTaken(std::size_t light) const
+  glm::dvec3 SumExtinguished(std::size_t light) const
   {
-    return this->SumCells([&](std::size_t i) { return glm::dvec3(this->Matter.Direct[light][i]); });
+    return this->SumCells([&](std::size_t i) { return glm::dvec3(this->Medium.Direct[light][i]); });
   }
 
-  /// Returns what matter absorbs of the lights and what goes on as they do.
+  /// Returns the absorbed energy of direct and forward-scattered light.
   glm::dvec3 SumAbsorbed() const
   {
     return this->SumCells(
       [&](std::size_t i)
       {
         glm::dvec3 light(0.0);
-        for (std::size_t l = 0; l < this->Matter.Lights.size(); ++l)
+        for (std::size_t l = 0; l < this->Medium.Lights.size(); ++l)
         {
           light += this->GetLight(l, i);
         }
-        return (1.0 - glm::dvec3(this->Matter.Albedo[i])) * light;
+        return (1.0 - glm::dvec3(this->Medium.Albedo[i])) * light;
       });
   }
 
-  /// Returns the direction of all lights together, but along mirrors, of which light leaves no
-  /// side.
+  /// Returns the energy-weighted direction of all lights. It has no component along axes with
+  /// mirrors, since no light leaves there.
   glm::dvec3 GetMainDirection() const
   {
-    const ScatteringMedium& box = this->Matter.Box;
-    const glm::dvec3 middle = box.Origin + 0.5 * glm::dvec3(box.Cells) * box.CellSize;
+    const ScatteringMedium& box = this->Medium.Box;
+    const glm::dvec3 center = box.Origin + 0.5 * glm::dvec3(box.Cells) * box.CellSize;
     glm::dvec3 direction(0.0);
-    for (std::size_t light = 0; light < this->Matter.Lights.size(); ++light)
+    for (std::size_t light = 0; light < this->Medium.Lights.size(); ++light)
     {
-      direction += MeanOf(this->SumTaken(light)) * this->Matter.Lights[light].GetDirection(middle);
+      direction +=
+        MeanOf(this->SumExtinguished(light)) * this->Medium.Lights[light].GetDirection(center);
     }
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -181,73 +182,73 @@ private:
     return direction;
   }
 
-  /// Traces what is scattered once of each light, then its forward light, then \a others.
+  /// Traces singly scattered light of each light, then forward light of each light, then \a others.
   std::vector<EscapeRays::Sums> TraceLights(const std::vector<EscapeRays::Source>& others) const
   {
     const glm::dvec3 direction = this->GetMainDirection();
     const SingleEscape single(this->Phase);
     std::vector<EscapeRays::Sums> sums;
-    for (std::size_t i = 0; i < this->Matter.Lights.size(); ++i)
+    for (std::size_t i = 0; i < this->Medium.Lights.size(); ++i)
     {
-      sums.push_back(single.Find(this->Matter, i, direction));
+      sums.push_back(single.Find(this->Medium, i, direction));
     }
     std::vector<EscapeRays::Source> sources;
     for (std::size_t i = 0; i < this->Field.Forward.size(); ++i)
     {
       sources.emplace_back();
       sources.back().Fluence = &this->Field.Forward[i];
-      sources.back().Light = &this->Matter.Lights[i];
+      sources.back().Light = &this->Medium.Lights[i];
     }
     sources.insert(sources.end(), others.begin(), others.end());
     const std::vector<EscapeRays::Sums> fields =
-      EscapeRays::Trace(this->Matter, this->Phase, sources, direction);
+      EscapeRays::Trace(this->Medium, this->Phase, sources, direction);
     sums.insert(sums.end(), fields.begin(), fields.end());
     return sums;
   }
 
   /**
-   * Scales the forward light of each light so that no more of it meets matter than \a share of
-   * what meets matter again of what is scattered. Returns what else meets matter again. The forward
-   * light is taken to go on as the light does, which brings it deeper than the phase function's
-   * angles do where a light grazes.
+   * Scales the forward light of each light so that at most \a fraction of the recaptured single
+   * scattering feeds it. Returns the rest of the recaptured light. Forward light is assumed to
+   * travel along its light. At grazing incidence, it therefore reaches deeper than it would with
+   * the angles of the phase function.
    */
-  glm::dvec3 LimitForward(std::vector<EscapeRays::Sums> const& sums, double share)
+  glm::dvec3 LimitForward(std::vector<EscapeRays::Sums> const& sums, double fraction)
   {
-    const std::size_t lights = this->Matter.Lights.size();
+    const std::size_t lights = this->Medium.Lights.size();
     this->ForwardScale.assign(this->Field.Forward.size(), glm::dvec3(1.0));
-    glm::dvec3 left(0.0);
+    glm::dvec3 remaining(0.0);
     for (std::size_t light = 0; light < lights; ++light)
     {
-      left += sums[light].Kept;
+      remaining += sums[light].Recaptured;
       if (this->Field.Forward.empty())
       {
         continue;
       }
       std::vector<glm::vec3>& forward = this->Field.Forward[light];
-      // What is absorbed of it and what leaves.
+      // The forward light that is absorbed or leaves the box.
       const glm::dvec3 needed =
         this->SumCells([&](std::size_t i)
-          { return (1.0 - glm::dvec3(this->Matter.Albedo[i])) * glm::dvec3(forward[i]); }) +
+          { return (1.0 - glm::dvec3(this->Medium.Albedo[i])) * glm::dvec3(forward[i]); }) +
         sums[lights + light].GetOut();
       glm::dvec3& scale = this->ForwardScale[light];
       for (int color = 0; color < 3; ++color)
       {
-        const double most = share * sums[light].Kept[color];
-        scale[color] = needed[color] > most ? most / needed[color] : 1.0;
+        const double maximum = fraction * sums[light].Recaptured[color];
+        scale[color] = needed[color] > maximum ? maximum / needed[color] : 1.0;
       }
-      left -= scale * needed;
+      remaining -= scale * needed;
       for (glm::vec3& value : forward)
       {
         value *= glm::vec3(scale);
       }
     }
-    return glm::max(left, 0.0);
+    return glm::max(remaining, 0.0);
   }
 
-  /// Adds what is absorbed and seen of the lights and their forward light.
+  /// Adds the absorbed and escaping energy of direct and forward light to the report.
   void ReportLights(const std::vector<EscapeRays::Sums>& sums)
   {
-    const std::size_t lights = this->Matter.Lights.size();
+    const std::size_t lights = this->Medium.Lights.size();
     this->Report.Absorbed += MeanOf(this->SumAbsorbed());
     for (std::size_t i = 0; i < lights + this->ForwardScale.size(); ++i)
     {
@@ -258,45 +259,45 @@ private:
   void ReportOut(const EscapeRays::Sums& sums, const glm::dvec3& scale)
   {
     this->Report.Absorbed += MeanOf(scale * sums.Blocked);
-    this->Report.Reflected += MeanOf(scale * sums.Back);
-    this->Report.Transmitted += MeanOf(scale * sums.On);
+    this->Report.Reflected += MeanOf(scale * sums.Backward);
+    this->Report.Transmitted += MeanOf(scale * sums.Forward);
   }
 
   /**
-   * Scales the fluence so that what leaves the medium and what it absorbs are what it takes from
-   * the lights. What leaves is what eyes around the box see; with K what meets matter again of what
-   * the lights and the forward light are scattered to,
+   * Scales the fluence to conserve energy: light that cameras around the box see and light that the
+   * medium absorbs add up to the light that it extinguishes. With K the recaptured part of the
+   * scattered direct and forward light,
    *
-   *   K - (what meets matter of the forward light) = factor (out(fluence) + absorbed(fluence)).
+   *   K - (recaptured light that feeds forward light) = factor (out(fluence) + absorbed(fluence)).
    */
   void Balance(const DiffuseLight::Input& input, DiffuseLight::Output& diffuse)
   {
-    // Diffusion finds none where all the light goes on and out, by a thick cell or along a thin
-    // one.
+    // The diffusion solution can be 0 if all light leaves at once through a thick cell or along a
+    // thin one. A small fluence lets the balance scale it.
     for (std::size_t i = 0; i < diffuse.Fluence.size(); ++i)
     {
       for (const std::vector<glm::vec3>& light : input.Lights)
       {
         diffuse.Fluence[i] =
-          glm::max(diffuse.Fluence[i], 1e-3f * this->Matter.Albedo[i] * light[i]);
+          glm::max(diffuse.Fluence[i], 1e-3f * this->Medium.Albedo[i] * light[i]);
       }
     }
     this->LimitFluence(diffuse.Fluence);
     const std::vector<EscapeRays::Sums> sums = this->TraceLights({ this->GetSource(diffuse) });
-    const glm::dvec3 kept = this->LimitForward(sums, MostForward);
+    const glm::dvec3 recaptured = this->LimitForward(sums, MaximumForwardFraction);
     this->ReportLights(sums);
     const glm::dvec3 absorbed = this->SumCells([&](std::size_t i)
-      { return (1.0 - glm::dvec3(this->Matter.Albedo[i])) * glm::dvec3(diffuse.Mean[i]); });
+      { return (1.0 - glm::dvec3(this->Medium.Albedo[i])) * glm::dvec3(diffuse.Mean[i]); });
     glm::dvec3 dropped(0.0);
     for (std::size_t i = 0; i < diffuse.Drop.size(); ++i)
     {
-      dropped += this->Matter.CellVolume * diffuse.Drop[i] * glm::dvec3(diffuse.Mean[i]);
+      dropped += this->Medium.CellVolume * diffuse.Drop[i] * glm::dvec3(diffuse.Mean[i]);
     }
     glm::dvec3 factor(0.0);
-    const glm::dvec3 gone = sums.back().GetOut() + absorbed + dropped;
+    const glm::dvec3 lost = sums.back().GetOut() + absorbed + dropped;
     for (int color = 0; color < 3; ++color)
     {
-      factor[color] = gone[color] > 0.0 ? kept[color] / gone[color] : 0.0;
+      factor[color] = lost[color] > 0.0 ? recaptured[color] / lost[color] : 0.0;
     }
     for (glm::vec3& fluence : diffuse.Fluence)
     {
@@ -309,89 +310,90 @@ private:
       this->ReportOut(sums.back(), factor);
       return;
     }
-    // What is beyond the limit is seen by nobody.
+    // Light above the limit is not visible and is reported as dropped.
     const EscapeRays::Sums out = EscapeRays::Trace(
-      this->Matter, this->Phase, { this->GetSource(diffuse) }, this->GetMainDirection())
+      this->Medium, this->Phase, { this->GetSource(diffuse) }, this->GetMainDirection())
                                    .front();
     this->ReportOut(out, glm::dvec3(1.0));
-    this->Report.Dropped += MeanOf(kept - factor * absorbed - out.GetOut());
+    this->Report.Dropped += MeanOf(recaptured - factor * absorbed - out.GetOut());
   }
 
   EscapeRays::Source GetSource(const DiffuseLight::Output& diffuse) const
   {
     EscapeRays::Source source;
     source.Fluence = &diffuse.Fluence;
-    source.Lean = &diffuse.Lean;
-    source.LeanFactor = 3.0 * this->Phase.Moment(1);
+    source.NetFlux = &diffuse.NetFlux;
+    source.NetFluxFactor = 3.0 * this->Phase.Moment(1);
     return source;
   }
 
   /**
-   * Limits the fluence to what a half space that absorbs nothing has at most, so many times the
-   * light that comes in: deep in it sqrt(3) H(1), and where eyes see it H(1)^2 / 2 - 1 / 2, of
-   * which the last is scattered once. Returns whether there was more. Between mirrors there is no
-   * such limit.
+   * Limits the fluence to the maximum in a half space without absorption, relative to the incident
+   * light: sqrt(3) H(1) deep inside, and H(1)^2 / 2 - 1 / 2 near the surface, where H is
+   * Chandrasekhar's function and the last term is single scattering. Returns true if a value was
+   * reduced. There is no such limit between mirrors.
    */
   bool LimitFluence(std::vector<glm::vec3>& fluence) const
   {
-    if (glm::any(this->Matter.Box.Mirrors))
+    if (glm::any(this->Medium.Box.Mirrors))
     {
       return false;
     }
-    constexpr float deep = 5.0364f;
-    constexpr float seen = 3.7277f;
+    constexpr float interiorMaximum = 5.0364f;
+    constexpr float visibleMaximum = 3.7277f;
     const glm::vec3 light = this->FindIncoming();
-    const double size = Vectors::InfinityNorm(this->Matter.Box.CellSize);
+    const double size = Vectors::InfinityNorm(this->Medium.Box.CellSize);
     bool isLimited = false;
     for (std::size_t i = 0; i < fluence.size(); ++i)
     {
-      const float thin = static_cast<float>(std::exp(-this->Matter.Extinction[i] * size));
-      const glm::vec3 most = (seen + thin * (deep - seen)) * light;
-      isLimited = isLimited || glm::any(glm::greaterThan(fluence[i], most));
-      fluence[i] = glm::min(fluence[i], most);
+      const float transmittance = static_cast<float>(std::exp(-this->Medium.Extinction[i] * size));
+      const glm::vec3 maximum =
+        (visibleMaximum + transmittance * (interiorMaximum - visibleMaximum)) * light;
+      isLimited = isLimited || glm::any(glm::greaterThan(fluence[i], maximum));
+      fluence[i] = glm::min(fluence[i], maximum);
     }
     return isLimited;
   }
 
-  /// Returns the sum over all lights of the brightest light that enters a cell.
+  /// Returns the maximum incident light in a cell, summed over all lights.
   glm::vec3 FindIncoming() const
   {
-    const ScatteringMedium& box = this->Matter.Box;
+    const ScatteringMedium& box = this->Medium.Box;
     glm::vec3 sum(0.0f);
-    for (std::size_t light = 0; light < this->Matter.Lights.size(); ++light)
+    for (std::size_t light = 0; light < this->Medium.Lights.size(); ++light)
     {
-      glm::vec3 most(0.0f);
-      for (std::size_t i = 0; i < this->Matter.Extinction.size(); ++i)
+      glm::vec3 maximum(0.0f);
+      for (std::size_t i = 0; i < this->Medium.Extinction.size(); ++i)
       {
         const int number = static_cast<int>(i);
         const glm::dvec3 cell(number % box.Cells.x, number / box.Cells.x % box.Cells.y,
           number / (box.Cells.x * box.Cells.y));
         const glm::dvec3 way =
-          this->Matter.Lights[light].GetDirection(box.Origin + (cell + 0.5) * box.CellSize);
-        // A light that shines on three sides of a cell goes so far through it on the average.
+          this->Medium.Lights[light].GetDirection(box.Origin + (cell + 0.5) * box.CellSize);
+        // Mean path length through a cell, for light that enters through up to three faces.
         const glm::dvec3 speed = glm::abs(way) / box.CellSize;
         const double depth =
-          this->Matter.Extinction[i] / std::max(speed.x + speed.y + speed.z, 1e-300);
-        most = glm::max(most,
-          this->Matter.Direct[light][i] *
+          this->Medium.Extinction[i] / std::max(speed.x + speed.y + speed.z, 1e-300);
+        maximum = glm::max(maximum,
+          this->Medium.Direct[light][i] *
             static_cast<float>(depth > 1e-6 ? depth / -std::expm1(-depth) : 1.0));
       }
-      sum += most;
+      sum += maximum;
     }
     return sum;
   }
 
-  /// The most that the forward light of mode FULL takes of what meets matter again of a light.
-  static constexpr double MostForward = 0.75;
+  /// Maximum fraction of a light's recaptured energy that its forward light uses in mode Full.
+  static constexpr double MaximumForwardFraction = 0.75;
 
-  MatterCells Matter;
+  SanitizedMedium Medium;
   PhaseFunction Phase;
-  /// Those of LightSlopes.
+  /// Result of LightSlopes::Find.
   std::vector<glm::vec3> Slopes;
-  /// The factors of forward lights that LimitForward has found.
+  /// Scale factors of forward lights, set by LimitForward.
   std::vector<glm::dvec3> ForwardScale;
   const ScatteringSettings& Settings;
-  ScatteringField& Field;
+  ScatteredLight& Field;
   ScatteringReport& Report;
 };
 
@@ -399,9 +401,9 @@ private:
 
 Error ScatteringSolver::Solve(const ScatteringMedium& medium,
   const std::vector<ScatteringLight>& lights, ScatteringMode mode,
-  const ScatteringSettings& settings, ScatteringField& field, ScatteringReport& report)
+  const ScatteringSettings& settings, ScatteredLight& field, ScatteringReport& report)
 {
-  field = ScatteringField();
+  field = ScatteredLight();
   report = ScatteringReport();
   Error error = medium.Check();
   for (const ScatteringLight& light : lights)

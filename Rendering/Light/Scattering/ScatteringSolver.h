@@ -3,7 +3,7 @@
 #define interlume_ScatteringSolver_h
 
 #include "Common/Error.h"
-#include "Scattering/ScatteringField.h"
+#include "Scattering/ScatteredLight.h"
 #include "Scattering/ScatteringLight.h"
 #include "Scattering/ScatteringMedium.h"
 
@@ -15,45 +15,46 @@ namespace interlume
 
 enum class ScatteringMode
 {
-  /// Away from the lights alone, by layers across them.
+  /// Forward scattering, layer by layer along each light.
   Forward,
-  /// In all directions.
+  /// Scattering in all directions.
   Full
 };
 
-/// How to solve.
+/// Settings of the solver.
 struct ScatteringSettings
 {
-  /// The variance of angle to each of two axes across the light that is added for each unit of
-  /// scattering optical depth, in square radians, for mode FORWARD. Negative: that of the phase
-  /// function, PhaseFunction::ForwardVariance.
+  /// Variance added per unit of scattering optical depth to the angle along each of two transverse
+  /// axes, in square radians, for mode Forward. If negative, PhaseFunction::ForwardVariance is
+  /// used.
   double AngleVariance = -1.0;
-  /// The number of layers of cells behind a place, away from the light, from which light comes
-  /// back to it in mode FULL; 0 is all. Light that has come through more is dropped, by a sink of
-  /// 1 / (3 extinction (layers times the cell's size)^2): of the light that a slab of depth 8 in 64
-  /// layers returns (g 0.75, albedo 1) 24 layers miss 0.73, 48 miss 0.36, 96 miss 0.12.
+  /// Number of cell layers behind a position, away from the light, from which light returns to it
+  /// in mode Full; 0 means all. Light from farther layers is dropped by a sink of 1 / (3 extinction
+  /// (layers times cell size)^2). The cutoff is gradual: even many layers lose part of the returned
+  /// light.
   int BackwardLayers = 0;
-  /// The residual at which mode FULL is solved, over its source, and the largest number of cycles.
+  /// Relative residual at which mode Full stops, and the maximum number of cycles.
   double Tolerance = 1e-3;
   int MaximumCycles = 100;
 };
 
-/// What was done. Amounts of energy are fluence times area in world units, the mean of the colours.
+/// Statistics of a solution. Energies are fluence times area in world units, averaged over the
+/// color channels.
 struct ScatteringReport
 {
-  /// The numbers of layers of mode FORWARD over all lights, and of cycles of mode FULL over all
-  /// colours.
+  /// Layers of mode Forward, summed over all lights, and cycles of mode Full, summed over the color
+  /// channels.
   int Layers = 0;
   int Cycles = 0;
-  /// The remaining residual of mode FULL over its source, of the worst colour.
+  /// Relative residual of mode Full, the maximum over the color channels.
   double Residual = 0.0;
-  /// Cells whose extinction, albedo or light is no finite number; they count as 0.
+  /// Number of cells with non-finite extinction, albedo or light, which are treated as 0.
   std::size_t BadCells = 0;
-  /// What the medium takes from the direct light.
+  /// Energy that the medium removes from the direct light.
   double Taken = 0.0;
-  /// What becomes of it: absorbed in matter and in blocked cells; seen by eyes around the box, from
-  /// the side of the lights and from the other; dropped, what is scattered again by mode FORWARD
-  /// otherwise than forwards, and by BackwardLayers. The sum is Taken.
+  /// The parts of Taken: energy absorbed by the medium and blocked cells, energy that leaves toward
+  /// the lights' side, energy that leaves toward the other side, and dropped energy. BackwardLayers
+  /// drops energy, and mode Forward drops all that is not scattered forward.
   double Absorbed = 0.0;
   double Reflected = 0.0;
   double Transmitted = 0.0;
@@ -62,17 +63,17 @@ struct ScatteringReport
 
 /**
  * @class   ScatteringSolver
- * @brief   computes the light that a medium scatters more than once
+ * @brief   computes multiple scattering in a medium
  *
- * It needs no OpenGL and does not depend on the eye; work is done by the threads of vtkSMPTools,
- * with the same bytes for any number of them.
+ * Needs no OpenGL and does not depend on the camera. Runs in parallel with vtkSMPTools; the result
+ * is bit-identical for any number of threads. See Documentation/methods/scattering.md.
  */
 class ScatteringSolver
 {
 public:
-  /// Returns an error if the medium or a light is not valid; \a field is empty then.
+  /// Returns an error if the medium or a light is invalid; \a field is empty then.
   static Error Solve(const ScatteringMedium& medium, const std::vector<ScatteringLight>& lights,
-    ScatteringMode mode, const ScatteringSettings& settings, ScatteringField& field,
+    ScatteringMode mode, const ScatteringSettings& settings, ScatteredLight& field,
     ScatteringReport& report);
 };
 

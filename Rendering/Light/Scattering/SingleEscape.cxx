@@ -22,14 +22,14 @@ namespace interlume
 namespace
 {
 
-/// The number of paths of one light, and of paths that begin in a cell each time it is chosen. The
-/// escaping fraction of a cell is a ratio of two sums over its paths, which few paths bias: with 4
-/// paths, thick cells let out a twelfth too little.
+/// Number of paths per light, and number of paths for each selection of a cell. The escaping
+/// fraction of a cell is a ratio of two sums over its paths. Too few paths bias it: thick cells
+/// would lose too little light.
 constexpr int Paths = 16384;
 constexpr int PathsOfCell = 16;
 constexpr std::size_t Angles = 4096;
 
-/// Six numbers between 0 and 1 for each path, evenly spread in their space.
+/// A low-discrepancy sequence of six numbers between 0 and 1 per path.
 class PathNumbers
 {
 public:
@@ -39,10 +39,10 @@ public:
   }
   double Next()
   {
-    // The root of x^7 = x + 1.
+    // The root of x^7 = x + 1, which generates the sequence.
     this->Factor /= 1.1127756842787055;
-    const double place = 0.5 + this->Path * this->Factor;
-    return place - std::floor(place);
+    const double position = 0.5 + this->Path * this->Factor;
+    return position - std::floor(position);
   }
 
 private:
@@ -55,97 +55,101 @@ double MeanOf(const glm::dvec3& color)
   return (color.x + color.y + color.z) / 3.0;
 }
 
-/// The paths of one light.
+/// Follows the paths of one light.
 class LightPaths
 {
 public:
-  LightPaths(const MatterCells& matter, const ScatteringLight& light,
-    const std::vector<double>& shares, const glm::dvec3& back)
-    : Matter(matter)
+  LightPaths(const SanitizedMedium& medium, const ScatteringLight& light,
+    const std::vector<double>& cumulative, const glm::dvec3& back)
+    : Medium(medium)
     , Light(light)
-    , Shares(shares)
-    , Main(back)
-    , At((light.Position - matter.Box.Origin) / matter.Box.CellSize)
+    , CumulativeProbability(cumulative)
+    , MainDirection(back)
+    , LightPosition((light.Position - medium.Box.Origin) / medium.Box.CellSize)
   {
   }
 
-  /// What leaves of the light that a cell scatters, as shares of it.
+  /// Weight of all light scattered by a cell, and weights of the parts that escape or end in
+  /// blocked cells.
   struct Out
   {
     double All = 0.0;
-    double Back = 0.0;
-    double On = 0.0;
+    double Backward = 0.0;
+    double Forward = 0.0;
     double Blocked = 0.0;
   };
 
   void Follow(const glm::ivec3& cell, PathNumbers numbers, Out& out) const
   {
-    const ScatteringMedium& box = this->Matter.Box;
-    glm::dvec3 place(0.0);
+    const ScatteringMedium& box = this->Medium.Box;
+    glm::dvec3 position(0.0);
     glm::dvec3 way(0.0);
-    double coming = 1.0;
-    if (this->Start(cell, numbers, place, way))
+    double incident = 1.0;
+    if (this->Start(cell, numbers, position, way))
     {
-      coming = this->GetTransmittance(place, way, cell);
+      incident = this->GetTransmittance(position, way, cell);
     }
-    const double extinction = this->Matter.Extinction[box.GetIndex(cell)];
-    const double length = GetLength(box, cell, place, way);
-    const double taken = -std::expm1(-extinction * length);
-    const double weight = coming * taken;
+    const double extinction = this->Medium.Extinction[box.GetIndex(cell)];
+    const double length = GetLength(box, cell, position, way);
+    const double extinguished = -std::expm1(-extinction * length);
+    const double weight = incident * extinguished;
     if (!(weight > 0.0))
     {
       return;
     }
-    const double depth = -std::log1p(-numbers.Next() * taken);
-    place += std::min(depth / extinction, length) * way / box.CellSize;
-    place = glm::clamp(place, glm::dvec3(cell), glm::dvec3(cell + 1));
-    const glm::dvec3 scattered = this->Turn(way, numbers);
+    const double depth = -std::log1p(-numbers.Next() * extinguished);
+    position += std::min(depth / extinction, length) * way / box.CellSize;
+    position = glm::clamp(position, glm::dvec3(cell), glm::dvec3(cell + 1));
+    const glm::dvec3 scattered = this->SampleDirection(way, numbers);
     bool isBlocked = false;
-    const double seen = weight * this->GetEscape(cell, place, scattered, isBlocked);
-    const bool isBack = glm::dot(scattered, this->Main) < 0.0;
+    const double seen = weight * this->GetEscape(cell, position, scattered, isBlocked);
+    const bool isBack = glm::dot(scattered, this->MainDirection) < 0.0;
     out.All += weight;
-    (isBlocked ? out.Blocked : isBack ? out.Back : out.On) += seen;
+    (isBlocked ? out.Blocked : isBack ? out.Backward : out.Forward) += seen;
   }
 
 private:
-  /// Sets where a path of light enters a cell, and returns whether it comes from outside.
-  bool Start(const glm::ivec3& cell, PathNumbers& numbers, glm::dvec3& place, glm::dvec3& way) const
+  /// Sets the position and direction where a path enters a cell. Returns false if it starts at a
+  /// light inside the cell.
+  bool Start(
+    const glm::ivec3& cell, PathNumbers& numbers, glm::dvec3& position, glm::dvec3& way) const
   {
-    const ScatteringMedium& box = this->Matter.Box;
+    const ScatteringMedium& box = this->Medium.Box;
     const glm::dvec3 lower(cell);
     const std::array<double, 3> picks = { { numbers.Next(), numbers.Next(), numbers.Next() } };
-    if (this->Light.IsPositional && glm::all(glm::greaterThanEqual(this->At, lower)) &&
-      glm::all(glm::lessThanEqual(this->At, lower + 1.0)))
+    if (this->Light.IsPositional && glm::all(glm::greaterThanEqual(this->LightPosition, lower)) &&
+      glm::all(glm::lessThanEqual(this->LightPosition, lower + 1.0)))
     {
       const double cosine = 2.0 * picks[0] - 1.0;
       const double across = std::sqrt(std::max(1.0 - cosine * cosine, 0.0));
       const double angle = 2.0 * vtkMath::Pi() * picks[1];
-      place = this->At;
+      position = this->LightPosition;
       way = { across * std::cos(angle), across * std::sin(angle), cosine };
       return false;
     }
-    const glm::dvec3 middle = box.Origin + (lower + 0.5) * box.CellSize;
-    way = this->Light.GetDirection(middle);
-    // The side that it enters by, by the areas that the light sees of them.
+    const glm::dvec3 center = box.Origin + (lower + 0.5) * box.CellSize;
+    way = this->Light.GetDirection(center);
+    // Choose the entry face in proportion to its area projected along the light.
     glm::dvec3 areas;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double border = way[axis] > 0.0 ? lower[axis] : lower[axis] + 1.0;
-      const bool isLit = !this->Light.IsPositional || (border - this->At[axis]) * way[axis] > 0.0;
+      const bool isLit =
+        !this->Light.IsPositional || (border - this->LightPosition[axis]) * way[axis] > 0.0;
       areas[axis] = isLit ? std::abs(way[axis]) / box.CellSize[axis] : 0.0;
     }
     const double pick = picks[0] * (areas.x + areas.y + areas.z);
     const int axis = pick < areas.x ? 0 : pick < areas.x + areas.y ? 1 : 2;
-    place[axis] = way[axis] > 0.0 ? lower[axis] : lower[axis] + 1.0;
-    place[(axis + 1) % 3] = lower[(axis + 1) % 3] + picks[1];
-    place[(axis + 2) % 3] = lower[(axis + 2) % 3] + picks[2];
-    way = this->Light.GetDirection(box.Origin + place * box.CellSize);
+    position[axis] = way[axis] > 0.0 ? lower[axis] : lower[axis] + 1.0;
+    position[(axis + 1) % 3] = lower[(axis + 1) % 3] + picks[1];
+    position[(axis + 2) % 3] = lower[(axis + 2) % 3] + picks[2];
+    way = this->Light.GetDirection(box.Origin + position * box.CellSize);
     return true;
   }
 
-  /// Returns how far it is from a place to where the cell ends.
+  /// Returns the distance from a position to the cell's boundary.
   static double GetLength(const ScatteringMedium& box, const glm::ivec3& cell,
-    const glm::dvec3& place, const glm::dvec3& way)
+    const glm::dvec3& position, const glm::dvec3& way)
   {
     double length = std::numeric_limits<double>::max();
     for (int axis = 0; axis < 3; ++axis)
@@ -153,43 +157,45 @@ private:
       if (way[axis] != 0.0)
       {
         const double border = cell[axis] + (way[axis] > 0.0 ? 1.0 : 0.0);
-        length =
-          std::min(length, std::max((border - place[axis]) * box.CellSize[axis] / way[axis], 0.0));
+        length = std::min(
+          length, std::max((border - position[axis]) * box.CellSize[axis] / way[axis], 0.0));
       }
     }
     return length;
   }
 
-  /// Returns the transmittance from the light to the place where it enters a cell.
+  /// Returns the transmittance from the light to its entry into a cell.
   double GetTransmittance(
-    const glm::dvec3& place, const glm::dvec3& way, const glm::ivec3& cell) const
+    const glm::dvec3& position, const glm::dvec3& way, const glm::ivec3& cell) const
   {
-    const ScatteringMedium& box = this->Matter.Box;
-    const double reach = this->Light.IsPositional ? glm::length((place - this->At) * box.CellSize)
-                                                  : std::numeric_limits<double>::max();
-    CellRay ray(box, cell, place, -way);
+    const ScatteringMedium& box = this->Medium.Box;
+    const double reach = this->Light.IsPositional
+      ? glm::length((position - this->LightPosition) * box.CellSize)
+      : std::numeric_limits<double>::max();
+    CellRay ray(box, cell, position, -way);
     double depth = 0.0;
-    int turns = 0;
-    while (ray.GetExit() < reach && depth < 50.0 && ++turns < MostTurns && ray.Advance())
+    int crossedCells = 0;
+    while (ray.GetExit() < reach && depth < 50.0 && ++crossedCells < MaximumCells && ray.Advance())
     {
       const std::size_t index = ray.GetIndex();
       if (box.IsBlocked(index))
       {
         return 0.0;
       }
-      depth += this->Matter.Extinction[index] * (std::min(ray.GetExit(), reach) - ray.GetEntry());
+      depth += this->Medium.Extinction[index] * (std::min(ray.GetExit(), reach) - ray.GetEntry());
     }
     return std::exp(-depth);
   }
 
-  /// Returns what leaves of light that was scattered.
-  double GetEscape(
-    const glm::ivec3& cell, const glm::dvec3& place, const glm::dvec3& way, bool& isBlocked) const
+  /// Returns the fraction of light, scattered at \a position into direction \a way, that escapes.
+  /// Sets \a isBlocked to true if it ends in a blocked cell.
+  double GetEscape(const glm::ivec3& cell, const glm::dvec3& position, const glm::dvec3& way,
+    bool& isBlocked) const
   {
-    const ScatteringMedium& box = this->Matter.Box;
-    CellRay ray(box, cell, place, way);
+    const ScatteringMedium& box = this->Medium.Box;
+    CellRay ray(box, cell, position, way);
     double depth = 0.0;
-    int turns = 0;
+    int crossedCells = 0;
     do
     {
       const std::size_t index = ray.GetIndex();
@@ -198,18 +204,19 @@ private:
         isBlocked = true;
         break;
       }
-      depth += this->Matter.Extinction[index] * (ray.GetExit() - ray.GetEntry());
-    } while (depth < 50.0 && ++turns < MostTurns && ray.Advance());
-    return turns < MostTurns ? std::exp(-depth) : 0.0;
+      depth += this->Medium.Extinction[index] * (ray.GetExit() - ray.GetEntry());
+    } while (depth < 50.0 && ++crossedCells < MaximumCells && ray.Advance());
+    return crossedCells < MaximumCells ? std::exp(-depth) : 0.0;
   }
 
-  glm::dvec3 Turn(const glm::dvec3& way, PathNumbers& numbers) const
+  glm::dvec3 SampleDirection(const glm::dvec3& way, PathNumbers& numbers) const
   {
-    const double share = numbers.Next();
-    const auto found = std::upper_bound(this->Shares.begin() + 1, this->Shares.end() - 1, share);
-    const double rest = *found > found[-1] ? (share - found[-1]) / (*found - found[-1]) : 0.0;
+    const double fraction = numbers.Next();
+    const auto found = std::upper_bound(
+      this->CumulativeProbability.begin() + 1, this->CumulativeProbability.end() - 1, fraction);
+    const double rest = *found > found[-1] ? (fraction - found[-1]) / (*found - found[-1]) : 0.0;
     const double angle = vtkMath::Pi() / static_cast<double>(Angles) *
-      (static_cast<double>(found - this->Shares.begin()) - 1.0 + rest);
+      (static_cast<double>(found - this->CumulativeProbability.begin()) - 1.0 + rest);
     const double turn = 2.0 * vtkMath::Pi() * numbers.Next();
     const glm::dvec3 other =
       std::abs(way.x) < 0.6 ? glm::dvec3(1.0, 0.0, 0.0) : glm::dvec3(0.0, 1.0, 0.0);
@@ -218,43 +225,44 @@ private:
     return std::cos(angle) * way + std::sin(angle) * (std::cos(turn) * u + std::sin(turn) * v);
   }
 
-  /// The cells after which a ray between mirrors ends.
-  static constexpr int MostTurns = 10000;
+  /// Maximum number of cells along a ray between mirrors.
+  static constexpr int MaximumCells = 10000;
 
-  const MatterCells& Matter;
+  const SanitizedMedium& Medium;
   const ScatteringLight& Light;
-  const std::vector<double>& Shares;
-  glm::dvec3 Main;
-  /// The light's place, in cells.
-  glm::dvec3 At;
+  const std::vector<double>& CumulativeProbability;
+  glm::dvec3 MainDirection;
+  /// Position of the light, in cells.
+  glm::dvec3 LightPosition;
 };
 
 }
 
 SingleEscape::SingleEscape(const PhaseFunction& phase)
-  : Shares(Angles + 1, 0.0)
+  : CumulativeProbability(Angles + 1, 0.0)
 {
   for (std::size_t i = 0; i < Angles; ++i)
   {
     const double angle = vtkMath::Pi() * (static_cast<double>(i) + 0.5) / Angles;
-    this->Shares[i + 1] = this->Shares[i] + std::sin(angle) * phase.Value(std::cos(angle));
+    this->CumulativeProbability[i + 1] =
+      this->CumulativeProbability[i] + std::sin(angle) * phase.Value(std::cos(angle));
   }
-  for (double& share : this->Shares)
+  for (double& fraction : this->CumulativeProbability)
   {
-    share /= this->Shares.back();
+    fraction /= this->CumulativeProbability.back();
   }
 }
 
 EscapeRays::Sums SingleEscape::Find(
-  const MatterCells& matter, std::size_t light, const glm::dvec3& direction) const
+  const SanitizedMedium& medium, std::size_t light, const glm::dvec3& direction) const
 {
-  const ScatteringMedium& box = matter.Box;
+  const ScatteringMedium& box = medium.Box;
   const auto getSent = [&](std::size_t cell)
   {
-    return matter.CellVolume * matter.Extinction[cell] *
-      glm::dvec3(matter.Albedo[cell] * matter.Direct[light][cell]);
+    return medium.CellVolume * medium.Extinction[cell] *
+      glm::dvec3(medium.Albedo[cell] * medium.Direct[light][cell]);
   };
-  const std::size_t cells = matter.Extinction.size();
+  const std::size_t cells = medium.Extinction.size();
   glm::dvec3 sent(0.0);
   for (std::size_t cell = 0; cell < cells; ++cell)
   {
@@ -266,63 +274,63 @@ EscapeRays::Sums SingleEscape::Find(
   {
     return sums;
   }
-  // The cells that steps of equal light meet, and how often.
+  // Stratified sampling of cells in proportion to their light: each cell and its number of samples.
   constexpr int draws = Paths / PathsOfCell;
-  std::vector<std::pair<std::size_t, int>> chosen;
-  double passed = 0.0;
-  int drawn = 0;
+  std::vector<std::pair<std::size_t, int>> sampledCells;
+  double accumulated = 0.0;
+  int samples = 0;
   for (std::size_t cell = 0; cell < cells; ++cell)
   {
-    passed += MeanOf(getSent(cell));
-    const int upTo = std::min(static_cast<int>(passed / total * draws + 0.5), draws);
-    if (upTo > drawn)
+    accumulated += MeanOf(getSent(cell));
+    const int upTo = std::min(static_cast<int>(accumulated / total * draws + 0.5), draws);
+    if (upTo > samples)
     {
-      chosen.emplace_back(cell, upTo - drawn);
-      drawn = upTo;
+      sampledCells.emplace_back(cell, upTo - samples);
+      samples = upTo;
     }
   }
-  const LightPaths paths(matter, matter.Lights[light], this->Shares, direction);
-  std::vector<LightPaths::Out> outs(chosen.size());
-  std::vector<std::size_t> starts(chosen.size(), 0);
-  for (std::size_t i = 1; i < chosen.size(); ++i)
+  const LightPaths paths(medium, medium.Lights[light], this->CumulativeProbability, direction);
+  std::vector<LightPaths::Out> outs(sampledCells.size());
+  std::vector<std::size_t> starts(sampledCells.size(), 0);
+  for (std::size_t i = 1; i < sampledCells.size(); ++i)
   {
-    starts[i] = starts[i - 1] + static_cast<std::size_t>(chosen[i - 1].second * PathsOfCell);
+    starts[i] = starts[i - 1] + static_cast<std::size_t>(sampledCells[i - 1].second * PathsOfCell);
   }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(chosen.size()), 32,
+  vtkSMPTools::For(0, static_cast<vtkIdType>(sampledCells.size()), 32,
     [&](vtkIdType begin, vtkIdType end)
     {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        const int index = static_cast<int>(chosen[i].first);
+        const int index = static_cast<int>(sampledCells[i].first);
         const glm::ivec3 cell(index % box.Cells.x, index / box.Cells.x % box.Cells.y,
           index / (box.Cells.x * box.Cells.y));
-        for (int path = 0; path < chosen[i].second * PathsOfCell; ++path)
+        for (int path = 0; path < sampledCells[i].second * PathsOfCell; ++path)
         {
           paths.Follow(cell, PathNumbers(starts[i] + static_cast<std::size_t>(path)), outs[i]);
         }
       }
     });
   glm::dvec3 counted(0.0);
-  for (std::size_t i = 0; i < chosen.size(); ++i)
+  for (std::size_t i = 0; i < sampledCells.size(); ++i)
   {
     const LightPaths::Out& out = outs[i];
-    const glm::dvec3 cell = getSent(chosen[i].first);
+    const glm::dvec3 cell = getSent(sampledCells[i].first);
     if (out.All > 0.0 && MeanOf(cell) > 0.0)
     {
-      const glm::dvec3 share = chosen[i].second / MeanOf(cell) * cell;
-      counted += share;
-      sums.Back += out.Back / out.All * share;
-      sums.On += out.On / out.All * share;
-      sums.Blocked += out.Blocked / out.All * share;
-      sums.Kept += (1.0 - (out.Back + out.On + out.Blocked) / out.All) * share;
+      const glm::dvec3 fraction = sampledCells[i].second / MeanOf(cell) * cell;
+      counted += fraction;
+      sums.Backward += out.Backward / out.All * fraction;
+      sums.Forward += out.Forward / out.All * fraction;
+      sums.Blocked += out.Blocked / out.All * fraction;
+      sums.Recaptured += (1.0 - (out.Backward + out.Forward + out.Blocked) / out.All) * fraction;
     }
   }
   glm::dvec3 factor(1.0);
   for (int color = 0; color < 3; ++color)
   {
-    // No path has light where it comes out of no side.
+    // If no path carries light, all scattered light is recaptured.
     factor[color] = counted[color] > 0.0 ? sent[color] / counted[color] : 1.0;
-    sums.Kept[color] = counted[color] > 0.0 ? sums.Kept[color] : sent[color];
+    sums.Recaptured[color] = counted[color] > 0.0 ? sums.Recaptured[color] : sent[color];
   }
   sums.Scale(factor);
   return sums;

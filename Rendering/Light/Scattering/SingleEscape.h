@@ -3,7 +3,7 @@
 #define interlume_SingleEscape_h
 
 #include "Scattering/EscapeRays.h"
-#include "Scattering/MatterCells.h"
+#include "Scattering/SanitizedMedium.h"
 
 #include <cstddef>
 #include <vector>
@@ -13,27 +13,28 @@ namespace interlume
 
 /**
  * @class   SingleEscape
- * @brief   computes how much of the light that is scattered once leaves the medium
+ * @brief   computes the fraction of singly scattered light that escapes the medium
  *
- * It follows 16384 paths of a light: from where the light enters a cell, at random on the sides that
- * it shines on, to where it is scattered there, and on in a direction that the phase function
- * gives. Cells have paths by what they scatter, and a path counts by the light that comes to its
- * cell's side and what the cell takes of it on the way. So it is the transmittance itself that
- * counts within cells too, as eyes see it, however thick they are. Random numbers are those of an
- * even sequence, the same each time.
+ * Follows 16384 random paths per light. A path enters a cell through a random point of its lit
+ * faces, is scattered inside it, and continues in a direction sampled from the phase function.
+ * Cells are sampled in proportion to the light that they scatter. Paths are weighted by the light
+ * incident on the cell's face and the fraction extinguished inside the cell. Therefore escape uses
+ * the exact transmittance within cells, for any optical depth. The paths use a low-discrepancy
+ * sequence and are the same in each run.
  */
 class SingleEscape
 {
 public:
   explicit SingleEscape(const PhaseFunction& phase);
 
-  /// Returns what becomes of a light's scattered light; what leaves against \a direction is apart.
+  /// Returns the sums for singly scattered light of one light source. Light that leaves against
+  /// \a direction is summed separately.
   EscapeRays::Sums Find(
-    const MatterCells& matter, std::size_t light, const glm::dvec3& direction) const;
+    const SanitizedMedium& medium, std::size_t light, const glm::dvec3& direction) const;
 
 private:
-  /// The share of the light that is scattered by less than an angle, at even angles from 0 to pi.
-  std::vector<double> Shares;
+  /// Cumulative probability of the scattering angle, at equally spaced angles from 0 to pi.
+  std::vector<double> CumulativeProbability;
 };
 
 }

@@ -16,11 +16,11 @@ struct SliceScene;
 
 /**
  * @class   ImageState
- * @brief   view, lights and slices, which all volumes of an image share
+ * @brief   camera, lights and slice plan shared by all volumes of an image
  */
 struct ImageState
 {
-  SlicePlan::Eye Eye;
+  SlicePlan::Camera Camera;
   SlicePlan Plan;
   std::vector<LightSource> Lights;
   glm::dvec3 Ambient{ 1.0, 1.0, 1.0 };
@@ -28,7 +28,7 @@ struct ImageState
   /// Columns and rows.
   std::array<int, 2> Size{ { 0, 0 } };
 
-  /// A clipping plane of the camera: whether it cuts the volumes, and the half space that remains,
+  /// A clipping plane of the camera. If it cuts the volumes, Plane is the half space that remains,
   /// in unit space.
   struct ViewPlane
   {
@@ -39,12 +39,12 @@ struct ImageState
   ViewPlane FarPlane;
 
   bool IsSmoothLookup = true;
-  /// If true, some volume transmits colored light, so that all light has three channels.
+  /// If true, a volume has a transmission color, so that all light buffers have three channels.
   bool HasColoredLight = false;
-  /// If true, opaque surfaces of the renderer may occlude volumes.
+  /// If true, opaque surfaces of the renderer can occlude volumes.
   bool MayBeOccluded = false;
 
-  /// The scene around the volumes; null if they are rendered without one.
+  /// The scene that contains the volumes, or null.
   SliceScene* Scene = nullptr;
 
   int GetLightChannels() const { return this->HasColoredLight ? 3 : 1; }

@@ -26,7 +26,7 @@ std::string Replace(std::string text, const std::string& mark, const std::string
   return text;
 }
 
-// Returns the names in the table. Those of lights end with _0 there.
+// Returns the macro names in the table. Names of light macros end with _0 there.
 std::set<std::string> FindNames()
 {
   std::set<std::string> names;
@@ -53,39 +53,41 @@ bool IsKnown(const std::string& name)
 const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
 {
   static const std::vector<Choice> table{
-    // The transfer functions: columns, rows, and the component that has opacity.
+    // Transfer functions: columns, rows, and the component that defines opacity.
     { "columns", "COLUMNS=4096", EVERY, "", "", true },
     { "material", "ROWS=1 OPACITY_OF=r", EVERY, "", "", true },
-    { "material", "ROWS=2 OPACITY_OF=r", EVERY, "", "MATTER", true },
-    { "material", "ROWS=3 OPACITY_OF=r", EVERY, "", "MATTER", true },
-    { "material", "ROWS=4 OPACITY_OF=r", EVERY, "", "MATTER", true },
-    { "material", "ROWS=1 OPACITY_OF=g", EVERY, "", "MATTER", true },
-    { "material", "ROWS=1 OPACITY_OF=a", LIGHT | RECEIVER, "", "MATTER", true },
-    { "material", "ROWS=1 OPACITY_OF=a RGB", IMAGE, "", "MATTER", true },
-    { "gradient opacity", "GRADIENT_OPACITY", EVERY, "", "MATTER" },
-    { "lists", "BENDS", EVERY, "", "MATTER" },
-    { "edges", "EDGES EDGE_PLACES=4095", EVERY, "", "MATTER" },
+    { "material", "ROWS=2 OPACITY_OF=r", EVERY, "", "CUSTOM_MEDIUM", true },
+    { "material", "ROWS=3 OPACITY_OF=r", EVERY, "", "CUSTOM_MEDIUM", true },
+    { "material", "ROWS=4 OPACITY_OF=r", EVERY, "", "CUSTOM_MEDIUM", true },
+    { "material", "ROWS=1 OPACITY_OF=g", EVERY, "", "CUSTOM_MEDIUM", true },
+    { "material", "ROWS=1 OPACITY_OF=a", LIGHT | RECEIVER, "", "CUSTOM_MEDIUM", true },
+    { "material", "ROWS=1 OPACITY_OF=a RGB", IMAGE, "", "CUSTOM_MEDIUM", true },
+    { "gradient opacity", "GRADIENT_OPACITY", EVERY, "", "CUSTOM_MEDIUM" },
+    { "lists", "BENDS", EVERY, "", "CUSTOM_MEDIUM" },
+    { "edges", "EDGES EDGE_POSITIONS=4095", EVERY, "", "CUSTOM_MEDIUM" },
     // The medium.
-    { "medium", "MATTER", EVERY },
-    { "mask", "MASK", EVERY, "", "MATTER" },
+    { "medium", "CUSTOM_MEDIUM", EVERY },
+    { "mask", "MASK", EVERY, "", "CUSTOM_MEDIUM" },
     { "cropping", "CROPPING", EVERY },
     { "clipping", "CLIPPING_PLANES=2", EVERY },
-    // Equal sources would share one program, and its uniforms.
+    // Equal sources would share a program and its uniforms.
     { "volume", "VOLUME_NUMBER=1", EVERY },
     { "light", "LIGHT_NUMBER=1", LIGHT | RECEIVER },
-    // Colors of light within the medium.
-    { "light colors", "TRANSMISSION", IMAGE, "LIT", "MATTER ROWS=2 ROWS=3 ROWS=4 OPACITY_OF=a" },
+    // Transmission colors.
+    { "light colors", "TRANSMISSION", IMAGE, "LIT",
+      "CUSTOM_MEDIUM ROWS=2 ROWS=3 ROWS=4 OPACITY_OF=a" },
     { "light colors", "TRANSMISSION", LIGHT | RECEIVER, "",
-      "MATTER ROWS=2 ROWS=3 ROWS=4 OPACITY_OF=a" },
-    { "light colors", "TRANSMISSION GREY", IMAGE, "LIT" },
-    { "light colors", "TRANSMISSION GREY", LIGHT | RECEIVER },
-    // Fragments that are drawn apart from others.
-    { "part", "THIN LEAST_DEPTH=0.15", IMAGE, "LIT SHADOW_0", "MATTER SPANS GRADIENT_OPACITY" },
-    { "part", "EMPTY LEAST_DEPTH=0.15", IMAGE, "", "MATTER LIT BACK_TO_FRONT" },
-    { "part", "THICK SUMS LEAST_DEPTH=0.15", IMAGE, "LIT SHADOW_0",
-      "MATTER SPANS GRADIENT_OPACITY" },
-    { "spans", "SUMS SPANS", IMAGE, "", "MATTER GRADIENT_OPACITY" },
-    { "spans", "SUMS SPANS", LIGHT, "", "MATTER GRADIENT_OPACITY WIDE" },
+      "CUSTOM_MEDIUM ROWS=2 ROWS=3 ROWS=4 OPACITY_OF=a" },
+    { "light colors", "TRANSMISSION GRAY", IMAGE, "LIT" },
+    { "light colors", "TRANSMISSION GRAY", LIGHT | RECEIVER },
+    // Fragments that are drawn separately.
+    { "part", "THIN MINIMUM_DEPTH=0.15", IMAGE, "LIT SHADOW_0",
+      "CUSTOM_MEDIUM SPANS GRADIENT_OPACITY" },
+    { "part", "EMPTY MINIMUM_DEPTH=0.15", IMAGE, "", "CUSTOM_MEDIUM LIT BACK_TO_FRONT" },
+    { "part", "THICK SUMS MINIMUM_DEPTH=0.15", IMAGE, "LIT SHADOW_0",
+      "CUSTOM_MEDIUM SPANS GRADIENT_OPACITY" },
+    { "spans", "SUMS SPANS", IMAGE, "", "CUSTOM_MEDIUM GRADIENT_OPACITY" },
+    { "spans", "SUMS SPANS", LIGHT, "", "CUSTOM_MEDIUM GRADIENT_OPACITY WIDE" },
     // The view.
     { "projection", "PERSPECTIVE", IMAGE },
     { "near plane", "NEAR_PLANE", IMAGE },
@@ -94,7 +96,7 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
     { "surfaces in front", "FRONT", IMAGE, "OPAQUE" },
     { "order", "BACK_TO_FRONT", IMAGE },
     // Light.
-    { "lookup", "NEAREST_LIGHT", IMAGE | RECEIVER },
+    { "lookup", "NEAREST_LOOKUP", IMAGE | RECEIVER },
     { "lights", "LIT", IMAGE },
     { "shading", "SHADE", IMAGE, "LIT" },
     { "two sides", "TWO_SIDED", IMAGE, "LIT SHADE" },
@@ -103,7 +105,7 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
     { "phase function", "PHASE_ANISOTROPY", IMAGE, "LIT SCATTER" },
     { "phase function", "PHASE_TABLE PHASE_COLUMNS=4096", IMAGE, "LIT SCATTER" },
     { "scattered light", "FIELD_MAPS=3", IMAGE, "LIT SCATTER" },
-    // One light of the image, or that of the program.
+    // A light of the image, or the program's light.
     { "position", "POSITIONAL_0", IMAGE, "LIT" },
     { "position", "POSITIONAL_0", RECEIVER },
     { "position", "POSITIONAL", LIGHT },
@@ -119,8 +121,9 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
     { "half space", "WIDE_0", RECEIVER, "POSITIONAL_0" },
     { "half space", "WIDE", LIGHT, "POSITIONAL" },
     { "forward light", "FORWARD_MAP_0=2", IMAGE, "LIT SCATTER FIELD_MAPS=3" },
-    { "surfaces' shadows", "CASTER_GATHER CASTERS_0 CASTER_SHARE_0=1.0", IMAGE, "LIT SHADOW_0" },
-    // A further volume of a slab.
+    { "surfaces' shadows", "OCCLUDER_GATHER OCCLUDERS_0 OCCLUDER_FRACTION_0=1.0", IMAGE,
+      "LIT SHADOW_0" },
+    // Second and further volumes of a slab.
     { "further volume", "WITHIN", RECEIVER, "VOLUME_NUMBER=1" },
   };
   return table;
@@ -153,10 +156,10 @@ std::string SliceFeatures::MakeSource(const Sources& sources) const
   std::string calls;
   for (std::size_t i = 0; i < sources.Lights.size(); ++i)
   {
-    const std::string& panes = sources.Lights[i];
+    const std::string& translucent = sources.Lights[i];
     const std::string number = std::to_string(i);
-    lights += Replace(
-      Replace(InterlumeSliceLight, "OF_PANES_INDEX ", panes.empty() ? panes : panes + " * "),
+    lights += Replace(Replace(InterlumeSliceLight, "OF_TRANSLUCENT_INDEX ",
+                        translucent.empty() ? translucent : translucent + " * "),
       "INDEX", number);
     calls += "shine_" + number + "(color);\n";
   }
@@ -165,11 +168,11 @@ std::string SliceFeatures::MakeSource(const Sources& sources) const
     : this->Program == LIGHT                  ? InterlumeSliceLightFS
                                               : InterlumeSliceReceiverFS;
   source = Replace(source, "//INTERLUME::MEDIUM",
-    Replace(InterlumeSliceMedium, "//INTERLUME::MATTER", sources.Medium));
+    Replace(InterlumeSliceMedium, "//INTERLUME::CUSTOM_MEDIUM", sources.Medium));
   source = Replace(source, "//INTERLUME::LIGHTS", lights);
   source = Replace(source, "//INTERLUME::SHINE", calls);
   source = Replace(source, "//INTERLUME::SCATTER", has("SCATTER") ? InterlumeSliceScatter : "");
-  // VTK declares every output that is named, whatever the features are.
+  // VTK declares every output that the source names, even if a feature excludes it.
   source = Replace(
     source, "//INTERLUME::BATCH", sources.HasBatches ? "gl_FragData[1] = gl_FragData[0];" : "");
   return ShaderFeatures::Insert(source, this->Macros);

@@ -10,16 +10,16 @@ namespace interlume
 
 /**
  * @class   SliceFeatures
- * @brief   the macros of a slice program, and the program's source
+ * @brief   the macros of a slice shader, and its source
  *
- * A feature that is off is not in the source. One table lists all macros with their valid
- * combinations; TestSliceShaders compiles each of them, and each pair.
+ * Disabled features are removed from the source. A table lists all macros and their valid
+ * combinations. TestSliceShaders compiles each choice and each valid pair of choices.
  */
 class SliceFeatures
 {
 public:
-  /// The programs, as bits: fragments of the image, of a light's buffer, and the surfaces of a
-  /// scene that a light shines on.
+  /// Types of programs, as bits: image fragments, light buffer fragments, and surfaces of a scene
+  /// that receive shadows.
   enum Programs
   {
     IMAGE = 1,
@@ -28,35 +28,36 @@ public:
     EVERY = 7
   };
 
-  /// A choice for one aspect of a program. Macros of lights are those of light 0.
+  /// A choice for one aspect of a program. Macros of lights are listed for light 0.
   struct Choice
   {
-    /// Choices of one aspect exclude each other.
+    /// Choices of the same aspect are mutually exclusive.
     const char* Aspect;
-    /// Macros, with their values, or examples of them.
+    /// Macros, with values or example values.
     const char* Macros;
-    /// The programs that it is for.
+    /// Programs that support the choice.
     int Programs;
-    /// Macros that must be defined too, and those that must not.
+    /// Macros that must be defined, and macros that must not be defined.
     const char* Needs = "";
     const char* Excludes = "";
-    /// If true, each of the programs has a choice for the aspect.
+    /// If true, each program that supports the choice needs a choice for this aspect.
     bool IsRequired = false;
   };
   static const std::vector<Choice>& GetTable();
 
-  /// Parts of a source that depend on more than macros.
+  /// Source code that depends on more than macros.
   struct Sources
   {
-    /// The functions of vtkSliceMedium.
+    /// Source of the functions of vtkSliceMedium.
     std::string Medium;
-    /// What lights call to find the shadows of surfaces.
+    /// Functions that evaluate the shadows of surfaces.
     std::string Surfaces;
-    /// For each light the shadows of translucent surfaces, a call, or an empty string.
+    /// For each light, a call that evaluates the shadows of translucent surfaces, or an empty
+    /// string.
     std::vector<std::string> Lights;
-    /// If true, light that was scattered in all directions is added.
+    /// If true, multiple scattering in all directions is added.
     bool HasFluence = false;
-    /// If true, a light's buffer has a second target for batches of slabs.
+    /// If true, light buffers have a second target, for batches of slabs.
     bool HasBatches = false;
   };
 
@@ -66,15 +67,16 @@ public:
   }
 
   ///@{
-  /// Adds a macro, if \a isOn, or a macro with a value.
+  /// Adds a macro if \a isOn, or a macro with a value.
   void Add(const std::string& name, bool isOn = true);
   void AddValue(const std::string& name, const std::string& value);
   void AddValue(const std::string& name, int value) { this->AddValue(name, std::to_string(value)); }
   ///@}
-  /// Adds macros that the table does not list, separated by spaces: those of other sources.
+  /// Adds macros of other sources, separated by spaces. The table does not list them.
   void AddOther(const std::string& macros) { this->Macros += " " + macros; }
 
-  /// Returns the source of the fragment shader; an invalid one if a macro is not in the table.
+  /// Returns the source of the fragment shader. If a macro is not in the table, the source has an
+  /// #error line.
   std::string MakeSource(const Sources& sources) const;
 
 private:

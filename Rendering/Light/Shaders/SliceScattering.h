@@ -19,20 +19,20 @@ namespace interlume
 
 /**
  * @class   SliceScattering
- * @brief   how the light of a volume's picture is scattered towards the eye
+ * @brief   the scattering of a volume toward the camera
  *
- * Light that was scattered before is known at the nodes of a grid: maps of four floats a node, one
- * behind the other along z of one texture. The first two are Fluence and Lean of ScatteringField,
- * the latter in the axes of unit space, then comes Forward of each light.
+ * Multiple scattering is stored at the nodes of a grid, in maps of four floats per node, stacked
+ * along z in one texture. The first map is Fluence, the second is NetFlux of ScatteredLight in the
+ * axes of unit space. The maps of Forward follow, one per light.
  */
 struct SliceScattering
 {
-  /// The number of values of a phase function by a table, over the cosine from -1 to 1.
+  /// Number of samples of a tabulated phase function, over the cosine from -1 to 1.
   static constexpr int PhaseColumns = 4096;
 
   bool IsOn() const { return this->Mode != vtkShadowedSliceSettings::NO_SCATTERING; }
   bool HasField() const { return !this->Texels.empty(); }
-  /// The number of the map of a light; 0 where it has none.
+  /// Returns the index of a light's map, or 0 if it has no map.
   int GetForwardMap(const vtkLight* light) const
   {
     const auto found = std::find(this->ForwardLights.begin(), this->ForwardLights.end(), light);
@@ -49,23 +49,23 @@ struct SliceScattering
   /// See vtkShadowedSliceSettings::ScatteringModes and PhaseFunctions.
   int Mode = vtkShadowedSliceSettings::NO_SCATTERING;
   int Kind = vtkShadowedSliceSettings::ISOTROPIC_PHASE;
-  /// Of Henyey and Greenstein's function.
+  /// Mean cosine of the Henyey-Greenstein function.
   double Anisotropy = 0.0;
-  /// The mean cosine of any.
+  /// Mean cosine of the selected phase function.
   double MeanCosine = 0.0;
-  /// What the eye sees of all scattered light.
+  /// Brightness factor for all scattered light.
   double Brightness = 1.0;
-  /// 4 pi times the phase function, PhaseColumns values, of one by a table.
+  /// For a tabulated phase function, PhaseColumns values of 4 pi times the function.
   std::vector<float> Phases;
 
-  /// The maps; empty without light that was scattered before.
+  /// The maps. Empty if there is no multiple scattering.
   std::vector<float> Texels;
   glm::ivec3 Nodes{ 0 };
-  /// Whether there is light in all directions.
+  /// If true, there is scattered light in all directions.
   bool HasFluence = false;
-  /// From unit space to numbers of nodes.
+  /// Transformation from unit space to node indices.
   glm::dmat4 NodeFromUnit{ 1.0 };
-  /// The lights that have a map.
+  /// Lights with a map.
   std::vector<const vtkLight*> ForwardLights;
 };
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shaders/SliceShader.h"
 
-#include "Casters/SceneCasters.h"
+#include "ShadowMaps/SceneOccluders.h"
 #include "Common/Vectors.h"
 #include "Receivers/SliceScene.h"
 #include "Shaders/SliceFeatures.h"
 #include "Space/ShaderUniforms.h"
 #include "Space/UnitVector.h"
-#include "Translucent/PaneMaps.h"
+#include "Translucent/TranslucentShadowMaps.h"
 
 #include "vtkProjectiveLight.h"
 #include "vtkSliceMedium.h"
@@ -20,12 +20,12 @@ namespace interlume
 
 namespace
 {
-// The optical depth of a slab from which on it counts as thick: thinner ones show no steps.
-constexpr double LeastDepth = 0.15;
+// Optical depth above which a slab counts as thick. Thinner slabs show no steps.
+constexpr double ThickDepth = 0.15;
 
-// The share of samples with matter up to which software OpenGL draws what is empty first. A sphere
-// that fills two thirds of its blocks takes as long either way.
-constexpr double MostForEmptyPart = 0.5;
+// Maximum fraction of occupied samples at which software OpenGL draws empty fragments first. At
+// higher fractions, this saves no time.
+constexpr double MaximumOccupancyForEmptyPart = 0.5;
 
 using Sweep = SlicePlan::Sweep;
 using ShadowedLight = SlicePlan::ShadowedLight;
@@ -43,14 +43,14 @@ void AddMedium(const VolumeRenderState& frame, SliceFeatures& features)
   {
     features.AddValue("VOLUME_NUMBER", frame.Number);
   }
-  features.Add("MATTER", frame.Medium != nullptr);
+  features.Add("CUSTOM_MEDIUM", frame.Medium != nullptr);
   features.Add("MASK", !frame.Samples.Mask.empty());
   features.Add("GRADIENT_OPACITY", !material.GradientOpacity.empty());
   features.Add("BENDS", !material.Bends.empty());
   if (material.HasEdges())
   {
     features.Add("EDGES");
-    features.AddValue("EDGE_PLACES", TransferColumns::EdgePlaces);
+    features.AddValue("EDGE_POSITIONS", TransferColumns::EdgePositions);
   }
   features.Add("CROPPING", frame.Region.Regions.HasGaps());
   if (!frame.Region.ClippingPlanes.empty())
@@ -59,20 +59,20 @@ void AddMedium(const VolumeRenderState& frame, SliceFeatures& features)
   }
 }
 
-// Returns the functions of a medium that is not that of the samples.
+// Returns the source of a custom medium.
 std::string GetMedium(const VolumeRenderState& frame)
 {
   return frame.Medium ? frame.Medium->GetSource() : std::string();
 }
 
-// Returns whether light has colours of its own inside the matter, or another volume's.
+// Returns true if any volume of the image colors the light that it transmits.
 bool HasTransmission(const VolumeRenderState& frame)
 {
   return frame.Image->GetLightChannels() > 1 && frame.Image->HasShadows();
 }
 
-// Returns whether extinctions are integrated over a ray's way through a slab, between two samples,
-// instead of taken from its middle.
+// Returns true if extinction is integrated between two samples of a slab instead of taken at its
+// center.
 bool HasSpans(const VolumeRenderState& frame, bool isThick)
 {
   return !isThick && frame.Image->HasShadows() &&
@@ -83,7 +83,7 @@ bool HasSpans(const VolumeRenderState& frame, bool isThick)
 void AddTransmission(const VolumeRenderState& frame, SliceFeatures& features)
 {
   features.Add("TRANSMISSION", HasTransmission(frame));
-  features.Add("GREY", HasTransmission(frame) && frame.Material.Transmission.empty());
+  features.Add("GRAY", HasTransmission(frame) && frame.Material.Transmission.empty());
 }
 
 const ShadowedLight* FindShadow(const Sweep& sweep, int light)
@@ -104,20 +104,21 @@ void AddLight(const LightSource& light, const ShadowedLight* shadow, const std::
   features.Add("WIDE" + suffix, shadow && shadow->IsWide);
 }
 
-// Returns whether surfaces of the scene cast shadows in the volume.
-bool HasCasters(const VolumeRenderState& frame)
+// Returns true if surfaces of the scene cast shadows in the volume.
+bool HasOccluders(const VolumeRenderState& frame)
 {
-  return frame.Image->Scene && frame.Image->HasShadows() && frame.Image->Scene->Casters->HasViews();
+  return frame.Image->Scene && frame.Image->HasShadows() &&
+    frame.Image->Scene->Occluders->HasViews();
 }
 
-// Returns whether translucent surfaces of the scene do.
-bool HasPanes(const VolumeRenderState& frame)
+// Returns true if translucent surfaces of the scene cast shadows in the volume.
+bool HasTranslucentShadows(const VolumeRenderState& frame)
 {
-  return frame.Image->Scene && frame.Image->HasShadows() && frame.Image->Scene->Panes &&
-    frame.Image->Scene->Panes->GetLayers() > 0;
+  return frame.Image->Scene && frame.Image->HasShadows() && frame.Image->Scene->TranslucentMaps &&
+    frame.Image->Scene->TranslucentMaps->GetLayers() > 0;
 }
 
-// Adds how light is scattered toward the camera.
+// Adds the features of scattering toward the camera.
 void AddScattering(const SliceScattering& scattering, SliceFeatures& features)
 {
   if (!scattering.IsOn())
@@ -139,8 +140,8 @@ void AddScattering(const SliceScattering& scattering, SliceFeatures& features)
   }
 }
 
-// Returns the number of the map of what is scattered on with a light of the list, for the first of
-// those that stand for it, or 0.
+// Returns the index of a light's map of forward-scattered light, or 0. Only the first of several
+// samples of an area light has the map.
 int GetForwardMap(const VolumeRenderState& frame, int light)
 {
   const auto isSame = [&](const LightSource& other)
@@ -151,8 +152,8 @@ int GetForwardMap(const VolumeRenderState& frame, int light)
     : 0;
 }
 
-// Adds the macros of a light of the image, by its number there and in the list, and returns the
-// shadows of translucent surfaces, a call, or an empty string.
+// Adds the macros of a light, by its index \a number in the shader and its index in the image.
+// Returns a call that evaluates the shadows of translucent surfaces, or an empty string.
 std::string AddLightOfImage(const VolumeRenderState& frame, std::size_t sweep, int light,
   std::size_t number, SliceFeatures& features)
 {
@@ -160,25 +161,25 @@ std::string AddLightOfImage(const VolumeRenderState& frame, std::size_t sweep, i
   const LightSource& source = image.Lights[light];
   const std::string suffix = "_" + std::to_string(number);
   AddLight(source, FindShadow(image.Plan.Sweeps[sweep], light), suffix, features);
-  const std::string share = HasCasters(frame)
-    ? image.Scene->Casters->GetShare(source.Light, "sampleAt", "vec4(0.0)")
+  const std::string fraction = HasOccluders(frame)
+    ? image.Scene->Occluders->GetLightFraction(source.Light, "sampleAt", "vec4(0.0)")
     : std::string();
-  if (!share.empty())
+  if (!fraction.empty())
   {
-    features.Add("CASTERS" + suffix);
-    features.AddValue("CASTER_SHARE" + suffix, share);
+    features.Add("OCCLUDERS" + suffix);
+    features.AddValue("OCCLUDER_FRACTION" + suffix, fraction);
   }
   const int map = GetForwardMap(frame, light);
   if (map > 0)
   {
     features.AddValue("FORWARD_MAP" + suffix, map);
   }
-  return HasPanes(frame) ? image.Scene->Panes->GetShare(source.Light, "sampleAt", "vec4(0.0)")
-                         : std::string();
+  return HasTranslucentShadows(frame)
+    ? image.Scene->TranslucentMaps->GetLightFraction(source.Light, "sampleAt", "vec4(0.0)")
+    : std::string();
 }
 
-// The map from a texel to the column of its value in a row of the range: less the origin, times the
-// scale.
+// Maps a texel to a table column of each row: (texel - Origin) * Scale.
 struct Columns
 {
   std::array<double, 4> Scale{ { 0.0, 0.0, 0.0, 0.0 } };
@@ -198,7 +199,7 @@ Columns GetColorColumns(const VolumeRenderState& frame)
   Columns columns;
   if (frame.Material.Kind == MaterialTable::RGB_OPACITY)
   {
-    // Texels of bytes are colours as texels; all others are colours as they are.
+    // Texels of bytes are already normalized colors. Other texels are mapped to their values.
     const bool isByte = samples.Scale[0] == 255.0 && samples.Offset[0] == 0.0;
     for (int c = 0; c < 3; ++c)
     {
@@ -308,8 +309,8 @@ std::vector<int> SliceShader::GetLightsOf(const VolumeRenderState& frame, std::s
   {
     lights.push_back(light.Light);
   }
-  for (std::size_t i = 0;
-       frame.Image->Plan.IsOfFirstPicture(sweep) && i < frame.Image->Lights.size(); ++i)
+  for (std::size_t i = 0; frame.Image->Plan.IsOfFirstImage(sweep) && i < frame.Image->Lights.size();
+       ++i)
   {
     if (!(frame.Image->Lights[i].ShadowStrength > 0.0))
     {
@@ -340,9 +341,10 @@ double SliceShader::GetRampExtinction(const VolumeRenderState& frame)
 bool SliceShader::HasThickPart(const VolumeRenderState& frame, std::size_t sweep)
 {
   const SlicePlan::Sweep& planned = frame.Image->Plan.Sweeps[sweep];
-  // On a ramp that is steep some slabs would see a jump and others none, which shows as stripes.
+  // Ramps are excluded: on a steep ramp, some slabs would contain a jump and others not, which
+  // causes stripes.
   return frame.Material.HasSharpOpacity() &&
-    GetLargestExtinction(frame) * planned.Spacing > LeastDepth &&
+    GetLargestExtinction(frame) * planned.Spacing > ThickDepth &&
     std::any_of(planned.Lights.begin(), planned.Lights.end(),
       [](const ShadowedLight& light) { return !light.IsWide; });
 }
@@ -350,7 +352,7 @@ bool SliceShader::HasThickPart(const VolumeRenderState& frame, std::size_t sweep
 bool SliceShader::HasEmptyPart(const VolumeRenderState& frame, std::size_t sweep)
 {
   return frame.IsSoftware && frame.IsLit() && !frame.Medium &&
-    frame.OccupiedFraction < MostForEmptyPart && !HasThickPart(frame, sweep);
+    frame.OccupiedFraction < MaximumOccupancyForEmptyPart && !HasThickPart(frame, sweep);
 }
 
 bool SliceShader::HasThinPart(const VolumeRenderState& frame, std::size_t sweep)
@@ -358,7 +360,7 @@ bool SliceShader::HasThinPart(const VolumeRenderState& frame, std::size_t sweep)
   return !HasThickPart(frame, sweep) ||
     frame.Material.GetSmallestExtinction() * frame.Image->Plan.Sweeps[sweep].Spacing *
       frame.Space.Radius <=
-    LeastDepth;
+    ThickDepth;
 }
 
 std::string SliceShader::GetEyeSource(
@@ -374,13 +376,13 @@ std::string SliceShader::GetEyeSource(
   features.Add("THICK", part == THICK);
   if (part != ALL)
   {
-    features.AddValue("LEAST_DEPTH", std::to_string(LeastDepth));
+    features.AddValue("MINIMUM_DEPTH", std::to_string(ThickDepth));
   }
   const bool hasSpans = part != THICK && HasSpans(frame, HasThickPart(frame, sweep));
   features.Add("SUMS", part == THICK || hasSpans);
   features.Add("SPANS", hasSpans);
-  features.Add("NEAREST_LIGHT", !image.IsSmoothLookup);
-  features.Add("PERSPECTIVE", !image.Eye.IsParallel);
+  features.Add("NEAREST_LOOKUP", !image.IsSmoothLookup);
+  features.Add("PERSPECTIVE", !image.Camera.IsParallel);
   features.Add("NEAR_PLANE", image.NearPlane.IsCutting);
   features.Add("FAR_PLANE", image.FarPlane.IsCutting);
   features.Add("OPAQUE", isOccluded);
@@ -396,18 +398,19 @@ std::string SliceShader::GetEyeSource(
   features.Add("TWO_SIDED", frame.IsShaded && frame.TwoSidedLighting);
   AddScattering(frame.Scattering, features);
   AddTransmission(frame, features);
-  if (HasCasters(frame))
+  if (HasOccluders(frame))
   {
-    features.Add("CASTER_GATHER");
-    features.AddOther(image.Scene->Casters->GetFeatures());
-    sources.Surfaces = image.Scene->Casters->GetSource();
+    features.Add("OCCLUDER_GATHER");
+    features.AddOther(image.Scene->Occluders->GetFeatures());
+    sources.Surfaces = image.Scene->Occluders->GetSource();
   }
-  sources.Surfaces += HasPanes(frame) ? image.Scene->Panes->GetSource(false) : std::string();
+  sources.Surfaces +=
+    HasTranslucentShadows(frame) ? image.Scene->TranslucentMaps->GetSource(false) : std::string();
   for (int light : GetLightsOf(frame, sweep))
   {
     sources.Lights.push_back(AddLightOfImage(frame, sweep, light, sources.Lights.size(), features));
   }
-  sources.HasFluence = frame.Scattering.HasFluence && image.Plan.IsOfFirstPicture(sweep);
+  sources.HasFluence = frame.Scattering.HasFluence && image.Plan.IsOfFirstImage(sweep);
   return features.MakeSource(sources);
 }
 
@@ -438,10 +441,10 @@ std::string SliceShader::GetReceiverSource(
   sources.Lights.resize(1);
   AddMedium(frame, features);
   AddTransmission(frame, features);
-  features.Add("NEAREST_LIGHT", !frame.Image->IsSmoothLookup);
+  features.Add("NEAREST_LOOKUP", !frame.Image->IsSmoothLookup);
   AddLight(frame.Image->Lights[light.Light], &light, "_0", features);
   features.AddValue("LIGHT_NUMBER", light.Light);
-  // The first volume has the light's buffer, which is the same for all of them.
+  // All volumes share the light buffer, so only the first volume's program includes it.
   features.Add("WITHIN", frame.Number > 0);
   return features.MakeSource(sources);
 }
@@ -455,8 +458,8 @@ std::string SliceShader::GetNames(const VolumeRenderState& frame, bool isOcclude
   names += material.Rows > 1 ? "-" + std::to_string(material.Rows) : std::string();
   const auto add = [&names](bool has, const char* name)
   { names += has ? std::string(" ") + name : std::string(); };
-  add(frame.Image->Eye.IsParallel, "parallel");
-  add(!frame.Image->Eye.IsParallel, "perspective");
+  add(frame.Image->Camera.IsParallel, "parallel");
+  add(!frame.Image->Camera.IsParallel, "perspective");
   add(frame.Medium != nullptr, "matter");
   add(!frame.Samples.Mask.empty(), "mask");
   add(!material.GradientOpacity.empty(), "gradient-opacity");
@@ -476,8 +479,8 @@ std::string SliceShader::GetNames(const VolumeRenderState& frame, bool isOcclude
   add(scattering.IsOn() && scattering.Kind == vtkShadowedSliceSettings::TABLE_PHASE, "phase-table");
   add(scattering.HasField(), "scattering-field");
   add(HasTransmission(frame), "transmission");
-  add(HasCasters(frame), "casters");
-  add(HasPanes(frame), "panes");
+  add(HasOccluders(frame), "casters");
+  add(HasTranslucentShadows(frame), "panes");
   const auto hasShadow = [&frame](auto&& test)
   {
     return std::any_of(frame.Image->Plan.Sweeps.begin(), frame.Image->Plan.Sweeps.end(),
@@ -504,24 +507,24 @@ void SliceShader::SetEyeUniforms(
   const ImageState& image = *frame.Image;
   SetMediumUniforms(program, frame, image.Plan.Sweeps[sweep]);
   const ShaderUniforms uniforms(program);
-  uniforms.Set("clipFromUnit", image.Eye.ClipFromUnit);
-  uniforms.Set("eyeDirection", image.Eye.Direction);
-  uniforms.Set("eyePosition", image.Eye.Position);
+  uniforms.Set("clipFromUnit", image.Camera.ClipFromUnit);
+  uniforms.Set("eyeDirection", image.Camera.Direction);
+  uniforms.Set("eyePosition", image.Camera.Position);
   uniforms.Set("nearPlane", image.NearPlane.Plane);
   uniforms.Set("farPlane", image.FarPlane.Plane);
   uniforms.Set("imageSize", glm::dvec2(image.Size[0], image.Size[1]));
-  uniforms.Set("unitFromClip", glm::inverse(image.Eye.ClipFromUnit));
+  uniforms.Set("unitFromClip", glm::inverse(image.Camera.ClipFromUnit));
   if (!frame.IsLit())
   {
     return;
   }
-  if (HasCasters(frame))
+  if (HasOccluders(frame))
   {
-    image.Scene->Casters->SetUniforms(program, frame.Space.GetWorldFromUnit());
+    image.Scene->Occluders->SetUniforms(program, frame.Space.GetWorldFromUnit());
   }
-  if (HasPanes(frame))
+  if (HasTranslucentShadows(frame))
   {
-    image.Scene->Panes->SetUniforms(program, frame.Space.GetWorldFromUnit());
+    image.Scene->TranslucentMaps->SetUniforms(program, frame.Space.GetWorldFromUnit());
   }
   int number = 0;
   for (int light : GetLightsOf(frame, sweep))
@@ -541,13 +544,13 @@ void SliceShader::SetEyeUniforms(
     materials.push_back(glm::make_vec4(frame.Materials[row].data()));
     const std::array<double, 2>& scalars = material.ScalarRange[row];
     const std::array<double, 2>& range = material.OpacityRange[row];
-    // A change by a millionth of the range is rounding.
+    // Changes below a millionth of the range are rounding errors.
     surfaceColumns[row] = (MaterialTable::Columns - 1) *
       std::max(frame.SurfaceGradient * ((scalars[1] - scalars[0]) / (range[1] - range[0])), 1e-6);
   }
   uniforms.Set("materials", materials);
   uniforms.Set("surfaceColumns", surfaceColumns);
-  uniforms.Set("ambient", image.Plan.IsOfFirstPicture(sweep) ? image.Ambient : glm::dvec3(0.0));
+  uniforms.Set("ambient", image.Plan.IsOfFirstImage(sweep) ? image.Ambient : glm::dvec3(0.0));
 }
 
 void SliceShader::SetLightUniforms(vtkShaderProgram* program, const VolumeRenderState& frame,
@@ -555,7 +558,8 @@ void SliceShader::SetLightUniforms(vtkShaderProgram* program, const VolumeRender
 {
   SetMediumUniforms(program, frame, sweep);
   const ShaderUniforms uniforms(program);
-  // From a position in the buffer, for a wide light.
+  // Transformation from buffer coordinates to clip coordinates, for a light inside or near the
+  // volume.
   const double rows[16] = { 2.0, 0.0, 0.0, -1.0, 0.0, 2.0, 0.0, -1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     0.0, 1.0 };
   uniforms.Set("clipFromUnit", light.IsWide ? UnitVector::FromRows(rows) : light.BufferFromUnit);
@@ -569,7 +573,7 @@ void SliceShader::SetReceiverUniforms(vtkShaderProgram* program, const VolumeRen
   const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light)
 {
   SetMediumUniforms(program, frame, sweep);
-  ShaderUniforms(program).Set("clipFromUnit", frame.Image->Eye.ClipFromUnit);
+  ShaderUniforms(program).Set("clipFromUnit", frame.Image->Camera.ClipFromUnit);
   SetLight(program, frame.Image->Lights[light.Light], &light, "_0");
 }
 
@@ -577,7 +581,7 @@ void SliceShader::SetLayerPointUniforms(
   vtkShaderProgram* program, const VolumeRenderState& frame, const SlicePlan::ShadowedLight& light)
 {
   const ShaderUniforms uniforms(program);
-  uniforms.Set("clipFromUnit", frame.Image->Eye.ClipFromUnit);
+  uniforms.Set("clipFromUnit", frame.Image->Camera.ClipFromUnit);
   std::vector<glm::mat4> layers;
   std::vector<float> weights;
   for (const SlicePlan::SampleView& sample : light.Samples)

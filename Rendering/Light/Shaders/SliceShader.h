@@ -13,13 +13,14 @@ namespace interlume
 
 /**
  * @class   SliceShader
- * @brief   chooses the features of an image's programs, and sets their uniforms
+ * @brief   selects the features of an image's shader programs and sets their uniforms
  */
 class SliceShader
 {
 public:
-  /// Fragments of a slab: all; or those of thin matter and of none, or of none alone, which need no
-  /// light, and then those of thick matter, or all that are left.
+  /// Fragments of a slab that a program draws. THIN includes empty fragments. EMPTY includes only
+  /// these, which need no lighting. THICK includes all fragments that a THIN or EMPTY program does
+  /// not draw.
   enum Parts
   {
     ALL,
@@ -27,42 +28,42 @@ public:
     EMPTY,
     THICK
   };
-  /// Returns the largest extinction of a volume in unit space.
+  /// Returns the maximum extinction of a volume in unit space.
   static double GetLargestExtinction(const VolumeRenderState& frame);
-  /// Returns the same, or 0 if opacity does not depend on values only.
+  /// Returns the maximum extinction, or 0 if opacity depends on more than the scalar values.
   static double GetRampExtinction(const VolumeRenderState& frame);
-  /// Returns whether thick matter is drawn by itself in a sweep: where there is some, and a light
-  /// seen through a plane casts shadows in it.
+  /// Returns true if a sweep draws thick fragments separately: if there are some, and a light that
+  /// is not inside or near the volume casts shadows on them.
   static bool HasThickPart(const VolumeRenderState& frame, std::size_t sweep);
-  /// Whether what is empty is drawn by itself, before all else, where no matter is thick: software
-  /// OpenGL runs all of a shader for fragments that are discarded, unless the test of depth drops
-  /// them.
+  /// Returns true if a sweep without thick fragments draws empty fragments first. Software OpenGL
+  /// executes the complete shader for discarded fragments, unless the depth test rejects them.
   static bool HasEmptyPart(const VolumeRenderState& frame, std::size_t sweep);
-  /// Whether there is thin matter too: where some opacity above 0 makes whole slabs thin.
+  /// Returns true if thin fragments exist: if there is no thick part, or if a full slab is thin at
+  /// the smallest extinction above 0.
   static bool HasThinPart(const VolumeRenderState& frame, std::size_t sweep);
 
   /**
-   * Returns the source of the shader for the picture's fragments in a sweep. The first sweep has
-   * all lights without shadows and the ambient light as well.
+   * Returns the source of the image fragment shader of a sweep. The first sweep also includes
+   * ambient light and all lights without shadows.
    */
   static std::string GetEyeSource(
     const VolumeRenderState& frame, std::size_t sweep, bool isOccluded, Parts part);
-  /// Returns the source of the shader for the fragments of a light's buffer, different for each
-  /// light, which so keeps its uniforms from slab to slab. If \a isThick, the sweep has thick
-  /// matter.
+  /// Returns the source of the fragment shader of a light buffer. The source differs per light, so
+  /// that each program keeps its uniforms from slab to slab. \a isThick is true if the sweep has
+  /// thick fragments.
   static std::string GetLightSource(
     const VolumeRenderState& frame, const SlicePlan::ShadowedLight& light, bool isThick);
 
-  /// Returns the source of the shader for the surfaces of a scene that a light shines on,
-  /// different for each light.
+  /// Returns the source of the shader for surfaces of a scene that receive light from the volumes.
+  /// The source differs per light.
   static std::string GetReceiverSource(
     const VolumeRenderState& frame, const SlicePlan::ShadowedLight& light);
 
-  /// Returns the names of the features in the sources, for the report.
+  /// Returns the names of the features in use, for the report.
   static std::string GetNames(const VolumeRenderState& frame, bool isOccluded);
 
   ///@{
-  /// Sets the uniforms that are the same for all slabs of a sweep.
+  /// Sets the uniforms that are constant over all slabs of a sweep.
   static void SetEyeUniforms(
     vtkShaderProgram* program, const VolumeRenderState& frame, std::size_t sweep);
   static void SetLightUniforms(vtkShaderProgram* program, const VolumeRenderState& frame,
@@ -73,8 +74,8 @@ public:
     const SlicePlan::ShadowedLight& light);
   ///@}
 
-  /// Returns the lights that the picture's fragments of a sweep see: indices in the picture's list,
-  /// those with buffers first and in their order.
+  /// Returns the lights evaluated by a sweep's image fragments, as indices into the image's list.
+  /// Lights with buffers come first, in buffer order.
   static std::vector<int> GetLightsOf(const VolumeRenderState& frame, std::size_t sweep);
 };
 

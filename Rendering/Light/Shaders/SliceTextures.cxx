@@ -29,9 +29,9 @@ void SetSampling(vtkTextureObject* texture, bool isSmooth)
   texture->SetWrapR(vtkTextureObject::ClampToEdge);
 }
 
-void ForgetErrors()
+void ClearErrors()
 {
-  // Without a context glGetError never ends.
+  // The loop is bounded because glGetError always returns an error without a context.
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
   {
   }
@@ -50,7 +50,7 @@ int GetType(VolumeSamples::Formats format)
   }
 }
 
-// Uploads a texture of so many columns, or none where there are no texels.
+// Uploads a texture with the given number of columns. Without texels, releases it.
 void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int columns,
   const std::vector<float>& texels, int components)
 {
@@ -63,7 +63,7 @@ void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int c
     texels.size() / (static_cast<std::size_t>(columns) * static_cast<std::size_t>(components));
   texture->SetContext(window);
   SetSampling(texture, false);
-  // Without this the texture keeps the number of channels of the table before.
+  // Without this call, the texture would keep its previous number of channels.
   texture->ResetFormatAndType();
   texture->Create2DFromRaw(static_cast<unsigned int>(columns), static_cast<unsigned int>(rows),
     components, VTK_FLOAT, const_cast<float*>(texels.data()));
@@ -71,25 +71,26 @@ void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int c
 
 using Edges = std::vector<std::array<float, 2>>;
 
-// Returns one value of each column, at \a first and further ones, with the next one of its row, so
-// that one look finds both that it lies between. Where there are bends between them, minus the
-// texel of their list and the number of its pieces are in their place. With edges there are two
-// more: a share of the way times the third, plus the fourth, is the share of the edge.
+// Returns for each column its value and the next column's, so that one lookup returns both. A
+// column has \a stride values in the table, of which \a first is the index of the one to use. If
+// there are breakpoints in between, the negative texel index of their list and the number of pieces
+// replace the values. With edges, a fraction of the interval, times the third value plus the
+// fourth, is a fraction of the edge.
 std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first, std::size_t stride,
-  const std::vector<int>& places, const std::vector<float>& bends, const Edges* edges)
+  const std::vector<int>& columnLists, const std::vector<float>& bends, const Edges* edges)
 {
   std::vector<float> pairs;
-  pairs.reserve((edges ? 4 : 2) * places.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
+  pairs.reserve((edges ? 4 : 2) * columnLists.size());
+  for (std::size_t i = 0; i < columnLists.size(); ++i)
   {
     const bool isLast = (i + 1) % MaterialTable::Columns == 0;
     const std::size_t at = first + stride * i;
-    const auto list = static_cast<std::size_t>(places[i]);
+    const auto list = static_cast<std::size_t>(columnLists[i]);
     pairs.push_back(list > 0 ? -static_cast<float>(list) : table[at]);
     pairs.push_back(list > 0 ? bends[4 * list] : table[isLast ? at : at + stride]);
     if (edges)
     {
-      // The width of a step, which is as narrow as single precision tells places apart.
+      // Width of a step: the smallest width that single precision resolves.
       constexpr float narrowest = 1e-5F;
       const std::array<float, 2>& edge = (*edges)[i];
       const float slope = 1.0F / std::max(edge[1] - edge[0], narrowest);
@@ -100,8 +101,8 @@ std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first,
   return pairs;
 }
 
-// Returns red, green, blue of each column, of \a stride values, and the texel of its list of bends,
-// or minus the two places of an edge.
+// Returns red, green and blue of each column, taken from \a stride values, and the texel of its
+// list of breakpoints or the negative encoded ends of an edge.
 std::vector<float> MakeColors(const std::vector<float>& table, std::size_t stride,
   const std::vector<int>& bends, const Edges& edges)
 {
@@ -109,17 +110,17 @@ std::vector<float> MakeColors(const std::vector<float>& table, std::size_t strid
   colors.reserve(4 * bends.size());
   for (std::size_t i = 0; i < bends.size(); ++i)
   {
-    constexpr int places = TransferColumns::EdgePlaces;
+    constexpr int edgePositions = TransferColumns::EdgePositions;
     const bool isEdge = edges[i][0] > 0.0F || edges[i][1] < 1.0F;
-    const float edge =
-      std::round(edges[i][0] * places) * (places + 1) + std::round(edges[i][1] * places);
+    const float edge = std::round(edges[i][0] * edgePositions) * (edgePositions + 1) +
+      std::round(edges[i][1] * edgePositions);
     colors.insert(colors.end(), &table[stride * i], &table[stride * i] + 3);
     colors.push_back(isEdge ? -edge : static_cast<float>(bends[i]));
   }
   return colors;
 }
 
-// Returns the mean from a column's value to that of the next one.
+// Returns the mean extinction between a column and the next.
 double GetMean(const MaterialTable& material, std::size_t i, double value, double next)
 {
   const auto list = static_cast<std::size_t>(material.ExtinctionBends[i]);
@@ -138,7 +139,7 @@ double GetMean(const MaterialTable& material, std::size_t i, double value, doubl
   return mean;
 }
 
-// Returns the sum of extinctions from the first column to each, and to the next one, and the
+// Returns for each column the sums of extinctions up to it and up to the next column, and the
 // extinctions of both.
 std::vector<float> MakeSums(const MaterialTable& material)
 {
@@ -171,8 +172,7 @@ vtkIdType SliceTextures::GetBytes(const VolumeSamples& samples)
 
 vtkIdType SliceTextures::GetBytes(const MaterialTable& material)
 {
-  // The tables are colours and their bends, pairs of extinctions and of gradient opacities, the
-  // bends themselves.
+  // Colors, pairs of extinctions and of gradient opacities, transmission colors, and breakpoints.
   const std::size_t pair = material.HasEdges() ? 4 : 2;
   const std::size_t values = 4 * material.ColorBends.size() +
     pair * (material.ExtinctionBends.size() + material.GradientOpacityBends.size()) +
@@ -193,22 +193,23 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& 
   const int largest = *std::max_element(samples.Size.begin(), samples.Size.end());
   if (largest > limit)
   {
-    return Error("the volume has " + std::to_string(largest) +
-        " samples along an axis, and textures here at most " + std::to_string(limit),
+    return Error("The volume has " + std::to_string(largest) +
+        " samples along an axis, but 3D textures are limited to " + std::to_string(limit) +
+        ". Resample the volume.",
       ErrorCode::OpenGL);
   }
   const auto create = [&](vtkTextureObject* texture, int components, int type, const void* values)
   {
     texture->SetContext(window);
     SetSampling(texture, true);
-    // Without this the texture keeps the format of the values before.
+    // Without this call, the texture would keep its previous format.
     texture->ResetFormatAndType();
     return texture->Create3DFromRaw(static_cast<unsigned int>(samples.Size[0]),
       static_cast<unsigned int>(samples.Size[1]), static_cast<unsigned int>(samples.Size[2]),
       components, type, const_cast<void*>(values));
   };
-  ForgetErrors();
-  bool isMade =
+  ClearErrors();
+  bool isCreated =
     create(this->Volume, samples.Components, GetType(samples.Format), samples.Texels.data());
   if (samples.Mask.empty())
   {
@@ -216,14 +217,14 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& 
   }
   else
   {
-    isMade = isMade && create(this->Mask, 1, VTK_UNSIGNED_SHORT, samples.Mask.data());
+    isCreated = isCreated && create(this->Mask, 1, VTK_UNSIGNED_SHORT, samples.Mask.data());
   }
-  if (!isMade || glGetError() != GL_NO_ERROR)
+  if (!isCreated || glGetError() != GL_NO_ERROR)
   {
     this->Volume->ReleaseGraphicsResources(window);
     this->Mask->ReleaseGraphicsResources(window);
-    return Error("the graphics card has no memory for " + std::to_string(GetBytes(samples)) +
-        " bytes of the volume",
+    return Error("The graphics card has too little memory for the volume's textures of " +
+        std::to_string(GetBytes(samples)) + " bytes. Use a smaller volume.",
       ErrorCode::OutOfMemory);
   }
   return {};
@@ -231,7 +232,7 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& 
 
 Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const MaterialTable& material)
 {
-  ForgetErrors();
+  ClearErrors();
   constexpr int columns = MaterialTable::Columns;
   const bool hasEdges = material.HasEdges();
   const int pair = hasEdges ? 4 : 2;
@@ -252,17 +253,18 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const MaterialTable& 
   const std::size_t row = 4 * columns;
   bends.resize((bends.size() + row - 1) / row * row, 0.0F);
   UploadTable(window, this->Bends, columns, bends, 4);
-  // The sums are for thick matter: Activate sends them where a shader asks for them.
+  // Only shaders of thick fragments and of spans use the sums. Activate uploads them on demand.
   this->ExtinctionSums->ReleaseGraphicsResources(window);
   this->SumTexels = MakeSums(material);
   return glGetError() == GL_NO_ERROR
     ? Error()
-    : Error("the graphics card has no memory for the transfer functions", ErrorCode::OutOfMemory);
+    : Error("The graphics card has too little memory for the transfer functions.",
+        ErrorCode::OutOfMemory);
 }
 
 Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering)
 {
-  ForgetErrors();
+  ClearErrors();
   UploadTable(window, this->Phases, SliceScattering::PhaseColumns, scattering.Phases, 1);
   if (scattering.Texels.empty())
   {
@@ -275,9 +277,9 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const SliceScattering
     glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
     if (size.z > limit)
     {
-      return "scattered light takes " + std::to_string(size.z) +
-        " samples along an axis, and textures here have at most " + std::to_string(limit) +
-        ": ScatteringGridSize is too large for so many lights";
+      return "Scattered light needs " + std::to_string(size.z) +
+        " samples along an axis, but 3D textures are limited to " + std::to_string(limit) +
+        ". Use a smaller ScatteringGridSize or fewer lights.";
     }
     this->Scattered->SetContext(window);
     SetSampling(this->Scattered, true);
@@ -288,8 +290,8 @@ Error SliceTextures::Upload(vtkOpenGLRenderWindow* window, const SliceScattering
   }
   return glGetError() == GL_NO_ERROR
     ? Error()
-    : Error("the graphics card has no memory for " + std::to_string(GetBytes(scattering)) +
-          " bytes of scattered light",
+    : Error("The graphics card has too little memory for " + std::to_string(GetBytes(scattering)) +
+          " bytes of scattered light. Use a smaller ScatteringGridSize.",
         ErrorCode::OutOfMemory);
 }
 
@@ -356,7 +358,7 @@ void SliceTextures::Suspend()
 
 bool SliceTextures::Resume()
 {
-  // Programs have to be told of the textures of other matter again.
+  // Textures of a custom medium need their uniforms set again.
   bool isSame = this->Medium == nullptr;
   for (const auto& bound : this->Active)
   {

@@ -26,7 +26,7 @@ struct SliceScattering;
 
 /**
  * @class   SliceTextures
- * @brief   volume, transfer functions and light screens on the graphics card
+ * @brief   textures of a volume, its transfer functions and light screens
  */
 class SliceTextures
 {
@@ -35,37 +35,36 @@ public:
   ~SliceTextures();
 
   ///@{
-  /// Return the bytes on the graphics card.
+  /// Return the size of the textures in bytes.
   static vtkIdType GetBytes(const VolumeSamples& samples);
   static vtkIdType GetBytes(const MaterialTable& material);
   static vtkIdType GetBytes(const SliceScattering& scattering);
   ///@}
 
   ///@{
-  /// Sends the samples, the tables of the material, or scattered light to the graphics card.
-  /// Returns an error if they do not fit.
+  /// Upload the samples, the transfer functions or scattered light. Return an error if they exceed
+  /// the memory or the texture size of the graphics card.
   Error Upload(vtkOpenGLRenderWindow* window, const VolumeSamples& samples);
   Error Upload(vtkOpenGLRenderWindow* window, const MaterialTable& material);
   Error Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering);
   ///@}
 
-  /// The matter that is looked up in textures of its own, which are bound with these; null for
-  /// none.
+  /// Sets a custom medium, whose textures are bound together with these, or null.
   void SetMedium(vtkSliceMedium* medium) { this->Medium = medium; }
 
-  /// The light that was scattered before; without a handle where there is none.
+  /// Returns the texture of multiple scattering. It has no handle if there is no such light.
   vtkTextureObject* GetScattered() const { return this->Scattered; }
 
-  /// The images of projective lights.
+  /// Returns the images of projective lights.
   ScreenTextures& GetScreens() { return this->Screens; }
 
   ///@{
-  /// Binds the textures that \a program reads, and unbinds them.
+  /// Bind and unbind the textures used by \a program.
   void Activate(vtkShaderProgram* program);
   void Deactivate();
-  /// Unbinds them for a while.
+  /// Unbinds the textures temporarily.
   void Suspend();
-  /// Binds them again. Returns whether each has the unit that programs know it by.
+  /// Binds the textures again. Returns true if all texture units are unchanged.
   bool Resume();
   ///@}
 
@@ -82,11 +81,11 @@ private:
   vtkNew<vtkTextureObject> Bends;
   vtkNew<vtkTextureObject> Phases;
   vtkNew<vtkTextureObject> Scattered;
-  /// The sums that ExtinctionSums has yet to get.
+  /// Sums not yet uploaded to ExtinctionSums.
   std::vector<float> SumTexels;
   ScreenTextures Screens;
   vtkSliceMedium* Medium = nullptr;
-  /// The textures that are bound, or suspended, with their units.
+  /// Textures that are bound or suspended, with their units.
   std::vector<std::pair<vtkTextureObject*, int>> Active;
 };
 

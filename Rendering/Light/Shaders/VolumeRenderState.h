@@ -20,20 +20,20 @@ namespace interlume
 
 /**
  * @class   VolumeRenderState
- * @brief   everything needed to render one volume of an image
+ * @brief   the complete state to render one volume of an image
  */
 struct VolumeRenderState
 {
   VolumeSamples Samples;
   VolumeBlocks Blocks;
-  /// Blocks of tiles; empty unless OpenGL is software.
+  /// Small blocks for tiles; empty unless OpenGL runs in software.
   VolumeBlocks SmallBlocks;
   MaterialTable Material;
   UnitSpace Space;
   ClipRegion Region;
 
-  /// The medium that replaces samples and material; null if these are used. They then only tell
-  /// where the medium is.
+  /// Custom medium that replaces samples and material, or null. Samples and material then only
+  /// determine which blocks are visible.
   vtkSliceMedium* Medium = nullptr;
 
   bool IsSoftware = false;
@@ -41,28 +41,28 @@ struct VolumeRenderState
   double OccupiedFraction = 1.0;
 
   bool IsShaded = false;
-  /// The settings of these names of vtkShadowedSliceMapper.
+  /// Settings of vtkShadowedSliceMapper.
   double SurfaceGradient = 0.0;
   bool TwoSidedLighting = false;
-  /// The ambient, diffuse and specular coefficients and the specular power of each row.
+  /// Ambient, diffuse and specular coefficients and specular power, per row.
   std::array<std::array<float, 4>, 4> Materials{};
-  /// The factors by which half a difference along each axis of the image becomes a component of the
-  /// gradient that the property's functions are given for.
+  /// Factors that convert half a difference along each axis of the image into a gradient component,
+  /// as the property's gradient opacity function expects it.
   glm::dvec3 GradientSteps{ 1.0, 1.0, 1.0 };
-  /// Unit distance of each row, in world units.
+  /// Scalar opacity unit distance of each row, in world units.
   std::array<double, 4> UnitDistances{ { 1.0, 1.0, 1.0, 1.0 } };
 
-  /// How light is scattered; if it is, the colors of the material are its albedo.
+  /// Scattering. If it is on, the material's colors are the albedo.
   SliceScattering Scattering;
 
-  /// The image and the index of the volume in it.
+  /// The image, and the index of the volume in it.
   const ImageState* Image = nullptr;
   int Number = 0;
 
-  /// Returns whether slices are drawn in tiles if the view permits: a graphics card does not need
-  /// them, and a medium of its own has no small blocks.
+  /// Returns true if slices can be drawn in tiles. Graphics cards do not need tiles, and a custom
+  /// medium has no small blocks.
   bool HasTiles() const { return this->SmallBlocks.GetNumberOfBlocks() > 0 && !this->Medium; }
-  /// Returns whether lights change the color at all.
+  /// Returns true if the color depends on lights.
   bool IsLit() const
   {
     return this->IsShaded || this->Image->HasShadows() || this->Scattering.IsOn();

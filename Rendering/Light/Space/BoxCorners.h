@@ -14,23 +14,23 @@ class UnitSpace;
 
 /**
  * @class   BoxCorners
- * @brief   the corners of the parts of volumes that can be seen, in unit space
+ * @brief   corners of the visible boxes of volumes, in unit space
  */
 class BoxCorners
 {
 public:
-  /// \a box in texture coordinates.
+  /// \a box is in texture coordinates.
   BoxCorners(const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box);
-  /// Adds the box of a further volume, in the same unit space.
+  /// Adds the box of another volume in the same unit space.
   void Add(const UnitSpace& space, const std::array<std::array<double, 2>, 3>& box);
 
-  /// Eight corners of each box; upper along axis a where bit a of the index is set.
+  /// Returns eight corners per box. Bit a of a corner's index is set at the upper end of axis a.
   const std::vector<glm::dvec3>& Get() const { return this->Corners; }
-  /// The middle of the box; that of the bounds of several.
+  /// Returns the center of the box, or the center of the bounds of several boxes.
   glm::dvec3 GetCenter() const;
-  /// Smallest and largest place along \a normal.
+  /// Returns the smallest and largest coordinate along \a normal.
   std::array<double, 2> GetRange(const glm::dvec3& normal) const;
-  /// Directions, of length 1, from a point through all corners but itself.
+  /// Returns the unit vectors from a point to all corners except one at the point itself.
   std::vector<glm::dvec3> GetRays(const glm::dvec3& from) const;
 
 private:

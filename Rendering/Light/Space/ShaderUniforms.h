@@ -21,14 +21,14 @@ namespace interlume
 
 /**
  * @class   ShaderUniforms
- * @brief   sets uniforms of a program, in single precision
+ * @brief   sets uniforms of a shader program in single precision
  *
  * Uniforms that the program does not use are skipped.
  */
 class ShaderUniforms
 {
 public:
-  /// All names end with the suffix.
+  /// \a suffix is appended to all names.
   explicit ShaderUniforms(vtkShaderProgram* program, std::string suffix = {})
     : Program(program)
     , Suffix(std::move(suffix))
@@ -62,7 +62,7 @@ public:
   {
     this->Set(name, glm::dvec4(glm::make_vec4(value.data())));
   }
-  /// The columns of the matrix are \a value.
+  /// \a value contains the columns of the matrix.
   void Set(const std::string& name, const std::array<double, 9>& value) const
   {
     glm::mat3 rounded(glm::make_mat3(value.data()));
@@ -75,7 +75,7 @@ public:
   }
 
   ///@{
-  /// Sets an array.
+  /// Set an array.
   void Set(const std::string& name, const std::vector<float>& values) const
   {
     this->Program->SetUniform1fv(

@@ -27,7 +27,7 @@ bool IsFinite(const glm::dmat4& matrix)
     [](double value) { return std::isfinite(value); });
 }
 
-// Finds the inverse of columns of whatever lengths. Returns whether there is one.
+// Inverts a matrix whose columns may differ widely in length. Returns false if it is singular.
 bool Invert(const glm::dmat3& linear, glm::dmat3& inverse)
 {
   glm::dvec3 lengths;
@@ -37,8 +37,8 @@ bool Invert(const glm::dmat3& linear, glm::dmat3& inverse)
     lengths[axis] = Vectors::SafeLength(linear[axis]);
     directions[axis] = lengths[axis] > 0.0 ? linear[axis] / lengths[axis] : glm::dvec3(0.0);
   }
-  constexpr double flattest = 1e-12;
-  if (!(std::abs(glm::determinant(directions)) > flattest))
+  constexpr double smallestDeterminant = 1e-12;
+  if (!(std::abs(glm::determinant(directions)) > smallestDeterminant))
   {
     return false;
   }
@@ -53,7 +53,7 @@ bool Invert(const glm::dmat3& linear, glm::dmat3& inverse)
 }
 
 bool UnitSpace::SetTexels(
-  vtkImageData* image, bool isOfCells, glm::dvec3& firstIndex, glm::dvec3& middleIndex)
+  vtkImageData* image, bool isOfCells, glm::dvec3& firstIndex, glm::dvec3& centerIndex)
 {
   int extent[6];
   image->GetExtent(extent);
@@ -71,7 +71,7 @@ bool UnitSpace::SetTexels(
     firstIndex[axis] = extent[2 * axis] - (isOfCells && !isFlat ? 0.0 : 0.5);
     this->Box[axis] = isOfCells || isFlat ? std::array<double, 2>{ { 0.0, 1.0 } }
                                           : std::array<double, 2>{ { half, 1.0 - half } };
-    middleIndex[axis] = firstIndex[axis] + 0.5 * size;
+    centerIndex[axis] = firstIndex[axis] + 0.5 * size;
   }
   return true;
 }
@@ -98,18 +98,18 @@ Error UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFro
   glm::dvec3 index;
   if (!this->SetTexels(image, isOfCells, first, index))
   {
-    return "the image has no samples";
+    return "The image has no samples.";
   }
   const glm::dmat4 volumeFromIndex = FromRows(image->GetIndexToPhysicalMatrix()->GetData());
   const glm::dmat4 worldFromIndex = FromRows(worldFromVolume->GetData()) * volumeFromIndex;
   if (!IsFinite(worldFromIndex) || !IsFinite(volumeFromIndex))
   {
-    return "the matrix of the volume or its image is not finite";
+    return "The matrix of the volume or of its image is not finite.";
   }
   const double* last = worldFromVolume->GetData() + 12;
   if (last[0] != 0.0 || last[1] != 0.0 || last[2] != 0.0 || last[3] != 1.0)
   {
-    return "the matrix of the volume is not affine";
+    return "The matrix of the volume is not affine. Perspective matrices are not supported.";
   }
 
   glm::dmat4 worldFromTexture = worldFromIndex;
@@ -120,25 +120,26 @@ Error UnitSpace::Set(vtkImageData* image, bool isOfCells, vtkMatrix4x4* worldFro
     this->VolumeFromTexture[axis] *= this->Size[axis];
   }
   this->VolumeFromTexture[3] = glm::dvec4(TransformPoint(volumeFromIndex, first), 1.0);
-  // Places are computed from the middle on, so that nothing cancels far from the origin.
+  // Compute relative to the volume's center, to avoid cancellation far from the origin.
   this->SetSphere(worldFromTexture, TransformPoint(worldFromIndex, index));
   if (!std::isfinite(this->Radius) || !(this->Radius > 0.0) || !std::isfinite(1.0 / this->Radius))
   {
-    return "the volume's size is 0 or not finite";
+    return "The size of the volume is 0 or not finite. Check the spacing of the image and the "
+           "matrix of the volume.";
   }
 
   const glm::dmat3 linear = (1.0 / this->Radius) * glm::dmat3(worldFromTexture);
   glm::dmat3 inverse;
   if (!Invert(linear, inverse))
   {
-    return "the matrix of the volume or its image is singular";
+    return "The matrix of the volume or of its image is singular.";
   }
-  const glm::dvec3 middle{ 0.5, 0.5, 0.5 };
-  this->UnitFromTexture = MakeAffine(linear, -(linear * middle));
-  this->TextureFromUnit = MakeAffine(inverse, middle);
+  const glm::dvec3 textureCenter{ 0.5, 0.5, 0.5 };
+  this->UnitFromTexture = MakeAffine(linear, -(linear * textureCenter));
+  this->TextureFromUnit = MakeAffine(inverse, textureCenter);
   const bool isFinite = IsFinite(this->TextureFromUnit) && IsFinite(this->UnitFromTexture) &&
     IsFinite(this->VolumeFromTexture);
-  return isFinite ? "" : "the matrix of the volume or its image is not finite";
+  return isFinite ? "" : "The matrix of the volume or of its image is not finite.";
 }
 
 void UnitSpace::MoveTo(const glm::dvec3& center, double radius)

@@ -13,30 +13,30 @@ namespace interlume
 {
 
 /**
- * Arithmetic of points and directions in unit space, and of matrices of homogeneous coordinates.
+ * Arithmetic of points and directions in unit space, and of homogeneous matrices.
  */
 namespace UnitVector
 {
-/// Returns the matrix of the rows that VTK keeps.
+/// Returns the matrix of a row-major array, the order of vtkMatrix4x4.
 inline glm::dmat4 FromRows(const double rows[16])
 {
   return glm::transpose(glm::make_mat4(rows));
 }
 
-/// The coefficients of x, y and z in a row.
+/// Returns the coefficients of x, y and z in a row.
 inline glm::dvec3 GetRow(const glm::dmat4& m, int row)
 {
   return glm::dvec3(glm::row(m, row));
 }
 
-/// a of length 1, or \a otherwise where a has no length.
+/// Returns \a a scaled to length 1, or \a otherwise if the length of \a a is 0.
 inline glm::dvec3 Normalize(const glm::dvec3& a, const glm::dvec3& otherwise)
 {
   const double length = Vectors::SafeLength(a);
   return length > 0.0 ? a / length : otherwise;
 }
 
-/// Of length 1 and perpendicular to \a a, in the direction of \a up where that is not along a.
+/// Returns a unit vector perpendicular to \a a, toward \a up unless \a up is parallel to \a a.
 inline glm::dvec3 Perpendicular(const glm::dvec3& a, const glm::dvec3& up)
 {
   const glm::dvec3 across = up - glm::dot(up, a) * a;
@@ -51,7 +51,7 @@ inline glm::dvec3 Perpendicular(const glm::dvec3& a, const glm::dvec3& up)
   return Normalize(other - glm::dot(other, a) * a, other);
 }
 
-/// The linear part of an affine matrix.
+/// Applies the linear part of an affine matrix.
 inline glm::dvec3 TransformVector(const glm::dmat4& m, const glm::dvec3& a)
 {
   return glm::dmat3(m) * a;

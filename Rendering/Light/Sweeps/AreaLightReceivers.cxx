@@ -2,7 +2,7 @@
 #include "Sweeps/AreaLightReceivers.h"
 
 #include "Buffers/EmitterSampleLayers.h"
-#include "Casters/SceneCasters.h"
+#include "ShadowMaps/SceneOccluders.h"
 #include "Offscreen/ShaderFeatures.h"
 #include "Receivers/SliceScene.h"
 #include "Shaders/SliceShader.h"
@@ -19,8 +19,8 @@ namespace interlume
 
 namespace
 {
-/// How many texels nearer to the light surfaces are compared whose plane is not known: what they
-/// show on themselves else would be noise of the mean.
+/// Bias, in texels, for surfaces with an unknown plane. Without it, self-shadowing would add noise
+/// to the mean.
 constexpr double UNKNOWN_PLANE = 8.0;
 
 std::string GetStackName(std::size_t stack)
@@ -33,10 +33,11 @@ Error AreaLightReceivers::Prepare(vtkOpenGLRenderWindow* window, const VolumeRen
   const SlicePlan::ShadowedLight& light, const EmitterSampleLayers& layers,
   vtkOpenGLBufferObject* vertices)
 {
-  const SceneCasters& casters = *frame.Image->Scene->Casters;
-  const std::string share = casters.GetSampleShare(frame.Image->Lights[light.Light].Light,
-    layers.GetNumberOfLayers(), "layer", "place", "vec4(0.0)");
-  this->HasCasters = !share.empty();
+  const SceneOccluders& occluders = *frame.Image->Scene->Occluders;
+  const std::string visibility =
+    occluders.GetSampleLightFraction(frame.Image->Lights[light.Light].Light,
+      layers.GetNumberOfLayers(), "layer", "place", "vec4(0.0)");
+  this->HasOccluders = !visibility.empty();
   std::string declarations;
   std::string sum;
   for (std::size_t i = 0; i < layers.GetStacks().size(); ++i)
@@ -47,10 +48,11 @@ Error AreaLightReceivers::Prepare(vtkOpenGLRenderWindow* window, const VolumeRen
       std::to_string(stack.Layers) + ");\n";
   }
   std::string features = "LAYERS=" + std::to_string(layers.GetNumberOfLayers());
-  features += this->HasCasters ? " SAMPLE_SHARE=" + share + " " + casters.GetFeatures() : "";
+  features +=
+    this->HasOccluders ? " SAMPLE_FRACTION=" + visibility + " " + occluders.GetFeatures() : "";
   std::string source = ShaderFeatures::Insert(InterlumeSliceLayerPointFS, features);
   vtkShaderProgram::Substitute(
-    source, "//INTERLUME::CASTERS", this->HasCasters ? casters.GetSource() : "");
+    source, "//INTERLUME::OCCLUDERS", this->HasOccluders ? occluders.GetSource() : "");
   vtkShaderProgram::Substitute(source, "//INTERLUME::STACKS", declarations);
   vtkShaderProgram::Substitute(source, "//INTERLUME::SUM", sum);
   return this->Pass.Prepare(window, source, vertices);
@@ -71,10 +73,10 @@ void AreaLightReceivers::Draw(vtkOpenGLRenderWindow* window, const VolumeRenderS
     program->SetUniformi(GetStackName(i).c_str(), texture->GetTextureUnit());
   }
   std::vector<vtkTextureObject*> maps;
-  if (this->HasCasters)
+  if (this->HasOccluders)
   {
-    const SceneCasters& casters = *frame.Image->Scene->Casters;
-    for (const auto& [name, map] : casters.GetTextures())
+    const SceneOccluders& occluders = *frame.Image->Scene->Occluders;
+    for (const auto& [name, map] : occluders.GetTextures())
     {
       if (program->IsUniformUsed(name) && map->GetTextureUnit() < 0)
       {
@@ -82,8 +84,8 @@ void AreaLightReceivers::Draw(vtkOpenGLRenderWindow* window, const VolumeRenderS
         maps.push_back(map);
       }
     }
-    casters.SetUniforms(program, frame.Space.GetWorldFromUnit());
-    casters.AddBias(program, UNKNOWN_PLANE);
+    occluders.SetUniforms(program, frame.Space.GetWorldFromUnit());
+    occluders.AddBias(program, UNKNOWN_PLANE);
   }
   this->Pass.DrawPoints(window, first, count, 0.0);
   for (vtkTextureObject* map : maps)

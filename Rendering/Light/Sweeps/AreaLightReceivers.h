@@ -19,23 +19,25 @@ struct VolumeRenderState;
 
 /**
  * @class   AreaLightReceivers
- * @brief   draws what an area light's layers leave at surfaces behind the slices
+ * @brief   multiplies the layers of an area light into the transmittance at surfaces behind the
+ * slices
  *
- * The transmittance at x is sum_c w_c T_c(x_c), x_c the place in the layer of sample c of the ray
- * from there to x: so the penumbra of matter widens with the distance from it. Surfaces between
- * light and x let the share V = sum_c w_c V_c through, and what this is multiplied by is sum_c w_c
- * V_c T_c / V, so that matter and surfaces that hide the same part of a light do not hide it twice.
+ * The transmittance at x is sum_c w_c T_c(x_c), where x_c is the position of the ray from sample c
+ * to x in the sample's layer. Penumbras therefore widen with the distance from the medium. Surfaces
+ * between the light and x let through the fraction V = sum_c w_c V_c. The result is then sum_c w_c
+ * V_c T_c / V, so that a medium and a surface that hide the same part of a light do not hide it
+ * twice.
  */
 class AreaLightReceivers
 {
 public:
-  /// Compiles the program, for points in \a vertices. Returns an error if that fails.
+  /// Compiles the program for points in \a vertices. Returns an error if that fails.
   Error Prepare(vtkOpenGLRenderWindow* window, const VolumeRenderState& frame,
     const SlicePlan::ShadowedLight& light, const EmitterSampleLayers& layers,
     vtkOpenGLBufferObject* vertices);
 
-  /// Draws so many points into the framebuffer that is bound, after the last batch is in the
-  /// layers.
+  /// Draws \a count points into the bound framebuffer. The last batch must have been multiplied
+  /// into the layers.
   void Draw(vtkOpenGLRenderWindow* window, const VolumeRenderState& frame,
     const SlicePlan::ShadowedLight& light, const EmitterSampleLayers& layers, std::size_t first,
     std::size_t count);
@@ -43,7 +45,7 @@ public:
   void ReleaseGraphicsResources() { this->Pass.ReleaseGraphicsResources(); }
 
 private:
-  bool HasCasters = false;
+  bool HasOccluders = false;
   SlicePass Pass;
 };
 

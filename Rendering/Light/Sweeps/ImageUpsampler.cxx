@@ -17,13 +17,13 @@ namespace interlume
 
 namespace
 {
-// Returns the direction in which the eye looks through the middle of the picture.
-glm::vec3 GetSightline(const glm::dmat4& unitFromClip)
+// Returns the view direction at the center of the image.
+glm::vec3 GetViewDirection(const glm::dmat4& unitFromClip)
 {
   const auto at = [&](double depth)
   {
-    const glm::dvec4 place = unitFromClip * glm::dvec4(0.0, 0.0, depth, 1.0);
-    return glm::dvec3(place) / place.w;
+    const glm::dvec4 position = unitFromClip * glm::dvec4(0.0, 0.0, depth, 1.0);
+    return glm::dvec3(position) / position.w;
   };
   return glm::vec3(UnitVector::Normalize(at(0.5) - at(-1.0), { 0.0, 0.0, -1.0 }));
 }
@@ -55,9 +55,9 @@ bool ImageUpsampler::Show(vtkOpenGLRenderWindow* window, vtkTextureObject* image
   }
   vtkTextureObject* front = isFiner(this->Front) ? this->Front.Get() : nullptr;
   const glm::dvec2 size(image->GetWidth(), image->GetHeight());
-  // Twice the width of a pixel where the volume's sphere fills the picture.
+  // Twice the width of a pixel if the volume's sphere fills the image.
   const double slant = 4.0F / static_cast<float>(std::max(size.x, size.y));
-  const glm::vec3 sightline = GetSightline(this->UnitFromClip);
+  const glm::vec3 viewDirection = GetViewDirection(this->UnitFromClip);
   this->Surfaces->Activate();
   if (front)
   {
@@ -71,7 +71,7 @@ bool ImageUpsampler::Show(vtkOpenGLRenderWindow* window, vtkTextureObject* image
       uniforms.Set("imageSize", size);
       uniforms.Set("surfaceDepth", this->Surfaces->GetTextureUnit());
       uniforms.Set("unitFromClip", this->UnitFromClip);
-      uniforms.Set("sightline", glm::dvec3(sightline));
+      uniforms.Set("viewRay", glm::dvec3(viewDirection));
       uniforms.Set("slant", slant);
       uniforms.Set("frontDepth", front ? front->GetTextureUnit() : 0);
     });

@@ -17,12 +17,11 @@ namespace interlume
 
 /**
  * @class   ImageUpsampler
- * @brief   shows a picture that is coarser than the viewport, up to the edges of surfaces
+ * @brief   upsamples an image to the viewport and preserves the edges of surfaces
  *
- * Pixels of the picture end at surfaces as their middles see them. Where neighbours end at depths
- * that are far apart they are not mixed: a pixel of the viewport is that of those around it that
- * end where its own surface is. Surfaces narrower than a pixel of the picture may be in none of
- * them.
+ * Each pixel of the image ends at the surface seen at its center. Neighbors with very different
+ * depths are not interpolated. Instead, a pixel of the viewport uses those neighbors that end at
+ * its own surface. Surfaces narrower than a pixel of the image may be lost.
  */
 class ImageUpsampler
 {
@@ -30,12 +29,12 @@ public:
   ImageUpsampler();
   ~ImageUpsampler();
 
-  /// Sets the depths at which the next picture ends and, null for those of the eye, begins; without
-  /// any surfaces both are null. They are as large as the viewport.
+  /// Sets the depths at which the next image ends and begins, as large as the viewport. \a front is
+  /// null if the image begins at the camera. Both are null without surfaces.
   void SetDepths(
     vtkTextureObject* surfaces, vtkTextureObject* front, const glm::dmat4& unitFromClip);
 
-  /// Shows the picture. Returns false where it is as fine as the depths, or where there are none.
+  /// Shows the image. Returns false if there are no depths, or if they are no finer than the image.
   bool Show(vtkOpenGLRenderWindow* window, vtkTextureObject* image);
 
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sweeps/SliceRasterizer.h"
 
-#include "Casters/SceneCasters.h"
+#include "ShadowMaps/SceneOccluders.h"
 #include "Common/Vectors.h"
 #include "Loader/ScopedState.h"
 #include "Offscreen/FloatTexture.h"
@@ -10,7 +10,7 @@
 #include "Shaders/SliceShader.h"
 #include "Space/UnitSpace.h"
 #include "Sweeps/SliceReport.h"
-#include "Translucent/PaneMaps.h"
+#include "Translucent/TranslucentShadowMaps.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -44,10 +44,12 @@ Error SliceRasterizer::FindError(vtkOpenGLRenderWindow* window)
 {
   if (!window)
   {
-    return Error("the render window is not an OpenGL one", ErrorCode::OpenGL);
+    return Error("The render window is not a vtkOpenGLRenderWindow.", ErrorCode::OpenGL);
   }
   window->MakeCurrent();
-  return HasOpenGL32() ? Error() : Error("OpenGL is older than 3.2", ErrorCode::OpenGL);
+  return HasOpenGL32()
+    ? Error()
+    : Error("The OpenGL version is too old. OpenGL 3.2 or newer is required.", ErrorCode::OpenGL);
 }
 
 Error SliceRasterizer::PrepareImage()
@@ -58,17 +60,21 @@ Error SliceRasterizer::PrepareImage()
   vtkIdType bytes = FloatTexture::Allocate(window, this->Image, width, height, 4, true);
   if (bytes == 0)
   {
-    return Error("the graphics card has no memory for a picture of floats", ErrorCode::OutOfMemory);
+    return Error("The graphics card is out of memory for the floating-point image of the slices. "
+                 "Reduce the size of the window.",
+      ErrorCode::OutOfMemory);
   }
   report.ImageBuffers = 1;
   report.ImageBufferBytes = bytes;
-  if (this->State->Plan.HasFurtherPictures())
+  if (this->State->Plan.HasFurtherImages())
   {
     bytes = FloatTexture::Allocate(window, this->SweepImage, width, height, 4, false);
     if (bytes == 0)
     {
       return Error(
-        "the graphics card has no memory for a second picture of floats", ErrorCode::OutOfMemory);
+        "The graphics card is out of memory for a second floating-point image of the slices. "
+        "Reduce the size of the window.",
+        ErrorCode::OutOfMemory);
     }
     ++report.ImageBuffers;
     report.ImageBufferBytes += bytes;
@@ -94,7 +100,7 @@ Error SliceRasterizer::PrepareImage()
   const char* status = nullptr;
   return vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_DRAW_FRAMEBUFFER, status)
     ? Error()
-    : Error("a framebuffer of floats cannot be drawn to", ErrorCode::OpenGL);
+    : Error("The graphics card cannot render to a floating-point framebuffer.", ErrorCode::OpenGL);
 }
 
 SliceLightBuffer& SliceRasterizer::GetLightBuffer(int light)
@@ -119,7 +125,7 @@ Error SliceRasterizer::PrepareLights(const Sweep& sweep)
   }
   for (const SlicePlan::ShadowedLight& light : sweep.Lights)
   {
-    // A light of several sweeps has its buffer in each in turn.
+    // A light of several sweeps uses the same buffer in one sweep after the other.
     if (Error error = this->GetLightBuffer(light.Light)
                         .Prepare(this->Window, *this->State, sweep, light, polygons))
     {
@@ -164,7 +170,7 @@ void SliceRasterizer::SetVolumes(const std::vector<Volume>& volumes)
 void SliceRasterizer::UpdateOpaqueDepth(vtkRenderer* renderer)
 {
   const SliceScene* scene = this->State->Scene;
-  this->Opaque = scene ? scene->EyeDepth : nullptr;
+  this->Opaque = scene ? scene->CameraDepth : nullptr;
   if (scene || !this->State->MayBeOccluded)
   {
     this->OpaqueDepth->ReleaseGraphicsResources(this->Window);
@@ -175,8 +181,8 @@ void SliceRasterizer::UpdateOpaqueDepth(vtkRenderer* renderer)
     this->Opaque =
       SceneDepth::CopyTo(renderer, this->OpaqueDepth) ? this->OpaqueDepth.Get() : nullptr;
   }
-  this->Upsampler.SetDepths(
-    this->Opaque, scene ? scene->FrontDepth : nullptr, glm::inverse(this->State->Eye.ClipFromUnit));
+  this->Upsampler.SetDepths(this->Opaque, scene ? scene->FrontDepth : nullptr,
+    glm::inverse(this->State->Camera.ClipFromUnit));
 }
 
 Error SliceRasterizer::DrawSweeps()
@@ -194,7 +200,7 @@ Error SliceRasterizer::DrawSweeps()
   for (std::size_t i = 0; i < plan.Sweeps.size() && !error; ++i)
   {
     error = this->DrawSweep(i);
-    if (!error && plan.IsLastOfPicture(i) && !plan.IsOfFirstPicture(i))
+    if (!error && plan.IsLastOfImage(i) && !plan.IsOfFirstImage(i))
     {
       this->AddSweep();
     }
@@ -250,7 +256,7 @@ void SliceRasterizer::ActivateTextures(std::size_t sweepIndex, vtkShaderProgram*
   }
   if (scene)
   {
-    for (const auto& [name, texture] : scene->Casters->GetTextures())
+    for (const auto& [name, texture] : scene->Occluders->GetTextures())
     {
       if (program->IsUniformUsed(name))
       {
@@ -258,9 +264,9 @@ void SliceRasterizer::ActivateTextures(std::size_t sweepIndex, vtkShaderProgram*
       }
     }
   }
-  if (program->IsUniformUsed("paneLayers"))
+  if (program->IsUniformUsed("translucentLayers"))
   {
-    activate(scene->Panes->GetTexture(), "paneLayers");
+    activate(scene->TranslucentMaps->GetTexture(), "translucentLayers");
   }
   if (program->IsUniformUsed("frontDepth"))
   {
@@ -303,7 +309,7 @@ void SliceRasterizer::BeginSweep(std::size_t sweepIndex)
 {
   vtkOpenGLState* state = this->Window->GetState();
   const SlicePlan& plan = this->State->Plan;
-  this->BindImage(plan.IsOfFirstPicture(sweepIndex) ? this->Image : this->SweepImage);
+  this->BindImage(plan.IsOfFirstImage(sweepIndex) ? this->Image : this->SweepImage);
   SliceOcclusion::Clear(this->Window);
   if (plan.Sweeps[sweepIndex].IsBehind)
   {
@@ -348,8 +354,10 @@ Error SliceRasterizer::PrepareVolume(std::size_t sweepIndex, std::size_t number)
 void SliceRasterizer::FindOrder(std::size_t sweepIndex)
 {
   const Sweep& sweep = this->State->Plan.Sweeps[sweepIndex];
-  std::vector<SlicePlan::Matter> volumes;
+  std::vector<SlicePlan::SlicedVolume> volumes;
   this->HasThickPart = false;
+  // If the far plane cuts the volumes, slabs whose middle is behind it would fail the depth test
+  // without separate depths.
   this->HasMarks = this->State->FarPlane.IsCutting;
   this->IsDense = false;
   for (const std::unique_ptr<VolumeSlices>& slices : this->Slices)
@@ -360,18 +368,17 @@ void SliceRasterizer::FindOrder(std::size_t sweepIndex)
         SliceShader::GetLargestExtinction(own) * sweep.Spacing > SlicePlan::DenseDepth);
     volumes.push_back({ &own.Space, own.Region.Box, 0.0 });
     this->HasThickPart = this->HasThickPart || SliceShader::HasThickPart(own, sweepIndex);
-    // Depths of a slab's middle behind the far plane would not pass the test.
     this->HasMarks =
       this->HasMarks || this->HasThickPart || SliceShader::HasEmptyPart(own, sweepIndex);
   }
-  this->Order.Find(sweep, this->State->Eye, this->State->Lights, volumes);
+  this->Order.Find(sweep, this->State->Camera, this->State->Lights, volumes);
 }
 
 Error SliceRasterizer::PrepareVolumes(std::size_t sweepIndex)
 {
   const Sweep& sweep = this->State->Plan.Sweeps[sweepIndex];
   this->FindOrder(sweepIndex);
-  this->HasReceivers = this->State->Scene && this->State->Scene->EyeDepth;
+  this->HasReceivers = this->State->Scene && this->State->Scene->CameraDepth;
   if (this->HasReceivers)
   {
     this->Receivers.Begin(this->Slices, sweepIndex);
@@ -383,7 +390,7 @@ Error SliceRasterizer::PrepareVolumes(std::size_t sweepIndex)
   }
   for (const SlicePlan::ShadowedLight& light : sweep.Lights)
   {
-    // Surfaces ask for them also where the first volume draws nothing.
+    // Activate the buffers even if the first volume is not drawn, since surfaces require them.
     this->Active.push_back(this->GetLightBuffer(light.Light).GetTexture());
     this->Active.back()->Activate();
   }
@@ -429,7 +436,7 @@ Error SliceRasterizer::DrawSweep(std::size_t sweepIndex)
   this->BeginSweep(sweepIndex);
   const int interval =
     this->HasThickPart ? SliceOcclusion::ThickInterval : SliceOcclusion::Interval;
-  const int pictureInterval = this->IsDense ? SliceOcclusion::ThickInterval : interval;
+  const int imageInterval = this->IsDense ? SliceOcclusion::ThickInterval : interval;
   int drawn = 0;
   for (int slab = 0; slab < sweep.Slabs && this->Window->CheckAbortStatus() == 0; ++slab)
   {
@@ -449,7 +456,7 @@ Error SliceRasterizer::DrawSweep(std::size_t sweepIndex)
     }
     this->DrawSlab(sweep, slab);
     ++drawn;
-    if (sweep.IsFrontToBack && drawn % pictureInterval == 0)
+    if (sweep.IsFrontToBack && drawn % imageInterval == 0)
     {
       this->MarkImage();
     }
@@ -477,7 +484,7 @@ void SliceRasterizer::BindVolume(std::size_t number)
 
 void SliceRasterizer::DrawReceivers(int slab)
 {
-  if (!this->HasReceivers || !this->Receivers.IsLeft(slab))
+  if (!this->HasReceivers || !this->Receivers.HasRemaining(slab))
   {
     return;
   }
@@ -547,7 +554,7 @@ void SliceRasterizer::KeepLayers(const Sweep& sweep, int slab)
 
 void SliceRasterizer::AddSweep()
 {
-  // Every sweep has the same opacity; the colors are those of different lights.
+  // All sweeps have the same opacity. Their colors come from different lights.
   this->BindImage(this->Image);
   this->SumQuad.Draw(this->Window, this->SweepImage, "SUM");
 }
@@ -594,8 +601,7 @@ bool SliceRasterizer::ReadLightBuffer(vtkOpenGLRenderWindow* window, const Image
       std::copy(texels.begin(), texels.end(), values->GetPointer(0));
       image->GetPointData()->SetScalars(values);
 
-      // The matrix leads from clip coordinates to texture coordinates, after the way from world to
-      // unit space.
+      // Transform world coordinates to unit space, clip coordinates and then texture coordinates.
       glm::dmat4 texture(glm::dmat3(0.5));
       texture[3] = glm::dvec4(0.5, 0.5, 0.5, 1.0);
       vtkNew<vtkDoubleArray> matrix;

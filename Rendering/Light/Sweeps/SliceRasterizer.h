@@ -35,14 +35,15 @@ struct SliceReport;
 
 /**
  * @class   SliceRasterizer
- * @brief   draws a picture of slices with OpenGL 3.2, in one window
+ * @brief   draws an image of slices with OpenGL 3.2, in one window
  *
- * Several volumes may share the slices. In each slab one volume after the other draws into the
- * picture and then takes from the lights' buffers, so that it is lit through what the volumes
- * before it have in the slab, and in their shadow; SlabOrder says which one is first.
+ * Several volumes may share the slices. In each slab, one volume after the other draws into the
+ * image and then attenuates the light buffers. It is lit through the preceding volumes of the slab
+ * and is in their shadow. SlabOrder determines the order.
  *
- * The picture's buffer holds colour times opacity, and opacity, in floats: with thousands of thin
- * slices little opacity keeps its digits, where a transmittance near 1 would lose them.
+ * The image buffer contains color times opacity, and opacity, in single precision. With thousands
+ * of thin slices, small opacities retain their digits, whereas a transmittance close to 1 would
+ * lose them.
  */
 class SliceRasterizer
 {
@@ -50,7 +51,7 @@ public:
   SliceRasterizer();
   ~SliceRasterizer();
 
-  /// Returns an error if nothing can be drawn in this window.
+  /// Returns an error if the window does not support this class.
   static Error FindError(vtkOpenGLRenderWindow* window);
 
   /// A volume of an image.
@@ -61,17 +62,17 @@ public:
   };
 
   /**
-   * Draws all sweeps into the image's buffer, through volumes that are numbered one by one. Stops
+   * Draws all sweeps into the image's buffer. The volumes must be numbered consecutively. Stops
    * between slabs if the user aborts. Returns an error if the image is not complete.
    */
   Error Draw(vtkRenderer* renderer, const ImageState& image, const std::vector<Volume>& volumes,
     SliceReport& report);
 
-  /// Returns whether opaque surfaces occluded volumes of the last image.
+  /// Returns true if opaque surfaces occluded volumes in the last image.
   bool IsOccluded() const { return this->Opaque != nullptr; }
 
-  /// Lays the last image over the scene, or shows to the renderer's selector where it has something
-  /// of the volume.
+  /// Composites the last image over the scene. If the renderer has a selector, draws the pixels
+  /// that contain the volume for it.
   void Show(vtkRenderer* renderer);
 
   /// Implements vtkShadowedSliceMapper::ReadLightBuffer for the last image, which was in \a space.
@@ -90,7 +91,7 @@ private:
   void ReleaseUnusedLights();
   Error DrawSweeps();
   Error DrawSweep(std::size_t sweepIndex);
-  /// Finds the order in which volumes are drawn, and what some of them need.
+  /// Finds the order of the volumes, and the features that some of them require.
   void FindOrder(std::size_t sweepIndex);
   /// Prepares the programs of all volumes.
   Error PrepareVolumes(std::size_t sweepIndex);
@@ -99,42 +100,42 @@ private:
   void ActivateTextures(std::size_t sweepIndex, vtkShaderProgram* program);
   void DeactivateTextures();
   void BindImage(vtkTextureObject* image);
-  /// Attaches the sweep's image, cleared or with what is before the sweep.
+  /// Attaches the sweep's image buffer, which is cleared or contains the sweeps in front.
   void BeginSweep(std::size_t sweepIndex);
-  /// Culls fragments behind the opaque part of the image from now on.
+  /// Culls fragments behind the opaque part of the image in the following slabs.
   void MarkImage();
-  /// Returns whether no volume has anything in a slab.
+  /// Returns true if a slab is empty for all volumes.
   bool IsEmpty(int slab) const;
   /// Updates layers of light buffers before a slab is drawn, or skipped as empty.
   void KeepLayers(const SlicePlan::Sweep& sweep, int slab);
-  /// Draws a slab with something in it: surfaces of the scene, then each volume into the image and
-  /// into the lights' buffers.
+  /// Draws a nonempty slab: surfaces of the scene, then each volume into the image and into the
+  /// light buffers.
   void DrawSlab(const SlicePlan::Sweep& sweep, int slab);
   /// Draws the surfaces of the scene up to the end of a slab.
   void DrawReceivers(int slab);
-  /// Binds the textures of one volume only, if there are several.
+  /// Binds the textures of one volume. Does nothing for a single volume.
   void BindVolume(std::size_t number);
   void AddSweep();
 
   ///@{
-  /// What Draw is called with.
+  /// Arguments of Draw.
   vtkOpenGLRenderWindow* Window = nullptr;
   const ImageState* State = nullptr;
   SliceReport* Report = nullptr;
   ///@}
   std::vector<std::unique_ptr<VolumeSlices>> Slices;
-  /// The volume whose textures are bound.
+  /// Index of the volume whose textures are bound.
   std::size_t Bound = 0;
   SlabOrder Order;
   vtkNew<vtkOpenGLFramebufferObject> ImageFramebuffer;
   vtkNew<vtkTextureObject> Image;
   vtkNew<vtkTextureObject> SweepImage;
-  /// The depth of occluding surfaces without a scene, and with or without one; the latter is null
-  /// if there are none.
+  /// Depth of occluding surfaces if there is no scene. Opaque is the depth in use: OpaqueDepth, the
+  /// scene's depth, or null if no surfaces occlude volumes.
   vtkNew<vtkTextureObject> OpaqueDepth;
   vtkTextureObject* Opaque = nullptr;
   bool HasThickPart = false;
-  /// If true, some volume hides what is behind it within few slabs.
+  /// If true, some volume becomes opaque within a few slabs.
   bool IsDense = false;
   /// If true, some volume has two programs, and slices have separate depths.
   bool HasMarks = false;

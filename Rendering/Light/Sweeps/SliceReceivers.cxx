@@ -27,12 +27,12 @@ namespace interlume
 
 namespace
 {
-// The box of a volume's matter as rays from surfaces towards the lights of a sweep, and the samples
-// of area lights, meet it.
-class MatterBox
+// Box of a volume's medium, for intersection with rays from surfaces to the lights of a sweep and
+// to the samples of area lights.
+class MediumBox
 {
 public:
-  MatterBox(const VolumeRenderState& frame, const SlicePlan::Sweep& sweep)
+  MediumBox(const VolumeRenderState& frame, const SlicePlan::Sweep& sweep)
     : TextureFromUnit(frame.Space.TextureFromUnit)
     , Box(frame.Region.Box)
   {
@@ -49,21 +49,21 @@ public:
     }
   }
 
-  /// Whether some light comes through the box to a place in unit space.
-  bool IsBefore(const glm::dvec3& place) const
+  /// Returns true if any light passes through the box to a position in unit space.
+  bool IsReachedByLight(const glm::dvec3& position) const
   {
-    const glm::dvec3 from = UnitVector::TransformPoint(this->TextureFromUnit, place);
+    const glm::dvec3 from = UnitVector::TransformPoint(this->TextureFromUnit, position);
     return std::any_of(this->Sources.begin(), this->Sources.end(),
       [&](const glm::dvec4& source)
       {
-        const glm::dvec3 way = glm::dvec3(source) - source.w * place;
-        return this->IsMet(
-          from, UnitVector::TransformVector(this->TextureFromUnit, way), source.w > 0.0);
+        const glm::dvec3 direction = glm::dvec3(source) - source.w * position;
+        return this->IsIntersected(
+          from, UnitVector::TransformVector(this->TextureFromUnit, direction), source.w > 0.0);
       });
   }
 
 private:
-  bool IsMet(const glm::dvec3& from, const glm::dvec3& way, bool isPositional) const
+  bool IsIntersected(const glm::dvec3& from, const glm::dvec3& direction, bool isPositional) const
   {
     double first = 0.0;
     double last = isPositional ? 1.0 : VTK_DOUBLE_MAX;
@@ -71,20 +71,20 @@ private:
     {
       const double lower = this->Box[axis][0] - from[axis];
       const double upper = this->Box[axis][1] - from[axis];
-      if (way[axis] == 0.0)
+      if (direction[axis] == 0.0)
       {
         last = lower > 0.0 || upper < 0.0 ? -1.0 : last;
         continue;
       }
-      first = std::max(first, std::min(lower / way[axis], upper / way[axis]));
-      last = std::min(last, std::max(lower / way[axis], upper / way[axis]));
+      first = std::max(first, std::min(lower / direction[axis], upper / direction[axis]));
+      last = std::min(last, std::max(lower / direction[axis], upper / direction[axis]));
     }
     return first < last;
   }
 
   const glm::dmat4& TextureFromUnit;
   const std::array<std::array<double, 2>, 3>& Box;
-  /// Their places and 1; where light comes from and 0 of lights without a place.
+  /// Positions with w = 1, or directions toward directional lights with w = 0.
   std::vector<glm::dvec4> Sources;
 };
 }
@@ -98,18 +98,18 @@ void SliceReceivers::Sort(const std::vector<std::unique_ptr<VolumeSlices>>& volu
   const VolumeRenderState& frame = volumes[0]->GetFrame();
   const SlicePlan::Sweep& sweep = *this->Sweep;
   const SliceScene& scene = *this->Scene;
-  const std::vector<float>& depths = scene.EyeDepths;
-  const glm::dmat4 unitFromClip = glm::inverse(frame.Image->Eye.ClipFromUnit);
+  const std::vector<float>& depths = scene.CameraDepths;
+  const glm::dmat4 unitFromClip = glm::inverse(frame.Image->Camera.ClipFromUnit);
   const int width = scene.Size[0];
   const int height = scene.Size[1];
-  std::vector<MatterBox> matter;
+  std::vector<MediumBox> boxes;
   for (const std::unique_ptr<VolumeSlices>& volume : volumes)
   {
-    matter.emplace_back(volume->GetFrame(), sweep);
+    boxes.emplace_back(volume->GetFrame(), sweep);
   }
-  // Each pixel's place and slab: -1 for those that no light reaches through the matter, -2 for
-  // those that show nothing.
-  std::vector<std::array<float, 3>> places(depths.size());
+  // Position and slab of each pixel. The slab is -1 if no light reaches the position through the
+  // medium, and -2 if the pixel shows no surface.
+  std::vector<std::array<float, 3>> positions(depths.size());
   std::vector<int> slabs(depths.size(), -2);
   vtkSMPTools::For(0, height,
     [&](vtkIdType first, vtkIdType last)
@@ -124,13 +124,13 @@ void SliceReceivers::Sort(const std::vector<std::unique_ptr<VolumeSlices>>& volu
         const glm::dvec4 homogeneous = unitFromClip *
           glm::dvec4(2.0 * (i % width + 0.5) / width - 1.0, 2.0 * (i / width + 0.5) / height - 1.0,
             2.0 * depths[i] - 1.0, 1.0);
-        const glm::dvec3 place = glm::dvec3(homogeneous) / homogeneous.w;
-        places[i] = { { static_cast<float>(place.x), static_cast<float>(place.y),
-          static_cast<float>(place.z) } };
+        const glm::dvec3 position = glm::dvec3(homogeneous) / homogeneous.w;
+        positions[i] = { { static_cast<float>(position.x), static_cast<float>(position.y),
+          static_cast<float>(position.z) } };
         const double slab =
-          std::floor((glm::dot(place, sweep.Normal) - sweep.First) / sweep.Spacing);
-        slabs[i] = std::any_of(matter.begin(), matter.end(),
-                     [&place](const MatterBox& box) { return box.IsBefore(place); })
+          std::floor((glm::dot(position, sweep.Normal) - sweep.First) / sweep.Spacing);
+        slabs[i] = std::any_of(boxes.begin(), boxes.end(),
+                     [&position](const MediumBox& box) { return box.IsReachedByLight(position); })
           ? static_cast<int>(std::min(std::max(slab, -1.0), static_cast<double>(sweep.Slabs)))
           : -1;
       }
@@ -138,7 +138,7 @@ void SliceReceivers::Sort(const std::vector<std::unique_ptr<VolumeSlices>>& volu
   this->Starts.assign(static_cast<std::size_t>(sweep.Slabs) + 2, 0);
   for (const int slab : slabs)
   {
-    this->Scene->PixelsBefore += slab == -1 ? 1 : 0;
+    this->Scene->PixelsInFront += slab == -1 ? 1 : 0;
     if (slab >= 0)
     {
       ++this->Starts[static_cast<std::size_t>(slab) + 1];
@@ -149,16 +149,16 @@ void SliceReceivers::Sort(const std::vector<std::unique_ptr<VolumeSlices>>& volu
     this->Starts[i] += this->Starts[i - 1];
   }
   const std::size_t behind = this->Starts[static_cast<std::size_t>(sweep.Slabs)];
-  this->Scene->PixelsWithin += static_cast<vtkIdType>(behind);
+  this->Scene->PixelsInside += static_cast<vtkIdType>(behind);
   this->Scene->PixelsBehind += static_cast<vtkIdType>(this->Starts.back() - behind);
-  this->Places.resize(3 * this->Starts.back());
+  this->Positions.resize(3 * this->Starts.back());
   std::vector<std::size_t> next(this->Starts.begin(), this->Starts.end() - 1);
   for (std::size_t i = 0; i < slabs.size(); ++i)
   {
     if (slabs[i] >= 0)
     {
-      std::copy_n(places[i].begin(), 3,
-        this->Places.begin() + static_cast<std::ptrdiff_t>(3 * next[slabs[i]]++));
+      std::copy_n(positions[i].begin(), 3,
+        this->Positions.begin() + static_cast<std::ptrdiff_t>(3 * next[slabs[i]]++));
     }
   }
 }
@@ -172,16 +172,16 @@ void SliceReceivers::Begin(
   this->Sweep = &frame.Image->Plan.Sweeps[sweepIndex];
   this->Lights.clear();
   this->Next = 0;
-  this->Places.clear();
+  this->Positions.clear();
   if (this->Sweep->Lights.empty())
   {
     this->Starts.assign(static_cast<std::size_t>(this->Sweep->Slabs) + 2, 0);
     return;
   }
   this->Sort(volumes);
-  if (!this->Places.empty())
+  if (!this->Positions.empty())
   {
-    this->Vertices->Upload(this->Places, vtkOpenGLBufferObject::ArrayBuffer);
+    this->Vertices->Upload(this->Positions, vtkOpenGLBufferObject::ArrayBuffer);
   }
 }
 
@@ -189,7 +189,7 @@ Error SliceReceivers::Prepare(vtkOpenGLRenderWindow* window, VolumeSlices& slice
   const std::vector<SliceLightBuffer*>& buffers)
 {
   this->Lights.emplace_back();
-  if (this->Places.empty())
+  if (this->Positions.empty())
   {
     return {};
   }
@@ -229,7 +229,7 @@ Error SliceReceivers::Prepare(vtkOpenGLRenderWindow* window, VolumeSlices& slice
   return {};
 }
 
-bool SliceReceivers::IsLeft(int slab) const
+bool SliceReceivers::HasRemaining(int slab) const
 {
   return this->Next < this->Starts[static_cast<std::size_t>(slab) + 1];
 }
@@ -239,7 +239,7 @@ int SliceReceivers::Draw(vtkOpenGLRenderWindow* window, int slab, std::size_t vo
   const std::size_t first = this->Next;
   const std::size_t end = this->Starts[static_cast<std::size_t>(slab) + 1];
   const bool isBehind = slab == this->Sweep->Slabs;
-  // Behind all slabs the buffers have what all volumes take.
+  // Behind all slabs, the buffers contain the attenuation of all volumes, so draw only once.
   if (this->Lights[volume].empty() || (isBehind && volume > 0))
   {
     return 0;
@@ -255,7 +255,7 @@ int SliceReceivers::Draw(vtkOpenGLRenderWindow* window, int slab, std::size_t vo
   }
   vtkOpenGLState* state = window->GetState();
   state->vtkglBlendFunc(GL_ZERO, GL_SRC_COLOR);
-  // Lines and points of actors leave sizes of their own.
+  // Lines and points of actors change the point size.
   state->vtkglPointSize(1.0F);
   glEnable(GL_DEPTH_CLAMP);
   for (const Light& light : this->Lights[volume])

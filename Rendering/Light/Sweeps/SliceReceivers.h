@@ -27,12 +27,12 @@ struct SliceScene;
 
 /**
  * @class   SliceReceivers
- * @brief   finds what the slices of a sweep leave of their lights at the surfaces of the scene
+ * @brief   computes the transmittance of a sweep's slices at the surfaces of a scene
  *
- * Each pixel's surface is a point of the slab that it lies in. It is drawn into the scene's
- * transmittance when the lights' buffers have come to that slab: those that no light reaches
- * through the matter not at all, those behind the last slab at the end, by the layers of
- * samples where the light has such.
+ * The surface of each pixel is a point in a slab. It is drawn into the scene's transmittance when
+ * the light buffers reach that slab. Points that no light reaches through the medium are skipped.
+ * Points behind the last slab are drawn at the end, with the layers of samples if the light has
+ * layers.
  */
 class SliceReceivers
 {
@@ -44,19 +44,20 @@ public:
   void Begin(const std::vector<std::unique_ptr<VolumeSlices>>& volumes, std::size_t sweepIndex);
 
   /**
-   * Makes a volume's programs ready, the first one's first. \a buffers are those of the sweep's
-   * lights, whose textures are active. Returns an error if a program cannot be compiled.
+   * Prepares a volume's programs. Start with the first volume. \a buffers are the sweep's light
+   * buffers, whose textures must be active. Returns an error if a program cannot be compiled.
    */
   Error Prepare(vtkOpenGLRenderWindow* window, VolumeSlices& slices,
     const std::vector<SliceLightBuffer*>& buffers);
 
-  /// Whether there are surfaces left up to the end of a slab, whose matter the buffers do not have
-  /// yet; the number of slabs stands for what is behind all of them.
-  bool IsLeft(int slab) const;
-  /// Draws what a volume leaves of light at these surfaces. Returns the number of passes over
-  /// layers that this took.
+  /// Returns true if there are surfaces up to the end of \a slab that have not been drawn yet. The
+  /// light buffers must not contain \a slab yet. To include surfaces behind the last slab, pass the
+  /// number of slabs.
+  bool HasRemaining(int slab) const;
+  /// Multiplies the light at the remaining surfaces up to the end of \a slab by a volume's
+  /// transmittance. Returns the number of passes over layers.
   int Draw(vtkOpenGLRenderWindow* window, int slab, std::size_t volume);
-  /// Forgets them.
+  /// Skips the remaining surfaces up to the end of \a slab.
   void Pass(int slab) { this->Next = this->Starts[static_cast<std::size_t>(slab) + 1]; }
 
   void ReleaseGraphicsResources();
@@ -64,8 +65,8 @@ public:
 private:
   void Sort(const std::vector<std::unique_ptr<VolumeSlices>>& volumes);
 
-  /// A light's programs of a volume, the second one of the first volume where the light has layers,
-  /// and the light's tile in the scene's transmittance.
+  /// Programs of a volume for a light, and the light's tile in the scene's transmittance. Behind is
+  /// set only for the first volume, if the light has layers.
   struct Light
   {
     const SlicePlan::ShadowedLight* Planned = nullptr;
@@ -78,10 +79,11 @@ private:
   const VolumeRenderState* Frame = nullptr;
   SliceScene* Scene = nullptr;
   const SlicePlan::Sweep* Sweep = nullptr;
-  /// Of each volume.
+  /// The lights of each volume.
   std::vector<std::vector<Light>> Lights;
-  std::vector<float> Places;
-  /// The first place of each slab; two more than slabs.
+  std::vector<float> Positions;
+  /// Index of the first point of each slab, of the first point behind the slabs, and number of
+  /// points.
   std::vector<std::size_t> Starts;
   std::size_t Next = 0;
   vtkNew<vtkOpenGLBufferObject> Vertices;

@@ -14,7 +14,7 @@ DepthLayers::DepthLayers() = default;
 DepthLayers::~DepthLayers() = default;
 
 Error DepthLayers::Peel(vtkOpenGLRenderWindow* window, int width, const std::vector<float>& behind,
-  std::size_t most, LayerShader& shader, const std::function<void()>& draw)
+  std::size_t maximum, LayerShader& shader, const std::function<void()>& draw)
 {
   const int height = static_cast<int>(behind.size()) / width;
   std::size_t found = 0;
@@ -30,7 +30,7 @@ Error DepthLayers::Peel(vtkOpenGLRenderWindow* window, int width, const std::vec
     layer.HasRest = false;
     if (!LayerTarget::Upload(window, layer.Texture, width, height, 1, behind))
     {
-      error = Error("the graphics card has no memory for layers of translucent surfaces",
+      error = Error("The graphics card is out of memory for the layers of translucent surfaces.",
         ErrorCode::OutOfMemory);
       break;
     }
@@ -40,7 +40,7 @@ Error DepthLayers::Peel(vtkOpenGLRenderWindow* window, int width, const std::vec
       before->Activate();
     }
     shader.Begin(before ? LayerShader::NEXT : LayerShader::FIRST, before);
-    this->Target.Draw(window, layer.Texture, LayerTarget::LEAST, draw);
+    this->Target.Draw(window, layer.Texture, LayerTarget::MINIMUM, draw);
     shader.Begin(LayerShader::SHOW);
     if (before)
     {
@@ -48,9 +48,9 @@ Error DepthLayers::Peel(vtkOpenGLRenderWindow* window, int width, const std::vec
     }
     layer.Depths = LayerTarget::Read(layer.Texture);
     isLast = layer.Depths == behind;
-    if (!isLast && found == most)
+    if (!isLast && found == maximum)
     {
-      // There are more layers than that: the last one has them all.
+      // There are more layers than the maximum, so the last layer includes all surfaces behind it.
       this->Layers[found - 1].HasRest = true;
       isLast = true;
     }

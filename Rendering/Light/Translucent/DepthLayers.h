@@ -22,10 +22,10 @@ class LayerShader;
 
 /**
  * @class   DepthLayers
- * @brief   peels translucent surfaces: their depths from the nearest layer on, pixel by pixel
+ * @brief   peels translucent surfaces: depth of each layer per pixel, starting with the nearest
  *
- * Layer k of a pixel is the k-th different depth of a fragment there. Depths of pixels without one
- * are those of what is behind all.
+ * Layer k of a pixel has the k-th distinct fragment depth. If there are fewer fragments, its depth
+ * is the background depth.
  */
 class DepthLayers
 {
@@ -34,7 +34,8 @@ public:
   {
     vtkSmartPointer<vtkTextureObject> Texture;
     std::vector<float> Depths;
-    /// Whether surfaces behind the layer count as in it, since there may be no more layers.
+    /// If true, surfaces behind the layer belong to it because the maximum number of layers is
+    /// reached.
     bool HasRest = false;
   };
 
@@ -42,11 +43,12 @@ public:
   ~DepthLayers();
 
   /**
-   * Peels what \a draw draws, in front of the depths \a behind, \a width times as many, into \a
-   * most layers. Returns an error if there is no memory for them.
+   * Peels the surfaces drawn by \a draw that are in front of the depths \a behind, which are stored
+   * in rows of \a width pixels. Creates at most \a maximum layers. Returns an error if the GPU runs
+   * out of memory.
    */
   Error Peel(vtkOpenGLRenderWindow* window, int width, const std::vector<float>& behind,
-    std::size_t most, LayerShader& shader, const std::function<void()>& draw);
+    std::size_t maximum, LayerShader& shader, const std::function<void()>& draw);
 
   const std::vector<Layer>& Get() const { return this->Layers; }
   vtkIdType GetBytes() const;

@@ -16,8 +16,8 @@ namespace interlume
 
 namespace
 {
-const std::string PLACE = "//VTK::DepthPeeling::Impl";
-const std::string DECLARATION_PLACE = "//VTK::DepthPeeling::Dec";
+const std::string TAG = "//VTK::DepthPeeling::Impl";
+const std::string DECLARATION_TAG = "//VTK::DepthPeeling::Dec";
 const std::string MARK = "//INTERLUME::SceneLayer";
 const std::string DECLARATION_MARK = "//INTERLUME::SceneLayerDec";
 
@@ -59,16 +59,15 @@ bool LayerShader::CanDraw(vtkProp* prop)
   vtkShaderProperty* shaders = actor->GetShaderProperty();
   return mapper && (mapper->IsA("vtkPolyDataMapper") || mapper->IsA("vtkGlyph3DMapper")) &&
     (!shaders->HasFragmentShaderCode() ||
-      (std::string(shaders->GetFragmentShaderCode()).find(PLACE) != std::string::npos &&
-        std::string(shaders->GetFragmentShaderCode()).find(DECLARATION_PLACE) !=
-          std::string::npos));
+      (std::string(shaders->GetFragmentShaderCode()).find(TAG) != std::string::npos &&
+        std::string(shaders->GetFragmentShaderCode()).find(DECLARATION_TAG) != std::string::npos));
 }
 
 void LayerShader::Mark(std::string& fragmentShader)
 {
-  vtkShaderProgram::Substitute(fragmentShader, PLACE, MARK + "\n" + PLACE, false);
+  vtkShaderProgram::Substitute(fragmentShader, TAG, MARK + "\n" + TAG, false);
   vtkShaderProgram::Substitute(
-    fragmentShader, DECLARATION_PLACE, DECLARATION_MARK + "\n" + DECLARATION_PLACE, false);
+    fragmentShader, DECLARATION_TAG, DECLARATION_MARK + "\n" + DECLARATION_TAG, false);
 }
 
 void LayerShader::Replace(std::string& fragmentShader) const

@@ -16,51 +16,52 @@ namespace interlume
 
 /**
  * @class   LayerShader
- * @brief   makes VTK's mappers draw their translucent geometry layer by layer
+ * @brief   lets VTK's mappers draw their translucent geometry layer by layer
  *
- * A fragment shader of VTK's gets one more test at its end, after clipping, textures and whatever
- * else decides on a fragment's colour and opacity. The program is the same in all steps, so that a
- * fragment has the same depth in each.
+ * This class adds a test to the end of VTK's fragment shaders, after clipping, textures and all
+ * other code that determines a fragment's color and opacity. All steps use the same program, so
+ * that a fragment has the same depth in each step.
  */
 class LayerShader
 {
 public:
   enum Steps
   {
-    /// As VTK draws it.
+    /// Draw unchanged.
     SHOW,
-    /// Translucent geometry is left out.
+    /// Discard translucent geometry.
     HIDE,
-    /// The depth of all, of those behind a layer.
+    /// Write the depth of all fragments, or of the fragments behind a layer.
     FIRST,
     NEXT,
-    /// The colours of those in a layer, of those in it and behind.
+    /// Write the color of fragments in a layer, or in a layer and behind it.
     SHADE,
     SHADE_REST,
-    /// 1 - opacity of those in a layer, of those in it and behind.
+    /// Write 1 - opacity of fragments in a layer, or in a layer and behind it.
     WEAKEN,
     WEAKEN_REST
   };
 
-  /// Switches the test on or off. Returns whether it was not.
+  /// Switches the test on or off. Returns true if that changes the shaders.
   bool Enable(bool isOn);
   bool IsOn() const { return this->On; }
 
-  /// Returns whether a prop's shaders have a place for the test.
+  /// Returns true if a prop's shaders support the test.
   static bool CanDraw(vtkProp* prop);
 
-  /// Marks where the sources go, in a shader without VTK's parts, and puts them in.
+  /// Mark inserts markers for the sources, before VTK replaces its tags. Replace then replaces the
+  /// markers by the sources.
   static void Mark(std::string& fragmentShader);
   void Replace(std::string& fragmentShader) const;
 
-  /// The step of what is drawn next, and its layer, whose texture is active.
+  /// Sets the step of the following draws, and its layer, whose texture must be active.
   void Begin(Steps step, vtkTextureObject* layer = nullptr);
   bool IsShading() const { return this->Step == SHADE || this->Step == SHADE_REST; }
-  /// Sets the uniforms; \a placeholder is active.
+  /// Sets the uniforms. \a placeholder must be active.
   void SetUniforms(vtkShaderProgram* program, vtkProp* prop, vtkTextureObject* placeholder) const;
 
-  /// Draws the translucent geometry of props into the part \a left, \a bottom, \a width, \a height
-  /// of the framebuffer that is bound, as the renderer's camera sees it.
+  /// Draws the translucent geometry of props with the renderer's camera, into the viewport \a part
+  /// (left, bottom, width, height) of the bound framebuffer.
   static void DrawProps(
     vtkRenderer* renderer, const std::vector<vtkProp*>& props, const std::array<int, 4>& part);
 

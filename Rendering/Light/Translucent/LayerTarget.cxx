@@ -34,7 +34,7 @@ void LayerTarget::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
     const auto height = static_cast<GLsizei>(texture->GetHeight());
     state->vtkglViewport(0, 0, width, height);
     state->vtkglScissor(0, 0, width, height);
-    state->vtkglBlendEquation(blend == LEAST ? GL_MIN : GL_FUNC_ADD);
+    state->vtkglBlendEquation(blend == MINIMUM ? GL_MIN : GL_FUNC_ADD);
     if (blend == PRODUCT)
     {
       state->vtkglBlendFuncSeparate(GL_ZERO, GL_SRC_COLOR, GL_ZERO, GL_SRC_ALPHA);
@@ -59,7 +59,7 @@ bool LayerTarget::Upload(vtkOpenGLRenderWindow* window, vtkTextureObject* textur
   texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   texture->SetWrapS(vtkTextureObject::ClampToEdge);
   texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  // Without this the texture keeps the format it had.
+  // Without this call, the texture would keep its previous format.
   texture->ResetFormatAndType();
   return texture->Create2DFromRaw(static_cast<unsigned int>(width),
     static_cast<unsigned int>(height), channels, VTK_FLOAT, const_cast<float*>(values.data()));

@@ -18,34 +18,34 @@ namespace interlume
 
 /**
  * @class   LayerTarget
- * @brief   a framebuffer for textures of floats that translucent surfaces are drawn into
+ * @brief   framebuffer for drawing translucent surfaces into floating-point textures
  */
 class LayerTarget
 {
 public:
   enum Blends
   {
-    /// The least of all.
-    LEAST,
-    /// The product of all.
+    /// Minimum of all values.
+    MINIMUM,
+    /// Product of all values.
     PRODUCT,
-    /// Colours over each other, with opacity; the target's are multiplied by it.
+    /// Alpha blending of colors over the target, whose colors are premultiplied.
     OVER
   };
 
   LayerTarget();
   ~LayerTarget();
 
-  /// Calls \a draw with the texture bound. The state of OpenGL is then as before.
+  /// Calls \a draw with the texture bound as the framebuffer. Restores the OpenGL state.
   void Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, Blends blend,
     const std::function<void()>& draw);
 
   ///@{
-  /// Makes a texture of one value a texel, or of two, of these values, row by row from below.
-  /// Returns false where the card has no memory.
+  /// Creates a texture with one or two channels from values, row by row from the bottom. Returns
+  /// false if the GPU runs out of memory.
   static bool Upload(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int width,
     int height, int channels, const std::vector<float>& values);
-  /// Reads a texture of one value a texel.
+  /// Reads a texture with one channel.
   static std::vector<float> Read(vtkTextureObject* texture);
   ///@}
 

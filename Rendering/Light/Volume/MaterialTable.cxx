@@ -19,15 +19,15 @@ namespace
 {
 using Range = TransferColumns::Range;
 
-/// The distances within which scalars are taken to be on a function's point, since texels are
-/// rounded: in widths of a column, and relative to what the texel is of.
+/// Tolerances within which a scalar equals a point of a function, since texels are rounded: in
+/// column widths (OnColumn), and relative to the texel's difference from the offset (OnTexel).
 constexpr double OnColumn = 1e-3;
-/// A ramp as narrow as this, of the range, is a step.
+/// A ramp up to this fraction of the range counts as a step.
 constexpr double StepWidth = 1e-3;
 constexpr double OnTexel = 1.0 / (1 << 21);
 
-/// Returns the component's range where that is wide enough to be told apart in texels, else a wider
-/// one. Differences of its ends are finite.
+/// Returns the component's range, enlarged if it is too narrow for the precision of texels. The
+/// difference of the ends is finite.
 std::array<double, 2> FindTableRange(const VolumeSamples& samples, int component)
 {
   constexpr double largest = 0.25 * std::numeric_limits<double>::max();
@@ -44,7 +44,7 @@ double FindExtinction(double opacity, double unitDistance)
   return std::min(depth / unitDistance, static_cast<double>(std::numeric_limits<float>::max()));
 }
 
-/// Returns the function, or a ramp over the range where it has no points, as in VTK.
+/// Returns the function's nodes, or a ramp over the range if it has no points, as in VTK.
 template <typename Function>
 TransferNodes GetNodes(Function* function, const Range& range, double last)
 {
@@ -64,7 +64,7 @@ TransferNodes GetColorNodes(vtkVolumeProperty* property, int component, const Ra
     range, 1.0);
 }
 
-double Keep(double value)
+double Identity(double value)
 {
   return value;
 }
@@ -74,8 +74,8 @@ double ClampToOne(double value)
   return std::clamp(value, 0.0, 1.0);
 }
 
-const TransferColumns::Mapping Kept{ Keep, Keep };
-const TransferColumns::Mapping Clamped{ ClampToOne, Keep };
+const TransferColumns::Mapping Unchanged{ Identity, Identity };
+const TransferColumns::Mapping Clamped{ ClampToOne, Identity };
 }
 
 Error MaterialTable::Build(vtkVolumeProperty* property, const VolumeSamples& samples,
@@ -85,11 +85,12 @@ Error MaterialTable::Build(vtkVolumeProperty* property, const VolumeSamples& sam
   const bool independent = property->GetIndependentComponents() || samples.Components == 1;
   if (!independent && samples.Components == 3)
   {
-    return "three components that are not independent have no opacity";
+    return "The volume has three components that are not independent, and none of them defines the "
+           "opacity. Use one, two or four components, or turn on IndependentComponents.";
   }
   if (property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
   {
-    return "transfer functions of two dimensions are not supported";
+    return "2D transfer functions are not supported. Set the transfer function mode to TF_1D.";
   }
   for (const bool isTransmission : { true, false })
   {
@@ -97,8 +98,8 @@ Error MaterialTable::Build(vtkVolumeProperty* property, const VolumeSamples& sam
       (independent ? samples.Components != 1 : samples.Components != 2))
     {
       return std::string(isTransmission ? "TransmissionColor" : "ScatteringAlbedo") +
-        " is for one component, or for two that are not independent, not for " +
-        std::to_string(samples.Components);
+        " requires one component, or two that are not independent, but the volume has " +
+        std::to_string(samples.Components) + (independent ? " independent" : "") + " components.";
     }
   }
   const int rows = independent ? samples.Components : 1;
@@ -108,7 +109,7 @@ Error MaterialTable::Build(vtkVolumeProperty* property, const VolumeSamples& sam
     if (!(unit > 0.0) || !std::isfinite(unit))
     {
       return "ScalarOpacityUnitDistance of component " + std::to_string(row) + " is " +
-        std::to_string(unit) + "; it must be above 0";
+        std::to_string(unit) + ". It must be positive and finite.";
     }
   }
 
@@ -158,7 +159,7 @@ void MaterialTable::BuildRow(vtkVolumeProperty* property, const VolumeSamples& s
   this->ColorRange[row] = colors.Limit(scalars);
   if (transmission)
   {
-    // Both functions have the columns of one range. A transmission without points is black.
+    // Both functions share the range of the columns. A transmission without points is black.
     const TransferNodes transmissions = transmission->GetSize() > 0
       ? TransferNodes(transmission)
       : TransferNodes(this->ColorRange[row], 0.0, 0.0);
@@ -178,7 +179,7 @@ void MaterialTable::BuildRow(vtkVolumeProperty* property, const VolumeSamples& s
     this->TransmissionEdges = std::move(columns.Edges);
   }
   const TransferColumns columns(colors, TransferColumns::THREE, this->ColorRange[row],
-    scattering.IsOn ? Clamped : Kept, this->Bends);
+    scattering.IsOn ? Clamped : Unchanged, this->Bends);
   this->ColorBends.insert(this->ColorBends.end(), columns.Bends.begin(), columns.Bends.end());
   this->ColorEdges.insert(this->ColorEdges.end(), columns.Edges.begin(), columns.Edges.end());
   for (std::size_t i = 0; i < columns.Values.size(); ++i)
@@ -202,7 +203,7 @@ void MaterialTable::BuildGradientOpacity(vtkVolumeProperty* property)
     const std::array<double, 2>& scalars = this->ScalarRange[row];
     Range range{ { 0.0, 0.25 * (scalars[1] - scalars[0]) } };
     TransferNodes nodes(range, 1.0, 1.0);
-    // Asking for a function that is not there would make one. One that is disabled is 1.
+    // GetGradientOpacity would create a missing function. A disabled function is 1.
     if (property->HasGradientOpacity(row))
     {
       nodes = GetNodes(property->GetGradientOpacity(row), range, 0.5);

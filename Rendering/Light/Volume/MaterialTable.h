@@ -17,45 +17,46 @@ class VolumeSamples;
 
 /**
  * @class   MaterialTable
- * @brief   colour, extinction and gradient opacity by scalar, as textures have them
+ * @brief   color, extinction and gradient opacity by scalar, in the layout of textures
  *
- * A row is the functions of one component, sampled at Columns places, ends included, over that part
- * of the component's range in which the function changes, so that a value far beyond all others
- * does not make it coarse. What is beyond has the values of the ends. Where a function bends
- * between two columns, as at its points, steps and peaks, there is a list of bends (see
- * TransferColumns).
+ * A row contains one component's functions at Columns positions, ends included. The samples cover
+ * only the part of the component's range in which the function changes, so that outliers do not
+ * reduce the resolution. Outside this part, the functions have the values of its ends. If a
+ * function has a breakpoint between two columns, such as a point, step or peak, the interval has a
+ * list of breakpoints (see TransferColumns).
  *
- * Where all values of a component are equal, its range is from there on. A function without points
- * is a ramp over the range, colours from 0 to 1 and opacities from 0 to 0.5, as in VTK. Of
- * components that are not independent the functions, the unit distance and the gradient opacity are
- * those of index 0. Weights count for two and more independent components only, as in VTK.
+ * If all values of a component are equal, its range starts at this value and is slightly wider. As
+ * in VTK, a function without points is a ramp over the range: colors from 0 to 1, opacities from 0
+ * to 0.5. For components that are not independent, the functions, the unit distance and the
+ * gradient opacity of index 0 apply. As in VTK, weights apply only to two or more independent
+ * components.
  *
- * **Gradient opacity** is by the magnitude that vtkGPUVolumeRayCastMapper looks up: the length of
- * the gradient by central differences per unit of length of the image, times the mean of its three
- * spacings s,
+ * **Gradient opacity** depends on the same magnitude as in vtkGPUVolumeRayCastMapper. It is the
+ * length of the central-difference gradient per unit length of the image, times the mean of the
+ * three spacings s:
  *   m = (sx + sy + sz) / 3 |((f(x + 1) - f(x - 1)) / (2 sx), ... y, ... z)|,
- * x counting voxels; so it is in units of the scalar, for cubic voxels its change from one to the
- * next. m beyond a quarter of the component's range counts as that quarter. f is the opacity's
- * component.
+ * where x counts voxels and f is the opacity's component. m is in units of the scalar. For cubic
+ * voxels, it is the change from one voxel to the next. m is clamped to a quarter of the component's
+ * range.
  */
 class MaterialTable
 {
 public:
   static constexpr int Columns = TransferColumns::Columns;
 
-  /// The meanings of a voxel's components.
+  /// Meanings of a voxel's components.
   enum Kinds
   {
-    /// Each component has its own functions, and a row; a single component is such.
+    /// Each component has separate functions and a row. A single component is independent.
     INDEPENDENT,
-    /// The first component has a colour, the second an opacity.
+    /// The first component defines the color, the second the opacity.
     COLOR_OPACITY,
-    /// There are RGB and a fourth component that has an opacity.
+    /// Three components are RGB, and the fourth defines the opacity.
     RGB_OPACITY
   };
 
-  /// Whether colours are shares of light that matter scatters, 0 to 1, and the function of these;
-  /// null for the property's colours.
+  /// If IsOn is true, colors are scattering albedos, clamped to 0 to 1. Albedo is the function that
+  /// defines them, or null for the property's colors.
   struct Scattering
   {
     bool IsOn = false;
@@ -63,10 +64,11 @@ public:
   };
 
   /**
-   * Samples the functions of \a property. \a transmission may be null. Returns an error for three
-   * components that are not independent, for transfer functions of two dimensions, for a unit
-   * distance that is not above 0, and for a transmission or an albedo of several independent
-   * components or of RGB.
+   * Samples the functions of \a property. \a transmission may be null. Returns an error for
+   * - three components that are not independent,
+   * - 2D transfer functions,
+   * - a unit distance that is not positive,
+   * - a transmission or an albedo of several independent components or of RGB.
    */
   Error Build(vtkVolumeProperty* property, const VolumeSamples& samples,
     vtkColorTransferFunction* transmission, const Scattering& scattering);
@@ -77,19 +79,18 @@ public:
   }
 
   /// Returns the largest extinction per world unit in [lower, upper] of \a row's opacity function.
-  /// A bound within rounding of a point of the function, or within a thousandth of a column's
-  /// width, counts as on it. 0 where lower > upper.
+  /// Returns 0 if lower > upper. A bound is treated as equal to a point of the function if the
+  /// difference is within rounding error or a thousandth of a column's width.
   double GetLargestExtinction(int row, double lower, double upper) const;
 
-  /// Returns whether opacity changes by steps alone, within a thousandth of the scalar's range, in
-  /// all rows and whatever the gradient.
+  /// Returns true if the opacity of all rows changes only by steps, narrower than a thousandth of
+  /// the scalar range, and does not depend on the gradient.
   bool HasSharpOpacity() const;
 
-  /// The smallest extinction above 0 per world unit that opacities of that kind have, 0 where all
-  /// is transparent.
+  /// Returns the smallest positive extinction per world unit, or 0 if everything is transparent.
   double GetSmallestExtinction() const;
 
-  /// The component that \a row's opacity is of.
+  /// Returns the component that defines \a row's opacity.
   int GetOpacityComponent(int row) const
   {
     return this->Kind == INDEPENDENT ? row : this->Kind == COLOR_OPACITY ? 1 : 3;
@@ -97,37 +98,39 @@ public:
 
   Kinds Kind = INDEPENDENT;
   int Rows = 0;
-  /// The range of the scalar that a row's opacity belongs to. The ends are never equal, and their
+  /// Range of the scalar that defines a row's opacity. The ends are never equal, and their
   /// difference is finite.
   std::array<std::array<double, 2>, 4> ScalarRange{};
-  /// The scalars of the first and last column of a row for the colour (and the transmission), and
-  /// for the opacity. They are never equal, and their difference is finite.
+  /// Scalars of a row's first and last column, for the color (and transmission) and for the
+  /// opacity. The ends are never equal, and their difference is finite.
   std::array<std::array<double, 2>, 4> ColorRange{};
   std::array<std::array<double, 2>, 4> OpacityRange{};
-  /// Red, green, blue, and extinction per world unit (-ln(1 - opacity) / unit distance, at most
-  /// LargestOpticalDepth / unit distance), times the component's weight. White for RGB_OPACITY.
+  /// Red, green, blue, and extinction per world unit times the component's weight. The extinction
+  /// is -ln(1 - opacity) / unit distance, at most LargestOpticalDepth / unit distance. Colors are
+  /// white for RGB_OPACITY.
   std::vector<float> Colors;
   static constexpr double LargestOpticalDepth = 69.0;
-  /// Gradient opacity over the magnitude m, 0 to GradientRange[row], a quarter of the range or the
-  /// function's last point where that is before; 1 for rows without such a function or with
-  /// DisableGradientOpacity, empty where all are 1.
+  /// Gradient opacity for a magnitude m of 0 to GradientRange[row]. The range ends at a quarter of
+  /// the scalar range, or at the function's last point if that is smaller. The values are 1 for
+  /// rows without a function or with DisableGradientOpacity. Empty if all values are 1.
   std::vector<float> GradientOpacity;
   std::array<double, 4> GradientRange{ { 1.0, 1.0, 1.0, 1.0 } };
-  /// The RGB of light let through, by row 0's colour range; empty without it.
+  /// RGB of the transmitted light for row 0's color range. Empty without a transmission.
   std::vector<float> Transmission;
-  /// The lists: for each column of the tables above the first texel of its list in Bends, or 0.
+  /// Breakpoint lists: for each column of the tables above, the first texel of its list in Bends,
+  /// or 0.
   std::vector<int> ColorBends;
   std::vector<int> ExtinctionBends;
   std::vector<int> GradientOpacityBends;
   std::vector<int> TransmissionBends;
-  /// Texels of four floats; empty where no function has a list.
+  /// Four floats per texel. Empty if no function has a list.
   std::vector<float> Bends;
-  /// The edges: for each column of the tables where its edge begins and ends.
+  /// Edges: start and end of the edge in each column of the tables.
   std::vector<std::array<float, 2>> ColorEdges;
   std::vector<std::array<float, 2>> ExtinctionEdges;
   std::vector<std::array<float, 2>> GradientOpacityEdges;
   std::vector<std::array<float, 2>> TransmissionEdges;
-  /// Returns whether any column has an edge.
+  /// Returns true if any column has an edge.
   bool HasEdges() const;
 
 private:
@@ -140,7 +143,7 @@ private:
   std::array<TransferNodes, 4> Opacities;
   std::array<double, 4> UnitDistance{ { 1.0, 1.0, 1.0, 1.0 } };
   std::array<double, 4> Weight{ { 1.0, 1.0, 1.0, 1.0 } };
-  /// The offset of the opacity's component, which texels are rounded relative to.
+  /// Offset of the component that defines the opacity. Rounding of texels is relative to it.
   std::array<double, 4> Offset{};
 };
 

@@ -16,7 +16,7 @@ namespace interlume
 
 namespace
 {
-// From sample to sample along each axis.
+// Sampling interval along each axis.
 constexpr int Step = 4;
 
 template <typename Texel>
@@ -39,7 +39,7 @@ double GetValue(const VolumeSamples& samples, std::size_t voxel, int component)
   return samples.Offset[at] + samples.Scale[at] * texel;
 }
 
-bool HasMatter(const VolumeSamples& samples, const MaterialTable& material, std::size_t voxel)
+bool HasMedium(const VolumeSamples& samples, const MaterialTable& material, std::size_t voxel)
 {
   bool has = false;
   for (int row = 0; row < material.Rows && !has; ++row)
@@ -54,8 +54,8 @@ bool HasMatter(const VolumeSamples& samples, const MaterialTable& material, std:
 double OccupancyEstimate::Find(
   const VolumeSamples& samples, const VolumeBlocks& blocks, const MaterialTable& material)
 {
-  const auto getBlock = [&](int place, std::size_t axis)
-  { return std::min(place / VolumeBlocks::BlockSize, blocks.GetSize()[axis] - 1); };
+  const auto getBlock = [&](int position, std::size_t axis)
+  { return std::min(position / VolumeBlocks::BlockSize, blocks.GetSize()[axis] - 1); };
   std::size_t seen = 0;
   std::size_t filled = 0;
   for (int k = 0; k < samples.Size[2]; k += Step)
@@ -75,7 +75,7 @@ double OccupancyEstimate::Find(
           row * static_cast<std::size_t>(samples.Size[0]) + static_cast<std::size_t>(i);
         const bool isFinite = samples.Mask.empty() || samples.Mask[voxel] != 0;
         ++seen;
-        filled += isFinite && HasMatter(samples, material, voxel) ? 1 : 0;
+        filled += isFinite && HasMedium(samples, material, voxel) ? 1 : 0;
       }
     }
   }

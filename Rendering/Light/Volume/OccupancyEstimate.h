@@ -16,8 +16,8 @@ class VolumeSamples;
 class OccupancyEstimate
 {
 public:
-  /// Returns the fraction, 0 to 1, of the samples of visible blocks that have an extinction above 0
-  /// in a row, from one sample in four along each axis; 1 where no block is visible.
+  /// Returns the fraction, 0 to 1, of the samples in visible blocks that have a positive extinction
+  /// in any row. Uses every fourth sample along each axis. Returns 1 if no block is visible.
   static double Find(
     const VolumeSamples& samples, const VolumeBlocks& blocks, const MaterialTable& material);
 };

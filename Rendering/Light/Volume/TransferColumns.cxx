@@ -16,26 +16,26 @@ using Value = TransferNodes::Value;
 using TransferMath::GetDistance;
 using TransferMath::Mix;
 
-/// The error that needs no list, and of lists, as a share of the largest value.
+/// Error below which neither an edge nor a list is needed, as a fraction of the largest value.
 constexpr double Straight = 1e-3;
-/// The error within an edge, over the whole way, as a share of the largest value.
+/// Error inside an edge, averaged over the interval, as a fraction of the largest value.
 constexpr double Curved = 1e-2;
 constexpr double Tolerance = 1e-4;
-/// Straight pieces are halved this often at most.
-constexpr int Depth = 12;
+/// Maximum number of bisections of a linear piece.
+constexpr int MaximumDepth = 12;
 
-/// The share of the way between two columns, and the value there.
-struct Place
+/// Position as a fraction of the interval between two columns, and the value there.
+struct Breakpoint
 {
-  double Share;
+  double Fraction;
   Value Y;
 };
 
-/// One way from column to column, as mapped nodes.
-class Way
+/// The function between two columns: a list of breakpoints with mapped values.
+class Interval
 {
 public:
-  Way(const TransferColumns::Mapping& mapping, const std::vector<TransferNodes::Node>& nodes)
+  Interval(const TransferColumns::Mapping& mapping, const std::vector<TransferNodes::Node>& nodes)
     : Mapping(mapping)
   {
     for (const TransferNodes::Node& node : nodes)
@@ -49,87 +49,90 @@ public:
 
   void Begin(const Value& y)
   {
-    this->Places.clear();
+    this->Breakpoints.clear();
     this->Last = { 0.0, y };
-    this->Places.push_back({ 0.0, this->GetMapped(y) });
+    this->Breakpoints.push_back({ 0.0, this->GetMapped(y) });
   }
 
-  /// Adds a node after the last one, as far as a further one.
-  void Add(const Place& next)
+  /// Adds a node after the last one, and breakpoints in between if the mapping is nonlinear.
+  void Add(const Breakpoint& next)
   {
-    const Place mapped{ next.Share, this->GetMapped(next.Y) };
-    if (next.Share > this->Last.Share)
+    const Breakpoint mapped{ next.Fraction, this->GetMapped(next.Y) };
+    if (next.Fraction > this->Last.Fraction)
     {
-      const Place before = this->Places.back();
-      this->Halve(this->Last, before, next, mapped, Depth);
+      const Breakpoint before = this->Breakpoints.back();
+      this->Bisect(this->Last, before, next, mapped, MaximumDepth);
     }
     else
     {
-      this->Places.push_back(mapped);
+      this->Breakpoints.push_back(mapped);
     }
     this->Last = next;
   }
 
   bool IsStraight() const
   {
-    const Value& first = this->Places.front().Y;
-    const Value& last = this->Places.back().Y;
-    return std::all_of(this->Places.begin(), this->Places.end(),
-      [&](const Place& place)
-      { return this->IsClose(place.Y, Mix(first, last, place.Share), Straight); });
+    const Value& first = this->Breakpoints.front().Y;
+    const Value& last = this->Breakpoints.back().Y;
+    return std::all_of(this->Breakpoints.begin(), this->Breakpoints.end(),
+      [&](const Breakpoint& breakpoint)
+      { return this->IsClose(breakpoint.Y, Mix(first, last, breakpoint.Fraction), Straight); });
   }
 
-  /// Finds where an edge begins and ends, before and after which the values are those of the ends.
-  /// Returns false where there is more than an edge.
+  /// Finds the start and end of an edge, outside which the values are constant. Returns false if
+  /// the interval contains more than an edge.
   bool FindEdge(std::array<float, 2>& edge) const
   {
-    const Value& first = this->Places.front().Y;
-    const Value& last = this->Places.back().Y;
+    const Value& first = this->Breakpoints.front().Y;
+    const Value& last = this->Breakpoints.back().Y;
     std::size_t begin = 0;
-    while (
-      begin + 1 < this->Places.size() && this->IsClose(this->Places[begin + 1].Y, first, Straight))
+    while (begin + 1 < this->Breakpoints.size() &&
+      this->IsClose(this->Breakpoints[begin + 1].Y, first, Straight))
     {
       ++begin;
     }
-    std::size_t end = this->Places.size() - 1;
-    while (end > 0 && this->IsClose(this->Places[end - 1].Y, last, Straight))
+    std::size_t end = this->Breakpoints.size() - 1;
+    while (end > 0 && this->IsClose(this->Breakpoints[end - 1].Y, last, Straight))
     {
       --end;
     }
-    const double from = this->Places[begin].Share;
-    const double to = this->Places[end].Share;
-    // An error within the edge counts by its part of the way; none is allowed beyond its ends.
+    const double from = this->Breakpoints[begin].Fraction;
+    const double to = this->Breakpoints[end].Fraction;
+    // An error inside the edge counts in proportion to the edge's width. No error is allowed
+    // outside.
     const double tolerance = std::max(Straight, Curved / std::max(to - from, Curved));
-    const auto isEdge = [&](const Place& place)
+    const auto isEdge = [&](const Breakpoint& breakpoint)
     {
-      const double share = std::clamp((place.Share - from) / (to - from), 0.0, 1.0);
-      Value within = place.Y;
+      const double fraction = std::clamp((breakpoint.Fraction - from) / (to - from), 0.0, 1.0);
+      Value within = breakpoint.Y;
       for (std::size_t i = 0; i < within.size(); ++i)
       {
         within[i] = std::clamp(within[i], std::min(first[i], last[i]), std::max(first[i], last[i]));
       }
-      const bool isInside = place.Share > from && place.Share < to;
-      return this->IsClose(place.Y, within, Straight) &&
-        this->IsClose(place.Y, Mix(first, last, share), isInside ? tolerance : Straight);
+      const bool isInside = breakpoint.Fraction > from && breakpoint.Fraction < to;
+      return this->IsClose(breakpoint.Y, within, Straight) &&
+        this->IsClose(breakpoint.Y, Mix(first, last, fraction), isInside ? tolerance : Straight);
     };
-    // A step has two values at one place.
-    const bool isFound =
-      from < to ? std::all_of(this->Places.begin(), this->Places.end(), isEdge) : end == begin + 1;
+    // A step has two values at one position.
+    const bool isFound = from < to
+      ? std::all_of(this->Breakpoints.begin(), this->Breakpoints.end(), isEdge)
+      : end == begin + 1;
     edge = { { isFound ? Round(from) : 0.0F, isFound ? Round(to) : 1.0F } };
     return isFound;
   }
 
-  const std::vector<Place>& GetPlaces() const { return this->Places; }
+  const std::vector<Breakpoint>& GetBreakpoints() const { return this->Breakpoints; }
 
 private:
-  /// Rounds to a place of which two fit into a number of single precision.
-  static float Round(double share)
+  /// Rounds to a multiple of 1 / EdgePositions, so that two such fractions fit into one
+  /// single-precision number.
+  static float Round(double fraction)
   {
-    constexpr double places = TransferColumns::EdgePlaces;
-    return static_cast<float>(std::round(share * places) / places);
+    constexpr double steps = TransferColumns::EdgePositions;
+    return static_cast<float>(std::round(fraction * steps) / steps);
   }
 
-  /// Maps a value; channels of one value are mapped once.
+  /// Maps a value. Equal channels are mapped once.
   static Value Apply(const std::function<double(double)>& map, const Value& y)
   {
     const double first = map(y[0]);
@@ -143,27 +146,28 @@ private:
       tolerance * this->Largest;
   }
 
-  void Halve(const Place& a, const Place& mappedA, const Place& b, const Place& mappedB, int depth)
+  void Bisect(const Breakpoint& a, const Breakpoint& mappedA, const Breakpoint& b,
+    const Breakpoint& mappedB, int depth)
   {
-    const Place half{ 0.5 * (a.Share + b.Share), Mix(a.Y, b.Y, 0.5) };
-    const Place mapped{ half.Share, this->GetMapped(half.Y) };
+    const Breakpoint half{ 0.5 * (a.Fraction + b.Fraction), Mix(a.Y, b.Y, 0.5) };
+    const Breakpoint mapped{ half.Fraction, this->GetMapped(half.Y) };
     if (depth == 0 || this->IsClose(mapped.Y, Mix(mappedA.Y, mappedB.Y, 0.5), Tolerance))
     {
-      this->Places.push_back(mappedB);
+      this->Breakpoints.push_back(mappedB);
       return;
     }
-    this->Halve(a, mappedA, half, mapped, depth - 1);
-    this->Halve(half, mapped, b, mappedB, depth - 1);
+    this->Bisect(a, mappedA, half, mapped, depth - 1);
+    this->Bisect(half, mapped, b, mappedB, depth - 1);
   }
 
   const TransferColumns::Mapping& Mapping;
   double Largest = 0.0;
-  Place Last{};
-  std::vector<Place> Places;
+  Breakpoint Last{};
+  std::vector<Breakpoint> Breakpoints;
 };
 
-/// Appends a list, and returns its first texel.
-int Append(const std::vector<Place>& places, bool isOne, std::vector<float>& bends)
+/// Appends a list of breakpoints to \a bends and returns its first texel.
+int Append(const std::vector<Breakpoint>& breakpoints, bool isOne, std::vector<float>& bends)
 {
   bends.resize(std::max<std::size_t>(bends.size(), 4), 0.0F);
   const std::size_t first = bends.size();
@@ -174,16 +178,17 @@ int Append(const std::vector<Place>& places, bool isOne, std::vector<float>& ben
         static_cast<float>(d) });
   };
   add(0.0, 0.0, 0.0, 0.0);
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < breakpoints.size(); ++i)
   {
-    const Place& place = places[i];
+    const Breakpoint& breakpoint = breakpoints[i];
     if (!isOne)
     {
-      add(place.Share, place.Y[0], place.Y[1], place.Y[2]);
+      add(breakpoint.Fraction, breakpoint.Y[0], breakpoint.Y[1], breakpoint.Y[2]);
     }
-    else if (i > 0 && place.Share > places[i - 1].Share)
+    else if (i > 0 && breakpoint.Fraction > breakpoints[i - 1].Fraction)
     {
-      add(places[i - 1].Share, place.Share, places[i - 1].Y[0], place.Y[0]);
+      add(
+        breakpoints[i - 1].Fraction, breakpoint.Fraction, breakpoints[i - 1].Y[0], breakpoint.Y[0]);
     }
   }
   bends[first] = static_cast<float>((bends.size() - first) / 4 - (isOne ? 1 : 2));
@@ -200,7 +205,7 @@ TransferColumns::TransferColumns(const TransferNodes& nodes, Channels channels, 
   const auto& all = nodes.GetNodes();
   // The first node to the right of the column.
   auto next = all.begin();
-  Way way(mapping, all);
+  Interval interval(mapping, all);
   for (int i = 0; i < Columns; ++i)
   {
     const double x = i + 1 < Columns ? range[0] + width * i : range[1];
@@ -208,17 +213,17 @@ TransferColumns::TransferColumns(const TransferNodes& nodes, Channels channels, 
     {
       ++next;
     }
-    const auto evaluate = [&](double place)
+    const auto evaluate = [&](double position)
     {
       if (next == all.begin() || next == all.end())
       {
         return next == all.begin() ? next->Y : (next - 1)->Y;
       }
       const TransferNodes::Node& left = *(next - 1);
-      return Mix(left.Y, next->Y, (place - left.X) / (next->X - left.X));
+      return Mix(left.Y, next->Y, (position - left.X) / (next->X - left.X));
     };
-    way.Begin(evaluate(x));
-    this->Values.push_back(way.GetPlaces().front().Y);
+    interval.Begin(evaluate(x));
+    this->Values.push_back(interval.GetBreakpoints().front().Y);
     if (i + 1 == Columns)
     {
       break;
@@ -226,12 +231,13 @@ TransferColumns::TransferColumns(const TransferNodes& nodes, Channels channels, 
     const double end = i + 2 < Columns ? range[0] + width * (i + 1) : range[1];
     for (; next != all.end() && next->X <= end; ++next)
     {
-      way.Add({ std::min((next->X - x) / (end - x), 1.0), next->Y });
+      interval.Add({ std::min((next->X - x) / (end - x), 1.0), next->Y });
     }
-    way.Add({ 1.0, evaluate(end) });
-    if (!way.IsStraight() && !way.FindEdge(this->Edges[static_cast<std::size_t>(i)]))
+    interval.Add({ 1.0, evaluate(end) });
+    if (!interval.IsStraight() && !interval.FindEdge(this->Edges[static_cast<std::size_t>(i)]))
     {
-      this->Bends[static_cast<std::size_t>(i)] = Append(way.GetPlaces(), channels == ONE, bends);
+      this->Bends[static_cast<std::size_t>(i)] =
+        Append(interval.GetBreakpoints(), channels == ONE, bends);
     }
   }
 }

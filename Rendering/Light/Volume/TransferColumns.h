@@ -13,26 +13,28 @@ namespace interlume
 
 /**
  * @class   TransferColumns
- * @brief   a transfer function at even places, and its bends between two of them
+ * @brief   a transfer function sampled at regular positions, with its breakpoints in between
  *
- * Most functions are straight between most columns, where two values are all that a shader needs.
- * Where they go from the one to the other in a part of the way, a step or a steep edge, the part is
- * kept as well; where there is more between them, such as a peak, a list of bends has the
- * function's nodes there, which a shader searches. So steps and peaks are where they are, however
- * narrow, in single precision over the range. Values within 1e-3 of the largest value are equal,
- * and within an edge those that are off by 1e-2 of it, averaged over the way: a slow bend needs
- * neither, and shaders of functions without edges or lists have no code for them.
+ * Most functions are linear between most columns, so that a shader needs only two values. If the
+ * function changes from one value to the other in a part of the interval (a step or a steep edge),
+ * that part is stored as well. For anything else, such as a peak, a list stores the function's
+ * nodes in the interval, and the shader searches it. Therefore steps and peaks have their exact
+ * positions even if they are narrow compared with the range in single precision.
  *
- * A list is texels of four floats, the first of them the number of pieces. For one channel the
- * pieces follow: the shares of the way from column to column, from 0 to 1, at which each begins and
- * ends, and the values there. For three channels one node more than pieces follows: its share and
- * its values; two of one share are a step.
+ * Differences below 1e-3 of the largest value are ignored. Inside an edge, errors up to 1e-2 of the
+ * largest value, averaged over the interval, are accepted. A smooth curve therefore needs neither
+ * edges nor lists, and shaders of functions without them have no code for them.
+ *
+ * A list consists of four-float texels. The first float of the first texel is the number of linear
+ * pieces. For one channel, one texel per piece follows: start and end as fractions of the interval,
+ * and the values there. For three channels, one texel per node follows, one more than pieces: the
+ * fraction and three values. Two nodes at one fraction form a step.
  */
 struct TransferColumns
 {
   static constexpr int Columns = 4096;
-  /// The number of places of an edge: edges begin and end at a multiple of one over this number.
-  static constexpr int EdgePlaces = 4095;
+  /// Resolution of edges: their ends are multiples of one over this number.
+  static constexpr int EdgePositions = 4095;
   using Range = TransferNodes::Range;
   using Value = TransferNodes::Value;
 
@@ -42,7 +44,7 @@ struct TransferColumns
     THREE
   };
 
-  /// The mapping of each channel, and its inverse: the function's own values are compared.
+  /// Mapping of each channel, and its inverse. Errors are measured before the mapping.
   struct Mapping
   {
     std::function<double(double)> Map;
@@ -50,19 +52,19 @@ struct TransferColumns
   };
 
   /**
-   * Samples \a nodes over \a range, ends included, and appends to \a bends, whose first texel is no
-   * list. Where the mapping bends straight pieces, those of lists are halved until they are within
-   * 1e-4.
+   * Samples \a nodes over \a range, ends included, and appends lists to \a bends. The first texel
+   * of \a bends belongs to no list. If the mapping is nonlinear, pieces of lists are bisected until
+   * they are within 1e-4.
    */
   TransferColumns(const TransferNodes& nodes, Channels channels, const Range& range,
     const Mapping& mapping, std::vector<float>& bends);
 
   std::vector<Value> Values;
-  /// The lists: for each column the first texel of the list that is for the way to the next one; 0
-  /// where that is straight.
+  /// For each column, the first texel of the list for the interval to the next column, or 0 if
+  /// there is no list.
   std::vector<int> Bends;
-  /// The edges: for each column where its edge begins and ends, as shares of the way; 0 and 1 where
-  /// it has none.
+  /// For each column, start and end of the edge as fractions of the interval to the next column, or
+  /// 0 and 1 if there is no edge.
   std::vector<std::array<float, 2>> Edges;
 };
 

@@ -12,23 +12,23 @@ namespace interlume
 {
 
 /**
- * Arithmetic of a transfer function's values.
+ * Arithmetic of transfer function values.
  */
 namespace TransferMath
 {
 
 inline TransferNodes::Value Mix(
-  const TransferNodes::Value& a, const TransferNodes::Value& b, double share)
+  const TransferNodes::Value& a, const TransferNodes::Value& b, double fraction)
 {
   TransferNodes::Value mixed;
   for (std::size_t i = 0; i < mixed.size(); ++i)
   {
-    mixed[i] = a[i] + share * (b[i] - a[i]);
+    mixed[i] = a[i] + fraction * (b[i] - a[i]);
   }
   return mixed;
 }
 
-/// Returns the largest difference of a channel.
+/// Returns the largest absolute difference of a channel.
 inline double GetDistance(const TransferNodes::Value& a, const TransferNodes::Value& b)
 {
   return std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) });

@@ -21,10 +21,10 @@ using TransferMath::GetDistance;
 using TransferMath::Mix;
 using Node = TransferNodes::Node;
 
-/// A curve is halved this often at most.
-constexpr int Depth = 16;
+/// Maximum number of bisections of a curve.
+constexpr int MaximumDepth = 16;
 constexpr double Tolerance = 1e-5;
-/// The place where a curve's limits at its ends are taken, as a share of it.
+/// Distance from a curve's ends at which their limits are evaluated, as a fraction of the curve.
 constexpr double AtEnd = 1e-9;
 
 double GetSize(const Value& value)
@@ -32,14 +32,14 @@ double GetSize(const Value& value)
   return GetDistance(value, Value{});
 }
 
-/// Returns a place from which on, or before which, no node is.
-double GetBeyond(double x, double sign)
+/// Returns a position outside all nodes.
+double GetOutside(double x, double sign)
 {
   return x + sign * std::max(std::abs(x), 1.0);
 }
 
-/// Returns the value that the largest sharpness gives close before the middle of a rise from 0 to
-/// 1: 0 where VTK makes it a step. Some versions draw it as the steepest curve in place of a step.
+/// Returns the value at \a x, just before the midpoint of a rise from 0 to 1 with the largest
+/// sharpness. It is 0 if VTK draws a step. Some VTK versions draw the steepest curve instead.
 double GetValueBeforeStep(vtkPiecewiseFunction* rise, double x)
 {
   rise->AddPoint(0.0, 0.0, 0.5, 1.0);
@@ -54,7 +54,7 @@ double GetValueBeforeStep(vtkColorTransferFunction* rise, double x)
   return rise->GetRedValue(x);
 }
 
-/// Returns whether functions of a type make a step of the largest sharpness in this version of VTK.
+/// Returns true if this VTK version draws the largest sharpness of a function type as a step.
 template <typename Transfer>
 bool MakesSteps()
 {
@@ -79,20 +79,20 @@ template <typename Function>
 void TransferNodes::AddCurve(
   const Function& function, const Node& a, const Node& b, double scale, int depth)
 {
-  const auto isStraight = [&](double share)
+  const auto isStraight = [&](double fraction)
   {
-    return GetDistance(function(a.X + share * (b.X - a.X)), Mix(a.Y, b.Y, share)) <=
+    return GetDistance(function(a.X + fraction * (b.X - a.X)), Mix(a.Y, b.Y, fraction)) <=
       Tolerance * scale;
   };
-  const double middle = a.X + 0.5 * (b.X - a.X);
-  if (depth == 0 || !(middle > a.X && middle < b.X) ||
+  const double center = a.X + 0.5 * (b.X - a.X);
+  if (depth == 0 || !(center > a.X && center < b.X) ||
     (isStraight(0.5) && isStraight(0.25) && isStraight(0.75) && isStraight(0.03) &&
       isStraight(0.97)))
   {
     this->Add(b.X, b.Y);
     return;
   }
-  const Node half{ middle, function(middle) };
+  const Node half{ center, function(center) };
   this->AddCurve(function, a, half, scale, depth - 1);
   this->AddCurve(function, half, b, scale, depth - 1);
 }
@@ -101,34 +101,34 @@ template <typename Function>
 void TransferNodes::AddSegment(const Function& function, const Node& a, const Node& b,
   double midpoint, double sharpness, bool steps, Curve curve)
 {
-  // The limits are those of VTK's functions.
-  constexpr double leastMidpoint = 0.00001;
+  // VTK's functions use these thresholds.
+  constexpr double minimumMidpoint = 0.00001;
   constexpr double straight = 0.01;
   constexpr double step = 0.99;
-  const double share = std::clamp(midpoint, leastMidpoint, 1.0 - leastMidpoint);
-  const double middle = curve == LOGARITHMIC && a.X > 0.0 ? a.X * std::pow(b.X / a.X, share)
-                                                          : a.X + share * (b.X - a.X);
+  const double fraction = std::clamp(midpoint, minimumMidpoint, 1.0 - minimumMidpoint);
+  const double center = curve == LOGARITHMIC && a.X > 0.0 ? a.X * std::pow(b.X / a.X, fraction)
+                                                          : a.X + fraction * (b.X - a.X);
   if (steps && sharpness > step)
   {
-    this->Add(middle, a.Y);
-    this->Add(middle, b.Y);
+    this->Add(center, a.Y);
+    this->Add(center, b.Y);
   }
   else if (b.X > a.X && (curve != STRAIGHT || sharpness >= straight))
   {
     const double scale = std::max(GetSize(a.Y), GetSize(b.Y));
     const Node first{ a.X, function(a.X + AtEnd * (b.X - a.X)) };
-    const Node bend{ middle, function(middle) };
+    const Node bend{ center, function(center) };
     const Node last{ b.X, function(b.X - AtEnd * (b.X - a.X)) };
     const auto snap = [&](const Node& limit, const Node& node)
     { return GetDistance(limit.Y, node.Y) <= Tolerance * scale ? node : limit; };
     const Node from = snap(first, a);
     this->Add(from.X, from.Y);
-    this->AddCurve(function, from, bend, scale, Depth);
-    this->AddCurve(function, bend, snap(last, b), scale, Depth);
+    this->AddCurve(function, from, bend, scale, MaximumDepth);
+    this->AddCurve(function, bend, snap(last, b), scale, MaximumDepth);
   }
-  else if (share != 0.5)
+  else if (fraction != 0.5)
   {
-    this->Add(middle, Mix(a.Y, b.Y, 0.5));
+    this->Add(center, Mix(a.Y, b.Y, 0.5));
   }
   this->Add(b.X, b.Y);
 }
@@ -136,7 +136,7 @@ void TransferNodes::AddSegment(const Function& function, const Node& a, const No
 template <std::size_t Channels, typename Transfer, typename Function>
 void TransferNodes::AddFunction(Transfer* transfer, const Function& function, Curve curve)
 {
-  // The values of a point: place, channels, midpoint and sharpness.
+  // A point of a VTK function: position, channels, midpoint and sharpness.
   std::array<double, Channels + 3> point{};
   const auto get = [&](int i)
   {
@@ -144,7 +144,7 @@ void TransferNodes::AddFunction(Transfer* transfer, const Function& function, Cu
     return Node{ point[0], { { point[1], point[(Channels + 1) / 2], point[Channels] } } };
   };
   Node node = get(0);
-  this->Add(node.X, function(GetBeyond(node.X, -1.0)));
+  this->Add(node.X, function(GetOutside(node.X, -1.0)));
   this->Add(node.X, node.Y);
   for (int i = 1; i < transfer->GetSize(); ++i)
   {
@@ -154,7 +154,7 @@ void TransferNodes::AddFunction(Transfer* transfer, const Function& function, Cu
     this->AddSegment(function, node, next, midpoint, sharpness, MakesSteps<Transfer>(), curve);
     node = next;
   }
-  this->Add(node.X, function(GetBeyond(node.X, 1.0)));
+  this->Add(node.X, function(GetOutside(node.X, 1.0)));
   this->FindLargest();
 }
 
@@ -221,7 +221,7 @@ TransferNodes::Range TransferNodes::Limit(const Range& range) const
   const double upper =
     last.X + (hasPieces && isStep(*(this->Nodes.end() - 2), last) ? margin * width : 0.0);
   const Range part{ { std::max(range[0], lower), std::min(range[1], upper) } };
-  // Texels are single precision: scales beyond these places would overflow there.
+  // For narrower parts, the scale from texels to columns would overflow single precision.
   constexpr double least = 1e-33;
   const double size = std::max(std::abs(range[0]), std::abs(range[1]));
   return part[1] - part[0] > least * size && std::isfinite(part[1] - part[0]) ? part : range;
@@ -254,7 +254,7 @@ double TransferNodes::GetSmallestAboveZero(const Range& range) const
 TransferNodes::Value TransferNodes::Evaluate(double x) const
 {
   const auto right = std::upper_bound(this->Nodes.begin(), this->Nodes.end(), x,
-    [](double place, const Node& node) { return place < node.X; });
+    [](double position, const Node& node) { return position < node.X; });
   if (right == this->Nodes.begin())
   {
     return right->Y;
@@ -267,9 +267,9 @@ TransferNodes::Value TransferNodes::Evaluate(double x) const
 double TransferNodes::GetLargest(const Range& range, const Range& near) const
 {
   const auto begin = std::lower_bound(this->Nodes.begin(), this->Nodes.end(), range[0] - near[0],
-    [](const Node& node, double place) { return node.X < place; });
+    [](const Node& node, double position) { return node.X < position; });
   const auto end = std::upper_bound(begin, this->Nodes.end(), range[1] + near[1],
-    [](double place, const Node& node) { return place < node.X; });
+    [](double position, const Node& node) { return position < node.X; });
   double largest = 0.0;
   if (begin < end)
   {

@@ -14,16 +14,18 @@ namespace interlume
 
 /**
  * @class   TransferNodes
- * @brief   a transfer function as straight pieces from node to node
+ * @brief   a transfer function as a piecewise linear function
  *
- * Nodes ascend. Two at one place are a step, from the first one's value on the left to the second
- * one's on the right; before the first node and after the last the function has their values.
- * Clamping that is off, and colours below and above the range, are steps at the ends. Midpoints are
- * nodes, sharpness of 1 a step where VTK makes one of it (its piecewise functions do up to
- * VTK 9.2); what is curved (other sharpness, colour spaces, logarithmic scales) is halved until
- * straight pieces are within 1e-5 of it, relative to its ends.
+ * Nodes are in ascending order. Two nodes at one position form a step from the value of the first
+ * node on the left to the value of the second on the right. The function is constant before the
+ * first node and after the last. If clamping is off, or if there are colors below and above the
+ * range, there are steps at the ends.
  *
- * Values have three channels, equal ones for a vtkPiecewiseFunction.
+ * Midpoints are nodes. A sharpness of 1 is a step in those VTK versions that draw one (piecewise
+ * functions up to VTK 9.2). Curves (other sharpness, color spaces, logarithmic scales) are bisected
+ * until the linear pieces are within 1e-5, relative to the values at the ends.
+ *
+ * Values have three channels, which are equal for a vtkPiecewiseFunction.
  */
 class TransferNodes
 {
@@ -39,40 +41,41 @@ public:
 
   TransferNodes() = default;
   ///@{
-  /// Takes the nodes of a function that has points.
+  /// Convert a function that has points.
   explicit TransferNodes(vtkPiecewiseFunction* function);
   explicit TransferNodes(vtkColorTransferFunction* function);
   ///@}
-  /// Makes a ramp over a range.
+  /// Creates a ramp over a range.
   TransferNodes(const Range& range, double first, double last);
 
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
 
-  /// Returns the part of \a range outside which the function has the values of the part's ends,
-  /// steps at the function's own ends well inside it; all of \a range where the function is level
-  /// there.
+  /// Returns the part of \a range outside which the function has the values of the part's ends.
+  /// Steps at the ends of the function are well inside the part. Returns \a range if the function
+  /// is constant there.
   Range Limit(const Range& range) const;
 
-  /// Returns whether the first channel changes by steps alone in \a range, none of them wider than
+  /// Returns true if the first channel changes only by steps in \a range, none of them wider than
   /// \a width.
   bool IsStepwise(const Range& range, double width) const;
 
-  /// The smallest value above 0 of the first channel at the nodes in \a range and at its ends; 0
-  /// where there is none.
+  /// Returns the smallest positive value of the first channel at the nodes in \a range and at the
+  /// ends of \a range, or 0 if no value is positive.
   double GetSmallestAboveZero(const Range& range) const;
 
-  /// The value at \a x: to the right of a step there.
+  /// Returns the value at \a x. At a step, returns the value on its right.
   Value Evaluate(double x) const;
 
   /**
-   * Returns the largest value of the first channel in [\a range[0], \a range[1]]. Nodes no farther
-   * outside than \a near[0] and near[1] count as well, and in place of ends that lie that close to
-   * them, so that an end that is a node but for rounding has the node's value.
+   * Returns the largest value of the first channel in [\a range[0], \a range[1]]. The range also
+   * includes nodes up to \a near[0] below and \a near[1] above. If an end lies that close to a
+   * node, the node's value replaces the value at the end. An end that equals a node up to rounding
+   * error then has the node's value.
    */
   double GetLargest(const Range& range, const Range& near) const;
 
 private:
-  /// The curves between points of sharpness 0.
+  /// Type of the curves between points of sharpness 0.
   enum Curve
   {
     STRAIGHT,
@@ -91,7 +94,7 @@ private:
   void FindLargest();
 
   std::vector<Node> Nodes;
-  /// The largest values of the first channel of 1, 2, 4, ... successive nodes.
+  /// Maxima of the first channel over 1, 2, 4, ... successive nodes.
   std::vector<std::vector<double>> Largest;
 };
 

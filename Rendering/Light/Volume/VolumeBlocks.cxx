@@ -15,14 +15,14 @@ namespace interlume
 
 namespace
 {
-/// The first and last sample of a box along each axis.
+/// First and last sample of a box along each axis.
 struct Box
 {
   std::array<int, 3> First;
   std::array<int, 3> Last;
 };
 
-/// Finds the ranges of the texels in \a box, voxels that are not finite left out, as values.
+/// Finds the value ranges of the texels in \a box, without voxels that are not finite.
 template <typename Texel>
 void FindRanges(const VolumeSamples& samples, const Box& box, std::array<double, 2>* ranges)
 {
@@ -56,12 +56,12 @@ void FindRanges(const VolumeSamples& samples, const Box& box, std::array<double,
       }
     }
   }
-  const double whole = std::numeric_limits<Texel>::is_integer
+  const double maximum = std::numeric_limits<Texel>::is_integer
     ? static_cast<double>(std::numeric_limits<Texel>::max())
     : 1.0;
   for (std::size_t c = 0; c < components; ++c)
   {
-    const double step = samples.Scale[c] / whole;
+    const double step = samples.Scale[c] / maximum;
     ranges[c] = any
       ? std::array<double, 2>{ { samples.Offset[c] + step * static_cast<double>(lower[c]),
           samples.Offset[c] + step * static_cast<double>(upper[c]) } }
@@ -95,12 +95,12 @@ void VolumeBlocks::Build(const VolumeSamples& samples, int cells)
     {
       for (vtkIdType block = begin; block < end; ++block)
       {
-        const std::array<vtkIdType, 3> place{ { block % this->Size[0],
+        const std::array<vtkIdType, 3> position{ { block % this->Size[0],
           block / this->Size[0] % this->Size[1], block / this->Size[0] / this->Size[1] } };
         Box box{};
         for (int axis = 0; axis < 3; ++axis)
         {
-          const int first = static_cast<int>(place[axis]) * cells;
+          const int first = static_cast<int>(position[axis]) * cells;
           box.First[axis] = std::max(first - 1, 0);
           box.Last[axis] = std::min(first + cells + 1, this->Samples[axis] - 1);
         }
@@ -124,15 +124,15 @@ void VolumeBlocks::Build(const VolumeSamples& samples, int cells)
 void VolumeBlocks::Join(const VolumeBlocks& small)
 {
   this->SetSize(small.Samples, small.Components, 2 * small.Cells);
-  // Nothing has been found yet: the range of no samples.
+  // Start with empty ranges.
   std::fill(this->Ranges.begin(), this->Ranges.end(), std::array<double, 2>{ { 1.0, 0.0 } });
   const auto components = static_cast<std::size_t>(this->Components);
   for (int block = 0; block < small.GetNumberOfBlocks(); ++block)
   {
-    const std::array<int, 3> place{ { block % small.Size[0], block / small.Size[0] % small.Size[1],
-      block / small.Size[0] / small.Size[1] } };
+    const std::array<int, 3> position{ { block % small.Size[0],
+      block / small.Size[0] % small.Size[1], block / small.Size[0] / small.Size[1] } };
     std::array<double, 2>* ranges = this->GetRanges(
-      place[0] / 2 + this->Size[0] * (place[1] / 2 + this->Size[1] * (place[2] / 2)));
+      position[0] / 2 + this->Size[0] * (position[1] / 2 + this->Size[1] * (position[2] / 2)));
     for (std::size_t c = 0; c < components; ++c)
     {
       const std::array<double, 2>& other =

@@ -2,7 +2,7 @@
 #ifndef interlume_VolumeBlocks_h
 #define interlume_VolumeBlocks_h
 
-#include "Volume/BlockLattice.h"
+#include "Volume/BlockGrid.h"
 
 #include <array>
 #include <vector>
@@ -15,27 +15,27 @@ class VolumeSamples;
 
 /**
  * @class   VolumeBlocks
- * @brief   the ranges of values of small blocks of a volume, and which of them can be seen
+ * @brief   value ranges and visibility of small blocks of a volume
  *
- * The box of the samples' centres is cut into blocks of equal cells along each axis, the last ones
- * smaller. A block's range is that of all samples that interpolation inside it reads, and of a
- * further one on each side for gradients.
+ * The box of the sample centers is divided into blocks of equal numbers of cells along each axis.
+ * The last blocks may be smaller. A block's range includes all samples that interpolation inside it
+ * reads, and one more sample on each side for gradients.
  */
 class VolumeBlocks
 {
 public:
-  /// The number of cells of a block along an axis, and of a small one.
+  /// Number of cells along the edge of a block and of a small block.
   static constexpr int BlockSize = 16;
   static constexpr int SmallSize = BlockSize / 2;
 
-  /// Finds the ranges of blocks of \a cells along each axis, with several threads.
+  /// Computes the ranges of blocks of \a cells cells along each axis, in parallel.
   void Build(const VolumeSamples& samples, int cells = BlockSize);
 
-  /// Takes the ranges of blocks of twice as many cells along each axis from those of \a small ones,
-  /// which gives what Build() finds.
+  /// Combines \a small blocks into blocks of twice the size. The result is the same as from
+  /// Build().
   void Join(const VolumeBlocks& small);
 
-  /// Marks the blocks whose range has an extinction above 0 somewhere.
+  /// Marks blocks as visible if their range contains a value with a positive extinction.
   void Classify(const MaterialTable& material);
 
   const std::array<int, 3>& GetSize() const { return this->Size; }
@@ -46,15 +46,16 @@ public:
     const auto row = static_cast<std::size_t>(k) * this->Size[1] + j;
     return this->Visible[row * this->Size[0] + i] != 0;
   }
-  BlockLattice GetLattice() const
+  BlockGrid GetBlockGrid() const
   {
     return { { { this->GetBorders(0), this->GetBorders(1), this->GetBorders(2) } }, this->Visible };
   }
-  /// Where block borders lie along \a axis, in texture coordinates 0 to 1: one more than blocks.
+  /// Returns the block borders along \a axis in texture coordinates from 0 to 1. There is one more
+  /// border than blocks.
   std::vector<double> GetBorders(int axis) const;
 
 private:
-  /// Sets the numbers of blocks, without ranges.
+  /// Sets the number of blocks, without ranges.
   void SetSize(const std::array<int, 3>& samples, int components, int cells);
   std::array<double, 2>* GetRanges(int block)
   {
@@ -66,7 +67,7 @@ private:
   std::array<int, 3> Size{ { 0, 0, 0 } };
   std::array<int, 3> Samples{ { 0, 0, 0 } };
   int Components = 0;
-  /// The lower and upper value of each component of each block.
+  /// Lower and upper value of each component of each block.
   std::vector<std::array<double, 2>> Ranges;
   std::vector<unsigned char> Visible;
   int NumberVisible = 0;

@@ -31,7 +31,7 @@ using StructuresOfArrays = vtkTypeList::Create<vtkSOADataArrayTemplate<char>,
   vtkSOADataArrayTemplate<long long>, vtkSOADataArrayTemplate<unsigned long long>,
   vtkSOADataArrayTemplate<float>, vtkSOADataArrayTemplate<double>>;
 
-/// Calls \a function with the array in its own type, or as a vtkDataArray if it has one of its own.
+/// Calls \a function with the array's concrete type, or with vtkDataArray for unknown types.
 template <typename Function>
 void Dispatch(vtkDataArray* array, Function&& function)
 {
@@ -42,7 +42,7 @@ void Dispatch(vtkDataArray* array, Function&& function)
   }
 }
 
-/// Reads the finite values of the components of a voxel. Returns whether all are finite.
+/// Reads the components of a voxel. Returns true if all are finite.
 template <typename Array>
 bool GetVoxel(const vtkDataArrayAccessor<Array>& values, vtkIdType voxel, int components,
   std::array<double, LargestComponents>& value)
@@ -95,20 +95,20 @@ Extent FindExtent(vtkDataArray* array, vtkIdType voxels)
   vtkSMPTools::For(0, voxels, Grain,
     [&](vtkIdType begin, vtkIdType end)
     { Dispatch(array, [&](auto* values) { AddExtent(values, begin, end, parts.Local()); }); });
-  Extent whole;
+  Extent total;
   for (const Extent& part : parts)
   {
-    whole.NonFinite += part.NonFinite;
+    total.NonFinite += part.NonFinite;
     for (int c = 0; c < LargestComponents; ++c)
     {
-      whole.Add(part.Range[c][0], c);
-      whole.Add(part.Range[c][1], c);
+      total.Add(part.Range[c][0], c);
+      total.Add(part.Range[c][1], c);
     }
   }
-  return whole;
+  return total;
 }
 
-/// Writes the texels (value - Offset) times \a factors, and the mask where there is one.
+/// Writes the texels, (value - Offset) times \a factors, and the mask if it is used.
 template <typename Texel, typename Array>
 void WriteTexels(Array* array, vtkIdType begin, vtkIdType end,
   const std::array<double, LargestComponents>& factors, VolumeSamples& samples)
@@ -132,27 +132,26 @@ void WriteTexels(Array* array, vtkIdType begin, vtkIdType end,
   }
 }
 
-/// Returns 0 where the smallest value is no farther from 0 than the largest is from the smallest,
-/// else their middle. A float less such a middle has no more digits than a float, so that it is
-/// exact.
+/// Returns 0 if the smallest magnitude is at most the width of the range, otherwise the center of
+/// the range. The difference between a float and such a center fits into a float, so it is exact.
 double FindOffset(const std::array<double, 2>& range)
 {
-  const double least = std::max({ range[0], -range[1], 0.0 });
-  if (least == 0.0 || least <= range[1] - range[0])
+  const double smallest = std::max({ range[0], -range[1], 0.0 });
+  if (smallest == 0.0 || smallest <= range[1] - range[0])
   {
     return 0.0;
   }
   return range[0] + 0.5 * (range[1] - range[0]);
 }
 
-/// Returns the power of two next to the largest value less the offset.
+/// Returns the largest power of two up to the largest difference from the offset.
 double FindScale(const std::array<double, 2>& range, double offset)
 {
-  // Below it, quotients of scales and ranges leave the doubles.
-  constexpr int leastExponent = -1000;
+  // With smaller exponents, ratios of scales and ranges overflow doubles.
+  constexpr int minimumExponent = -1000;
   double largest = std::max(std::abs(range[0] - offset), std::abs(range[1] - offset));
   largest = largest > 0.0 ? largest : std::abs(offset);
-  return largest > 0.0 ? std::ldexp(1.0, std::max(std::ilogb(largest), leastExponent)) : 1.0;
+  return largest > 0.0 ? std::ldexp(1.0, std::max(std::ilogb(largest), minimumExponent)) : 1.0;
 }
 }
 
@@ -161,31 +160,31 @@ Error VolumeSamples::Build(vtkDataArray* array, const std::array<int, 3>& size, 
   *this = VolumeSamples();
   if (!array || size[0] < 1 || size[1] < 1 || size[2] < 1)
   {
-    return "the volume has no values";
+    return "The volume has no values.";
   }
-  const std::string name = array->GetName() ? array->GetName() : "(no name)";
+  const std::string name = array->GetName() ? array->GetName() : "(unnamed)";
   const int components = array->GetNumberOfComponents();
   if (components < 1 || components > LargestComponents)
   {
-    return "array " + name + " has " + std::to_string(components) +
-      " components; one to four can be drawn";
+    return "The array '" + name + "' has " + std::to_string(components) +
+      " components. One to four are supported.";
   }
   const vtkIdType voxels = static_cast<vtkIdType>(size[0]) * size[1] * size[2];
   if (array->GetNumberOfTuples() < voxels)
   {
-    return "array " + name + " has " + std::to_string(array->GetNumberOfTuples()) + " values for " +
-      std::to_string(voxels) + " voxels";
+    return "The array '" + name + "' has " + std::to_string(array->GetNumberOfTuples()) +
+      " values for " + std::to_string(voxels) + " voxels.";
   }
 
   const Extent extent = FindExtent(array, voxels);
-  // Types of up to 16 bits are integers; one of a single bit has size 0.
+  // Types of up to 16 bits are integers. VTK reports the size of a bit as 0.
   const int typeBytes = std::max(vtkDataArray::GetDataTypeSize(array->GetDataType()), 1);
   const double lowest = vtkDataArray::GetDataTypeMin(array->GetDataType());
   this->Format = typeBytes > 2 ? FLOAT32 : typeBytes == 1 && !widens ? UNORM8 : UNORM16;
   for (int c = 0; c < components; ++c)
   {
     const bool any = extent.Range[c][0] <= extent.Range[c][1];
-    // The sum turns -0, which depends on the order of the values, into 0.
+    // Adding 0 turns -0, whose occurrence depends on the order of the values, into 0.
     this->Range[c] = any
       ? std::array<double, 2>{ { extent.Range[c][0] + 0.0, extent.Range[c][1] + 0.0 } }
       : std::array<double, 2>{ { 0.0, 0.0 } };
@@ -204,13 +203,13 @@ Error VolumeSamples::Build(vtkDataArray* array, const std::array<int, 3>& size, 
   {
     *this = VolumeSamples();
     return Error(
-      "array " + name + " does not fit into memory a second time", ErrorCode::OutOfMemory);
+      "There is not enough memory for a copy of the array '" + name + "'.", ErrorCode::OutOfMemory);
   }
   this->Size = size;
   this->Components = components;
   this->NonFinite = extent.NonFinite;
 
-  // 257 times a byte is the same part of 65535 as the byte is of 255.
+  // 257 times a byte is the same fraction of 65535 as the byte is of 255.
   const double integerFactor = typeBytes == 1 && this->Format == UNORM16 ? 257.0 : 1.0;
   std::array<double, LargestComponents> factors{};
   for (int c = 0; c < components; ++c)

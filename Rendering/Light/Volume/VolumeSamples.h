@@ -16,50 +16,51 @@ namespace interlume
 
 /**
  * @class   VolumeSamples
- * @brief   the values of an image as a texture of three dimensions has them
+ * @brief   the values of an image in the layout of a 3D texture
  *
- * Values are `Offset + Scale * texel`. Texels of integers of 8 and 16 bits are 0 to 1 over all that
- * their type can have, so that each has one exactly. Texels of other types are within -2 to 2: the
- * value less an offset that is near the middle of the range where that is far from zero, and 0
- * elsewhere, so that doubles far from zero keep their digits in single precision; over a power of
- * two, so that neither they nor their squares overflow. Floats are kept exactly.
+ * Values are `Offset + Scale * texel`. Texels of 8-bit and 16-bit integers map the range of the
+ * type to 0 to 1, so that each value has an exact texel. Texels of other types are between -2 and
+ * 2: an offset is subtracted, and the difference is divided by a power of two. Texels and their
+ * squares do not overflow. The offset is near the middle of the range if that is far from zero, and
+ * 0 otherwise, so that doubles far from zero retain their digits in single precision. Floats are
+ * represented exactly.
  */
 class VolumeSamples
 {
 public:
   enum Formats
   {
-    /// One byte, 0 to 1.
+    /// One byte per component, read as 0 to 1.
     UNORM8,
-    /// Two bytes, 0 to 1.
+    /// Two bytes per component, read as 0 to 1.
     UNORM16,
     FLOAT32
   };
 
   /**
-   * Takes the values of \a array, \a size of them along x, y, z. Values of 8 bits are kept in 16 if
-   * \a widens, for software renderers that interpolate bytes in bytes. Returns an error if there
-   * are no or too few values, none or more than four components, or no memory; there are no samples
-   * then. Threads share the work; the texels are the same for any number of threads.
+   * Converts \a array with \a size values along x, y, z, in parallel. If \a widens is true, 8-bit
+   * values are stored in 16 bits, for software renderers that interpolate bytes with the precision
+   * of bytes. The texels do not depend on the number of threads. Returns an error, and leaves no
+   * samples, if there are too few values, no or more than four components, or too little memory.
    */
   Error Build(vtkDataArray* array, const std::array<int, 3>& size, bool widens);
 
   std::array<int, 3> Size{ { 0, 0, 0 } };
   int Components = 0;
   Formats Format = FLOAT32;
-  /// The offset and the scale of each component. The scale is never 0.
+  /// Offset and scale of each component. The scale is never 0.
   std::array<double, 4> Offset{ { 0.0, 0.0, 0.0, 0.0 } };
   std::array<double, 4> Scale{ { 1.0, 1.0, 1.0, 1.0 } };
-  /// The smallest and largest finite value of each component, with the values of voxels that
-  /// another component makes transparent; 0 and 0 where none is finite.
+  /// Smallest and largest finite value of each component. Includes values in voxels that are
+  /// transparent because of another component. Both are 0 if no value is finite.
   std::array<std::array<double, 2>, 4> Range{};
-  /// The texels, with the components of a voxel together, x fastest.
+  /// Texels, with the components of a voxel together, x fastest.
   std::vector<unsigned char> Texels;
-  /// The mask of finite voxels: empty where all values are finite, else 65535 for each voxel that
-  /// is and 0 for others, whose texels are 0, so that interpolated texel over interpolated mask is
-  /// the mean of finite ones.
+  /// Mask of finite voxels. Empty if all values are finite. Otherwise 65535 for a finite voxel and
+  /// 0 for others, whose texels are 0. The interpolated texel divided by the interpolated mask is
+  /// then the mean of the finite values.
   std::vector<unsigned short> Mask;
-  /// The number of voxels with NaN or infinity in a component.
+  /// Number of voxels with NaN or infinity in any component.
   vtkIdType NonFinite = 0;
 };
 

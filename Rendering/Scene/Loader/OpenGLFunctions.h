@@ -4,11 +4,11 @@
 
 /**
  * @file
- * @brief OpenGL's functions and constants, by the loader that this VTK has
+ * @brief OpenGL functions and constants, from the loader used by VTK
  *
- * VTK up to 9.3 loads OpenGL with GLEW, the module VTK::glew; from 9.4 on with glad, VTK::glad. A
- * module that includes this header names both among its optional dependencies. Its names are not
- * for public headers.
+ * Up to version 9.3, VTK loads OpenGL with GLEW (VTK::glew); from 9.4 on with glad (VTK::glad). A
+ * module that includes this header must list both as optional dependencies. Do not include it in
+ * public headers.
  */
 #if __has_include("vtk_glad.h")
 #include "vtk_glad.h"
@@ -19,7 +19,7 @@
 namespace interlume
 {
 
-/// Returns whether the context that is current has OpenGL 3.2, with which geometry shaders came.
+/// Returns true if the current context supports OpenGL 3.2, which geometry shaders require.
 inline bool HasOpenGL32()
 {
 #ifdef GLAD_GL_VERSION_3_2

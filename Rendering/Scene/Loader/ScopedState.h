@@ -11,7 +11,7 @@ namespace interlume
 
 /**
  * @class   ScopedState
- * @brief   gives OpenGL the state of drawing back that it had, at the end of the block
+ * @brief   restores OpenGL's drawing state at the end of a scope
  */
 struct ScopedState
 {

@@ -10,12 +10,12 @@ namespace interlume
 {
 
 /**
- * Finds whether OpenGL runs on the processor instead of a graphics card.
+ * Detects software OpenGL.
  */
 namespace SoftwareOpenGL
 {
-/// Makes the window's context current, and returns whether its renderer is known by name to be
-/// software. A renderer without a name counts as software.
+/// Makes the window's context current and returns true if the name of its OpenGL renderer is that
+/// of known software, or is missing.
 INTERLUMESCENE_EXPORT bool IsUsed(vtkOpenGLRenderWindow* window);
 }
 

@@ -19,8 +19,8 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 
 using Range = std::array<int, 2>;
 
-/// Returns the place of a region along an axis, 0 to 2.
-int GetPlace(int region, int axis)
+/// Returns the index of a region along an axis, 0 to 2.
+int GetIndex(int region, int axis)
 {
   constexpr int steps[3] = { 1, 3, 9 };
   return region / steps[axis] % 3;
@@ -31,7 +31,7 @@ bool IsAmong(int flags, int region)
   return (flags >> region & 1) != 0;
 }
 
-/// Returns the places of the first and the last region of the flags along an axis.
+/// Returns the indices of the first and last visible region along an axis.
 Range FindRange(int flags, int axis)
 {
   Range range{ { 2, 0 } };
@@ -39,8 +39,8 @@ Range FindRange(int flags, int axis)
   {
     if (IsAmong(flags, region))
     {
-      const int place = GetPlace(region, axis);
-      range = { { std::min(range[0], place), std::max(range[1], place) } };
+      const int index = GetIndex(region, axis);
+      range = { { std::min(range[0], index), std::max(range[1], index) } };
     }
   }
   return range;
@@ -51,8 +51,8 @@ bool IsWithin(int region, const std::array<Range, 3>& ranges)
   bool isWithin = true;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const int place = GetPlace(region, axis);
-    isWithin = isWithin && place >= ranges[axis][0] && place <= ranges[axis][1];
+    const int index = GetIndex(region, axis);
+    isWithin = isWithin && index >= ranges[axis][0] && index <= ranges[axis][1];
   }
   return isWithin;
 }
@@ -62,26 +62,28 @@ CroppingRegions::CroppingRegions(
   const std::array<double, 6>& planes, int flags, const Matrix& linesToVolume)
   : Flags(flags & All)
 {
-  std::array<Range, 3> kept{};
+  std::array<Range, 3> retained{};
   for (int axis = 0; axis < 3; ++axis)
   {
-    // A region is the number of thresholds below it. Therefore they may be in any order.
+    // A region's index is the number of thresholds below it, so the mapper's planes may be in any
+    // order.
     const auto [lower, upper] = std::minmax(planes[2 * axis], planes[2 * axis + 1]);
     const double* row = linesToVolume.data() + 4 * axis;
     const double length = std::hypot(row[0], row[1], row[2]);
     this->Axes[axis] = { { row[0] / length, row[1] / length, row[2] / length } };
     const auto toLines = [row, length](double bound) { return (bound - row[3]) / length; };
     this->Thresholds[axis] = { { toLines(lower), toLines(upper) } };
-    // If no region is kept, the flags alone remove everything.
-    kept[axis] = this->Flags == 0 ? Range{ { 0, 2 } } : FindRange(this->Flags, axis);
+    // If no region is visible, no bounds are needed, because the flags remove everything.
+    retained[axis] = this->Flags == 0 ? Range{ { 0, 2 } } : FindRange(this->Flags, axis);
     const std::array<double, 4> borders{ { -Infinity, lower, upper, Infinity } };
-    this->VolumeBounds[axis] = { { borders[kept[axis][0]], borders[kept[axis][1] + 1] } };
+    this->VolumeBounds[axis] = { { borders[retained[axis][0]], borders[retained[axis][1] + 1] } };
     this->Bounds[axis] = { { toLines(this->VolumeBounds[axis][0]),
       toLines(this->VolumeBounds[axis][1]) } };
   }
   for (int region = 0; region < NumberOfRegions; ++region)
   {
-    this->IsGapped = this->IsGapped || (!IsAmong(this->Flags, region) && IsWithin(region, kept));
+    this->IsGapped =
+      this->IsGapped || (!IsAmong(this->Flags, region) && IsWithin(region, retained));
   }
 }
 
@@ -102,11 +104,11 @@ void CroppingRegions::Cut(const Matrix& boxToVolume, Box& box, Planes& planes) c
       }
       if (isAligned)
       {
-        const double place = (this->VolumeBounds[axis][side] - row[3]) / row[along];
+        const double bound = (this->VolumeBounds[axis][side] - row[3]) / row[along];
         std::array<double, 2>& range = box[along];
         const bool isLower = sign * row[along] > 0.0;
-        range[0] = isLower ? std::max(range[0], place) : range[0];
-        range[1] = isLower ? range[1] : std::min(range[1], place);
+        range[0] = isLower ? std::max(range[0], bound) : range[0];
+        range[1] = isLower ? range[1] : std::min(range[1], bound);
       }
       else
       {
@@ -118,13 +120,13 @@ void CroppingRegions::Cut(const Matrix& boxToVolume, Box& box, Planes& planes) c
   }
 }
 
-bool CroppingRegions::IsKept(const std::array<double, 3>& place) const
+bool CroppingRegions::IsRetained(const std::array<double, 3>& position) const
 {
   int region = 0;
   for (int axis = 2; axis >= 0; --axis)
   {
     const std::array<double, 3>& normal = this->Axes[axis];
-    const double height = std::inner_product(normal.begin(), normal.end(), place.begin(), 0.0);
+    const double height = std::inner_product(normal.begin(), normal.end(), position.begin(), 0.0);
     region = 3 * region + (height >= this->Thresholds[axis][0] ? 1 : 0) +
       (height > this->Thresholds[axis][1] ? 1 : 0);
   }

@@ -14,11 +14,11 @@ namespace interlume
 
 /**
  * @class   CroppingRegions
- * @brief   cropping of a vtkVolumeMapper as half spaces and gaps in them
+ * @brief   cropping of a vtkVolumeMapper as half spaces and gaps between them
  *
- * The half spaces, up to six, are those around all regions that are kept. They cut exactly, as a
- * smaller box or as clipping planes do. Regions that do not fill them leave gaps, which shaders cut
- * from lines by thresholds and flags (CROPPING in ShaderFeatures).
+ * Up to six half spaces bound all visible regions. They cut exactly, like a smaller box or clipping
+ * planes. Regions that do not fill the half spaces leave gaps. Shaders remove these gaps from rays
+ * by thresholds and flags (CROPPING in ShaderFeatures).
  */
 class INTERLUMESCENE_EXPORT CroppingRegions
 {
@@ -28,27 +28,27 @@ public:
   /// An affine matrix, row by row.
   using Matrix = std::array<double, 16>;
 
-  /// Keeps everything.
+  /// Crops nothing.
   CroppingRegions() = default;
   /**
-   * Keeps the regions of the mapper's six planes and flags. \a linesToVolume transforms from the
-   * coordinates of lines to the volume's own.
+   * Retains the regions given by the mapper's six planes and flags. \a linesToVolume transforms ray
+   * coordinates, in which positions on view rays are given, to volume coordinates.
    */
   CroppingRegions(const std::array<double, 6>& planes, int flags, const Matrix& linesToVolume);
 
   /**
-   * Cuts \a box, lower and upper along each axis, with the half spaces. \a boxToVolume transforms
-   * from its coordinates to the volume's own. Half spaces that are oblique to the box are appended
-   * to \a planes: (a, b, c, d) with a x + b y + c z + d >= 0 in the coordinates of lines.
+   * Clips \a box, the lower and upper bound along each axis, to the half spaces. \a boxToVolume
+   * transforms from box coordinates to volume coordinates. Appends half spaces oblique to the box
+   * to \a planes: (a, b, c, d) with a x + b y + c z + d >= 0 in ray coordinates.
    */
   void Cut(const Matrix& boxToVolume, Box& box, Planes& planes) const;
 
   bool HasGaps() const { return this->IsGapped; }
-  /// Returns true if the region at a place, in the coordinates of lines, is kept.
-  bool IsKept(const std::array<double, 3>& place) const;
-  /// Returns all numbers that regions depend on.
+  /// Returns true if the region at a position in ray coordinates is visible.
+  bool IsRetained(const std::array<double, 3>& position) const;
+  /// Returns all values that define the regions, for comparison.
   std::vector<double> GetKey() const;
-  /// Sets the uniforms of a shader that has CROPPING.
+  /// Sets the uniforms of a shader with CROPPING.
   void SetUniforms(vtkShaderProgram* program) const;
 
 private:
@@ -56,11 +56,10 @@ private:
 
   int Flags = All;
   bool IsGapped = false;
-  /// The axes of the volume, of length 1 in the coordinates of lines, and the thresholds there.
+  /// Axes of the volume, of length 1 in ray coordinates, and the thresholds along them.
   std::array<std::array<double, 3>, 3> Axes{};
   Box Thresholds{};
-  /// Bounds of the half spaces in the volume's own coordinates and along the axes; infinite if
-  /// there is no bound.
+  /// Bounds of the half spaces in volume coordinates and along the axes; infinite if unbounded.
   Box VolumeBounds{};
   Box Bounds{};
 };

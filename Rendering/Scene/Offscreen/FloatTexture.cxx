@@ -25,7 +25,7 @@ vtkIdType FloatTexture::Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject
   const bool fits = Fits(texture, width, height) && texture->GetComponents() == channels;
   if (!fits)
   {
-    // Without this the texture keeps the format it had.
+    // Without this reset, the texture keeps its previous format.
     texture->ResetFormatAndType();
   }
   if (!fits &&

@@ -13,12 +13,13 @@ namespace interlume
 {
 
 /**
- * Allocates floating-point textures to draw into.
+ * Allocates floating-point textures as render targets.
  */
 namespace FloatTexture
 {
-/// Allocates \a texture with the size and format requested; one that fits keeps its contents. It is
-/// interpolated between its texels if \a isSmooth. Returns its bytes, or 0 without memory.
+/// Allocates \a texture with the requested size and format. A texture that already fits keeps its
+/// contents. It is interpolated linearly if \a isSmooth. Returns its size in bytes, or 0 if
+/// allocation fails.
 INTERLUMESCENE_EXPORT vtkIdType Allocate(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
   int width, int height, int channels, bool isSmooth);
 

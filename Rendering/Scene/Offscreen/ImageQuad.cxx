@@ -34,16 +34,17 @@ vtkIdType ImageQuad::Upload(vtkOpenGLRenderWindow* window, int width, int height
   return static_cast<vtkIdType>(bytes);
 }
 
-void ImageQuad::Draw(vtkOpenGLRenderWindow* window, const std::string& features, const Share& share)
+void ImageQuad::Draw(
+  vtkOpenGLRenderWindow* window, const std::string& features, const Fraction& fraction)
 {
-  this->Draw(window, this->Texture, features, share);
+  this->Draw(window, this->Texture, features, fraction);
 }
 
 void ImageQuad::Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
-  const std::string& features, const Share& share)
+  const std::string& features, const Fraction& fraction)
 {
-  const std::array<float, 2> floats{ { static_cast<float>(share[0]),
-    static_cast<float>(share[1]) } };
+  const std::array<float, 2> floats{ { static_cast<float>(fraction[0]),
+    static_cast<float>(fraction[1]) } };
   this->Render(
     window, texture, ShaderFeatures::Insert(InterlumeImageQuadFS, features),
     [&floats](vtkShaderProgram* program) { program->SetUniform2f("share", floats.data()); },

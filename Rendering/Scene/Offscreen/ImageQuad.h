@@ -24,17 +24,17 @@ namespace interlume
 
 /**
  * @class   ImageQuad
- * @brief   lays a picture of floats over the viewport
+ * @brief   composites a floating-point image over the viewport
  *
- * The picture holds red, green and blue, already multiplied by opacity, and opacity. Depth is
- * neither tested nor written, since the picture was made with the scene's depth in hand; the depth
- * of a selection is both tested and written. Where the picture is smaller than the viewport it is
- * stretched, by the texture's own filter.
+ * The image holds red, green and blue, premultiplied by opacity, and opacity. Depth is neither
+ * tested nor written, since the image was rendered with the scene's depth. With SELECTION, depth is
+ * both tested and written. An image smaller than the viewport is stretched with the texture's
+ * filter.
  *
  * Features are words separated by spaces:
- * - SATURATE: each channel is at most 1;
- * - SUM: the picture's colour is added to what is behind, whatever its opacity;
- * - SELECTION: the fourth channel is the depth, 0 to 1; below 0 nothing is drawn.
+ * - SATURATE: each channel is clamped to 1
+ * - SUM: the image's color is added to the background, regardless of opacity
+ * - SELECTION: the fourth channel is the depth, 0 to 1; pixels with a negative value are discarded
  */
 class INTERLUMESCENE_EXPORT ImageQuad
 {
@@ -44,30 +44,30 @@ public:
   ImageQuad(const ImageQuad&) = delete;
   ImageQuad& operator=(const ImageQuad&) = delete;
 
-  /// The columns and rows that the viewport shows, from the lower left, as a share of the
-  /// picture's: 1 where its last pixels end with the viewport.
-  using Share = std::array<double, 2>;
+  /// Fraction of the image's columns and rows that the viewport shows, from the lower left. With 1,
+  /// the viewport shows the whole image.
+  using Fraction = std::array<double, 2>;
 
   /**
-   * Uploads a picture of RGBA, row by row from below. Pixels of the viewport between those of the
-   * picture are interpolated if \a isSmooth. Returns the bytes.
+   * Uploads an RGBA image, row by row from the bottom. It is interpolated linearly if \a isSmooth.
+   * Returns its size in bytes.
    */
   vtkIdType Upload(vtkOpenGLRenderWindow* window, int width, int height,
     const std::vector<float>& colors, bool isSmooth = true);
 
   ///@{
   /**
-   * Draws what was uploaded last, or \a texture, into the framebuffer that is bound.
+   * Draws the last uploaded image, or \a texture, into the bound framebuffer.
    */
   void Draw(vtkOpenGLRenderWindow* window, const std::string& features = {},
-    const Share& share = Share{ { 1.0, 1.0 } });
+    const Fraction& fraction = Fraction{ { 1.0, 1.0 } });
   void Draw(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
-    const std::string& features = {}, const Share& share = Share{ { 1.0, 1.0 } });
+    const std::string& features = {}, const Fraction& fraction = Fraction{ { 1.0, 1.0 } });
   ///@}
 
   /**
-   * Draws with a fragment shader of the caller's, which finds \a texture as `image`, and the
-   * fragment's place in it as `texCoord`, 0 to 1; \a setUniforms sets its other uniforms.
+   * Draws with a custom fragment shader. The shader reads \a texture as `image` at `texCoord`, 0 to
+   * 1. \a setUniforms sets its other uniforms.
    */
   void DrawWith(vtkOpenGLRenderWindow* window, vtkTextureObject* texture,
     const std::string& fragmentShader,

@@ -33,7 +33,7 @@ bool IsPeeled(vtkVolume* volume)
   return false;
 }
 
-// Draws the volume when the picture ends.
+// Draws the volume at the end of the frame.
 class EndCommand : public vtkCommand
 {
 public:
@@ -72,7 +72,7 @@ void PeelingDeferral::RemoveObserver()
 bool PeelingDeferral::Defer(
   vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
-  // There is one command for all peels of a picture, and none where there were no peels.
+  // One command serves all peels of a frame. It is removed if there is no peeling.
   this->RemoveObserver();
   if (!IsPeeled(volume))
   {
@@ -83,15 +83,14 @@ bool PeelingDeferral::Defer(
   command->Volume = volume;
   this->Renderer = renderer;
   this->Tag = renderer->AddObserver(vtkCommand::EndEvent, command);
-  this->WasDeferred = true;
+  if (!this->HasWarned)
+  {
+    vtkWarningWithObjectMacro(mapper,
+      << "UseDepthPeelingForVolumes is not supported and is ignored: the volume is drawn over "
+         "translucent polygons. Turn it off to avoid this warning.");
+    this->HasWarned = true;
+  }
   return true;
-}
-
-bool PeelingDeferral::ConsumeFirstDeferral()
-{
-  const bool isFirst = this->WasDeferred && !this->WasConsumed;
-  this->WasConsumed = this->WasConsumed || isFirst;
-  return isFirst;
 }
 
 }

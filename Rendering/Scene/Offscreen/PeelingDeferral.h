@@ -15,12 +15,12 @@ namespace interlume
 
 /**
  * @class   PeelingDeferral
- * @brief   excludes a volume from depth peeling, for mappers that cannot draw a part between two
+ * @brief   excludes a volume from depth peeling, for mappers that cannot draw a slab between two
  * peels
  *
- * With UseDepthPeelingForVolumes vtkDualDepthPeelingPass calls a volume's mapper several times per
- * image, each time for the part between two layers of polygons. A mapper that draws the full volume
- * each time fills the viewport with a wrong image.
+ * With UseDepthPeelingForVolumes, vtkDualDepthPeelingPass calls a volume's mapper several times per
+ * frame, each time for the part between two layers of polygons. A mapper that draws the complete
+ * volume each time would produce an incorrect frame.
  */
 class INTERLUMESCENE_EXPORT PeelingDeferral
 {
@@ -31,22 +31,19 @@ public:
   void operator=(const PeelingDeferral&) = delete;
 
   /**
-   * Returns whether the volume is being peeled. If it is, the mapper must draw nothing now: its
-   * Render is called again at the end of the renderer's image, where the volume is drawn over
-   * translucent polygons as without UseDepthPeelingForVolumes.
+   * Returns true if the volume is being peeled. The mapper must not draw then. Its Render is called
+   * again at the end of the renderer's frame and draws the volume over translucent polygons, as if
+   * UseDepthPeelingForVolumes were off. The first time, the mapper warns that it ignores the
+   * setting.
    */
   bool Defer(vtkAbstractVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
-
-  /// Returns true once, after the first deferral.
-  bool ConsumeFirstDeferral();
 
 private:
   void RemoveObserver();
 
   vtkWeakPointer<vtkRenderer> Renderer;
   unsigned long Tag = 0;
-  bool WasDeferred = false;
-  bool WasConsumed = false;
+  bool HasWarned = false;
 };
 
 }

@@ -32,13 +32,13 @@ bool PropSelection::FindColor(vtkHardwareSelector* selector, float* color)
 }
 
 void PropSelection::Show(
-  vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window, vtkTextureObject* picture)
+  vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window, vtkTextureObject* image)
 {
   std::array<float, 3> color{};
   selector->BeginRenderProp();
-  if (picture && FindColor(selector, color.data()))
+  if (image && FindColor(selector, color.data()))
   {
-    this->Quad.DrawWith(window, picture, InterlumePropSelectionFS,
+    this->Quad.DrawWith(window, image, InterlumePropSelectionFS,
       [&color](vtkShaderProgram* program)
       { program->SetUniform3f("selectionColor", color.data()); });
   }

@@ -15,21 +15,20 @@ namespace interlume
 
 /**
  * @class   PropSelection
- * @brief   shows a prop as a whole to a hardware selector, where its picture is not transparent
+ * @brief   draws a prop for a hardware selector, where the rendered prop is not transparent
  */
 class INTERLUMESCENE_EXPORT PropSelection
 {
 public:
-  /// Sets the color of the selector's pass for a prop as a whole. Returns false in passes that ask
-  /// for its cells or points.
+  /// Sets \a color to the color that identifies the prop in the selector's current pass. Returns
+  /// false in passes that select cells or points.
   static bool FindColor(vtkHardwareSelector* selector, float* color);
 
   /**
-   * Draws that color over the viewport where \a picture, of RGBA, has opacity. A null picture is
-   * empty.
+   * Draws the color from FindColor() where the RGBA \a image of the prop is not transparent. If \a
+   * image is null, draws nothing.
    */
-  void Show(
-    vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window, vtkTextureObject* picture);
+  void Show(vtkHardwareSelector* selector, vtkOpenGLRenderWindow* window, vtkTextureObject* image);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

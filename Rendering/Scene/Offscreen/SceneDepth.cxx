@@ -17,7 +17,8 @@ namespace interlume
 
 namespace
 {
-// Returns the format of the depth buffer that is drawn to; a copy between two needs the same.
+// Returns the format of the current depth buffer. Copies between depth buffers require equal
+// formats.
 GLint GetDepthFormat()
 {
   GLint type = GL_NONE;
@@ -55,7 +56,7 @@ bool HasStencil(GLint format)
     format == GL_DEPTH_STENCIL;
 }
 
-// A copy of the depth buffer with one sample a pixel, bound for reading; deleted at the end.
+// A copy of the depth buffer with one sample per pixel, bound for reading.
 class SingleSampleCopy
 {
 public:
@@ -95,7 +96,7 @@ private:
 };
 
 // Calls read(left, bottom, width, height) with the depth buffer of the renderer's viewport bound
-// for reading. Returns false where there is none, or reading failed.
+// for reading. Returns false if there is no depth buffer or reading fails.
 template <typename Reader>
 bool ReadDepth(vtkRenderer* renderer, const Reader& read)
 {
@@ -143,7 +144,7 @@ bool ReadDepth(vtkRenderer* renderer, const Reader& read)
 
 bool SceneDepth::MayOcclude(vtkRenderer* renderer, vtkProp* volume)
 {
-  // The depths that another renderer left in the depth buffer count too.
+  // Depth preserved from another renderer can occlude the volume too.
   if (renderer->GetPreserveDepthBuffer())
   {
     return true;
@@ -171,8 +172,8 @@ bool SceneDepth::CopyTo(vtkRenderer* renderer, vtkTextureObject* texture)
     texture->AllocateDepth(static_cast<unsigned int>(size[0]), static_cast<unsigned int>(size[1]),
       vtkTextureObject::Float32);
   }
-  // The texture is not activated while the depth is bound: newer versions of VTK find that their
-  // state is not OpenGL's then.
+  // Activate the texture before binding the depth buffer. VTK 9.2 and later report inconsistent
+  // state otherwise.
   texture->Activate();
   const bool isRead = ReadDepth(renderer,
     [](int left, int bottom, int width, int height)

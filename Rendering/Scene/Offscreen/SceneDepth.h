@@ -15,24 +15,24 @@ namespace interlume
 {
 
 /**
- * Reads the depth of what is already in the image.
+ * Reads the depth of the scene rendered so far, within the renderer's viewport of the current
+ * framebuffer.
  *
- * The depth is that of the renderer's viewport in the framebuffer that is being drawn to, with one
- * or more samples per pixel: 0 at the near plane to 1 at the far plane.
+ * Depth is 0 at the near plane and 1 at the far plane. Multisampled framebuffers are supported.
  */
 namespace SceneDepth
 {
-/// Returns true if \a renderer has a visible prop besides \a volume that is not a volume itself, or
-/// keeps the depth of another renderer.
+/// Returns true if \a renderer has a visible prop that is not a volume, or preserves the depth of
+/// another renderer. Ignores \a volume itself.
 INTERLUMESCENE_EXPORT bool MayOcclude(vtkRenderer* renderer, vtkProp* volume);
 
-/// Reads the depth row by row from below; \a size gets columns and rows. Returns false if it could
-/// not be read.
+/// Reads the depth row by row from the bottom. Sets \a size to the number of columns and rows.
+/// Returns false on failure.
 INTERLUMESCENE_EXPORT bool Read(
   vtkRenderer* renderer, std::vector<float>& depths, std::array<int, 2>& size);
 
-/// Copies the depth to a floating-point texture, which is made as large as the viewport. Returns
-/// false if there is no depth.
+/// Copies the depth to a floating-point texture of the size of the viewport, allocated if
+/// necessary. Returns false if there is no depth buffer.
 INTERLUMESCENE_EXPORT bool CopyTo(vtkRenderer* renderer, vtkTextureObject* texture);
 }
 

@@ -13,10 +13,10 @@ namespace
 {
 void Replace(std::string& text, const std::string& mark, const std::string& by)
 {
-  const std::size_t place = text.find(mark);
-  if (place != std::string::npos)
+  const std::size_t position = text.find(mark);
+  if (position != std::string::npos)
   {
-    text.replace(place, mark.size(), by);
+    text.replace(position, mark.size(), by);
   }
 }
 }

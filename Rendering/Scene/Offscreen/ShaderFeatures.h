@@ -10,14 +10,14 @@ namespace interlume
 {
 
 /**
- * Inserts the features of a shader in its source.
+ * Inserts features into shader source.
  */
 namespace ShaderFeatures
 {
-/// Returns \a source with one `#define` for each word of \a features, a name or name=value, in the
-/// place of the line `//INTERLUME::FEATURES`. Functions that cut lines to the box of a volume, to
-/// clipping planes (CLIPPING_PLANES, their number) and to regions (CROPPING) replace
-/// `//INTERLUME::CUTS`.
+/// Returns \a source with two replacements. The line `//INTERLUME::FEATURES` becomes one `#define`
+/// for each word of \a features, which is a name or name=value. The line `//INTERLUME::CUTS`
+/// becomes the functions of InterlumeRayCuts.glsl. They clip rays to the box of a volume, to
+/// clipping planes (CLIPPING_PLANES, their number) and to cropping regions (CROPPING).
 INTERLUMESCENE_EXPORT std::string Insert(const std::string& source, const std::string& features);
 }
 

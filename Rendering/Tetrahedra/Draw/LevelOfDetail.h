@@ -10,22 +10,22 @@ namespace interlume
 
 /**
  * @class   LevelOfDetail
- * @brief   chooses how coarse a picture is drawn in the time there is
+ * @brief   chooses the level of detail for the available time
  *
- * Level 0 is the full picture. Each further level halves the pixels along an edge, up to a quarter,
- * or, in turn with that and then alone, takes every second of the tetrahedra that were left. The
- * finest level is chosen that took no longer than there is time, or is expected not to: half of the
- * level before. At least FEWEST tetrahedra stay.
+ * Level 0 has full detail. Each further level halves either the number of pixels along an edge,
+ * down to a quarter, or the number of tetrahedra. Choose() returns the finest level whose measured
+ * time does not exceed the allocated time. A level that was not measured is expected to take half
+ * the time of the previous level. The number of tetrahedra is not reduced below MINIMUM_TETRAHEDRA.
  */
 class LevelOfDetail
 {
 public:
   static constexpr int LEVELS = 9;
-  static constexpr std::uint32_t FEWEST = 20000;
+  static constexpr std::uint32_t MINIMUM_TETRAHEDRA = 20000;
 
-  /// Forgets the times measured, for another mesh, window size or path.
+  /// Clears the measured times. Call it when the mesh, the window size or the render path changes.
   void Reset() { this->Seconds.fill(0.0); }
-  void Measured(int level, double seconds) { this->Seconds[level] = seconds; }
+  void AddMeasurement(int level, double seconds) { this->Seconds[level] = seconds; }
 
   int Choose(double allocated, std::uint32_t tetrahedra) const
   {
@@ -33,7 +33,7 @@ public:
     int level = 0;
     while (level + 1 < LEVELS && expected > allocated &&
       (GetTetrahedronStride(level + 1) == 1 ||
-        tetrahedra / GetTetrahedronStride(level + 1) >= FEWEST))
+        tetrahedra / GetTetrahedronStride(level + 1) >= MINIMUM_TETRAHEDRA))
     {
       ++level;
       expected = this->Seconds[level] > 0.0 ? this->Seconds[level] : 0.5 * expected;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Draw/TetrahedraRenderer.h"
 
-#include "Draw/PiecePicture.h"
+#include "Draw/PieceImage.h"
 #include "Loader/OpenGLFunctions.h"
 #include "Loader/SoftwareOpenGL.h"
 #include "Offscreen/ImageQuad.h"
@@ -38,7 +38,7 @@ using Mapper = vtkTimeWeightedTetrahedraMapper;
 
 namespace
 {
-/// The number of tetrahedra beyond which MPVONC takes longer than drawing.
+/// With more tetrahedra, MPVONC sorting takes longer than drawing.
 constexpr std::uint32_t MPVONC_LIMIT = 1000000;
 
 TetrahedraFrame::Blends GetBlend(int mode)
@@ -59,14 +59,15 @@ TetrahedraFrame::Blends GetBlend(int mode)
 }
 }
 
-/// The state that an image of the software path was drawn from.
+/// State from which the last image of the software path was drawn.
 struct TetrahedraRenderer::DrawnState
 {
   TetrahedraFrame Frame;
-  /// Whether it is one piece of several; then Opaque is the depth of the own surfaces.
+  /// If true, the image combines the partitions of several processes, and Opaque is the depth of
+  /// this process's surfaces.
   bool IsPiece = false;
   std::vector<float> Opaque;
-  /// The order of the pieces that are drawn together.
+  /// Ranks of the processes, from front to back; empty if the blend mode needs no order.
   std::vector<int> PieceOrder;
 
   bool operator==(const DrawnState& other) const
@@ -139,7 +140,7 @@ Error TetrahedraRenderer::UpdateColors(
   {
     return error;
   }
-  // The property chooses the component that is the scalar.
+  // The property may select a different scalar component.
   this->Frame.Versions.Values += scalars == this->Fields.Scalars ? 0 : 1;
   if (this->Fields.Kind == TetrahedraFields::SCALARS)
   {
@@ -168,15 +169,16 @@ bool TetrahedraRenderer::FindOneColor() const
 void TetrahedraRenderer::ChooseBlend(const Request& request, TetrahedraReport& report)
 {
   report.BlendMode = request.Mapper->GetBlendMode();
-  report.BlendReason = "as asked for";
+  report.BlendReason = "set by the user";
   if (request.Mapper->GetBlendMode() == Mapper::AUTOMATIC_BLEND)
   {
     const bool hasTime = request.Pieces ? request.Pieces->GetBlend() == Mapper::OPTICAL_DEPTH_BLEND
                                         : request.Arrays.DeltaT != nullptr;
     report.BlendMode = hasTime ? static_cast<int>(Mapper::OPTICAL_DEPTH_BLEND)
                                : static_cast<int>(Mapper::COMPOSITE_BLEND);
-    report.BlendReason = hasTime ? "with an extent in time tetrahedra overlap and have no order"
-                                 : "without an extent in time tetrahedra have an order";
+    report.BlendReason = hasTime
+      ? "tetrahedra with an extent in time overlap and have no visibility order"
+      : "tetrahedra without an extent in time have a visibility order";
   }
 }
 
@@ -184,13 +186,12 @@ void TetrahedraRenderer::ChoosePath(
   const Request& request, vtkOpenGLRenderWindow* window, TetrahedraReport& report)
 {
   report.RenderPath = request.Mapper->GetRenderPath();
-  report.PathReason = "as asked for";
+  report.PathReason = "set by the user";
   if (request.Mapper->GetRenderPath() == Mapper::AUTOMATIC_PATH)
   {
     const bool isSoftware = SoftwareOpenGL::IsUsed(window);
     report.RenderPath = isSoftware ? Mapper::SOFTWARE_PATH : Mapper::OPENGL_PATH;
-    report.PathReason =
-      isSoftware ? "OpenGL is itself software here" : "OpenGL runs on a graphics card";
+    report.PathReason = isSoftware ? "OpenGL is a software implementation" : "OpenGL runs on a GPU";
   }
 }
 
@@ -203,13 +204,13 @@ void TetrahedraRenderer::ChooseShader(
     return;
   }
   report.SilhouetteShader = request.Mapper->GetSilhouetteShader();
-  report.ShaderReason = "as asked for";
+  report.ShaderReason = "set by the user";
   if (request.Mapper->GetSilhouetteShader() == Mapper::AUTOMATIC_SHADER)
   {
     const bool isSoftware = SoftwareOpenGL::IsUsed(window);
     report.SilhouetteShader = isSoftware ? Mapper::GEOMETRY_SHADER : Mapper::VERTEX_SHADER;
-    report.ShaderReason = isSoftware ? "OpenGL is itself software here"
-                                     : "many graphics cards have slow geometry shaders";
+    report.ShaderReason =
+      isSoftware ? "OpenGL is a software implementation" : "many GPUs have slow geometry shaders";
   }
   this->Frame.IsPulled = report.SilhouetteShader == Mapper::VERTEX_SHADER;
 }
@@ -224,26 +225,27 @@ void TetrahedraRenderer::ChooseSort(const Request& request, TetrahedraReport& re
   else if (request.Mapper->GetSortMode() != Mapper::AUTOMATIC_SORT)
   {
     report.SortMode = request.Mapper->GetSortMode();
-    report.SortReason = "as asked for";
+    report.SortReason = "set by the user";
   }
   else if (!this->Frame.Surface && this->HasOneColor)
   {
-    report.SortReason = "all is of one colour";
+    report.SortReason = "there is a single color";
   }
   else if (request.Arrays.DeltaT)
   {
     report.SortMode = Mapper::CENTROID_SORT;
-    report.SortReason = "with an extent in time tetrahedra overlap";
+    report.SortReason = "tetrahedra with an extent in time overlap";
   }
   else if (this->Mesh.GetNumberOfTetrahedra() > MPVONC_LIMIT)
   {
     report.SortMode = Mapper::CENTROID_SORT;
-    report.SortReason = "more than " + std::to_string(MPVONC_LIMIT) + " tetrahedra";
+    report.SortReason = "there are more than " + std::to_string(MPVONC_LIMIT) + " tetrahedra";
   }
   else
   {
     report.SortMode = Mapper::MPVONC_SORT;
-    report.SortReason = "colours differ and tetrahedra are few enough";
+    report.SortReason =
+      "colors differ, and there are at most " + std::to_string(MPVONC_LIMIT) + " tetrahedra";
   }
 }
 
@@ -342,7 +344,7 @@ Error TetrahedraRenderer::ClipMesh(const Request& request, const std::vector<std
     if (!std::isfinite(planes.back().w))
     {
       return "clipping plane " + std::to_string(i) +
-        " has a normal of length 0 or a number that is not finite; set its normal and its origin";
+        " has a normal of length 0, or its normal or origin is not finite; correct the plane";
     }
   }
   this->Clip.Append(this->Mesh, this->Fields, planes, view.GetRays().Viewpoint, order);
@@ -397,7 +399,8 @@ Error TetrahedraRenderer::Render(
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   if (!window)
   {
-    return { "the render window is not an OpenGL one", ErrorCode::OpenGL };
+    return { "the render window is not a vtkOpenGLRenderWindow; use an OpenGL window",
+      ErrorCode::OpenGL };
   }
   if (request.Pieces)
   {
@@ -439,11 +442,12 @@ Error TetrahedraRenderer::Render(
   }
   if (request.Mapper->GetAutoAdjustLevelOfDetail() && report.RenderPath == Mapper::OPENGL_PATH)
   {
-    // OpenGL takes commands and draws later; the level is chosen by when it is done.
+    // OpenGL is asynchronous. Wait, because the level of detail depends on the time until drawing
+    // is complete.
     glFinish();
   }
   report.Seconds = vtkTimerLog::GetUniversalTime() - start;
-  this->LevelOfDetail.Measured(level, report.Seconds);
+  this->LevelOfDetail.AddMeasurement(level, report.Seconds);
   report.MemoryBytes = this->GetMemoryBytes();
   return {};
 }
@@ -465,7 +469,7 @@ void TetrahedraRenderer::DrawInSoftware(
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   report.Features = this->GetFeatures();
   const DrawnState state = { this->Frame, false, this->Depth.GetDepths(), {} };
-  // A still view of a still scene keeps its picture.
+  // Reuse the image if neither the camera nor the scene changed.
   if (!(resources.Drawn == state))
   {
     const auto isAborted = [window]() { return window->CheckAbortStatus() != 0; };
@@ -509,7 +513,7 @@ std::vector<int> TetrahedraRenderer::FindPieceOrder(
   {
     return {};
   }
-  // One process finds it for all, so that rounding cannot make orders differ.
+  // Compute the order in one process, so that rounding cannot cause different orders.
   std::vector<int> order(static_cast<std::size_t>(pieces.GetNumberOfRanks()), 0);
   if (pieces.GetRank() == 0)
   {
@@ -526,18 +530,18 @@ Error TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
   WindowResources& resources = this->GetResources(&window);
   report.Processes = pieces.GetNumberOfRanks();
   report.RenderPath = Mapper::SOFTWARE_PATH;
-  report.PathReason = "what several processes draw is put together on the CPU";
+  report.PathReason = "the images of several processes are combined on the CPU";
   this->ChooseBlend(request, report);
   const Error error = this->UpdatePiece(renderer, volume, request, report);
-  const bool isHere = request.Grid && !error && !this->Mesh.Corners.empty();
+  const bool hasPiece = request.Grid && !error && !this->Mesh.Corners.empty();
 
-  // Nobody draws anew where nothing has changed in any process.
+  // Redraw in all processes if something changed in any of them.
   std::array<int, 2> size{ { 0, 0 } };
   std::array<int, 2> origin{ { 0, 0 } };
   renderer->GetTiledSizeAndOrigin(&size[0], &size[1], &origin[0], &origin[1]);
   const bool hasDepth = this->Depth.Read(renderer);
   DrawnState state;
-  if (isHere)
+  if (hasPiece)
   {
     state.Frame = this->Frame;
   }
@@ -550,22 +554,23 @@ Error TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
   pieces.Maximize(all);
   if (all[2] != -all[4] || all[3] != -all[5])
   {
-    return "the processes have viewports of different sizes";
+    return "the viewports of the processes have different sizes; use the same window and viewport "
+           "size in all processes";
   }
   if (all[0] != 0)
   {
     const auto pixels = static_cast<std::size_t>(size[0]) * static_cast<std::size_t>(size[1]);
     std::vector<float> depths = this->Depth.GetBuffer();
     depths.resize(all[1] != 0 ? pixels : 0, 1.0f);
-    const std::vector<bool> isShown = PiecePicture::FindShown(pieces, depths);
+    const std::vector<bool> isShown = PieceImage::FindShown(pieces, depths);
     this->Depth.SetBuffer(depths, size);
-    if (isHere)
+    if (hasPiece)
     {
-      this->PlaceDepth();
+      this->SetOpaqueDepth();
     }
-    PiecePicture picture(pieces, isHere ? &this->Frame : nullptr, pixels, this->Rasterizer);
+    PieceImage image(pieces, hasPiece ? &this->Frame : nullptr, pixels, this->Rasterizer);
     std::vector<float> colors =
-      picture.Draw(state.Frame.Blend, request.Mapper->GetLayerPriorities(), state.PieceOrder);
+      image.Draw(state.Frame.Blend, request.Mapper->GetLayerPriorities(), state.PieceOrder);
     for (std::size_t p = 0; p < pixels; ++p)
     {
       if (isShown.empty() ? pieces.GetRank() != 0 : !isShown[p])
@@ -575,9 +580,9 @@ Error TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
     }
     report.UploadedImageBytes = resources.Quad.Upload(&window, size[0], size[1], colors);
     resources.Drawn = state;
-    resources.NumberDrawn = isHere ? this->Rasterizer.GetNumberDrawn() : 0;
+    resources.NumberDrawn = hasPiece ? this->Rasterizer.GetNumberDrawn() : 0;
   }
-  report.Features = isHere ? this->GetFeatures() : "";
+  report.Features = hasPiece ? this->GetFeatures() : "";
   report.TetrahedraDrawn = resources.NumberDrawn;
   report.Buffers = 1;
   report.BufferBytes = 16 * static_cast<vtkIdType>(size[0]) * size[1];
@@ -600,7 +605,8 @@ void TetrahedraRenderer::Select(
 void TetrahedraRenderer::DrawSelection(
   vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources)
 {
-  // Ids are drawn once for each pass; neither order nor colour matters, so both paths draw them so.
+  // Cell ids depend neither on order nor on color. Both render paths draw them with the software
+  // rasterizer.
   this->Frame.Blend = TetrahedraFrame::SELECTION;
   this->Frame.Order = this->Clip.IsActive() ? &this->Clip.GetOrder() : nullptr;
   this->ReadDepth(renderer);
@@ -609,9 +615,9 @@ void TetrahedraRenderer::DrawSelection(
   cells.reserve(this->Rasterizer.GetTetrahedra().size());
   for (std::uint32_t tetrahedron : this->Rasterizer.GetTetrahedra())
   {
-    const std::uint32_t whole = tetrahedron ? this->Clip.GetWhole(tetrahedron - 1) : 0;
+    const std::uint32_t original = tetrahedron ? this->Clip.GetOriginal(tetrahedron - 1) : 0;
     const vtkIdType cell =
-      this->Mesh.Cells.empty() ? static_cast<vtkIdType>(whole) : this->Mesh.Cells[whole];
+      this->Mesh.Cells.empty() ? static_cast<vtkIdType>(original) : this->Mesh.Cells[original];
     cells.push_back(tetrahedron ? cell + 1 : 0);
   }
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -665,12 +671,12 @@ void TetrahedraRenderer::UpdateBoundary(
 void TetrahedraRenderer::ReadDepth(vtkRenderer* renderer)
 {
   this->Depth.Read(renderer);
-  this->PlaceDepth();
+  this->SetOpaqueDepth();
 }
 
-void TetrahedraRenderer::PlaceDepth()
+void TetrahedraRenderer::SetOpaqueDepth()
 {
-  this->Depth.Place(this->Frame.View, this->Frame.PixelStride, this->IsCutByFarPlane());
+  this->Depth.Resample(this->Frame.View, this->Frame.PixelStride, this->IsCutByFarPlane());
   this->Frame.Opaque = this->Depth.GetDepths().empty() ? nullptr : this->Depth.GetDepths().data();
 }
 

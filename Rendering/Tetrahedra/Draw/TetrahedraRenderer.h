@@ -40,8 +40,7 @@ class PieceExchange;
 
 /**
  * @class   TetrahedraRenderer
- * @brief   draws one picture: makes what has changed anew, makes the choices, has one of the paths
- * draw
+ * @brief   draws an image: updates changed data, resolves automatic modes, and runs a render path
  */
 class TetrahedraRenderer
 {
@@ -49,20 +48,20 @@ public:
   TetrahedraRenderer();
   ~TetrahedraRenderer();
 
-  /// The mapper, whose settings are read, and what it has found.
+  /// The mapper with its settings, and its inputs.
   struct Request
   {
     vtkTimeWeightedTetrahedraMapper* Mapper = nullptr;
     vtkUnstructuredGrid* Grid = nullptr;
     TetrahedraArrays Arrays;
     vtkDataSet* Boundary = nullptr;
-    /// The pieces of other processes that this one is drawn with; null where it is drawn alone.
-    /// With them Grid may be null.
+    /// Communication with the other processes, or null if only this input is drawn. If not null,
+    /// Grid may be null.
     const PieceExchange* Pieces = nullptr;
   };
 
   /**
-   * Draws and reports. Returns an error if something cannot be drawn.
+   * Draws an image and fills the report. Returns an error if something cannot be drawn.
    */
   Error Render(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
@@ -70,12 +69,12 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
-  /// The resources of one window's context.
+  /// OpenGL resources of a window.
   struct WindowResources;
   struct DrawnState;
 
   WindowResources& GetResources(vtkWindow* window);
-  /// Rebuilds the mesh, or only its values if the mesh is the same. Returns an error if the grid
+  /// Rebuilds the mesh, or only its values if the mesh is unchanged. Returns an error if the grid
   /// cannot be drawn.
   Error UpdateMesh(const Request& request, TetrahedraReport& report);
   void CountTetrahedra(const Request& request, TetrahedraReport& report) const;
@@ -85,14 +84,14 @@ private:
   void ChooseShader(
     const Request& request, vtkOpenGLRenderWindow* window, TetrahedraReport& report);
   void ChooseSort(const Request& request, TetrahedraReport& report);
-  /// Returns the level of detail, which is 0 for whole pictures.
+  /// Returns the level of detail; 0 is full detail.
   int ChooseLevel(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
-  /// Updates the changed parts of this image. Returns an error if it cannot be drawn.
+  /// Updates the changed parts of the frame. Returns an error if it cannot be drawn.
   Error UpdateFrame(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
-  /// Cuts the mesh at the near plane and the clipping planes, and sets the order that is drawn.
-  /// Returns an error if a clipping plane is not valid.
+  /// Cuts the mesh at the near plane and the clipping planes, and sets the frame's drawing order.
+  /// Returns an error if a clipping plane is invalid.
   Error ClipMesh(const Request& request, const std::vector<std::uint32_t>* order);
   void DrawFrame(
     vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
@@ -101,28 +100,28 @@ private:
   Error DrawWithOpenGL(
     vtkRenderer* renderer, vtkVolume* volume, WindowResources& resources, TetrahedraReport& report);
   void DrawInSoftware(vtkRenderer* renderer, WindowResources& resources, TetrahedraReport& report);
-  /// Draws the picture of all pieces, together with the other processes.
+  /// Draws the image of all partitions, together with the other processes.
   Error RenderPieces(vtkRenderer* renderer, vtkVolume* volume, const Request& request,
     vtkOpenGLRenderWindow& window, TetrahedraReport& report);
-  /// Returns the order of the processes from the nearest on; none where the blend mode needs none.
+  /// Returns the processes from front to back; empty if the blend mode needs no order.
   static std::vector<int> FindPieceOrder(
     vtkRenderer* renderer, vtkVolume* volume, const PieceExchange& pieces);
-  /// Updates the changed parts of this process's piece. Returns an error if it cannot be drawn.
+  /// Updates the changed parts of this process's partition. Returns an error if it cannot be drawn.
   Error UpdatePiece(
     vtkRenderer* renderer, vtkVolume* volume, const Request& request, TetrahedraReport& report);
   void Select(vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
   void DrawSelection(
     vtkRenderer* renderer, vtkHardwareSelector* selector, WindowResources& resources);
   void ReadDepth(vtkRenderer* renderer);
-  /// Takes the depth that was read into the frame.
-  void PlaceDepth();
-  /// Returns whether a point of the mesh is beyond the far plane.
+  /// Sets the frame's opaque depth from the depth that was read.
+  void SetOpaqueDepth();
+  /// Returns true if the far plane cuts the mesh.
   bool IsCutByFarPlane() const;
   void UpdateBoundary(vtkRenderer* renderer, const Request& request, TetrahedraReport& report);
   std::string GetFeatures() const;
   vtkIdType GetMemoryBytes() const;
 
-  /// The data that mesh and colours were made of.
+  /// The data that the mesh was built from.
   struct MeshKey
   {
     vtkUnstructuredGrid* Grid = nullptr;
@@ -133,10 +132,10 @@ private:
   vtkVolumeProperty* Property = nullptr;
   vtkMTimeType PropertyTime = 0;
   double ColorUnit = 0.0;
-  /// Whether all is of one colour, so that order does not matter.
+  /// If true, there is a single color and order does not matter.
   bool HasOneColor = false;
 
-  /// The data that the boundary was made of.
+  /// The data that the boundary was built from.
   vtkDataSet* Boundary = nullptr;
   vtkMTimeType BoundaryTime = 0;
   BoundaryFaces::Counts BoundaryCounts;
@@ -152,7 +151,7 @@ private:
   TetrahedraFrame Frame;
   SoftwareRasterizer Rasterizer;
   interlume::LevelOfDetail LevelOfDetail;
-  /// The path and the size of the viewport that the times of Level were measured with.
+  /// Render path and viewport size for which LevelOfDetail has measured times.
   std::array<int, 3> LevelConditions{};
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
 };

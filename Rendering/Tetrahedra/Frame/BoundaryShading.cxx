@@ -37,7 +37,7 @@ void BoundaryShading::Set(
     this->SpecularColor[c] = static_cast<float>(property->GetSpecularColor()[c]);
   }
   const bool isLit = property->GetLighting();
-  this->Shares = { { static_cast<float>(isLit ? property->GetAmbient() : 1.0),
+  this->Coefficients = { { static_cast<float>(isLit ? property->GetAmbient() : 1.0),
     static_cast<float>(isLit ? property->GetDiffuse() : 0.0),
     static_cast<float>(isLit ? property->GetSpecular() : 0.0),
     static_cast<float>(property->GetSpecularPower()) } };
@@ -55,19 +55,19 @@ void BoundaryShading::Set(
     double focus[4] = { 0.0, 0.0, 0.0, 1.0 };
     light->GetTransformedPosition(position);
     light->GetTransformedFocalPoint(focus);
-    const glm::dvec3 place = view.GetEyeOfWorld(glm::make_vec4(position));
-    const glm::dvec3 towards = Normalized(place - view.GetEyeOfWorld(glm::make_vec4(focus)));
-    Light seen;
-    seen.IsPositional = light->GetPositional() != 0;
-    seen.Place = glm::vec3(seen.IsPositional ? place : towards);
+    const glm::dvec3 eyePosition = view.GetEyeOfWorld(glm::make_vec4(position));
+    const glm::dvec3 toward = Normalized(eyePosition - view.GetEyeOfWorld(glm::make_vec4(focus)));
+    Light eyeLight;
+    eyeLight.IsPositional = light->GetPositional() != 0;
+    eyeLight.Position = glm::vec3(eyeLight.IsPositional ? eyePosition : toward);
     for (int c = 0; c < 3; ++c)
     {
-      seen.Color[c] = static_cast<float>(light->GetDiffuseColor()[c] * light->GetIntensity());
+      eyeLight.Color[c] = static_cast<float>(light->GetDiffuseColor()[c] * light->GetIntensity());
     }
-    this->Lights.push_back(seen);
+    this->Lights.push_back(eyeLight);
   }
 
-  // Normals are transformed by the cofactors, which are the inverse's transpose up to a factor.
+  // Cofactors transform normals: they equal the inverse transpose up to a factor.
   const std::array<double, 12>& m = view.GetEyeFromMesh();
   for (int i = 0; i < 3; ++i)
   {
@@ -109,7 +109,7 @@ void BoundaryShading::SetImage(vtkTexture* texture)
   this->ImageHeight = dimensions[1];
   const bool isColor =
     vtkUnsignedCharArray::SafeDownCast(scalars) && scalars->GetNumberOfComponents() <= 4;
-  // Anything else than colours goes through the texture's lookup table.
+  // Arrays other than colors are mapped through the lookup table of the texture.
   unsigned char* mapped = isColor ? nullptr : texture->MapScalarsToColors(scalars);
   const int components = isColor ? scalars->GetNumberOfComponents() : 4;
   const auto pixels = static_cast<std::size_t>(this->ImageWidth) * this->ImageHeight;
@@ -122,7 +122,7 @@ void BoundaryShading::SetImage(vtkTexture* texture)
         mapped ? mapped[4 * i + c] : scalars->GetComponent(static_cast<vtkIdType>(i), c);
       return static_cast<float>(value / 255.0);
     };
-    // One component is grey, two are grey and opacity.
+    // One component is gray, two are gray and opacity.
     for (int c = 0; c < 3; ++c)
     {
       (*image)[i][c] = get(components >= 3 ? c : 0);
@@ -137,23 +137,23 @@ void BoundaryShading::SetImage(vtkTexture* texture)
 
 BoundaryShading::Color BoundaryShading::Sample(double u, double v) const
 {
-  // The image is bilinear between the centres of pixels.
-  const auto place = [this](double t, int size, int ends[2])
+  // Bilinear interpolation between texel centers.
+  const auto position = [this](double t, int size, int ends[2])
   {
     t = this->Repeated ? t - std::floor(t) : std::max(0.0, std::min(t, 1.0));
-    const double at = t * size - 0.5;
-    const double whole = std::floor(at);
+    const double coordinate = t * size - 0.5;
+    const double first = std::floor(coordinate);
     for (int i = 0; i < 2; ++i)
     {
-      const int pixel = static_cast<int>(whole) + i;
+      const int pixel = static_cast<int>(first) + i;
       ends[i] = this->Repeated ? (pixel + size) % size : std::max(0, std::min(pixel, size - 1));
     }
-    return static_cast<float>(at - whole);
+    return static_cast<float>(coordinate - first);
   };
   int x[2];
   int y[2];
-  const float a = place(u, this->ImageWidth, x);
-  const float b = place(v, this->ImageHeight, y);
+  const float a = position(u, this->ImageWidth, x);
+  const float b = position(v, this->ImageHeight, y);
   const auto pixel = [&](int i, int j) -> const Color&
   { return (*this->Image)[static_cast<std::size_t>(y[j]) * this->ImageWidth + x[i]]; };
   Color color;
@@ -193,24 +193,25 @@ BoundaryShading::Color BoundaryShading::Shade(const glm::dvec3& eye, const glm::
   Color color;
   for (int c = 0; c < 3; ++c)
   {
-    color[c] = base[c] * this->Shares[0];
+    color[c] = base[c] * this->Coefficients[0];
   }
   for (const Light& light : this->Lights)
   {
-    const glm::dvec3 place(light.Place);
-    const glm::dvec3 towards = Normalized(light.IsPositional ? place - eye : place);
-    const double cosine = glm::dot(n, towards);
+    const glm::dvec3 position(light.Position);
+    const glm::dvec3 toward = Normalized(light.IsPositional ? position - eye : position);
+    const double cosine = glm::dot(n, toward);
     if (cosine <= 0.0)
     {
       continue;
     }
-    const glm::dvec3 mirrored = 2.0 * cosine * n - towards;
-    const double shine = std::pow(std::max(glm::dot(mirrored, view), 0.0), this->Shares[3]);
+    const glm::dvec3 reflected = 2.0 * cosine * n - toward;
+    const double specular =
+      std::pow(std::max(glm::dot(reflected, view), 0.0), this->Coefficients[3]);
     for (int c = 0; c < 3; ++c)
     {
       color[c] += light.Color[c] *
-        static_cast<float>(
-          base[c] * this->Shares[1] * cosine + this->SpecularColor[c] * this->Shares[2] * shine);
+        static_cast<float>(base[c] * this->Coefficients[1] * cosine +
+          this->SpecularColor[c] * this->Coefficients[2] * specular);
     }
   }
   for (int c = 0; c < 3; ++c)
@@ -224,8 +225,8 @@ BoundaryShading::Color BoundaryShading::Shade(const glm::dvec3& eye, const glm::
 bool BoundaryShading::operator==(const BoundaryShading& other) const
 {
   const auto isSame = [](const Light& a, const Light& b)
-  { return a.Place == b.Place && a.IsPositional == b.IsPositional && a.Color == b.Color; };
-  return this->Base == other.Base && this->Shares == other.Shares &&
+  { return a.Position == b.Position && a.IsPositional == b.IsPositional && a.Color == b.Color; };
+  return this->Base == other.Base && this->Coefficients == other.Coefficients &&
     this->SpecularColor == other.SpecularColor && this->NormalMatrix == other.NormalMatrix &&
     this->HasSameImage(other) && this->Lights.size() == other.Lights.size() &&
     std::equal(this->Lights.begin(), this->Lights.end(), other.Lights.begin(), isSame);

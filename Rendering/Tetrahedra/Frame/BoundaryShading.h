@@ -18,10 +18,10 @@ namespace interlume
 
 /**
  * @class   BoundaryShading
- * @brief   computes the colour of boundary triangles
+ * @brief   computes the color of boundary triangles
  *
- * It uses the renderer's lights, up to MAXIMUM_LIGHTS that are switched on, with ambient, diffuse
- * and specular light on either side, and an image over the texture coordinates.
+ * It uses up to MAXIMUM_LIGHTS enabled lights of the renderer, with two-sided ambient, diffuse and
+ * specular shading, and an optional texture.
  */
 class BoundaryShading
 {
@@ -31,33 +31,35 @@ public:
 
   struct Light
   {
-    /// The place of the light, or the direction to it, in eye coordinates, in units of the view.
-    glm::vec3 Place;
+    /// Position of the light, or the direction to it, in eye coordinates and in units of
+    /// TetrahedraView.
+    glm::vec3 Position;
     bool IsPositional;
     std::array<float, 3> Color;
   };
 
   /**
-   * Reads the lights, the property and the image, which may be null.
+   * Reads the lights, the property and the texture, which may be null.
    */
   void Set(
     vtkRenderer* renderer, const TetrahedraView& view, vtkProperty* property, vtkTexture* texture);
 
   /**
-   * Returns colour times opacity at a point in eye coordinates. \a normal is in mesh coordinates,
-   * of any length and either side.
+   * Returns the color, premultiplied by opacity, and the opacity at a point in eye coordinates. \a
+   * normal is in mesh coordinates and may have any length and orientation.
    */
   Color Shade(const glm::dvec3& eye, const glm::dvec3& normal,
     const std::array<double, 2>& textureCoordinates) const;
 
   const std::vector<Light>& GetLights() const { return this->Lights; }
-  /// Return RGB and opacity; ambient, diffuse, specular and its power; the specular colour.
+  /// Returns the diffuse color and the opacity.
   const Color& GetColor() const { return this->Base; }
-  const Color& GetShares() const { return this->Shares; }
+  /// Returns the ambient, diffuse and specular coefficients and the specular power.
+  const Color& GetCoefficients() const { return this->Coefficients; }
   const std::array<float, 3>& GetSpecularColor() const { return this->SpecularColor; }
-  /// Returns the matrix of normals from mesh to eye, as three rows.
+  /// Returns the 3 x 3 matrix that transforms normals from mesh to eye coordinates, in rows.
   const std::array<float, 9>& GetNormalMatrix() const { return this->NormalMatrix; }
-  /// Returns the image row by row from below; no pixels where there is none.
+  /// Returns the texture's pixels, row by row from the bottom; empty if there is no texture.
   const std::vector<Color>& GetImage() const { return *this->Image; }
   int GetImageWidth() const { return this->ImageWidth; }
   int GetImageHeight() const { return this->ImageHeight; }
@@ -75,10 +77,10 @@ private:
 
   std::vector<Light> Lights;
   Color Base{};
-  Color Shares{};
+  Color Coefficients{};
   std::array<float, 3> SpecularColor{};
   std::array<float, 9> NormalMatrix{};
-  /// The image, shared with copies, which are made to tell what has changed.
+  /// The texture image. Copies of this object, which are used to detect changes, share it.
   std::shared_ptr<const std::vector<Color>> Image = std::make_shared<const std::vector<Color>>();
   vtkMTimeType ImageTime = 0;
   int ImageWidth = 0;

@@ -14,11 +14,11 @@ namespace interlume
 namespace
 {
 using Value = std::array<double, 4>;
-/// A curve is halved this often at most: enough to make a jump as narrow as 2^-24 of the range.
+/// Maximum number of bisections. The narrowest piece is 2^-24 of a control point interval.
 constexpr int DEPTH = 24;
 constexpr double TOLERANCE = 1e-4;
 
-// Evaluates both functions at x.
+// The color and opacity functions.
 class Functions
 {
 public:
@@ -51,7 +51,7 @@ public:
     return value;
   }
 
-  // Returns the places where the functions may bend, within the range, its ends included.
+  // Returns the control points inside the range, and its ends, sorted.
   std::vector<double> GetNodes(const double range[2]) const
   {
     std::vector<double> nodes = { range[0], range[1] };
@@ -118,32 +118,32 @@ void PiecewiseLinearTransfer::Build(
 {
   const Functions functions(property, component, unit);
   std::vector<Node> nodes;
-  // Appends the nodes after a, b included.
+  // Appends nodes for the curve from a to b, excluding a and including b.
   const auto append = [&](const auto& self, const Node& a, const Node& b, int depth) -> void
   {
     const auto isStraight = [&](double t)
     { return IsClose(functions.Evaluate(a.X + t * (b.X - a.X)), Mix(a.Value, b.Value, t)); };
-    const double middle = 0.5 * (a.X + b.X);
-    if (depth == DEPTH || !(middle > a.X && middle < b.X) ||
+    const double midpoint = 0.5 * (a.X + b.X);
+    if (depth == DEPTH || !(midpoint > a.X && midpoint < b.X) ||
       (isStraight(0.25) && isStraight(0.5) && isStraight(0.75) && isStraight(0.03) &&
         isStraight(0.97)))
     {
       nodes.push_back(b);
       return;
     }
-    const Node half = { middle, functions.Evaluate(middle) };
+    const Node half = { midpoint, functions.Evaluate(midpoint) };
     self(self, a, half, depth + 1);
     self(self, half, b, depth + 1);
   };
-  const std::vector<double> bends = functions.GetNodes(range);
-  nodes.push_back({ bends[0], functions.Evaluate(bends[0]) });
-  for (std::size_t i = 1; i < bends.size(); ++i)
+  const std::vector<double> breakpoints = functions.GetNodes(range);
+  nodes.push_back({ breakpoints[0], functions.Evaluate(breakpoints[0]) });
+  for (std::size_t i = 1; i < breakpoints.size(); ++i)
   {
-    append(append, nodes.back(), { bends[i], functions.Evaluate(bends[i]) }, 0);
+    append(append, nodes.back(), { breakpoints[i], functions.Evaluate(breakpoints[i]) }, 0);
   }
 
-  // Drops nodes that lie on the line from the last one kept to one further on.
-  std::vector<Node> kept = { nodes[0] };
+  // Remove nodes that lie on the line from the last retained node to a later node.
+  std::vector<Node> retained = { nodes[0] };
   std::size_t from = 0;
   for (std::size_t to = 2; to < nodes.size(); ++to)
   {
@@ -154,21 +154,21 @@ void PiecewiseLinearTransfer::Build(
       if (!IsClose(nodes[i].Value, Mix(a.Value, b.Value, (nodes[i].X - a.X) / (b.X - a.X))))
       {
         from = to - 1;
-        kept.push_back(nodes[from]);
+        retained.push_back(nodes[from]);
         break;
       }
     }
   }
   if (nodes.size() > 1)
   {
-    kept.push_back(nodes.back());
+    retained.push_back(nodes.back());
   }
   const double width = range[1] - range[0];
-  for (Node& node : kept)
+  for (Node& node : retained)
   {
     node.X = width > 0.0 ? (node.X - range[0]) / width : 0.0;
   }
-  this->SetNodes(kept);
+  this->SetNodes(retained);
 }
 
 void PiecewiseLinearTransfer::SetNodes(const std::vector<Node>& nodes)
@@ -180,7 +180,7 @@ void PiecewiseLinearTransfer::SetNodes(const std::vector<Node>& nodes)
   for (std::size_t i = 0; i + 1 < std::max<std::size_t>(nodes.size(), 2); ++i)
   {
     Piece piece = {};
-    // Two nodes may be one in single precision: a jump.
+    // Two nodes may coincide after rounding. The function then has a jump there.
     const double width = i + 1 < nodes.size() ? nodes[i + 1].X - nodes[i].X : 0.0;
     for (int c = 0; c < 4; ++c)
     {

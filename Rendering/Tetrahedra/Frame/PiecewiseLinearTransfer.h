@@ -13,12 +13,12 @@ namespace interlume
 
 /**
  * @class   PiecewiseLinearTransfer
- * @brief   colour and extinction as straight pieces over the scalar
+ * @brief   color and extinction as a piecewise linear function of the scalar
  *
- * It puts the colour and opacity functions of a property together: between two control points all
- * four channels are linear in the scalar. Curved parts of the functions (other colour spaces,
- * midpoints, sharpness, logarithmic scale) are halved until straight pieces are within 1e-4 of
- * them, and control points on a straight line are dropped.
+ * It merges the control points of the color and opacity functions of a property, so that all four
+ * channels are linear between adjacent control points. Curved pieces (other color spaces,
+ * midpoints, sharpness, logarithmic scale) are bisected until the linear pieces are within 1e-4 of
+ * the functions. Collinear control points are removed.
  */
 class PiecewiseLinearTransfer
 {
@@ -26,30 +26,31 @@ public:
   using Sample = std::array<float, 4>;
 
   /**
-   * Takes the functions of \a component over [\a range[0], \a range[1]], which become 0 to 1.
-   * Extinction is the opacity times \a unit.
+   * Samples the functions of \a component over \a range, which is mapped to [0, 1]. Extinction is
+   * opacity times \a unit.
    */
   void Build(vtkVolumeProperty* property, int component, const double range[2], double unit);
 
   int GetNumberOfPieces() const { return static_cast<int>(this->Pieces.size()); }
 
-  /// One piece: Value + Slope (f - start), from its start to that of the next.
+  /// A linear piece: Value + Slope (f - start), up to the start of the next piece.
   struct alignas(16) Piece
   {
     Sample Value;
     Sample Slope;
   };
   const std::vector<Piece>& GetPieces() const { return this->Pieces; }
-  /// Returns the starts of the pieces, one more than pieces: the last is beyond every value.
+  /// Returns the start of each piece, followed by a number that is larger than any scalar.
   const std::vector<float>& GetStarts() const { return this->Starts; }
 
-  /// Returns the fourth of value and slope of each piece, for loops that need no more.
+  /// Return only the extinction in the Value and in the Slope of each piece, for loops that do not
+  /// need color.
   const std::vector<float>& GetExtinctions() const { return this->Extinctions; }
   const std::vector<float>& GetExtinctionSlopes() const { return this->ExtinctionSlopes; }
-  /// Returns for each of 1024 + 1 values of the scalar the piece it lies in.
+  /// Returns the indices of the pieces that contain i / 1024, for i from 0 to 1024.
   const std::vector<int>& GetBuckets() const { return this->First; }
 
-  /// Returns the piece that \a f, 0 to 1, lies in.
+  /// Returns the piece that contains \a f, in [0, 1].
   int Find(float f) const
   {
     int piece = this->First[static_cast<std::size_t>(f * BUCKETS)];
@@ -76,7 +77,7 @@ public:
     }
   }
 
-  /// Returns whether every value gives the same colour, whatever its extinction.
+  /// Returns true if the color, but not necessarily the extinction, is the same for all scalars.
   bool HasOneColor() const;
 
 private:
@@ -93,7 +94,7 @@ private:
   std::vector<float> Starts;
   std::vector<float> Extinctions;
   std::vector<float> ExtinctionSlopes;
-  /// The piece that each of BUCKETS + 1 values of f lies in.
+  /// Index of the piece that contains i / BUCKETS, for i from 0 to BUCKETS.
   std::vector<int> First;
 };
 

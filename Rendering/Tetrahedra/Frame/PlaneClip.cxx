@@ -14,29 +14,30 @@ namespace interlume
 
 namespace
 {
-/// The distance from a plane within which a point is on it. Mesh coordinates are of size 1.
+/// Points within this distance of a plane are treated as on it. Mesh coordinates are between -1 and
+/// 1.
 constexpr double ON_PLANE = 1e-12;
 
-constexpr std::uint32_t KEPT = std::numeric_limits<std::uint32_t>::max();
-constexpr std::uint32_t DROPPED = KEPT - 1;
-constexpr std::uint32_t CUT = KEPT - 2;
+constexpr std::uint32_t RETAINED = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t DROPPED = RETAINED - 1;
+constexpr std::uint32_t CUT = RETAINED - 2;
 
-/// The number of planes with a bit for the points on their other side.
+/// Number of planes that have their own bit in the masks of Classify().
 constexpr std::size_t BITS = 31;
 
-// Returns a number that is positive on one side of the plane through a, b, c.
+// Returns a value whose sign depends on the side of the plane through a, b and c on which p lies.
 double GetSide(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, const glm::dvec3& p)
 {
   return glm::dot(p - a, glm::cross(b - a, c - a));
 }
 
-// Returns whether the eye is on the other side of the face opposite to the first of four points.
+// Returns true if the face opposite p[0] separates the camera from p[0].
 bool IsBehindFace(const std::array<glm::dvec3, 4>& p, const Viewpoint& view)
 {
-  const double ofEye = view.IsParallel
+  const double cameraSide = view.IsParallel
     ? -glm::dot(view.Direction, glm::cross(p[2] - p[1], p[3] - p[1]))
     : GetSide(p[1], p[2], p[3], view.Eye);
-  return ofEye * GetSide(p[1], p[2], p[3], p[0]) < 0.0;
+  return cameraSide * GetSide(p[1], p[2], p[3], p[0]) < 0.0;
 }
 }
 
@@ -46,7 +47,7 @@ void PlaneClip::Append(TetrahedraMesh& mesh, TetrahedraFields& fields,
   this->NumberClipped = 0;
   this->Points = mesh.Points.size() / 3;
   this->Tetrahedra = mesh.GetNumberOfTetrahedra();
-  this->Wholes.clear();
+  this->Originals.clear();
   this->Planes.clear();
   std::copy_if(planes.begin(), planes.end(), std::back_inserter(this->Planes),
     [&mesh](const Plane& plane) { return mesh.HasPointBehind(plane, ON_PLANE); });
@@ -54,13 +55,13 @@ void PlaneClip::Append(TetrahedraMesh& mesh, TetrahedraFields& fields,
   {
     this->Classify(mesh);
     this->CutAll(mesh, fields, order ? &view : nullptr);
-    this->MakeOrder(order);
+    this->BuildOrder(order);
   }
 }
 
 void PlaneClip::Classify(const TetrahedraMesh& mesh)
 {
-  // All further planes share the last bit, by which no tetrahedron is dropped.
+  // All planes after the first BITS share the last bit, which never drops a tetrahedron.
   std::vector<std::uint32_t> outside(this->Points);
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Points),
     [&](vtkIdType first, vtkIdType last)
@@ -77,7 +78,7 @@ void PlaneClip::Classify(const TetrahedraMesh& mesh)
         outside[static_cast<std::size_t>(p)] = bits;
       }
     });
-  this->Fates.resize(this->Tetrahedra);
+  this->States.resize(this->Tetrahedra);
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Tetrahedra),
     [&](vtkIdType first, vtkIdType last)
     {
@@ -91,7 +92,7 @@ void PlaneClip::Classify(const TetrahedraMesh& mesh)
           any |= outside[corners[k]];
           all &= outside[corners[k]];
         }
-        this->Fates[static_cast<std::size_t>(t)] = any == 0 ? KEPT : all != 0 ? DROPPED : CUT;
+        this->States[static_cast<std::size_t>(t)] = any == 0 ? RETAINED : all != 0 ? DROPPED : CUT;
       }
     });
 }
@@ -102,18 +103,18 @@ void PlaneClip::CutAll(TetrahedraMesh& mesh, TetrahedraFields& fields, const Vie
   this->Parts.clear();
   for (std::uint32_t t = 0; t < this->Tetrahedra; ++t)
   {
-    if (this->Fates[t] != CUT)
+    if (this->States[t] != CUT)
     {
       continue;
     }
-    Part whole{};
+    Part original{};
     for (unsigned int k = 0; k < 4; ++k)
     {
-      whole[k] = { mesh.GetCorners(t)[k], 1u << k };
+      original[k] = { mesh.GetCorners(t)[k], 1u << k };
     }
     const std::size_t begin = this->Parts.size();
-    this->Cut(mesh, fields, view, t, whole, 0);
-    this->Fates[t] = static_cast<std::uint32_t>(this->Ranges.size());
+    this->Cut(mesh, fields, view, t, original, 0);
+    this->States[t] = static_cast<std::uint32_t>(this->Ranges.size());
     this->Ranges.push_back({ begin, this->Parts.size() });
     ++this->NumberClipped;
   }
@@ -174,8 +175,8 @@ std::vector<PlaneClip::Part> PlaneClip::Split(TetrahedraMesh& mesh, TetrahedraFi
     {
       return corner(i);
     }
-    const double share = distances[k[i]] / (distances[k[i]] - distances[k[j]]);
-    AppendPoint(mesh, fields, corner(i).Id, corner(j).Id, share);
+    const double fraction = distances[k[i]] / (distances[k[i]] - distances[k[j]]);
+    AppendPoint(mesh, fields, corner(i).Id, corner(j).Id, fraction);
     return Corner{ static_cast<std::uint32_t>(mesh.Points.size() / 3 - 1),
       corner(i).Support | corner(j).Support };
   };
@@ -183,7 +184,7 @@ std::vector<PlaneClip::Part> PlaneClip::Split(TetrahedraMesh& mesh, TetrahedraFi
   {
     return { { { corner(0), cut(0, 1), cut(0, 2), cut(0, 3) } } };
   }
-  // The rest is a wedge: two triangles with three edges between them.
+  // The remainder is a wedge: two triangles joined by three edges.
   std::array<Corner, 6> w;
   if (inside == 3)
   {
@@ -193,7 +194,7 @@ std::vector<PlaneClip::Part> PlaneClip::Split(TetrahedraMesh& mesh, TetrahedraFi
   {
     w = { { corner(0), cut(0, 2), cut(0, 3), corner(1), cut(1, 2), cut(1, 3) } };
   }
-  // A corner on the plane leaves the first of its tetrahedra without volume.
+  // If corners are on the plane, the first tetrahedra of the wedge have no volume. Skip them.
   const auto onPlane = std::count_if(k.begin(), k.end(), [&side](int c) { return side(c) == 0; });
   std::vector<Part> parts;
   for (auto first = static_cast<std::size_t>(inside == 3 ? onPlane : 2 * onPlane); first < 3;
@@ -207,8 +208,9 @@ std::vector<PlaneClip::Part> PlaneClip::Split(TetrahedraMesh& mesh, TetrahedraFi
 void PlaneClip::Sort(const TetrahedraMesh& mesh, const Viewpoint& view,
   const std::vector<Part>& parts, const std::vector<Range>& ranges)
 {
-  // If the eye is on the far side of the face that two successive parts share, they are swapped. A
-  // view ray through the first and the third part passes the second between them.
+  // Successive parts share a face. The next part is in front if the camera is on its side of this
+  // face. A view ray from the first to the third part passes through the second, so these pairs
+  // determine the order of all parts.
   std::vector<std::size_t> order{ 0 };
   for (std::size_t i = 1; i < parts.size(); ++i)
   {
@@ -231,21 +233,21 @@ void PlaneClip::Sort(const TetrahedraMesh& mesh, const Viewpoint& view,
   }
 }
 
-void PlaneClip::MakeOrder(const std::vector<std::uint32_t>* order)
+void PlaneClip::BuildOrder(const std::vector<std::uint32_t>* order)
 {
   this->Order.clear();
   const std::size_t number = order ? order->size() : this->Tetrahedra;
   for (std::size_t i = 0; i < number; ++i)
   {
     const std::uint32_t tetrahedron = order ? (*order)[i] : static_cast<std::uint32_t>(i);
-    const std::uint32_t fate = this->Fates[tetrahedron];
-    if (fate == KEPT)
+    const std::uint32_t state = this->States[tetrahedron];
+    if (state == RETAINED)
     {
       this->Order.push_back(tetrahedron);
     }
-    else if (fate != DROPPED)
+    else if (state != DROPPED)
     {
-      const Range& range = this->Ranges[fate];
+      const Range& range = this->Ranges[state];
       this->Order.insert(this->Order.end(),
         this->Parts.begin() + static_cast<std::ptrdiff_t>(range.Begin),
         this->Parts.begin() + static_cast<std::ptrdiff_t>(range.End));
@@ -260,7 +262,7 @@ void PlaneClip::AppendPart(
   {
     mesh.Corners.push_back(corner.Id);
   }
-  this->Wholes.push_back(tetrahedron);
+  this->Originals.push_back(tetrahedron);
   if (!mesh.Cells.empty())
   {
     mesh.Cells.push_back(mesh.Cells[tetrahedron]);
@@ -275,7 +277,7 @@ void PlaneClip::AppendPart(
   }
   if (!fields.Faces.empty())
   {
-    // A face of the part lies in the whole's face opposite k if none of its corners needs corner k.
+    // A face of the part lies in original face k if none of its corners depends on corner k.
     unsigned int faces = 0;
     for (int face = 0; face < 4; ++face)
     {
@@ -291,14 +293,14 @@ void PlaneClip::AppendPart(
 }
 
 void PlaneClip::AppendPoint(
-  TetrahedraMesh& mesh, TetrahedraFields& fields, std::uint32_t a, std::uint32_t b, double share)
+  TetrahedraMesh& mesh, TetrahedraFields& fields, std::uint32_t a, std::uint32_t b, double fraction)
 {
   for (int i = 0; i < 3; ++i)
   {
     const double from = mesh.GetPoint(a)[i];
-    mesh.Points.push_back(from + share * (mesh.GetPoint(b)[i] - from));
+    mesh.Points.push_back(from + fraction * (mesh.GetPoint(b)[i] - from));
   }
-  const auto t = static_cast<float>(share);
+  const auto t = static_cast<float>(fraction);
   for (std::vector<float>* values : { &fields.Scalars, &fields.DeltaT })
   {
     if (!values->empty())

@@ -13,32 +13,32 @@ namespace interlume
 
 /**
  * @class   SegmentTable
- * @brief   the share of a segment's colour that its front end has
+ * @brief   table of the weight of a segment's front color
  *
- * Colour and extinction are linear along the segment, with optical depth D and extinction falling
- * or rising by delta = (back - front) / (back + front). Its colour, seen from the front, is alpha
- * (m front + (1 - m) back) with alpha = 1 - exp(-D) and
+ * Along a segment with optical depth D, color and extinction are linear. The relative change of
+ * extinction is delta = (back - front) / (back + front). The segment's color, seen from the front,
+ * is alpha (m front + (1 - m) back), with alpha = 1 - exp(-D) and
  *
  *   m = (1 - Psi) / alpha,  Psi = integral over 0..1 of exp(-D ((1 - delta) s + delta s^2)) ds
  *
- * (K. Moreland, E. Angel, "A fast high accuracy volume renderer for unstructured data", 2004),
- * which is smooth and between 1/3 and 1. The table is bilinear, within 2e-4 for D below 1e7.
+ * (K. Moreland, E. Angel, "A fast high accuracy volume renderer for unstructured data", 2004). m is
+ * smooth and between 1/3 and 1. The error of bilinear lookups is at most 2e-4 for D below 1e7.
  */
 class SegmentTable
 {
 public:
-  /// The size of the table. Columns are 1 + D in steps of an eighth of an octave, linear within, so
-  /// that the bits of a float are the coordinate. Rows are 1 - sqrt((1 - delta) / 2), finer where
-  /// the front end is transparent.
+  /// The size of the table. Columns sample 1 + D with eight steps per octave, linear within an
+  /// octave, so the column follows from the bits of 1 + D as a float. Rows sample 1 - sqrt((1 -
+  /// delta) / 2), which is finer where the front end is transparent.
   static constexpr int STEPS_LOG2 = 3;
   static constexpr int COLUMNS = (24 << STEPS_LOG2) + 1;
   static constexpr int ROWS = 65;
 
-  /// Returns the one table, made at its first use.
+  /// Returns the table, which is built at its first use.
   static const SegmentTable& Get();
 
   /// Returns m for \a depth >= 0 and \a delta in [-1, 1].
-  float GetFrontShare(float depth, float delta) const
+  float GetFrontWeight(float depth, float delta) const
   {
     const float sum = 1.0f + depth;
     std::int32_t bits;

@@ -16,7 +16,8 @@ namespace interlume
 class BoundaryShading;
 
 /**
- * The data that one picture is made of, for either path. Pointers stay valid until it is drawn.
+ * The data from which either render path draws one image. Pointers must remain valid until the
+ * image is drawn.
  */
 struct TetrahedraFrame
 {
@@ -27,12 +28,12 @@ struct TetrahedraFrame
     ADDITIVE,
     PRIORITY,
     OPTICAL_DEPTH,
-    /// The input's cell that is first on each line of sight.
+    /// The first input cell on each view ray.
     SELECTION
   };
 
-  /// The number of changes of each part, from which a window knows what it has to upload or to draw
-  /// again.
+  /// Counts the changes of each kind of data. A window compares these counts with those of its last
+  /// image to decide what to upload or redraw.
   struct Changes
   {
     int Mesh = 0;
@@ -40,7 +41,7 @@ struct TetrahedraFrame
     int Colors = 0;
     int Order = 0;
     int Surface = 0;
-    /// The surface without its lights, which are no upload.
+    /// Boundary triangles, but not their lighting, because a change of lighting requires no upload.
     int Boundary = 0;
 
     bool operator==(const Changes& other) const
@@ -56,32 +57,32 @@ struct TetrahedraFrame
   const TetrahedraFields* Fields = nullptr;
   const PiecewiseLinearTransfer* Pieces = nullptr;
   TetrahedraView View;
-  /// The planes that cut off points of the mesh, in its coordinates. Equal planes append the same
-  /// parts to the same mesh.
+  /// Planes that cut the mesh, in mesh coordinates. The parts that PlaneClip appends change only if
+  /// the mesh or these planes change.
   std::vector<glm::dvec4> Planes;
-  /// The order: front to back, or by layers from the highest priority down; null for tetrahedra as
-  /// they are.
+  /// Tetrahedra in drawing order: front to back, or by layers from the highest priority. Null for
+  /// the order of the mesh.
   const std::vector<std::uint32_t>* Order = nullptr;
-  /// The depth of the nearest opaque surface, row by row from below; null where there is none.
+  /// Depth of the closest opaque surface, in rows from the bottom; null if there is none.
   const float* Opaque = nullptr;
-  /// The shading of the boundary triangles; null where none are drawn.
+  /// Shading of the boundary triangles; null if they are not drawn.
   const BoundaryShading* Surface = nullptr;
   Blends Blend = COMPOSITE;
-  /// Whether the picture is what the blend mode sums up, or keeps the largest of, and no colours
-  /// yet.
+  /// If true, the image contains the sums or maxima of the blend mode before their conversion to
+  /// colors.
   bool IsSum = false;
-  /// The extinction of opacity 1, so that MAXIMUM can undo what extinction was made by.
+  /// Extinction that corresponds to opacity 1. MAXIMUM uses it to recover opacity.
   double ExtinctionUnit = 1.0;
   bool IsExact = true;
-  /// Whether the vertices of silhouettes are pulled, with OpenGL, instead of made by a geometry
-  /// shader.
+  /// If true, a vertex shader reads tetrahedra from buffers and creates their silhouettes (OpenGL).
+  /// Otherwise a geometry shader creates the silhouettes.
   bool IsPulled = false;
-  /// The number of pixels of the viewport along an edge of one of the picture.
+  /// Number of viewport pixels per image pixel, along an edge.
   int PixelStride = 1;
-  /// The number of tetrahedra of which one is drawn, and stands for them.
+  /// Number of tetrahedra that each drawn tetrahedron represents.
   std::uint32_t TetrahedronStride = 1;
 
-  /// Returns whether the same depth of opaque surfaces gives the same image.
+  /// Returns true if both frames give the same image for the same depths of opaque surfaces.
   bool HasSameImage(const TetrahedraFrame& other) const
   {
     return this->Versions == other.Versions && this->View == other.View &&
@@ -90,10 +91,10 @@ struct TetrahedraFrame
       this->TetrahedronStride == other.TetrahedronStride;
   }
 
-  /// Returns whether a tetrahedron is among those drawn.
+  /// Returns true if a tetrahedron is drawn at this level of detail.
   bool IsDrawn(std::uint32_t tetrahedron) const
   {
-    // Knuth's multiplicative hash has no pattern in space.
+    // Knuth's multiplicative hash avoids spatial patterns.
     return this->TetrahedronStride == 1 ||
       ((tetrahedron * 2654435761u) >> 8) % this->TetrahedronStride == 0;
   }

@@ -29,7 +29,7 @@ namespace interlume
 
 namespace
 {
-// The reasons for which a tetrahedron is left out.
+// Reasons to skip a tetrahedron.
 enum Reasons : unsigned char
 {
   DRAWN,
@@ -38,8 +38,8 @@ enum Reasons : unsigned char
   GHOST
 };
 
-// Calls work(first, last) for the parts of a range by all threads, until one of them returns false,
-// and returns whether none has.
+// Calls work(first, last) in parallel for subranges of [0, number) until a call returns false.
+// Returns true if all calls returned true.
 template <typename Work>
 bool HoldsForAll(vtkIdType number, const Work& work)
 {
@@ -56,8 +56,8 @@ bool HoldsForAll(vtkIdType number, const Work& work)
   return holds;
 }
 
-// Returns the first cell that is no tetrahedron, or -1.
-vtkIdType FindOther(vtkUnstructuredGrid* grid)
+// Returns the first cell that is not a tetrahedron, or -1.
+vtkIdType FindNonTetrahedron(vtkUnstructuredGrid* grid)
 {
   std::atomic<vtkIdType> found{ std::numeric_limits<vtkIdType>::max() };
   HoldsForAll(grid->GetNumberOfCells(),
@@ -67,8 +67,8 @@ vtkIdType FindOther(vtkUnstructuredGrid* grid)
       {
         if (grid->GetCellType(cell) != VTK_TETRA)
         {
-          vtkIdType before = found;
-          while (cell < before && !found.compare_exchange_weak(before, cell))
+          vtkIdType current = found;
+          while (cell < current && !found.compare_exchange_weak(current, cell))
           {
           }
           break;
@@ -79,7 +79,7 @@ vtkIdType FindOther(vtkUnstructuredGrid* grid)
   return found == std::numeric_limits<vtkIdType>::max() ? -1 : found.load();
 }
 
-// Calls visit(cell, ids) for the cells of a grid by all threads, until one call returns false.
+// Calls visit(cell, corners) in parallel for the cells of a grid until a call returns false.
 struct CellVisit
 {
   template <typename Array, typename Visit>
@@ -89,17 +89,17 @@ struct CellVisit
     holds = HoldsForAll(cells,
       [&](vtkIdType first, vtkIdType last)
       {
-        bool isHeld = true;
-        for (vtkIdType cell = first; cell < last && isHeld; ++cell)
+        bool succeeded = true;
+        for (vtkIdType cell = first; cell < last && succeeded; ++cell)
         {
           std::array<std::uint32_t, 4> corners;
           for (int k = 0; k < 4; ++k)
           {
             corners[k] = static_cast<std::uint32_t>(ids[4 * cell + k]);
           }
-          isHeld = visit(cell, corners);
+          succeeded = visit(cell, corners);
         }
-        return isHeld;
+        return succeeded;
       });
   }
 };
@@ -118,7 +118,7 @@ bool VisitCells(vtkUnstructuredGrid* grid, const Visit& visit)
   return holds;
 }
 
-// The points of a grid, of which those with NaN or infinity, or with values that have it, are bad.
+// The points of a grid. A point is valid if its coordinates and its array values are finite.
 class Points
 {
 public:
@@ -130,14 +130,14 @@ public:
 
   vtkIdType GetNumber() const { return this->Coordinates->GetNumberOfTuples(); }
 
-  bool Get(vtkIdType point, double* place) const
+  bool Get(vtkIdType point, double* position) const
   {
-    this->Coordinates->GetTuple(point, place);
-    return std::isfinite(place[0]) && std::isfinite(place[1]) && std::isfinite(place[2]) &&
+    this->Coordinates->GetTuple(point, position);
+    return std::isfinite(position[0]) && std::isfinite(position[1]) && std::isfinite(position[2]) &&
       this->Arrays.HasPoint(point);
   }
 
-  // Sets origin and scale of the mesh, by which coordinates are of size 1 around 0.
+  // Sets the mesh's origin and scale, which map coordinates to [-1, 1].
   void Measure(TetrahedraMesh& mesh) const
   {
     ThreadLocals<vtkBoundingBox> boxes;
@@ -145,12 +145,12 @@ public:
       [&](vtkIdType first, vtkIdType last)
       {
         vtkBoundingBox& box = boxes.Local();
-        double place[3];
+        double position[3];
         for (vtkIdType p = first; p < last; ++p)
         {
-          if (this->Get(p, place))
+          if (this->Get(p, position))
           {
-            box.AddPoint(place);
+            box.AddPoint(position);
           }
         }
       });
@@ -170,15 +170,15 @@ public:
     mesh.Scale = mesh.Scale > 0.0 ? mesh.Scale : 1.0;
   }
 
-  // Computes the mesh's coordinates of a point, and returns whether it is good.
-  bool Place(const TetrahedraMesh& mesh, vtkIdType point, double* place) const
+  // Computes the mesh coordinates of a point. Returns true if the point is valid.
+  bool Transform(const TetrahedraMesh& mesh, vtkIdType point, double* position) const
   {
-    const bool isGood = this->Get(point, place);
+    const bool isValid = this->Get(point, position);
     for (int i = 0; i < 3; ++i)
     {
-      place[i] = isGood ? (place[i] - mesh.Origin[i]) / mesh.Scale : 0.0;
+      position[i] = isValid ? (position[i] - mesh.Origin[i]) / mesh.Scale : 0.0;
     }
-    return isGood;
+    return isValid;
   }
 
 private:
@@ -186,11 +186,11 @@ private:
   const TetrahedraArrays& Arrays;
 };
 
-// Finds the reason for which a cell is left out.
-class Reason
+// Finds the reason to skip a cell.
+class SkipReason
 {
 public:
-  Reason(vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, const TetrahedraMesh& mesh,
+  SkipReason(vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, const TetrahedraMesh& mesh,
     const std::vector<unsigned char>& badPoints)
     : Arrays(arrays)
     , Mesh(mesh)
@@ -200,8 +200,8 @@ public:
   {
   }
 
-  // Returns it for a cell without its corners, DRAWN where those decide.
-  Reasons GetOwn(vtkIdType cell) const
+  // Returns the reason to skip a cell regardless of its points, or DRAWN if there is none.
+  Reasons GetCellReason(vtkIdType cell) const
   {
     const bool isGhost = this->Ghosts &&
       (this->Ghosts->GetValue(cell) &
@@ -211,10 +211,10 @@ public:
 
   Reasons Get(vtkIdType cell, const std::array<std::uint32_t, 4>& corners) const
   {
-    const Reasons own = this->GetOwn(cell);
-    if (own != DRAWN)
+    const Reasons cellReason = this->GetCellReason(cell);
+    if (cellReason != DRAWN)
     {
-      return own;
+      return cellReason;
     }
     const bool isBad = !this->BadPoints.empty() &&
       std::any_of(corners.begin(), corners.end(),
@@ -229,8 +229,8 @@ private:
   vtkUnsignedCharArray* Ghosts;
 };
 
-// Empties marks that are all 0.
-void ForgetZeros(std::vector<unsigned char>& marks)
+// Frees the marks if all of them are 0.
+void ClearIfAllZero(std::vector<unsigned char>& marks)
 {
   if (std::find_if(marks.begin(), marks.end(), [](unsigned char mark) { return mark != 0; }) ==
     marks.end())
@@ -250,19 +250,22 @@ Error MeshBuilder::Build(
   {
     return {};
   }
-  const vtkIdType other = FindOther(grid);
-  if (other >= 0)
+  const vtkIdType invalidCell = FindNonTetrahedron(grid);
+  if (invalidCell >= 0)
   {
-    const auto type =
-      vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(grid->GetCellType(other)));
-    return "cell " + std::to_string(other) + " is a " +
+    const auto type = vtkSmartPointer<vtkCell>::Take(
+      vtkGenericCell::InstantiateCell(grid->GetCellType(invalidCell)));
+    return "cell " + std::to_string(invalidCell) + " is a " +
       (type ? type->GetClassName() : "cell of unknown type") +
-      ", and only tetrahedra can be drawn; vtkDataSetTriangleFilter, vtkIntervalVolume "
-      "without KeepWholeCells or vtkTetrahedralMesher make tetrahedra of it";
+      ", but only tetrahedra can be drawn; convert the cells to tetrahedra with "
+      "vtkDataSetTriangleFilter, vtkIntervalVolume without KeepInteriorCells, or "
+      "vtkTetrahedralMesher";
   }
   if (std::max(cells, grid->GetNumberOfPoints()) >= std::numeric_limits<std::uint32_t>::max())
   {
-    return "more than 4294967294 points or cells";
+    return "the grid has more than 4294967294 points or cells, which 32-bit indices cannot "
+           "address; draw it "
+           "in pieces";
   }
 
   const Points points(grid, arrays);
@@ -274,14 +277,14 @@ Error MeshBuilder::Build(
     {
       for (vtkIdType p = first; p < last; ++p)
       {
-        this->BadPoints[p] = !points.Place(mesh, p, &mesh.Points[3 * p]);
+        this->BadPoints[p] = !points.Transform(mesh, p, &mesh.Points[3 * p]);
       }
     });
-  ForgetZeros(this->BadPoints);
+  ClearIfAllZero(this->BadPoints);
 
   mesh.Corners.resize(4 * static_cast<std::size_t>(cells));
   this->Marks.resize(cells);
-  const Reason reason(grid, arrays, mesh, this->BadPoints);
+  const SkipReason reason(grid, arrays, mesh, this->BadPoints);
   VisitCells(grid,
     [&](vtkIdType cell, const std::array<std::uint32_t, 4>& corners)
     {
@@ -289,33 +292,33 @@ Error MeshBuilder::Build(
       this->Marks[cell] = reason.Get(cell, corners);
       return true;
     });
-  ForgetZeros(this->Marks);
+  ClearIfAllZero(this->Marks);
   if (!this->Marks.empty())
   {
-    this->LeaveOut(mesh);
+    this->RemoveSkipped(mesh);
   }
   return {};
 }
 
-void MeshBuilder::LeaveOut(TetrahedraMesh& mesh)
+void MeshBuilder::RemoveSkipped(TetrahedraMesh& mesh)
 {
   this->Flat = std::count(this->Marks.begin(), this->Marks.end(), FLAT);
   this->NonFinite = std::count(this->Marks.begin(), this->Marks.end(), NON_FINITE);
   const auto drawn =
     static_cast<std::size_t>(std::count(this->Marks.begin(), this->Marks.end(), DRAWN));
-  std::vector<std::uint32_t> kept;
-  kept.reserve(4 * drawn);
+  std::vector<std::uint32_t> retained;
+  retained.reserve(4 * drawn);
   mesh.Cells.reserve(drawn);
   for (std::size_t cell = 0; cell < this->Marks.size(); ++cell)
   {
     if (this->Marks[cell] == DRAWN)
     {
       const std::uint32_t* corners = mesh.GetCorners(static_cast<std::uint32_t>(cell));
-      kept.insert(kept.end(), corners, corners + 4);
+      retained.insert(retained.end(), corners, corners + 4);
       mesh.Cells.push_back(static_cast<std::uint32_t>(cell));
     }
   }
-  mesh.Corners = std::move(kept);
+  mesh.Corners = std::move(retained);
 }
 
 bool MeshBuilder::IsSame(
@@ -325,7 +328,7 @@ bool MeshBuilder::IsSame(
     static_cast<vtkIdType>(this->Marks.empty() ? mesh.GetNumberOfTetrahedra() : this->Marks.size());
   if (cells == 0 || grid->GetNumberOfCells() != cells || !grid->GetPoints() ||
     3 * static_cast<std::size_t>(grid->GetNumberOfPoints()) != mesh.Points.size() ||
-    FindOther(grid) >= 0)
+    FindNonTetrahedron(grid) >= 0)
   {
     return false;
   }
@@ -336,21 +339,22 @@ bool MeshBuilder::IsSame(
     HoldsForAll(points.GetNumber(),
       [&](vtkIdType first, vtkIdType last)
       {
-        bool isHeld = true;
-        std::array<double, 3> place;
-        for (vtkIdType p = first; p < last && isHeld; ++p)
+        bool succeeded = true;
+        std::array<double, 3> position;
+        for (vtkIdType p = first; p < last && succeeded; ++p)
         {
-          const bool isBad = !points.Place(mesh, p, place.data());
-          isHeld = isBad == (!this->BadPoints.empty() && this->BadPoints[p] != 0) &&
-            std::equal(place.begin(), place.end(), mesh.GetPoint(static_cast<std::uint32_t>(p)));
+          const bool isBad = !points.Transform(mesh, p, position.data());
+          succeeded = isBad == (!this->BadPoints.empty() && this->BadPoints[p] != 0) &&
+            std::equal(
+              position.begin(), position.end(), mesh.GetPoint(static_cast<std::uint32_t>(p)));
         }
-        return isHeld;
+        return succeeded;
       });
   if (!hasSamePoints)
   {
     return false;
   }
-  const Reason reason(grid, arrays, mesh, this->BadPoints);
+  const SkipReason reason(grid, arrays, mesh, this->BadPoints);
   return VisitCells(grid,
     [&](vtkIdType cell, const std::array<std::uint32_t, 4>& corners)
     {
@@ -364,7 +368,7 @@ bool MeshBuilder::IsSame(
         tetrahedron =
           std::lower_bound(mesh.Cells.begin(), mesh.Cells.end(), cell) - mesh.Cells.begin();
       }
-      return reason.GetOwn(cell) == DRAWN &&
+      return reason.GetCellReason(cell) == DRAWN &&
         std::equal(corners.begin(), corners.end(), &mesh.Corners[4 * tetrahedron]);
     });
 }

@@ -17,10 +17,10 @@ namespace interlume
 
 /**
  * @class   MeshBuilder
- * @brief   makes the mesh that is drawn from a grid, and tells whether another would be the same
+ * @brief   builds the mesh to draw from a grid, and detects if another grid has the same mesh
  *
- * Tetrahedra without volume, ghosts, and those with NaN or infinity in a coordinate or array are
- * left out.
+ * It skips tetrahedra without volume, ghost cells, and tetrahedra with NaN or infinity in a
+ * coordinate or array.
  */
 class MeshBuilder
 {
@@ -31,9 +31,9 @@ public:
   Error Build(vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, TetrahedraMesh& mesh);
 
   /**
-   * Returns whether Build() would make the last mesh again to the last bit, as where only values
-   * have changed and the same of them are finite. It compares numbers, not arrays: readers make
-   * arrays anew for each time step.
+   * Returns true if Build() would create a mesh that is bit-identical to \a mesh. This is the case
+   * if points and cells did not change, and the same points and cells as before have finite values.
+   * It compares values, not array pointers, because readers create new arrays for each time step.
    */
   bool IsSame(
     vtkUnstructuredGrid* grid, const TetrahedraArrays& arrays, const TetrahedraMesh& mesh) const;
@@ -43,12 +43,13 @@ public:
   std::size_t GetBytes() const { return this->BadPoints.capacity() + this->Marks.capacity(); }
 
 private:
-  /// Takes what is marked out of the mesh, and counts it.
-  void LeaveOut(TetrahedraMesh& mesh);
+  /// Removes marked tetrahedra from the mesh and counts them.
+  void RemoveSkipped(TetrahedraMesh& mesh);
 
-  /// The points that cannot be used are 1; empty where there are none.
+  /// 1 for each point with NaN or infinity in a coordinate or array; empty if there is no such
+  /// point.
   std::vector<unsigned char> BadPoints;
-  /// The reason why each cell is left out; empty where none is.
+  /// Reason to skip each cell (0: drawn); empty if no cell is skipped.
   std::vector<unsigned char> Marks;
   vtkIdType Flat = 0;
   vtkIdType NonFinite = 0;

@@ -10,18 +10,18 @@ namespace interlume
 {
 
 /**
- * The arrays of a grid that are read; null where there is none.
+ * Arrays of a grid from which the mesh and its fields are built. Unused arrays are null.
  */
 struct TetrahedraArrays
 {
   vtkDataArray* Scalars = nullptr;
-  bool ScalarsAreOfCells = false;
+  bool HasCellScalars = false;
   vtkDataArray* DeltaT = nullptr;
   vtkDataArray* Layers = nullptr;
 
   bool operator==(const TetrahedraArrays& other) const
   {
-    return this->Scalars == other.Scalars && this->ScalarsAreOfCells == other.ScalarsAreOfCells &&
+    return this->Scalars == other.Scalars && this->HasCellScalars == other.HasCellScalars &&
       this->DeltaT == other.DeltaT && this->Layers == other.Layers;
   }
 
@@ -37,15 +37,15 @@ struct TetrahedraArrays
     return true;
   }
 
-  /// Returns whether a point, or a cell, has only values that can be used.
+  /// Return true if all values of a point or cell are finite.
   bool HasPoint(vtkIdType point) const
   {
-    return (!this->Scalars || this->ScalarsAreOfCells || IsFinite(this->Scalars, point)) &&
+    return (!this->Scalars || this->HasCellScalars || IsFinite(this->Scalars, point)) &&
       (!this->DeltaT || IsFinite(this->DeltaT, point));
   }
   bool HasCell(vtkIdType cell) const
   {
-    return !this->Scalars || !this->ScalarsAreOfCells || IsFinite(this->Scalars, cell);
+    return !this->Scalars || !this->HasCellScalars || IsFinite(this->Scalars, cell);
   }
 };
 

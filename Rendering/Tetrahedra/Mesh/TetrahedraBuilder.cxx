@@ -32,7 +32,7 @@ int TetrahedraBuilder::GetColoringComponent(vtkDataArray* scalars, vtkVolumeProp
 
 namespace
 {
-// Returns the value that colours: a component or the magnitude.
+// Returns the scalar used for coloring: a component or the magnitude.
 double GetValue(vtkDataArray* array, vtkIdType id, int component)
 {
   if (component >= 0)
@@ -47,7 +47,8 @@ double GetValue(vtkDataArray* array, vtkIdType id, int component)
   return std::sqrt(sum);
 }
 
-// Returns colour and extinction of one tuple, by the functions or as the colour it is.
+// Returns the color and extinction of a tuple, from the transfer functions or directly from color
+// components.
 std::array<float, 4> GetColor(
   vtkDataArray* array, vtkIdType id, int component, vtkVolumeProperty* property, double unit)
 {
@@ -96,7 +97,7 @@ void TetrahedraBuilder::BuildFields(
     fields.DeltaT.resize(points);
     for (std::size_t p = 0; p < points; ++p)
     {
-      // Those that are not finite belong to no tetrahedron of the mesh.
+      // No tetrahedron of the mesh uses a point whose value is not finite.
       fields.DeltaT[p] =
         static_cast<float>(arrays.DeltaT->GetComponent(static_cast<vtkIdType>(p), 0));
     }
@@ -124,13 +125,13 @@ Error TetrahedraBuilder::BuildColors(const TetrahedraArrays& arrays, const Tetra
   if (isDependent && components > 4)
   {
     return ArrayCheck::Describe(scalars) + " has " + std::to_string(components) +
-      " components; without IndependentComponents 1 to 4 are needed";
+      " components, but without IndependentComponents there must be 1 to 4";
   }
   const int component = GetColoringComponent(scalars, property);
   const std::size_t points = mesh.Points.size() / 3;
   const auto isFinite = [&](std::size_t id)
   { return TetrahedraArrays::IsFinite(scalars, static_cast<vtkIdType>(id)); };
-  if (arrays.ScalarsAreOfCells)
+  if (arrays.HasCellScalars)
   {
     fields.Kind = TetrahedraFields::CELL_COLORS;
     fields.Colors.resize(mesh.GetNumberOfTetrahedra());
@@ -157,19 +158,19 @@ Error TetrahedraBuilder::BuildColors(const TetrahedraArrays& arrays, const Tetra
         high = std::max(high, value);
       }
     }
-    // Values are halved, since the difference may be beyond the largest number.
+    // Halve the values first, so that their difference cannot overflow.
     const double width = 0.5 * high - 0.5 * low;
     for (std::size_t p = 0; p < points && width > 0.0; ++p)
     {
       const double value = GetValue(scalars, static_cast<vtkIdType>(p), component);
-      const double share = (0.5 * value - 0.5 * low) / width;
-      fields.Scalars[p] = isFinite(p) ? static_cast<float>(share) : 0.0f;
+      const double fraction = (0.5 * value - 0.5 * low) / width;
+      fields.Scalars[p] = isFinite(p) ? static_cast<float>(fraction) : 0.0f;
     }
     return {};
   }
   for (std::size_t i = 0; i < fields.Colors.size(); ++i)
   {
-    const std::size_t id = arrays.ScalarsAreOfCells && !mesh.Cells.empty() ? mesh.Cells[i] : i;
+    const std::size_t id = arrays.HasCellScalars && !mesh.Cells.empty() ? mesh.Cells[i] : i;
     if (isFinite(id))
     {
       fields.Colors[i] = GetColor(scalars, static_cast<vtkIdType>(id), component, property, unit);

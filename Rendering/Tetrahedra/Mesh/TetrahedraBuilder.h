@@ -15,26 +15,27 @@ namespace interlume
 
 /**
  * @class   TetrahedraBuilder
- * @brief   makes the fields that are drawn from the arrays of a grid
+ * @brief   builds the fields to draw from the arrays of a grid
  */
 class TetrahedraBuilder
 {
 public:
   /**
-   * Makes all fields but colours that transfer functions give.
+   * Builds all fields except scalars and colors.
    */
   static void BuildFields(
     const TetrahedraArrays& arrays, const TetrahedraMesh& mesh, TetrahedraFields& fields);
 
   /**
-   * Sets the kind, the scalars, and the colors that are not looked up while drawing. Extinction is
-   * opacity times \a unit. Returns an error if there are too many components.
+   * Sets the kind of the fields. For the kind SCALARS, sets the scalars, whose colors are looked up
+   * during drawing; otherwise sets the colors. Extinction is opacity times \a unit. Returns an
+   * error if there are too many components.
    */
   static Error BuildColors(const TetrahedraArrays& arrays, const TetrahedraMesh& mesh,
     vtkVolumeProperty* property, double unit, TetrahedraFields& fields);
 
   /**
-   * Returns the component that colours, or -1 for the magnitude of a vector.
+   * Returns the component used for coloring, or -1 for the magnitude of a vector.
    */
   static int GetColoringComponent(vtkDataArray* scalars, vtkVolumeProperty* property);
 };

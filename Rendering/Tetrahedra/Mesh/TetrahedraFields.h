@@ -9,37 +9,37 @@ namespace interlume
 {
 
 /**
- * The values that the tetrahedra carry. Extinction, the fourth of a colour, is per unit of length
- * of the mesh's coordinates (TetrahedraMesh::Scale).
+ * Values at the points and for the tetrahedra of a TetrahedraMesh. Extinction, the fourth component
+ * of a color, is per unit length in mesh coordinates (TetrahedraMesh::Scale).
  */
 struct TetrahedraFields
 {
   enum Kinds
   {
-    /// The fields are scalars at points, with colour by transfer functions.
+    /// Scalars at points, mapped to colors by transfer functions.
     SCALARS,
-    /// The fields are colours at points.
+    /// Colors at points.
     POINT_COLORS,
-    /// The fields are one colour for each tetrahedron.
+    /// A color for each tetrahedron.
     CELL_COLORS
   };
 
   Kinds Kind = SCALARS;
-  /// The scalars at points (SCALARS), 0 to 1 over Range.
+  /// Scalars at points (SCALARS), mapped from Range to [0, 1].
   std::vector<float> Scalars;
   double Range[2] = { 0.0, 1.0 };
-  /// The colours as RGB and extinction, at points or of cells.
+  /// RGB and extinction at points (POINT_COLORS) or of tetrahedra (CELL_COLORS).
   std::vector<std::array<float, 4>> Colors;
-  /// The extent in time at points; empty where it is 1 everywhere.
+  /// Extent in time at points; empty if it is 1 everywhere.
   std::vector<float> DeltaT;
-  /// The layer of each tetrahedron; empty unless layers are drawn.
+  /// Layer of each tetrahedron; empty unless layers are drawn.
   std::vector<int> Layers;
-  /// The faces of each tetrahedron that are boundary triangles, bit k for that opposite corner k;
-  /// empty where no boundary is drawn, as are the next two.
+  /// Faces of each tetrahedron that are boundary triangles: bit k for the face opposite corner k.
+  /// Faces, Normals and TextureCoordinates are empty if no boundary is drawn.
   std::vector<unsigned char> Faces;
-  /// The normals at points.
+  /// Normals at points.
   std::vector<std::array<float, 3>> Normals;
-  /// The texture coordinates at points; empty where the boundary has none.
+  /// Texture coordinates at points; empty if the boundary has none.
   std::vector<std::array<float, 2>> TextureCoordinates;
 };
 

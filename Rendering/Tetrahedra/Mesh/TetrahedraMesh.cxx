@@ -25,13 +25,14 @@ double TetrahedraMesh::GetRadius() const
         square = std::max(square, glm::dot(p, p));
       }
     });
-  const auto greatest = std::max_element(squares.begin(), squares.end());
-  return greatest == squares.end() ? 0.0 : std::sqrt(*greatest);
+  const auto largest = std::max_element(squares.begin(), squares.end());
+  return largest == squares.end() ? 0.0 : std::sqrt(*largest);
 }
 
 bool TetrahedraMesh::HasPointBehind(const glm::dvec4& plane, double tolerance) const
 {
-  // Coordinates are between -1 and 1; the limit is a little more for rounding.
+  // All points are in the cube from -1 to 1. Skip the search if this cube is in front of the plane.
+  // The factor allows for rounding.
   if (plane.w >= (1.0 + 1e-9) * (std::abs(plane.x) + std::abs(plane.y) + std::abs(plane.z)))
   {
     return false;

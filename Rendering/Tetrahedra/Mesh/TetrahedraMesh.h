@@ -16,20 +16,20 @@ namespace interlume
 {
 
 /**
- * The viewpoint that a mesh is seen from, in the mesh's own coordinates.
+ * The camera in mesh coordinates.
  */
 struct Viewpoint
 {
   bool IsParallel = false;
-  /// The place of the eye, in perspective.
+  /// Camera position in perspective projection.
   glm::dvec3 Eye{};
-  /// The direction from the eye into the scene, of unit length.
+  /// Unit view direction, from the camera into the scene.
   glm::dvec3 Direction{ 0.0, 0.0, -1.0 };
 };
 
 /**
- * The tetrahedra that are drawn, in coordinates near 0 and of size about 1: world position = Origin
- * + Scale * point. Degenerate ones and those with NaN are already left out.
+ * The tetrahedra to draw, in coordinates from -1 to 1: world position = Origin + Scale * point. It
+ * has no degenerate tetrahedra and no NaN.
  */
 struct TetrahedraMesh
 {
@@ -37,9 +37,10 @@ struct TetrahedraMesh
   double Scale = 1.0;
   /// Three coordinates for each point.
   std::vector<double> Points;
-  /// Four corners for each tetrahedron, in either orientation.
+  /// Four point ids for each tetrahedron, in either orientation.
   std::vector<std::uint32_t> Corners;
-  /// The input's cell of each tetrahedron; empty where the numbers of both are the same.
+  /// Index of the input cell of each tetrahedron; empty if cells and tetrahedra have the same
+  /// indices.
   std::vector<std::uint32_t> Cells;
 
   std::uint32_t GetNumberOfTetrahedra() const
@@ -50,19 +51,18 @@ struct TetrahedraMesh
   {
     return &this->Points[3 * static_cast<std::size_t>(id)];
   }
-  /// Returns the distance of a point from a plane with a normal of unit length, below 0 on the
-  /// other side.
+  /// Returns the signed distance of a point to a plane with a unit normal.
   double GetDistance(const glm::dvec4& plane, std::uint32_t id) const
   {
     const double* point = this->GetPoint(id);
     return plane.x * point[0] + plane.y * point[1] + plane.z * point[2] + plane.w;
   }
-  /// Returns whether a point is farther than \a tolerance on the other side of a plane.
+  /// Returns true if a point is more than \a tolerance behind a plane.
   bool HasPointBehind(const glm::dvec4& plane, double tolerance) const;
-  /// Returns the greatest distance of a point from the origin; 0 without points.
+  /// Returns the largest distance of a point from the origin; 0 without points.
   double GetRadius() const;
   ///@{
-  /// Return six times the volume, positive for one orientation, negative for the other.
+  /// Return six times the signed volume.
   double GetSixfoldVolume(std::uint32_t tetrahedron) const
   {
     return this->GetSixfoldVolume(this->GetCorners(tetrahedron));

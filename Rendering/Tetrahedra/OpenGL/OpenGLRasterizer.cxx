@@ -32,14 +32,15 @@ namespace interlume
 namespace
 {
 
-// Returns whether pixels hold the largest scalar instead of colors; -1 where there is none.
+// Returns true if pixels store the largest scalar instead of colors (-1 if no tetrahedron covers
+// them).
 bool HoldsScalars(const TetrahedraFrame& frame)
 {
   return frame.Blend == TetrahedraFrame::MAXIMUM && frame.Fields->Kind == TetrahedraFields::SCALARS;
 }
 
-// Computes six times the volume of every tetrahedron, in mesh coordinates, before those are
-// rounded.
+// Computes six times the volume of each tetrahedron, in double precision before points are rounded
+// to float.
 std::vector<float> MakeVolumes(const TetrahedraMesh& mesh)
 {
   std::vector<float> volumes(mesh.GetNumberOfTetrahedra());
@@ -50,7 +51,7 @@ std::vector<float> MakeVolumes(const TetrahedraMesh& mesh)
   return volumes;
 }
 
-// Returns the coordinates, with a fourth of 0.
+// Returns the points as four floats each, with w = 0.
 std::vector<float> MakePoints(const TetrahedraMesh& mesh)
 {
   const std::size_t points = mesh.Points.size() / 3;
@@ -65,12 +66,14 @@ std::vector<float> MakePoints(const TetrahedraMesh& mesh)
   return values;
 }
 
-/// The tetrahedra whose strips have indices: as many as keep four vertices each within 16 bits.
+/// Number of tetrahedra per draw call. The indices of their vertices, four each, must fit in 16
+/// bits.
 constexpr int STRIPS = 1 << 14;
-/// A strip of four vertices as two triangles, the second with the fourth vertex last.
+/// A strip of four vertices as two triangles. The provoking (last) vertex of the second triangle is
+/// vertex 3.
 constexpr std::array<std::uint16_t, 6> STRIP = { { 0, 1, 2, 2, 1, 3 } };
 
-/// Returns a shader with those features that makes silhouettes.
+/// Returns a shader with the given features and the silhouette code.
 std::string MakeSilhouetteShader(const char* shader, const std::string& features)
 {
   std::string source = ShaderFeatures::Insert(shader, features);
@@ -93,16 +96,16 @@ Error OpenGLRasterizer::FindError(vtkOpenGLRenderWindow* window, const Tetrahedr
   window->MakeCurrent();
   if (!HasOpenGL32())
   {
-    return { "OpenGL is older than 3.2", ErrorCode::OpenGL };
+    return { "OpenGL 3.2 is not supported", ErrorCode::OpenGL };
   }
   GLint texels = 0;
   glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-  const std::size_t most =
+  const std::size_t needed =
     std::max<std::size_t>(frame.Mesh->GetNumberOfTetrahedra(), frame.Mesh->Points.size() / 3);
-  if (most > static_cast<std::size_t>(texels))
+  if (needed > static_cast<std::size_t>(texels))
   {
-    return { "texture buffers hold " + std::to_string(texels) + " values, and " +
-        std::to_string(most) + " are needed",
+    return { "texture buffers have at most " + std::to_string(texels) +
+        " texels, but the mesh needs " + std::to_string(needed),
       ErrorCode::OpenGL };
   }
   return {};
@@ -182,8 +185,7 @@ void OpenGLRasterizer::Upload(
   }
   else if (isNew(&Changes::Order) || !order.IsAllocated())
   {
-    // The order is from back to front, as blending goes; layers too are drawn from the lowest
-    // priority up.
+    // Blending requires back-to-front order, and layers from the lowest priority.
     report.UploadedOrderBytes = this->Upload(window, "order", TextureBuffer::UINT,
       std::vector<std::uint32_t>(frame.Order->rbegin(), frame.Order->rend()));
   }
@@ -242,21 +244,21 @@ vtkIdType OpenGLRasterizer::UploadSurface(
 void OpenGLRasterizer::SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame)
 {
   const BoundaryShading& shading = *frame.Surface;
-  float places[BoundaryShading::MAXIMUM_LIGHTS][4] = {};
+  float positions[BoundaryShading::MAXIMUM_LIGHTS][4] = {};
   float colors[BoundaryShading::MAXIMUM_LIGHTS][3] = {};
   const auto lights = static_cast<int>(shading.GetLights().size());
   for (int i = 0; i < lights; ++i)
   {
     const BoundaryShading::Light& light = shading.GetLights()[i];
-    std::copy_n(glm::value_ptr(light.Place), 3, places[i]);
-    places[i][3] = light.IsPositional ? 1.0f : 0.0f;
+    std::copy_n(glm::value_ptr(light.Position), 3, positions[i]);
+    positions[i][3] = light.IsPositional ? 1.0f : 0.0f;
     std::copy(light.Color.begin(), light.Color.end(), colors[i]);
   }
   program->SetUniformi("numberOfLights", lights);
-  program->SetUniform4fv("lightPlaces", BoundaryShading::MAXIMUM_LIGHTS, places);
+  program->SetUniform4fv("lightPositions", BoundaryShading::MAXIMUM_LIGHTS, positions);
   program->SetUniform3fv("lightColors", BoundaryShading::MAXIMUM_LIGHTS, colors);
   program->SetUniform4f("surfaceColor", shading.GetColor().data());
-  program->SetUniform4f("surfaceShares", shading.GetShares().data());
+  program->SetUniform4f("surfaceCoefficients", shading.GetCoefficients().data());
   program->SetUniform3f("specularColor", shading.GetSpecularColor().data());
   program->SetUniform3fv("normalRows", 3, shading.GetNormalMatrix().data());
   if (!shading.GetImage().empty())
@@ -426,7 +428,7 @@ bool OpenGLRasterizer::DrawLayers(vtkOpenGLRenderWindow* window, const Tetrahedr
   this->Framebuffer->AddColorAttachment(0, this->Layers);
   window->GetState()->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   glClear(GL_COLOR_BUFFER_BIT);
-  // The order was turned round for blending.
+  // The uploaded order is reversed for blending.
   const auto layer = [&](std::size_t i)
   { return frame.Fields->Layers[(*frame.Order)[number - 1 - i]]; };
   std::size_t first = 0;
@@ -524,7 +526,7 @@ Error OpenGLRasterizer::Draw(
   }
   report.Features = this->GetFeatures(frame, hasOpaque);
 
-  // The scene's framebuffer and state come back at the end of this block.
+  // This block restores OpenGL's drawing state at its end.
   state->PushFramebufferBindings();
   {
     const ScopedState scoped(state);
@@ -534,7 +536,7 @@ Error OpenGLRasterizer::Draw(
     if (!this->PrepareTarget(window, width, height, hasLayers))
     {
       state->PopFramebufferBindings();
-      return { "a framebuffer of floats cannot be drawn to", ErrorCode::OpenGL };
+      return { "floating-point framebuffers are not supported", ErrorCode::OpenGL };
     }
     state->vtkglViewport(0, 0, width, height);
     state->vtkglDisable(GL_DEPTH_TEST);

@@ -29,10 +29,11 @@ namespace interlume
  * @class   OpenGLRasterizer
  * @brief   draws tetrahedra with OpenGL 3.2
  *
- * Mesh and fields are uploaded once, as texture buffers. A tetrahedron is drawn as one point of
- * which a geometry shader makes the silhouette, or as four vertices that each pull it from the
- * buffers, which suits graphics cards whose geometry shaders are slow. A new view uploads an order
- * at most. Sums are kept in a framebuffer of floats, laid over the scene at the end.
+ * Mesh and fields are uploaded once, as texture buffers. A tetrahedron is drawn as one point, from
+ * which a geometry shader creates the silhouette, or as four vertices, for which a vertex shader
+ * reads the tetrahedron from the buffers. The second method suits GPUs with slow geometry shaders.
+ * A new view requires at most an upload of the drawing order. Sums are accumulated in a
+ * floating-point framebuffer, which is finally blended over the scene.
  */
 class OpenGLRasterizer
 {
@@ -41,13 +42,13 @@ public:
   ~OpenGLRasterizer();
 
   /**
-   * Returns an error if this context cannot draw that many tetrahedra and points.
+   * Returns an error if the context does not support this number of tetrahedra and points.
    */
   Error FindError(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame) const;
 
   /**
-   * Draws an image. \a hasOpaque is true if the scene has opaque surfaces. Returns an error if
-   * OpenGL fails.
+   * Draws an image. \a hasOpaque is true if opaque surfaces or the far plane may cut the mesh.
+   * Returns an error if OpenGL fails.
    */
   Error Draw(
     vtkRenderer* renderer, const TetrahedraFrame& frame, bool hasOpaque, TetrahedraReport& report);
@@ -56,31 +57,31 @@ public:
 
 private:
   std::string GetFeatures(const TetrahedraFrame& frame, bool hasOpaque) const;
-  /// Uploads what has changed.
+  /// Uploads changed data.
   void Upload(
     vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, TetrahedraReport& report);
   ///@{
-  /// Upload an array, the arrays and the image of boundary triangles, and indices. Return the
-  /// bytes.
+  /// Upload one array, the arrays and texture of the boundary triangles, or the indices for vertex
+  /// pulling. Return the number of bytes.
   template <typename Value>
   vtkIdType Upload(vtkOpenGLRenderWindow* window, const char* name, TextureBuffer::Formats format,
     const std::vector<Value>& values);
   vtkIdType UploadSurface(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame);
   vtkIdType UploadStrips();
   ///@}
-  /// Binds the arrays that a program uses.
+  /// Binds the buffers that a program uses.
   void ActivateBuffers(vtkShaderProgram* program);
   void DeactivateBuffers();
   bool PrepareTarget(vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers);
   void SetUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame, bool hasOpaque);
   void SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame);
-  /// Draws all layers of PRIORITY one over the other, or everything at once. Returns whether the
-  /// shaders could be compiled, as DrawLayer does.
+  /// Draw all layers of PRIORITY over each other, or all tetrahedra at once. Return false if the
+  /// shaders cannot be compiled.
   bool DrawLayers(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
     const std::string& features, bool hasOpaque);
   bool DrawLayer(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
     const std::string& features, bool hasOpaque, std::size_t first, std::size_t number);
-  /// Clears what is drawn to.
+  /// Clears the framebuffer.
   static void Clear(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame);
   void DrawRange(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame, std::size_t first,
     std::size_t number);
@@ -89,19 +90,19 @@ private:
   void ReportBuffers(const TetrahedraFrame& frame, bool hasOpaque, TetrahedraReport& report);
 
   static constexpr TetrahedraFrame::Changes NONE{ -1, -1, -1, -1, -1, -1 };
-  /// The versions of what was uploaded, and the planes that cut it.
+  /// The versions of the uploaded data, and the planes that cut the uploaded mesh.
   TetrahedraFrame::Changes Uploaded = NONE;
   std::vector<glm::dvec4> Planes;
-  /// The arrays that shaders read, by their names there.
+  /// Texture buffers by the names of their uniforms.
   std::map<std::string, TextureBuffer> Buffers;
   vtkNew<vtkTextureObject> SurfaceTexture;
   vtkNew<vtkTextureObject> Sums;
-  /// The layers drawn so far (PRIORITY).
+  /// The composite of the layers drawn so far (PRIORITY).
   vtkNew<vtkTextureObject> Layers;
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkOpenGLVertexArrayObject> Vertices;
-  /// The indices of two triangles for each of STRIPS tetrahedra, where their vertices are pulled.
+  /// Indices of two triangles for each of STRIPS tetrahedra, for vertex pulling.
   unsigned int Strips = 0;
   ImageQuad Quad;
   ImageQuad ResolveQuad;

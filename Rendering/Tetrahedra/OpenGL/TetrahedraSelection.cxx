@@ -22,13 +22,13 @@ std::vector<float> TetrahedraSelection::MakeImage(vtkHardwareSelector* selector,
 {
   const int shift = selector->GetCurrentPass() == vtkHardwareSelector::CELL_ID_HIGH24 ? 24 : 0;
   float color[3];
-  const bool isOfProp = PropSelection::FindColor(selector, color);
+  const bool isPropPass = PropSelection::FindColor(selector, color);
   const auto width = static_cast<std::size_t>(view.GetWidth());
   std::vector<float> image(4 * cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     float* pixel = &image[4 * i];
-    if (isOfProp)
+    if (isPropPass)
     {
       std::copy_n(color, 3, pixel);
     }

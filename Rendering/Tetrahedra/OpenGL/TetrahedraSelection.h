@@ -14,19 +14,19 @@ namespace interlume
 
 /**
  * @class   TetrahedraSelection
- * @brief   the colours by which a hardware selector tells cells apart
+ * @brief   encodes cell ids as colors for vtkHardwareSelector
  */
 class TetrahedraSelection
 {
 public:
   /**
-   * Returns whether this pass of the selector draws anything of a volume's cells.
+   * Returns true if the current pass of the selector draws cells of a volume.
    */
   static bool IsDrawn(vtkHardwareSelector* selector);
 
   /**
-   * Makes four values for each pixel: the colour of this pass, and the value of the depth buffer,
-   * below 0 where there is nothing. \a cells are cells plus 1, 0 for none.
+   * Returns four values for each pixel: the color for this pass, and the depth buffer value, or a
+   * negative number if there is no cell. \a cells are cell ids plus 1, or 0 for no cell.
    */
   static std::vector<float> MakeImage(vtkHardwareSelector* selector, const TetrahedraView& view,
     const std::vector<vtkIdType>& cells, const std::vector<float>& depths);

@@ -26,7 +26,7 @@ vtkIdType TextureBuffer::Upload(
 {
   static const int types[] = { VTK_FLOAT, VTK_FLOAT, VTK_INT, VTK_UNSIGNED_INT, VTK_UNSIGNED_INT };
   static const int components[] = { 1, 4, 1, 1, 4 };
-  // A buffer of no bytes cannot be sampled.
+  // An empty buffer cannot be sampled, so upload a few zeros instead of an empty array.
   static const char nothing[16] = {};
   this->Bytes = bytes ? bytes : sizeof(nothing);
   this->Buffer->Upload(bytes ? static_cast<const char*>(data) : nothing, this->Bytes,
@@ -35,7 +35,7 @@ vtkIdType TextureBuffer::Upload(
   this->Texture->SetContext(window);
   if (types[format] != VTK_FLOAT)
   {
-    // CreateTextureBuffer() itself has no format for integers that stay integers.
+    // CreateTextureBuffer() does not choose an integer format by default.
     this->Texture->GetInternalFormat(types[format], components[format], true);
   }
   this->Texture->CreateTextureBuffer(

@@ -38,19 +38,19 @@ public:
   TextureBuffer& operator=(const TextureBuffer&) = delete;
 
   /**
-   * Replaces the whole array. Returns the bytes sent.
+   * Replaces the array. Returns the number of bytes uploaded.
    */
   vtkIdType Upload(
     vtkOpenGLRenderWindow* window, Formats format, const void* data, std::size_t bytes);
 
   /**
-   * Binds the array to a texture unit and gives the unit to the sampler \a name; Deactivate() frees
-   * the unit.
+   * Binds the array to a texture unit and sets the sampler uniform \a name. Deactivate() frees the
+   * unit.
    */
   void Activate(vtkShaderProgram* program, const char* name);
   void Deactivate();
 
-  /// With the context current, as the destructor makes it.
+  /// Frees the array. The OpenGL context must be current; the destructor makes it current itself.
   void Release(vtkWindow* window);
 
   std::size_t GetBytes() const { return this->Bytes; }

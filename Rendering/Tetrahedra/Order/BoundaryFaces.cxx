@@ -24,7 +24,7 @@ namespace
 using Ids = std::array<std::uint32_t, 3>;
 constexpr std::uint32_t NONE = 0xffffffffu;
 
-// Mixes 64-bit words (the finaliser of MurmurHash3).
+// Mixes a 64-bit word into a hash (finalizer of MurmurHash3).
 std::size_t Mix(std::uint64_t hash, std::uint64_t word)
 {
   hash ^= word;
@@ -34,17 +34,17 @@ std::size_t Mix(std::uint64_t hash, std::uint64_t word)
   return static_cast<std::size_t>(hash);
 }
 
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 
 struct Hash
 {
   std::size_t operator()(const Ids& ids) const { return Mix(Mix(Mix(1, ids[0]), ids[1]), ids[2]); }
-  std::size_t operator()(const Place& place) const
+  std::size_t operator()(const Position& position) const
   {
     std::size_t hash = 1;
-    for (double coordinate : place)
+    for (double coordinate : position)
     {
-      // Both zeros are equal, and so must their hashes be.
+      // 0 and -0 are equal, so they must have equal hashes.
       const double value = coordinate + 0.0;
       std::uint64_t word;
       std::memcpy(&word, &value, sizeof(word));
@@ -54,14 +54,14 @@ struct Hash
   }
 };
 
-Place GetPlace(vtkDataSet* data, vtkIdType point)
+Position GetPosition(vtkDataSet* data, vtkIdType point)
 {
-  Place place;
-  data->GetPoint(point, place.data());
-  return place;
+  Position position;
+  data->GetPoint(point, position.data());
+  return position;
 }
 
-// Returns for each point of the triangles the grid's, or NONE.
+// Returns the grid's point id for each point of the triangles, or NONE.
 std::vector<std::uint32_t> MatchPoints(vtkDataSet* triangles, vtkUnstructuredGrid* grid)
 {
   const vtkIdType points = triangles->GetNumberOfPoints();
@@ -69,28 +69,28 @@ std::vector<std::uint32_t> MatchPoints(vtkDataSet* triangles, vtkUnstructuredGri
   bool isSame = points == grid->GetNumberOfPoints();
   for (vtkIdType p = 0; p < points && isSame; ++p)
   {
-    isSame = GetPlace(triangles, p) == GetPlace(grid, p);
+    isSame = GetPosition(triangles, p) == GetPosition(grid, p);
     match[p] = static_cast<std::uint32_t>(p);
   }
   if (isSame)
   {
     return match;
   }
-  std::unordered_map<Place, std::uint32_t, Hash> places;
-  places.reserve(grid->GetNumberOfPoints());
+  std::unordered_map<Position, std::uint32_t, Hash> pointIds;
+  pointIds.reserve(grid->GetNumberOfPoints());
   for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
   {
-    places.emplace(GetPlace(grid, p), static_cast<std::uint32_t>(p));
+    pointIds.emplace(GetPosition(grid, p), static_cast<std::uint32_t>(p));
   }
   for (vtkIdType p = 0; p < points; ++p)
   {
-    const auto found = places.find(GetPlace(triangles, p));
-    match[p] = found == places.end() ? NONE : found->second;
+    const auto found = pointIds.find(GetPosition(triangles, p));
+    match[p] = found == pointIds.end() ? NONE : found->second;
   }
   return match;
 }
 
-// Adds the normal of a triangle, as long as twice its area, to its corners.
+// Adds a triangle's normal, weighted by area, to its corners.
 void AddNormal(const TetrahedraMesh& mesh, const Ids& ids, TetrahedraFields& fields)
 {
   const auto point = [&](int i) { return glm::make_vec3(mesh.GetPoint(ids[i])); };
@@ -141,7 +141,8 @@ BoundaryFaces::Counts BoundaryFaces::Build(vtkDataSet* triangles, vtkUnstructure
     }
   }
 
-  // The triangles by their sorted corners, and whether a tetrahedron was found.
+  // Triangles by their sorted corners, with a flag that is set when a tetrahedron with this face is
+  // found.
   std::unordered_map<Ids, bool, Hash> faces;
   std::vector<bool> isCorner(points, false);
   vtkNew<vtkIdList> ids;

@@ -15,10 +15,10 @@ namespace interlume
 
 /**
  * @class   BoundaryFaces
- * @brief   finds the tetrahedra that boundary triangles are faces of
+ * @brief   finds the tetrahedra that have boundary triangles as faces
  *
- * A triangle is drawn with the first tetrahedron that has it as a face. Its points are the grid's
- * by their ids, or, where a filter left some out, by their exact coordinates.
+ * A triangle is drawn with the first tetrahedron that has it as a face. Triangle points are matched
+ * with grid points by id, or by exact coordinates if a filter removed points.
  */
 class BoundaryFaces
 {
@@ -26,13 +26,13 @@ public:
   struct Counts
   {
     vtkIdType Triangles = 0;
-    /// The number of cells that are no triangle, or no face of a tetrahedron.
+    /// Number of cells that are not triangles or not faces of a tetrahedron.
     vtkIdType Unmatched = 0;
   };
 
   /**
-   * Sets faces, normals and texture coordinates of \a fields. Normals are those of \a triangles, or
-   * the mean of the triangles around a point.
+   * Sets faces, normals and texture coordinates of \a fields. Without normals in \a triangles,
+   * point normals are averaged from the adjacent triangles.
    */
   static Counts Build(vtkDataSet* triangles, vtkUnstructuredGrid* grid, const TetrahedraMesh& mesh,
     TetrahedraFields& fields);

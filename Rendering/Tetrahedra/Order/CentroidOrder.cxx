@@ -41,7 +41,7 @@ void FillKeys(const TetrahedraMesh& mesh, std::vector<std::uint32_t>& keys, cons
 void CentroidOrder::Compute(
   const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<std::uint32_t>& frontToBack)
 {
-  // All measures are of sums of corners: the eye is moved out as far.
+  // Keys use the sum of the corners, four times the centroid, so scale the camera position equally.
   const glm::dvec3 eye = 4.0 * view.Eye;
   const double distance = std::sqrt(glm::dot(eye, eye));
   const double radius = view.IsParallel ? 0.0 : 4.0 * mesh.GetRadius();
@@ -61,8 +61,8 @@ void CentroidOrder::Compute(
   }
   else
   {
-    // The squared distance less that of the nearest place within the radius: single precision would
-    // keep too little of the squared distances of a far eye.
+    // The squared distance minus its minimum over the bounding sphere. For a distant camera,
+    // squared distances in single precision would have too few digits.
     const double offset = radius * (2.0 * distance - radius);
     FillKeys(mesh, this->Keys,
       [&](const glm::dvec3& sum)

@@ -13,26 +13,27 @@ namespace interlume
 
 /**
  * @class   CentroidOrder
- * @brief   tetrahedra in order of their centroids, front to back
+ * @brief   sorts tetrahedra by their centroids, front to back
  *
- * The order is by distance of the centroid from the eye in perspective, not by depth along the
- * axis, so that turning the head changes nothing; it is by depth along the direction in parallel.
- * Distances are told apart to single precision of their difference from that of the nearest place
- * of the mesh; equal ones go by the number of the tetrahedron. The order is the same for any number
+ * In perspective, the key is the squared distance of the centroid to the camera, not the depth
+ * along the view axis, so rotating the camera does not change the order. In parallel projection,
+ * the key is the depth along the view direction. Keys have single precision. To keep their
+ * precision for a distant camera, the smallest squared distance to the bounding sphere is
+ * subtracted. Equal keys are ordered by tetrahedron number. The order does not depend on the number
  * of threads.
  *
- * It is an approximation: two tetrahedra of different size may come out the wrong way round. See
- * VisibilityOrder for an exact order.
+ * The order is approximate: tetrahedra of different sizes may be swapped. See VisibilityOrder for
+ * an exact order.
  */
 class CentroidOrder
 {
 public:
-  /// Fills \a frontToBack with the numbers of all tetrahedra. Working memory is kept for the next
-  /// call.
+  /// Fills \a frontToBack with the numbers of all tetrahedra. Internal buffers are reused in the
+  /// next call.
   void Compute(
     const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<std::uint32_t>& frontToBack);
 
-  /// Returns the bytes held, at most 24 a tetrahedron.
+  /// Returns the memory size in bytes, at most 24 per tetrahedron.
   std::size_t GetBytes() const;
 
 private:

@@ -12,38 +12,39 @@ namespace interlume
 
 /**
  * @class   EdgeOnRule
- * @brief   on which side of a face's plane the eye is, and when that is not to be asked
+ * @brief determines on which side of a face's plane the camera is, with an error bound
  *
- * With edges u and v of a face, its normal n = u x v, and d from a corner of it to the eye (in
- * parallel: against the direction), the sign of n . d is the side. It is taken as 0, the face as
- * seen edge-on, up to the error that the rounding of coordinates, already in the mesh, and of this
- * arithmetic may make, so any other sign is right. Such a face covers nothing of a picture, and
- * without this rule the many coplanar faces of a structured mesh, whose plane the eye is in, would
- * each have a side by chance, which makes cycles.
+ * For a face with edges u and v, normal n = u x v, and vector d from a corner to the camera (in
+ * parallel projection: against the view direction), the side is the sign of n . d. The sign is
+ * treated as 0 (face seen edge-on) up to the maximum rounding error of the mesh coordinates and of
+ * this computation. All other signs are therefore correct.
+ *
+ * An edge-on face covers no pixels. Without this rule, coplanar faces of a structured mesh, in a
+ * plane that contains the camera, would get random signs, which would create cycles.
  */
 class EdgeOnRule
 {
 public:
-  /// Takes a view; \a radius is the greatest distance of a point from the mesh's origin.
+  /// \a radius is the largest distance of a point from the mesh's origin.
   EdgeOnRule(const Viewpoint& view, double radius)
     : IsPerspective(view.IsParallel ? 0.0 : 1.0)
     , Eye(view.IsParallel ? -view.Direction : view.Eye)
   {
-    // The value |n . d| errs by less than 66 units of rounding of |d| radius (|u| + |v|), with
-    // points known to 4 units of radius, |u| and |v| at most 2 radius, and the greatest components
-    // for | |.
+    // The error of |n . d| is less than 66 roundoff units of |d| radius (|u| + |v|), where | | is
+    // the infinity norm. Coordinates are known to within 4 roundoff units of radius, and |u| and
+    // |v| are at most 2 radius.
     const double size = view.IsParallel ? Vectors::InfinityNorm(this->Eye)
                                         : Vectors::InfinityNorm(this->Eye) + radius;
     this->Error = 64.0 * std::numeric_limits<double>::epsilon() * size * radius;
   }
 
-  /// Returns the way from \a point to the eye.
+  /// Returns the vector from \a point to the camera.
   glm::dvec3 GetTowardEye(const glm::dvec3& point) const
   {
     return this->Eye - this->IsPerspective * point;
   }
-  /// Returns the greatest |n . d| that is taken as 0; \a sizes are those of u and v, by
-  /// Vectors::InfinityNorm.
+  /// Returns the largest |n . d| that is treated as 0. \a sizes is the sum of the infinity norms of
+  /// u and v.
   double GetBound(double sizes) const { return this->Error * sizes; }
 
 private:

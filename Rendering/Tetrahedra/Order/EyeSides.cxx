@@ -16,10 +16,10 @@ namespace
 {
 constexpr vtkIdType Grain = 8192;
 
-// The corners of each face, counterclockwise from outside where the volume is positive.
+// Corners of each face, counterclockwise from outside for a positive volume.
 constexpr int Outward[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
-// The edges of a tetrahedron from its first corner.
+// Edges of a tetrahedron from its first corner.
 struct Edges
 {
   Edges(const TetrahedraMesh& mesh, std::uint32_t tetrahedron)
@@ -37,8 +37,9 @@ struct Edges
   glm::dvec3 W;
 };
 
-// The bits by which the two tetrahedra of a face are compared. Bit k of the first four: the ids of
-// face k, counterclockwise from outside, are an odd permutation.
+// Bits for the orientation of a tetrahedron. Bit k (0 to 3) is set if the point ids of face k,
+// counterclockwise from outside, are an odd permutation of the sorted ids. Two tetrahedra on
+// different sides of a face have different bits for it.
 constexpr unsigned int PositiveBit = 0x10;
 constexpr unsigned int FlatBit = 0x20;
 
@@ -115,8 +116,7 @@ void EyeSides::Compute(
         const double u = Vectors::InfinityNorm(e.U);
         const double v = Vectors::InfinityNorm(e.V);
         const double w = Vectors::InfinityNorm(e.W);
-        // The sign is positive where the eye is on the side of the opposite corner, for a positive
-        // volume.
+        // sides[k] is positive if the camera and corner k are on the same side of face k.
         const double sign = this->Tetrahedra[t] & IsPositive ? 1.0 : -1.0;
         const double sides[4] = { -sign * glm::dot(glm::cross(edge12, edge13), towardEye1),
           sign * glm::dot(glm::cross(e.V, e.W), towardEye),
@@ -124,12 +124,12 @@ void EyeSides::Compute(
           sign * glm::dot(glm::cross(e.U, e.V), towardEye) };
         const double sizes[4] = { Vectors::InfinityNorm(edge12) + Vectors::InfinityNorm(edge13),
           v + w, w + u, u + v };
-        unsigned int beyond = 0;
+        unsigned int outside = 0;
         for (int k = 0; k < 4; ++k)
         {
-          beyond |= static_cast<unsigned int>(sides[k] < -rule.GetBound(sizes[k])) << k;
+          outside |= static_cast<unsigned int>(sides[k] < -rule.GetBound(sizes[k])) << k;
         }
-        inFront[t] = static_cast<unsigned char>(beyond & this->Tetrahedra[t] & Passable);
+        inFront[t] = static_cast<unsigned char>(outside & this->Tetrahedra[t] & Passable);
       }
     });
 }

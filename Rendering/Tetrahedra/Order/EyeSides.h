@@ -13,40 +13,39 @@ namespace interlume
 
 /**
  * @class   EyeSides
- * @brief   the faces beyond which a tetrahedron has a neighbour that must be drawn before it
+ * @brief   finds the neighbors of each tetrahedron that must be drawn before it
  *
- * The neighbour beyond a face is in front where the eye is on its side of the face's plane; see
- * EdgeOnRule for an eye in the plane. A face whose two tetrahedra lie on one side of it, as
- * where a mesh is folded, and the faces of a tetrahedron without volume lead nowhere: they are
- * open, like those of the boundary.
+ * The neighbor across a face is in front if the camera is on the neighbor's side of the face's
+ * plane; see EdgeOnRule for a camera in the plane. Some faces are treated as open, like boundary
+ * faces: faces of tetrahedra without volume, and faces with both tetrahedra on the same side, where
+ * a mesh is folded.
  */
 class EyeSides
 {
 public:
-  /// Computes what does not depend on the view: volumes' signs and open faces. \a twins are those
-  /// of FaceAdjacency.
+  /// Computes the data that do not depend on the view: signs of volumes, and open faces. \a twins
+  /// are from FaceAdjacency.
   void Build(const TetrahedraMesh& mesh, const std::vector<std::uint32_t>& twins);
 
-  /// Computes for each tetrahedron one bit for each face beyond which its neighbour is in front: 1
-  /// << k.
+  /// Computes a bit mask for each tetrahedron: bit k is set if the neighbor across face k is in
+  /// front.
   void Compute(
     const TetrahedraMesh& mesh, const Viewpoint& view, std::vector<unsigned char>& inFront) const;
 
-  /// Returns the open faces of tetrahedra that have a volume, ascending, numbered as by
-  /// FaceAdjacency.
+  /// Returns the open faces of tetrahedra with a volume, ascending, numbered as in FaceAdjacency.
   const std::vector<std::uint32_t>& GetOpenFaces() const { return this->OpenFaces; }
   /// Returns the corners of a face, counterclockwise as seen from outside of its tetrahedron.
   std::array<std::uint32_t, 3> GetOutwardCorners(
     const TetrahedraMesh& mesh, std::uint32_t face) const;
-  /// Returns the greatest distance of a point from the mesh's origin.
+  /// Returns the largest distance of a point from the mesh's origin.
   double GetRadius() const { return this->Radius; }
 
-  /// Returns the bytes held: one a tetrahedron, and the open faces.
+  /// Returns the memory size in bytes: one byte per tetrahedron, plus the list of open faces.
   std::size_t GetBytes() const;
 
 private:
-  // The bits of each tetrahedron: bit k tells whether face k leads to a neighbour, another whether
-  // its corners are in the order of a positive volume.
+  // Bits of each tetrahedron: bit k is set if face k is not open, and IsPositive is set if the
+  // volume is positive.
   static constexpr unsigned int Passable = 0xf;
   static constexpr unsigned int IsPositive = 0x10;
   std::vector<unsigned char> Tetrahedra;

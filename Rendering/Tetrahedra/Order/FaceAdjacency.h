@@ -11,21 +11,20 @@ namespace interlume
 {
 
 /**
- * Finds which tetrahedra share a face.
+ * Finds the tetrahedra that share a face.
  *
- * Faces are numbered 4 t + k: face k of tetrahedron t is opposite its corner k. Two faces are the
- * same if their three point ids are, for any coordinates. A face of more than two tetrahedra is
- * matched with none of them.
+ * Face 4 t + k is opposite corner k of tetrahedron t. Two faces are equal if their three point ids
+ * are equal, regardless of coordinates. A face of more than two tetrahedra is not matched.
  */
 namespace FaceAdjacency
 {
-/// Stands for no face.
+/// No face.
 constexpr std::uint32_t None = 0xffffffffu;
-/// The largest number of tetrahedra whose faces 32 bits number.
+/// Maximum number of tetrahedra; face numbers have 32 bits.
 constexpr std::uint32_t MaximumNumberOfTetrahedra = (1u << 30) - 1;
 
-/// Returns for each face the same face as its other tetrahedron numbers it, or None. It depends on
-/// point ids only, not on the view or on coordinates. Returns no faces for more than
+/// Returns the twin of each face, which is the same face in the neighboring tetrahedron, or None.
+/// The result depends only on point ids. Returns an empty array for more than
 /// MaximumNumberOfTetrahedra.
 std::vector<std::uint32_t> FindTwins(const TetrahedraMesh& mesh);
 }

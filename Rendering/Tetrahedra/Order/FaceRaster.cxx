@@ -12,8 +12,8 @@ FaceRaster::FaceRaster(const FrameProjection& projection, const std::array<glm::
   : Projection(projection)
   , Normal(glm::cross(corners[1] - corners[0], corners[2] - corners[0]))
   , Offset(glm::dot(this->Normal, corners[0]))
-  , LeastDepth(std::min({ corners[0][2], corners[1][2], corners[2][2] }))
-  , GreatestDepth(std::max({ corners[0][2], corners[1][2], corners[2][2] }))
+  , MinimumDepth(std::min({ corners[0][2], corners[1][2], corners[2][2] }))
+  , MaximumDepth(std::max({ corners[0][2], corners[1][2], corners[2][2] }))
 {
   this->FindRectangle(corners);
   for (int e = 0; e < 3; ++e)
@@ -38,24 +38,25 @@ FaceRaster::Edge FaceRaster::MakeEdge(
 
 void FaceRaster::FindRectangle(const std::array<glm::dvec3, 3>& corners)
 {
-  // In perspective only the part before the eye counts. A part nearer to the eye's plane than a
-  // millionth of the triangle's depth can be in the picture only that near to the eye.
+  // In perspective, use only the part of the triangle in front of the camera. A point closer to the
+  // camera plane than a millionth of the triangle's depth is in the image only if it is that close
+  // to the camera.
   const double nearest = this->Projection.IsParallel() ? std::numeric_limits<double>::lowest()
-                                                       : 1e-6 * this->GreatestDepth;
-  if (!this->Projection.IsParallel() && this->GreatestDepth <= 0.0)
+                                                       : 1e-6 * this->MaximumDepth;
+  if (!this->Projection.IsParallel() && this->MaximumDepth <= 0.0)
   {
     return;
   }
-  double least[2] = { std::numeric_limits<double>::max(), std::numeric_limits<double>::max() };
-  double greatest[2] = { std::numeric_limits<double>::lowest(),
+  double minimum[2] = { std::numeric_limits<double>::max(), std::numeric_limits<double>::max() };
+  double maximum[2] = { std::numeric_limits<double>::lowest(),
     std::numeric_limits<double>::lowest() };
   const auto add = [&](const glm::dvec3& p)
   {
     const double scale = this->Projection.IsParallel() ? 1.0 : 1.0 / p[2];
     for (int axis = 0; axis < 2; ++axis)
     {
-      least[axis] = std::min(least[axis], p[axis] * scale);
-      greatest[axis] = std::max(greatest[axis], p[axis] * scale);
+      minimum[axis] = std::min(minimum[axis], p[axis] * scale);
+      maximum[axis] = std::max(maximum[axis], p[axis] * scale);
     }
   };
   for (int e = 0; e < 3; ++e)
@@ -73,8 +74,8 @@ void FaceRaster::FindRectangle(const std::array<glm::dvec3, 3>& corners)
       add(cut);
     }
   }
-  this->Columns = this->Projection.GetColumns(least[0], greatest[0]);
-  this->Rows = this->Projection.GetRows(least[1], greatest[1]);
+  this->Columns = this->Projection.GetColumns(minimum[0], maximum[0]);
+  this->Rows = this->Projection.GetRows(minimum[1], maximum[1]);
 }
 
 }

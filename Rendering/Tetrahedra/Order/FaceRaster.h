@@ -13,27 +13,27 @@ namespace interlume
 
 /**
  * @class   FaceRaster
- * @brief   the pixels of a picture whose lines of sight pass a triangle, and the depths there
+ * @brief   finds the pixels whose view rays intersect a triangle, and their depths
  *
  * It works in homogeneous coordinates (M. Olano, T. Greer, "Triangle scan conversion using 2D
- * homogeneous coordinates", 1997), so that no triangle needs to be cut at the eye's plane. An edge
- * is evaluated in the order of its point ids, so that the triangles on either side of it have the
- * same rounding: a closed surface has no leaks.
+ * homogeneous coordinates", 1997), so triangles need not be clipped at the camera plane. The
+ * function of each edge is computed from the lower to the higher point id. Adjacent triangles
+ * therefore round in the same way, and a closed surface has no cracks.
  */
 class FaceRaster
 {
 public:
-  /// Takes a triangle: picture coordinates of its corners, and their point ids.
+  /// \a corners are in image coordinates, \a ids are their point ids.
   FaceRaster(const FrameProjection& projection, const std::array<glm::dvec3, 3>& corners,
     const std::array<std::uint32_t, 3>& ids);
 
-  /// Return the smallest rectangle that holds all its pixels.
+  /// Return the bounding rectangle of the pixels.
   FrameProjection::Range GetColumns() const { return this->Columns; }
   FrameProjection::Range GetRows() const { return this->Rows; }
 
   /**
-   * Calls visit(column, depth, isFront) for its pixels in a row, left to right; isFront where its
-   * corners appear counterclockwise. Depths are positive in perspective.
+   * Calls visit(column, depth, isFront) for the pixels in a row, left to right. isFront is true if
+   * the corners appear counterclockwise. Depths are positive in perspective.
    */
   template <typename Visit>
   void VisitRow(int row, const Visit& visit) const;
@@ -41,8 +41,7 @@ public:
 private:
   struct Edge
   {
-    // The side of (x, y) is the sign of X x + Y y + One, positive for the inside of a
-    // counterclockwise triangle.
+    // X x + Y y + One is positive inside a counterclockwise triangle.
     double X;
     double Y;
     double One;
@@ -57,8 +56,8 @@ private:
   Edge Edges[3];
   glm::dvec3 Normal;
   double Offset;
-  double LeastDepth;
-  double GreatestDepth;
+  double MinimumDepth;
+  double MaximumDepth;
   FrameProjection::Range Columns{ 0, -1 };
   FrameProjection::Range Rows{ 0, -1 };
 };
@@ -88,13 +87,14 @@ void FaceRaster::VisitRow(int row, const Visit& visit) const
     if (positive == 0 || positive == 3)
     {
       const double depth = this->FindDepth(x, y);
-      // Behind the eye only a triangle that passes the eye's plane has pixels; any other's depth is
-      // uncertain only where it is nearly edge-on.
-      if (this->LeastDepth > 0.0 || this->Projection.IsParallel() || depth > 0.0)
+      // A pixel can be behind the camera only if the triangle crosses the camera plane. The
+      // computed depth of other triangles is uncertain if they are nearly edge-on, so it is clamped
+      // to the depths of the corners.
+      if (this->MinimumDepth > 0.0 || this->Projection.IsParallel() || depth > 0.0)
       {
-        const double bounded = depth < this->LeastDepth ? this->LeastDepth
-          : depth > this->GreatestDepth                 ? this->GreatestDepth
-                                                        : depth;
+        const double bounded = depth < this->MinimumDepth ? this->MinimumDepth
+          : depth > this->MaximumDepth                    ? this->MaximumDepth
+                                                          : depth;
         visit(column, bounded, positive == 3);
       }
     }

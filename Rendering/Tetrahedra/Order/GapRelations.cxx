@@ -5,7 +5,7 @@
 #include "Order/EdgeOnRule.h"
 #include "Order/EyeSides.h"
 #include "Order/FaceRaster.h"
-#include "Order/Sightline.h"
+#include "Order/ViewRayEvents.h"
 #include "View/FrameProjection.h"
 
 #include "vtkSMPTools.h"
@@ -18,16 +18,16 @@ namespace interlume
 namespace
 {
 constexpr vtkIdType Grain = 2048;
-// The height of a band, few enough rows for the lists of its pixels to stay in a cache.
+// Rows per band. The lists of a band's pixels must fit in a cache.
 constexpr int BandHeight = 16;
 
-using Relations = std::vector<Sightline::Relation>;
+using Relations = std::vector<ViewRayEvents::Relation>;
 
-// The open faces of a mesh in a picture.
-class Picture
+// Rasterizes the open faces of a mesh.
+class OpenFaceRaster
 {
 public:
-  Picture(const TetrahedraMesh& mesh, const EyeSides& sides, const ViewRays& rays,
+  OpenFaceRaster(const TetrahedraMesh& mesh, const EyeSides& sides, const ViewRays& rays,
     const FrameProjection& projection)
     : Mesh(mesh)
     , Sides(sides)
@@ -42,13 +42,13 @@ public:
   {
     return (this->Projection.GetHeight() + BandHeight - 1) / BandHeight;
   }
-  // Finds the relations along the lines of sight of a band's pixels, each once, ascending.
+  // Finds the relations along the view rays of a band of rows, ascending and without duplicates.
   void RelateBand(int band, Relations& relations) const;
 
 private:
   struct Hit
   {
-    Sightline::Event Event;
+    ViewRayEvents::Event Event;
     std::uint32_t Pixel;
   };
 
@@ -61,11 +61,11 @@ private:
   const FrameProjection& Projection;
   EdgeOnRule Rule;
   double Tolerance;
-  // The rows of each open face.
+  // Rows of each open face.
   std::vector<FrameProjection::Range> Rows;
 };
 
-bool Picture::IsEdgeOn(const std::array<glm::dvec3, 3>& points) const
+bool OpenFaceRaster::IsEdgeOn(const std::array<glm::dvec3, 3>& points) const
 {
   const glm::dvec3 u = points[1] - points[0];
   const glm::dvec3 v = points[2] - points[0];
@@ -73,7 +73,7 @@ bool Picture::IsEdgeOn(const std::array<glm::dvec3, 3>& points) const
   return std::abs(side) <= this->Rule.GetBound(Vectors::InfinityNorm(u) + Vectors::InfinityNorm(v));
 }
 
-FaceRaster Picture::MakeRaster(std::uint32_t face, bool& isEdgeOn) const
+FaceRaster OpenFaceRaster::MakeRaster(std::uint32_t face, bool& isEdgeOn) const
 {
   const std::array<std::uint32_t, 3> ids = this->Sides.GetOutwardCorners(this->Mesh, face);
   std::array<glm::dvec3, 3> points;
@@ -87,7 +87,7 @@ FaceRaster Picture::MakeRaster(std::uint32_t face, bool& isEdgeOn) const
   return FaceRaster(this->Projection, corners, ids);
 }
 
-void Picture::FindRows()
+void OpenFaceRaster::FindRows()
 {
   const std::vector<std::uint32_t>& faces = this->Sides.GetOpenFaces();
   this->Rows.resize(faces.size());
@@ -105,7 +105,7 @@ void Picture::FindRows()
     });
 }
 
-void Picture::FindHits(int firstRow, int lastRow, std::vector<Hit>& hits) const
+void OpenFaceRaster::FindHits(int firstRow, int lastRow, std::vector<Hit>& hits) const
 {
   const std::vector<std::uint32_t>& faces = this->Sides.GetOpenFaces();
   const int width = this->Projection.GetWidth();
@@ -132,37 +132,38 @@ void Picture::FindHits(int firstRow, int lastRow, std::vector<Hit>& hits) const
   }
 }
 
-void Picture::RelateBand(int band, Relations& relations) const
+void OpenFaceRaster::RelateBand(int band, Relations& relations) const
 {
   const int firstRow = band * BandHeight;
   const int lastRow = std::min(firstRow + BandHeight, this->Projection.GetHeight()) - 1;
   std::vector<Hit> hits;
   this->FindHits(firstRow, lastRow, hits);
 
-  // The events of each pixel are together.
+  // Group the events by pixel (counting sort).
   const std::size_t pixels =
     static_cast<std::size_t>(lastRow - firstRow + 1) * this->Projection.GetWidth();
-  std::vector<std::size_t> places(pixels + 1, 0);
+  std::vector<std::size_t> ends(pixels + 1, 0);
   for (const Hit& hit : hits)
   {
-    ++places[hit.Pixel + 1];
+    ++ends[hit.Pixel + 1];
   }
   for (std::size_t pixel = 0; pixel < pixels; ++pixel)
   {
-    places[pixel + 1] += places[pixel];
+    ends[pixel + 1] += ends[pixel];
   }
-  std::vector<Sightline::Event> events(hits.size());
+  std::vector<ViewRayEvents::Event> events(hits.size());
   for (const Hit& hit : hits)
   {
-    events[places[hit.Pixel]++] = hit.Event;
+    events[ends[hit.Pixel]++] = hit.Event;
   }
   std::size_t first = 0;
   for (std::size_t pixel = 0; pixel < pixels; ++pixel)
   {
-    const std::size_t last = places[pixel];
+    const std::size_t last = ends[pixel];
     if (last - first > 1)
     {
-      Sightline::Relate(events.data() + first, events.data() + last, this->Tolerance, relations);
+      ViewRayEvents::Relate(
+        events.data() + first, events.data() + last, this->Tolerance, relations);
     }
     first = last;
   }
@@ -180,15 +181,15 @@ void GapRelations::Compute(const TetrahedraMesh& mesh, const EyeSides& sides, co
   {
     return;
   }
-  Picture picture(mesh, sides, rays, projection);
-  picture.FindRows();
-  std::vector<Relations> bands(picture.GetNumberOfBands());
+  OpenFaceRaster raster(mesh, sides, rays, projection);
+  raster.FindRows();
+  std::vector<Relations> bands(raster.GetNumberOfBands());
   vtkSMPTools::For(0, static_cast<vtkIdType>(bands.size()), 1,
     [&](vtkIdType first, vtkIdType last)
     {
       for (vtkIdType band = first; band < last; ++band)
       {
-        picture.RelateBand(static_cast<int>(band), bands[band]);
+        raster.RelateBand(static_cast<int>(band), bands[band]);
       }
     });
 
@@ -205,7 +206,7 @@ void GapRelations::Compute(const TetrahedraMesh& mesh, const EyeSides& sides, co
   }
   this->Offsets.assign(static_cast<std::size_t>(mesh.GetNumberOfTetrahedra()) + 1, 0);
   this->InFront.reserve(all.size());
-  for (const Sightline::Relation& relation : all)
+  for (const ViewRayEvents::Relation& relation : all)
   {
     ++this->Offsets[relation.Back + 1];
     this->InFront.push_back(relation.Front);

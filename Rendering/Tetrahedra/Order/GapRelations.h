@@ -15,40 +15,41 @@ class EyeSides;
 
 /**
  * @class   GapRelations
- * @brief   relations between tetrahedra where a line of sight leaves a mesh and enters it again
+ * @brief   relates tetrahedra across gaps, where a view ray exits a mesh and enters it again
  *
- * The open faces of a mesh are drawn into a list for each pixel, sorted by depth; the tetrahedron
- * whose face the line of sight leaves the mesh by is in front of that whose face it enters by next
+ * The open faces of the mesh are rasterized into a list for each pixel, sorted by depth. The
+ * tetrahedron at which the view ray exits is in front of the tetrahedron at which it enters next
  * (R. Cook, N. Max, C. Silva, P. Williams, "Image-space visibility ordering for cell projection
- * volume rendering of unstructured data", 2004). So the order is right along the lines of sight of
- * all pixel centres, which are all that a picture consists of; two tetrahedra whose shared lines of
- * sight all pass between pixel centres are not related.
+ * volume rendering of unstructured data", 2004). The order is therefore correct along the view rays
+ * of all pixel centers. Tetrahedra that overlap on the screen only between pixel centers are not
+ * related.
  *
- * Depths nearer to each other than 1e-9 of the mesh's radius count as equal: there a line of sight
- * leaves before it enters where it was inside, and the other way round where it was outside, so
- * that touching pieces and the outline of the mesh come out right whatever the rounding.
+ * Depths that differ by less than 1e-9 of the mesh's radius are treated as equal. Of an entry and
+ * an exit at equal depths, the exit is first if the ray was inside the mesh, and the entry is first
+ * if it was outside. Touching pieces and the outline of the mesh are therefore handled correctly
+ * despite rounding.
  */
 class GapRelations
 {
 public:
-  /// Finds all relations; none where \a rays have no pixels.
+  /// Finds all relations; none if \a rays have no pixels.
   void Compute(const TetrahedraMesh& mesh, const EyeSides& sides, const ViewRays& rays);
 
-  /// Returns how many pairs were found, each counted once.
+  /// Returns the number of related pairs, without duplicates.
   std::uint32_t GetNumberOfRelations() const
   {
     return static_cast<std::uint32_t>(this->InFront.size());
   }
   ///@{
   /**
-   * Return the tetrahedra in front of tetrahedron t, ascending: GetInFront()[GetOffsets()[t]] up
-   * to, without it, GetInFront()[GetOffsets()[t + 1]]. Empty where there is no relation at all.
+   * Return the tetrahedra in front of each tetrahedron t, ascending, in the range [GetOffsets()[t],
+   * GetOffsets()[t + 1]) of GetInFront(). Both are empty if there are no relations.
    */
   const std::vector<std::uint32_t>& GetOffsets() const { return this->Offsets; }
   const std::vector<std::uint32_t>& GetInFront() const { return this->InFront; }
   ///@}
 
-  /// Returns the bytes held.
+  /// Returns the memory size in bytes.
   std::size_t GetBytes() const;
 
 private:

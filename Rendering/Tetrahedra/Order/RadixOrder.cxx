@@ -12,10 +12,10 @@ namespace interlume
 
 namespace
 {
-// Places for 2048 values of a digit still fit the second-level cache along with their lines.
+// With 2048 digit values, all write positions and their cache lines fit in the L2 cache.
 constexpr int DigitBits = 11;
-constexpr std::uint32_t LeastChunk = 16384;
-constexpr std::uint32_t MostChunks = 32;
+constexpr std::uint32_t MinimumChunk = 16384;
+constexpr std::uint32_t MaximumChunks = 32;
 }
 
 template <typename Work>
@@ -37,29 +37,29 @@ void RadixOrder::ForChunks(const Work& work) const
 void RadixOrder::Prepare(const std::uint32_t* keys, std::uint32_t number)
 {
   this->Number = number;
-  this->Chunks = std::clamp(number / LeastChunk, 1u, MostChunks);
+  this->Chunks = std::clamp(number / MinimumChunk, 1u, MaximumChunks);
   std::vector<std::pair<std::uint32_t, std::uint32_t>> ranges(this->Chunks);
   this->ForChunks(
     [&](std::uint32_t chunk, std::uint32_t first, std::uint32_t last)
     {
-      std::uint32_t least = ~0u;
-      std::uint32_t greatest = 0;
+      std::uint32_t minimum = ~0u;
+      std::uint32_t maximum = 0;
       for (std::uint32_t i = first; i < last; ++i)
       {
-        least = std::min(least, keys[i]);
-        greatest = std::max(greatest, keys[i]);
+        minimum = std::min(minimum, keys[i]);
+        maximum = std::max(maximum, keys[i]);
       }
-      ranges[chunk] = { least, greatest };
+      ranges[chunk] = { minimum, maximum };
     });
-  this->LeastKey = ~0u;
-  std::uint32_t greatest = 0;
+  this->MinimumKey = ~0u;
+  std::uint32_t maximum = 0;
   for (const auto& range : ranges)
   {
-    this->LeastKey = std::min(this->LeastKey, range.first);
-    greatest = std::max(greatest, range.second);
+    this->MinimumKey = std::min(this->MinimumKey, range.first);
+    maximum = std::max(maximum, range.second);
   }
   this->Bits = 0;
-  for (std::uint32_t rest = number ? greatest - this->LeastKey : 0; rest; rest >>= 1)
+  for (std::uint32_t rest = number ? maximum - this->MinimumKey : 0; rest; rest >>= 1)
   {
     ++this->Bits;
   }
@@ -80,23 +80,23 @@ void RadixOrder::Scatter(Digit digit, const Source& source, const Destination& d
         ++counts[(source(i).Key >> digit.Shift) & digit.Mask];
       }
     });
-  std::uint32_t place = 0;
+  std::uint32_t position = 0;
   for (std::uint32_t value = 0; value < values; ++value)
   {
     for (std::uint32_t chunk = 0; chunk < this->Chunks; ++chunk)
     {
       std::uint32_t& count = this->Counts[static_cast<std::size_t>(chunk) * values + value];
-      place += std::exchange(count, place);
+      position += std::exchange(count, position);
     }
   }
   this->ForChunks(
     [&](std::uint32_t chunk, std::uint32_t first, std::uint32_t last)
     {
-      std::uint32_t* places = &this->Counts[static_cast<std::size_t>(chunk) * values];
+      std::uint32_t* positions = &this->Counts[static_cast<std::size_t>(chunk) * values];
       for (std::uint32_t i = first; i < last; ++i)
       {
         const Item item = source(i);
-        destination(places[(item.Key >> digit.Shift) & digit.Mask]++, item);
+        destination(positions[(item.Key >> digit.Shift) & digit.Mask]++, item);
       }
     });
 }
@@ -111,15 +111,15 @@ void RadixOrder::Sort(const std::uint32_t* keys, std::uint32_t number, std::uint
     return;
   }
   const int digitBits = (this->Bits + passes - 1) / passes;
-  const std::uint32_t least = this->LeastKey;
-  const auto input = [keys, least](std::uint32_t i) { return Item{ keys[i] - least, i }; };
-  const auto output = [order](std::uint32_t place, Item item) { order[place] = item.Number; };
+  const std::uint32_t minimum = this->MinimumKey;
+  const auto input = [keys, minimum](std::uint32_t i) { return Item{ keys[i] - minimum, i }; };
+  const auto output = [order](std::uint32_t position, Item item) { order[position] = item.Number; };
   for (int pass = 0; pass < passes; ++pass)
   {
     const Digit digit = { pass * digitBits, (1u << digitBits) - 1 };
     const bool isFirst = pass == 0;
     const bool isLast = pass + 1 == passes;
-    // The buffers take turns.
+    // The two buffers alternate.
     std::vector<Item>& to = this->Items[pass & 1];
     if (!isLast)
     {
@@ -127,7 +127,8 @@ void RadixOrder::Sort(const std::uint32_t* keys, std::uint32_t number, std::uint
     }
     const Item* from = this->Items[(pass + 1) & 1].data();
     const auto read = [from](std::uint32_t i) { return from[i]; };
-    const auto write = [items = to.data()](std::uint32_t place, Item item) { items[place] = item; };
+    const auto write = [items = to.data()](std::uint32_t position, Item item)
+    { items[position] = item; };
     if (isFirst && isLast)
     {
       this->Scatter(digit, input, output);

@@ -11,20 +11,20 @@ namespace interlume
 
 /**
  * @class   RadixOrder
- * @brief   threaded radix sort of numbers by keys of 32 bits
+ * @brief   multithreaded radix sort of indices by 32-bit keys
  *
- * It sorts by the least significant digit first, and is stable: equal keys stay in ascending order
- * of their numbers, so the result does not depend on the number of threads. Only the bits in which
- * keys differ are visited, in at most three passes. Working memory, 20 bytes a key at most, is kept
- * from call to call.
+ * It sorts by the least significant digit first, and is stable: indices with equal keys remain
+ * ascending. The result does not depend on the number of threads. Keys are sorted by their
+ * difference from the minimum key, in at most three passes. Buffers of at most 20 bytes per key are
+ * reused.
  */
 class RadixOrder
 {
 public:
-  /// Writes the numbers 0 to \a number - 1 to \a order, in ascending order of their keys.
+  /// Writes the indices 0 to \a number - 1 to \a order, in ascending order of their keys.
   void Sort(const std::uint32_t* keys, std::uint32_t number, std::uint32_t* order);
 
-  /// Returns the key that sorts as a float does; -0 equals 0. NaN has no key.
+  /// Returns a key that has the same order as \a value; -0 equals 0. NaN has no key.
   static std::uint32_t MakeKey(float value)
   {
     constexpr std::uint32_t signBit = 0x80000000u;
@@ -34,13 +34,13 @@ public:
     return bits & signBit ? ~bits : bits | signBit;
   }
 
-  /// Returns the bytes held.
+  /// Returns the memory size in bytes.
   std::size_t GetBytes() const;
 
 private:
   struct Item
   {
-    // The key, counted from the least key of all.
+    // The key minus the minimum key.
     std::uint32_t Key;
     std::uint32_t Number;
   };
@@ -50,9 +50,10 @@ private:
     std::uint32_t Mask;
   };
 
-  // Sets the number of chunks, the least key and the bits in which keys differ.
+  // Sets the number of chunks, the minimum key and the number of bits of the largest difference
+  // from it.
   void Prepare(const std::uint32_t* keys, std::uint32_t number);
-  // Makes one pass; Source is callable with a position, Destination with a position and an item.
+  // Runs one pass. Source is called with an index, Destination with an index and an item.
   template <typename Source, typename Destination>
   void Scatter(Digit digit, const Source& source, const Destination& destination);
   template <typename Work>
@@ -60,10 +61,10 @@ private:
 
   std::uint32_t Number = 0;
   std::uint32_t Chunks = 0;
-  std::uint32_t LeastKey = 0;
+  std::uint32_t MinimumKey = 0;
   int Bits = 0;
   std::vector<Item> Items[2];
-  // The counts for each chunk and each value of a digit: how many, then where the next goes.
+  // Counts for each chunk and each digit value, then the next index to write.
   std::vector<std::uint32_t> Counts;
 };
 

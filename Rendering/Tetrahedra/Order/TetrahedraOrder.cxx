@@ -61,25 +61,25 @@ const std::vector<std::uint32_t>* TetrahedraOrder::ComputeLayers(
   this->Kind = LAYERS;
   this->Visibility.reset();
   this->Priorities = priorities;
-  // The members of each layer, and then the layers from the highest priority down.
+  // Collect the members of each layer, then concatenate the layers from the highest priority.
   std::map<int, std::vector<std::uint32_t>> members;
   for (std::size_t t = 0; t < layers.size(); ++t)
   {
     members[layers[t]].push_back(static_cast<std::uint32_t>(t));
   }
-  std::vector<int> names;
-  names.reserve(members.size());
+  std::vector<int> layerIds;
+  layerIds.reserve(members.size());
   for (const auto& layer : members)
   {
-    names.push_back(layer.first);
+    layerIds.push_back(layer.first);
   }
-  SortLayers(names, priorities);
+  SortLayers(layerIds, priorities);
   this->Order.clear();
-  for (int name : names)
+  for (int layerId : layerIds)
   {
-    this->Order.insert(this->Order.end(), members[name].begin(), members[name].end());
+    this->Order.insert(this->Order.end(), members[layerId].begin(), members[layerId].end());
   }
-  this->NumberOfLayers = static_cast<int>(names.size());
+  this->NumberOfLayers = static_cast<int>(layerIds.size());
   return &this->Order;
 }
 

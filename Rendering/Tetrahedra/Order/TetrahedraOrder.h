@@ -17,7 +17,7 @@ namespace interlume
 
 /**
  * @class   TetrahedraOrder
- * @brief   the order a picture is drawn in, kept while the view is the same
+ * @brief computes and caches the drawing order of tetrahedra
  */
 class TetrahedraOrder
 {
@@ -31,34 +31,35 @@ public:
   };
 
   /**
-   * Forgets everything: the mesh is another one.
+   * Clears all cached data, for a different mesh.
    */
   void Reset();
 
   /**
-   * Forgets an order by layers: others are in them.
+   * Clears the layer order, because the layers changed.
    */
   void ResetLayers();
 
   /**
-   * Returns the order from front to back, or null for none. WasComputed() returns false where the
-   * order is that of the call before.
+   * Returns the order, front to back, or null for NONE. WasComputed() then returns false if the
+   * order was cached.
    */
   const std::vector<std::uint32_t>* Compute(
     Kinds kind, const TetrahedraMesh& mesh, const TetrahedraView& view);
 
   /**
-   * Returns the order by layers, the highest priority first; within one, as they are.
+   * Returns the order by layers, from the highest priority. Within a layer, tetrahedra remain in
+   * mesh order.
    */
   const std::vector<std::uint32_t>* ComputeLayers(
     const std::vector<int>& layers, const std::map<int, double>& priorities);
 
-  /// Sorts the names of layers, the highest priority first.
+  /// Sorts layers from the highest priority.
   static void SortLayers(std::vector<int>& layers, const std::map<int, double>& priorities);
 
   bool WasComputed() const { return this->Computed; }
   int GetNumberOfLayers() const { return this->NumberOfLayers; }
-  /// Return the counts of the last order of visibility.
+  /// Return the counts of the last visibility order.
   vtkIdType GetCycles() const;
   vtkIdType GetGaps() const;
   bool HasAdjacency() const { return this->Visibility != nullptr; }
@@ -72,7 +73,7 @@ private:
   int NumberOfLayers = 0;
   std::vector<std::uint32_t> Order;
   CentroidOrder Centroid;
-  /// The order of visibility, made when it is first asked for, kept until another order is.
+  /// Visibility order; created on demand, and freed when another order is computed.
   std::unique_ptr<VisibilityOrder> Visibility;
 };
 

@@ -9,25 +9,25 @@ namespace interlume
 
 /**
  * @class   VisibilityGraph
- * @brief   for each tetrahedron those that must be drawn directly before it
+ * @brief   the tetrahedra that must be drawn directly before each tetrahedron
  *
- * It is a view of arrays held elsewhere.
+ * It does not own its arrays.
  */
 struct VisibilityGraph
 {
   static constexpr std::uint32_t None = 0xffffffffu;
 
-  /// The bits of each tetrahedron, one for each face beyond which its neighbour is in front.
+  /// Bits of each tetrahedron: bit k is set if the neighbor across face k is in front.
   const unsigned char* InFront = nullptr;
-  /// The twin of each face 4 t + k: the same face of the neighbour.
+  /// Twin of each face 4 t + k: the same face in the neighbor.
   const std::uint32_t* Twins = nullptr;
-  /// The tetrahedra in front across a gap of t: Gaps[GapOffsets[t]] to Gaps[GapOffsets[t + 1] - 1];
-  /// null where there are no gaps.
+  /// Tetrahedra in front of t across gaps: Gaps[GapOffsets[t]] to Gaps[GapOffsets[t + 1] - 1]. Null
+  /// if there are no gaps.
   const std::uint32_t* GapOffsets = nullptr;
   const std::uint32_t* Gaps = nullptr;
 
-  /// Returns the next tetrahedron in front of \a tetrahedron, or None after the last; \a position
-  /// begins with 0 and is moved on.
+  /// Returns the next tetrahedron in front of \a tetrahedron, or None. Pass 0 in \a position at
+  /// first; each call advances it.
   std::uint32_t GetNext(std::uint32_t tetrahedron, std::uint32_t& position) const
   {
     if (position < 4)

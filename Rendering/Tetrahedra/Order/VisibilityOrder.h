@@ -20,53 +20,49 @@ namespace interlume
 
 /**
  * @class   VisibilityOrder
- * @brief   tetrahedra in order of visibility, front to back
+ * @brief   sorts tetrahedra in visibility order, front to back
  *
- * Of two tetrahedra that share a face, that on the eye's side of it comes first (MPVO, P. Williams,
- * "Visibility-ordering meshed polyhedra", 1992). Where a line of sight leaves the mesh and enters
- * it again, as in a mesh that is not convex or of several pieces, the one it leaves by comes before
- * the one it enters by (R. Cook et al. 2004, after XMPVO, C. Silva et al. 1998): see GapRelations.
- * An order that keeps all these relations is exact along the line of sight of every pixel, inside
- * the mesh and outside, in perspective and in parallel. Among the orders that do, this is the one
- * that follows the order of centroids until a tetrahedron still has some in front of it, which are
- * then put out first: distance decides where no relation does.
+ * Of two tetrahedra that share a face, the tetrahedron on the camera's side of the face is first
+ * (MPVO; P. Williams, "Visibility-ordering meshed polyhedra", 1992). Across a gap, where a view ray
+ * exits the mesh and enters it again, the tetrahedron of the exit is first (R. Cook et al. 2004,
+ * after XMPVO, C. Silva et al. 1998): see GapRelations. An order that satisfies all relations is
+ * exact along the view ray of every pixel, inside and outside the mesh, in perspective and in
+ * parallel projection. Among these orders, this one follows the centroid order as far as possible:
+ * a tetrahedron is moved forward only if it must be in front of an earlier one.
  *
- * Where tetrahedra hide one another in a cycle there is no such order. Each strongly connected set
- * then is put out by centroid, after all in front of it and before all behind it, and
- * GetNumberOfTetrahedraInCycles says how many tetrahedra that were. All are put out, each once,
- * always. Tetrahedra that overlap in space have no order of visibility either; that is not detected
- * unless it makes a cycle.
+ * If tetrahedra hide one another in a cycle, no such order exists. Each strongly connected
+ * component is then sorted by centroid, and placed behind all tetrahedra in front of it. All
+ * tetrahedra are output exactly once. Tetrahedra that overlap in space have no visibility order
+ * either. This is detected only if it creates a cycle.
  *
- * The order is the same for any number of threads.
+ * The order does not depend on the number of threads.
  */
 class VisibilityOrder
 {
 public:
   /**
-   * Takes the data that do not depend on the view from a mesh, which the calls of Compute are then
-   * given. Returns false beyond FaceAdjacency::MaximumNumberOfTetrahedra; nothing may be computed
-   * then.
+   * Computes the data that do not depend on the view. Pass the same mesh to Compute(). Returns
+   * false for more than FaceAdjacency::MaximumNumberOfTetrahedra; do not call Compute() then.
    */
   bool Build(const TetrahedraMesh& mesh);
 
   /**
-   * Fills \a frontToBack with the numbers of all tetrahedra. Without pixels in \a rays only shared
+   * Fills \a frontToBack with the numbers of all tetrahedra. Without pixels in \a rays, only shared
    * faces are considered, which is exact for a convex mesh.
    */
   void Compute(
     const TetrahedraMesh& mesh, const ViewRays& rays, std::vector<std::uint32_t>& frontToBack);
 
-  /// Returns the number of tetrahedra in cycles of visibility, in the last order computed.
+  /// Returns the number of tetrahedra in visibility cycles, in the last order.
   vtkIdType GetNumberOfTetrahedraInCycles() const { return this->InCycles; }
-  /// Returns the number of pairs of tetrahedra that are related across a gap, in the last order
-  /// computed; 0 for a convex mesh.
+  /// Returns the number of relations across gaps in the last order; 0 for a convex mesh.
   vtkIdType GetNumberOfGapRelations() const { return this->Gaps.GetNumberOfRelations(); }
 
-  /// Returns the bytes held.
+  /// Returns the memory size in bytes.
   std::size_t GetBytes() const;
 
 private:
-  /// The data that do not depend on the view: see FaceAdjacency.
+  /// Twins of all faces, from FaceAdjacency.
   std::vector<std::uint32_t> Twins;
   EyeSides Sides;
   CentroidOrder Centroid;

@@ -10,7 +10,7 @@ namespace interlume
 
 namespace
 {
-/// The number of a tetrahedron that is listed, larger than any other.
+/// Entry in Numbers of a listed tetrahedron, larger than any step.
 constexpr std::uint32_t Listed = 0xffffffffu;
 }
 
@@ -23,7 +23,7 @@ std::uint32_t VisibilitySearch::List(const VisibilityGraph& graph,
   this->Ranks.clear();
   frontToBack.clear();
   frontToBack.reserve(centroids.size());
-  // The distance is far enough ahead for what is loaded to be there in time.
+  // Prefetch distance that hides the memory latency.
   constexpr std::size_t ahead = 24;
   for (std::size_t i = 0; i < centroids.size(); ++i)
   {
@@ -92,7 +92,7 @@ void VisibilitySearch::Complete(std::uint32_t root, const std::vector<std::uint3
     this->Numbers[member] = Listed;
     frontToBack.push_back(member);
   };
-  // All that were entered after the root, and wait, belong to its component.
+  // Pending tetrahedra that were entered after the root belong to its component.
   while (!this->Pending.empty() && this->Numbers[this->Pending.back()] > this->Numbers[root])
   {
     list(this->Pending.back());

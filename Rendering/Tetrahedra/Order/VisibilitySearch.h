@@ -13,25 +13,25 @@ namespace interlume
 
 /**
  * @class   VisibilitySearch
- * @brief   lists tetrahedra front to back by a depth-first search
+ * @brief   lists tetrahedra front to back by depth-first search
  *
- * Finds the strongly connected components (R. Tarjan, "Depth-first search and linear graph
- * algorithms", 1972, as E. Nuutila, E. Soisalon-Soininen, "On finding the strongly connected
- * components in a directed graph", 1994), which come out front to back. A component of more than
- * one tetrahedron is one cycle or several, and is listed in the order of its centroids. The search
- * is iterative: its stack is in the heap.
+ * It finds strongly connected components (R. Tarjan, "Depth-first search and linear graph
+ * algorithms", 1972, in the variant of E. Nuutila, E. Soisalon-Soininen, "On finding the strongly
+ * connected components in a directed graph", 1994), in front-to-back order. A component of several
+ * tetrahedra contains cycles and is sorted by centroid. The search is iterative, with a stack on
+ * the heap.
  */
 class VisibilitySearch
 {
 public:
   /**
-   * Fills \a frontToBack with all tetrahedra, each after those in front of it. Among the orders
-   * that do so it follows \a centroids. Returns the number of tetrahedra in cycles.
+   * Fills \a frontToBack with all tetrahedra, each after the tetrahedra in front of it, and
+   * otherwise in the order of \a centroids. Returns the number of tetrahedra in cycles.
    */
   std::uint32_t List(const VisibilityGraph& graph, const std::vector<std::uint32_t>& centroids,
     std::vector<std::uint32_t>& frontToBack);
 
-  /// Returns the bytes held.
+  /// Returns the memory size in bytes.
   std::size_t GetBytes() const;
 
 private:
@@ -39,27 +39,27 @@ private:
   {
     std::uint32_t Tetrahedron;
     std::uint32_t Position;
-    /// The least number of a tetrahedron that this one leads to, of those that are not listed.
+    /// Lowest entry in Numbers of the unlisted tetrahedra that are reachable from this tetrahedron.
     std::uint32_t Lowest;
   };
 
   void Enter(std::uint32_t tetrahedron);
   void Search(const VisibilityGraph& graph, const std::vector<std::uint32_t>& centroids,
     std::vector<std::uint32_t>& frontToBack);
-  /// Lists a component, whose first tetrahedron is \a root.
+  /// Lists the component that was entered at \a root.
   void Complete(std::uint32_t root, const std::vector<std::uint32_t>& centroids,
     std::vector<std::uint32_t>& frontToBack);
   void SortByCentroid(
     const std::vector<std::uint32_t>& centroids, std::uint32_t* first, std::uint32_t* last);
 
-  /// The step at which each tetrahedron was entered, from 1 on; 0 before, Listed after.
+  /// Step at which each tetrahedron was entered, from 1; 0 before that, Listed after it was output.
   std::vector<std::uint32_t> Numbers;
   std::uint32_t LastNumber = 0;
   std::uint32_t InCycles = 0;
   std::vector<Frame> Frames;
-  /// The tetrahedra left whose component is not complete.
+  /// Finished tetrahedra whose component is not complete.
   std::vector<std::uint32_t> Pending;
-  /// The positions in the order of centroids; empty until there is a cycle.
+  /// Ranks in centroid order; empty until the first cycle.
   std::vector<std::uint32_t> Ranks;
 };
 

@@ -36,15 +36,15 @@ int PieceExchange::GetNumberOfRanks() const
 
 std::vector<int> PieceExchange::Unite(const std::vector<int>& numbers) const
 {
-  // All send as many as the one that has the most; what is missing repeats one that is there.
+  // All processes must send the same count, so shorter lists are padded with duplicates.
   constexpr int none = std::numeric_limits<int>::lowest();
-  std::vector<int> most{ static_cast<int>(numbers.size()) };
-  this->Maximize(most);
-  if (most[0] == 0)
+  std::vector<int> maximum{ static_cast<int>(numbers.size()) };
+  this->Maximize(maximum);
+  if (maximum[0] == 0)
   {
     return {};
   }
-  const auto length = static_cast<std::size_t>(most[0]);
+  const auto length = static_cast<std::size_t>(maximum[0]);
   std::vector<int> sent = numbers;
   sent.resize(length, numbers.empty() ? none : numbers.back());
   std::vector<int> received(length * static_cast<std::size_t>(this->GetNumberOfRanks()));
@@ -58,7 +58,7 @@ std::vector<float> PieceExchange::Pass(
   const std::vector<float>& numbers, const std::vector<int>& order, int distance) const
 {
   const auto found = std::find(order.begin(), order.end(), this->GetRank());
-  const int place = static_cast<int>(found - order.begin());
+  const int position = static_cast<int>(found - order.begin());
   const auto length = static_cast<vtkIdType>(numbers.size());
   const auto send = [&]()
   {
@@ -68,13 +68,13 @@ std::vector<float> PieceExchange::Pass(
     }
   };
   std::vector<float> received;
-  // One of every two that are the distance apart waits while the other sends.
-  const bool isFirst = place / distance % 2 == 0;
+  // Of each pair of processes, one receives while the other sends, to avoid deadlocks.
+  const bool isFirst = position / distance % 2 == 0;
   if (isFirst)
   {
     send();
   }
-  if (place >= distance)
+  if (position >= distance)
   {
     received.resize(numbers.size());
     this->Controller->Receive(received.data(), length, *(found - distance), PASS_TAG);
@@ -88,21 +88,22 @@ std::vector<float> PieceExchange::Pass(
 
 void PieceExchange::Composite(std::vector<float>& colors, const std::vector<int>& order) const
 {
-  // How much is seen through all that is before: a product over ever longer runs of the order.
-  std::vector<float> through(colors.size() / 4);
-  for (std::size_t p = 0; p < through.size(); ++p)
+  // Compute the transmittance of all processes in front of this one, by a prefix product in
+  // log2(processes) steps.
+  std::vector<float> transmittance(colors.size() / 4);
+  for (std::size_t p = 0; p < transmittance.size(); ++p)
   {
-    through[p] = 1.0f - colors[4 * p + 3];
+    transmittance[p] = 1.0f - colors[4 * p + 3];
   }
-  std::vector<float> front = this->Pass(through, order, 1);
-  front.resize(through.size(), 1.0f);
+  std::vector<float> front = this->Pass(transmittance, order, 1);
+  front.resize(transmittance.size(), 1.0f);
   for (int distance = 1; distance < this->GetNumberOfRanks(); distance *= 2)
   {
-    const std::vector<float> before = this->Pass(front, order, distance);
+    const std::vector<float> previous = this->Pass(front, order, distance);
     std::transform(
-      before.begin(), before.end(), front.begin(), front.begin(), std::multiplies<float>());
+      previous.begin(), previous.end(), front.begin(), front.begin(), std::multiplies<float>());
   }
-  for (std::size_t p = 0; p < through.size(); ++p)
+  for (std::size_t p = 0; p < transmittance.size(); ++p)
   {
     for (std::size_t c = 4 * p; c < 4 * p + 4; ++c)
     {

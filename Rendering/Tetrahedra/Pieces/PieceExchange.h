@@ -16,17 +16,18 @@ namespace interlume
 
 /**
  * @class   PieceExchange
- * @brief   what the processes tell each other that each draw a piece of one volume
+ * @brief   communication between processes that each draw a partition of a volume
  *
- * Add, Maximize, Minimize, Unite and Composite are collective: every process calls them, in the
- * same order, with as many numbers.
+ * Add, Maximize, Minimize, Unite and Composite are collective: all processes must call them in the
+ * same order. Arrays must have the same length in all processes, except in Unite.
  */
 class PieceExchange
 {
 public:
   /**
-   * \a blend is the blend mode of all pieces, none of its choices left open; \a bounds is the box
-   * around them. \a boxes has the order of the pieces by process, null where \a blend needs none.
+   * \a blend is the blend mode of all partitions, not AUTOMATIC_BLEND. \a bounds are the bounds of
+   * all partitions. \a boxes computes the visibility order of the processes; null if \a blend needs
+   * no order.
    */
   PieceExchange(vtkMultiProcessController* controller, int blend,
     const std::array<double, 6>& bounds, std::unique_ptr<PieceOrder> boxes);
@@ -38,7 +39,7 @@ public:
   int GetNumberOfRanks() const;
 
   ///@{
-  /// Replace numbers by their sums, or the largest or smallest, over all processes.
+  /// Replace numbers by their sums, maxima or minima over all processes.
   template <typename Number>
   void Add(std::vector<Number>& numbers) const
   {
@@ -55,11 +56,11 @@ public:
     this->Reduce(numbers, vtkCommunicator::MIN_OP);
   }
   ///@}
-  /// Returns the numbers that any process has, each once; every process may have another count.
+  /// Returns the set union of the numbers of all processes, ascending.
   std::vector<int> Unite(const std::vector<int>& numbers) const;
   /**
-   * Replaces RGBA, colour multiplied by opacity, by what all processes have of it over each other;
-   * \a order has the processes from the nearest on, the same in all of them.
+   * Replaces RGBA values, premultiplied by opacity, by the composite of all processes. \a order
+   * lists the processes from front to back, and must be the same in all processes.
    */
   void Composite(std::vector<float>& colors, const std::vector<int>& order) const;
 
@@ -72,8 +73,9 @@ private:
       own.data(), numbers.data(), static_cast<vtkIdType>(own.size()), operation);
   }
   /**
-   * Sends numbers to the process that is \a distance places behind in an order, and returns those
-   * of the one as far before; none where there is no such process.
+   * Sends numbers to the process that is \a distance positions behind this process in \a order.
+   * Returns the numbers of the process that is \a distance positions in front; empty if there is no
+   * such process.
    */
   std::vector<float> Pass(
     const std::vector<float>& numbers, const std::vector<int>& order, int distance) const;

@@ -9,8 +9,9 @@ namespace interlume
 
 namespace
 {
-/// Pieces are cut in single precision, so that boxes may share this part of their group's length.
-constexpr double TOUCH = 1e-6;
+/// Partitions are cut in single precision, so boxes may overlap by this fraction of their group's
+/// length.
+constexpr double OVERLAP = 1e-6;
 
 bool HasContent(const PieceOrder::Box& box)
 {
@@ -27,7 +28,7 @@ PieceOrder::PieceOrder(const std::vector<Box>& boxes)
     (HasContent(boxes[i]) ? full : empty).push_back(static_cast<int>(i));
   }
   this->Root = this->Build(boxes, full);
-  // Boxes without content hide nothing, wherever they come.
+  // Empty boxes hide nothing, so their position in the order does not matter.
   Node last;
   last.Boxes = empty;
   this->Last = this->Add(last);
@@ -51,40 +52,40 @@ int PieceOrder::Build(const std::vector<Box>& boxes, std::vector<int> members)
   {
     const auto lower = [&](int box) { return boxes[static_cast<std::size_t>(box)][2 * axis]; };
     const auto upper = [&](int box) { return boxes[static_cast<std::size_t>(box)][2 * axis + 1]; };
-    // Flat boxes that lie in the plane of others come before them or behind them as their middles
-    // do.
+    // Sort by centers, so that a flat box in the plane of another box's face is on the correct
+    // side.
     std::sort(members.begin(), members.end(),
       [&](int a, int b)
       {
-        const double middles[2] = { lower(a) + upper(a), lower(b) + upper(b) };
-        return middles[0] != middles[1] ? middles[0] < middles[1] : a < b;
+        const double centers[2] = { lower(a) + upper(a), lower(b) + upper(b) };
+        return centers[0] != centers[1] ? centers[0] < centers[1] : a < b;
       });
     std::vector<double> next(members.size());
-    double least = lower(members.back());
+    double minimum = lower(members.back());
     for (std::size_t i = members.size(); i-- > 0;)
     {
-      least = std::min(least, lower(members[i]));
-      next[i] = least;
+      minimum = std::min(minimum, lower(members[i]));
+      next[i] = minimum;
     }
-    double reached = upper(members[0]);
+    double maximum = upper(members[0]);
     for (const int member : members)
     {
-      reached = std::max(reached, upper(member));
+      maximum = std::max(maximum, upper(member));
     }
-    const double touch = TOUCH * (reached - least);
-    reached = upper(members[0]);
+    const double overlap = OVERLAP * (maximum - minimum);
+    maximum = upper(members[0]);
     for (std::size_t i = 1; i < members.size(); ++i)
     {
-      if (reached - next[i] <= touch)
+      if (maximum - next[i] <= overlap)
       {
-        const auto middle = members.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto split = members.begin() + static_cast<std::ptrdiff_t>(i);
         node.Axis = axis;
-        node.Plane = 0.5 * (reached + next[i]);
-        node.Lower = this->Build(boxes, { members.begin(), middle });
-        node.Upper = this->Build(boxes, { middle, members.end() });
+        node.Plane = 0.5 * (maximum + next[i]);
+        node.Lower = this->Build(boxes, { members.begin(), split });
+        node.Upper = this->Build(boxes, { split, members.end() });
         return this->Add(node);
       }
-      reached = std::max(reached, upper(members[i]));
+      maximum = std::max(maximum, upper(members[i]));
     }
   }
   this->Possible = false;

@@ -10,33 +10,34 @@ namespace interlume
 
 /**
  * @class   PieceOrder
- * @brief   the order of visibility of boxes around pieces, for any view
+ * @brief   the visibility order of bounding boxes, for any view
  *
- * Planes along the axes part all boxes into two groups, and these again until each box is alone
- * (a BSP tree, Fuchs, Kedem, Naylor 1980). What is on the eye's side of a plane hides what is on
- * the other side and never the other way round, so the order is exact for what the boxes hold.
- * Boxes that touch are apart; so are those that share a millionth of what their group is long.
+ * Axis-aligned planes recursively separate the boxes into two groups until each group has one box
+ * (a BSP tree; Fuchs, Kedem, Naylor 1980). Boxes on the camera's side of a plane may hide boxes on
+ * the other side, but never the reverse, so the order is exact. Boxes that touch are separable, and
+ * so are boxes that overlap by at most a millionth of the length of their group.
  */
 class PieceOrder
 {
 public:
-  /// The ends of a box along each axis; a lower end above the upper one is a box without content.
+  /// Bounds as in vtkDataSet::GetBounds(). A lower bound above the upper bound means an empty box.
   using Box = std::array<double, 6>;
 
   explicit PieceOrder(const std::vector<Box>& boxes);
 
-  /// Returns whether planes part all boxes.
+  /// Returns true if planes separate all boxes.
   bool IsPossible() const { return this->Possible; }
 
   /**
-   * Returns the indices of all boxes, the nearest first. \a eye is the place of the eye in
-   * homogeneous coordinates, for a parallel projection a point at infinity, where the rays come
-   * from: w is 0 or more.
+   * Returns the indices of all boxes, front to back. \a eye is the camera position in homogeneous
+   * coordinates with w >= 0. In parallel projection it is the point at infinity where the view rays
+   * originate.
    */
   std::vector<int> Compute(const std::array<double, 4>& eye) const;
 
 private:
-  /// A plane that parts two nodes; a leaf has no plane but boxes, of which one at most has content.
+  /// An inner node has a plane that separates its two children. A leaf has boxes, at most one of
+  /// which is not empty.
   struct Node
   {
     int Axis = -1;
@@ -46,7 +47,7 @@ private:
     std::vector<int> Boxes;
   };
 
-  /// Returns the index of the node that it adds, as Build does of the topmost.
+  /// Appends a node and returns its index. Build() returns the index of the root of a new subtree.
   int Add(const Node& node);
   int Build(const std::vector<Box>& boxes, std::vector<int> members);
   void Append(int node, const std::array<double, 4>& eye, std::vector<int>& order) const;
@@ -54,7 +55,7 @@ private:
   bool Possible = true;
   std::vector<Node> Nodes;
   int Root = -1;
-  /// The leaf of the boxes without content.
+  /// Index of the leaf with the empty boxes.
   int Last = -1;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Software/FragmentBlending.h"
 
-#include "Software/FragmentClones.h"
+#include "Common/SimdDispatch.h"
 #include "Software/SurfaceFragments.h"
 
 #include <algorithm>
@@ -14,8 +14,8 @@ namespace
 {
 using Pixel = FragmentBlending::Pixel;
 
-// Calls blend(pixel, i, color) for every segment, its color multiplied by its weights, and its
-// total.
+// Calls blend(pixel, i, color) for each segment i. Channels 0 to 2 of the color are the weighted
+// RGB, and channel 3 is the segment's Total.
 template <typename Blend>
 void ForEachColor(
   const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels, const Blend& blend)
@@ -42,7 +42,7 @@ void ForEachColor(
         }
         else
         {
-          color = f.BentColors[-1 - piece];
+          color = f.SplitColors[-1 - piece];
         }
         color[3] = f.Total[i];
         blend(*pixel, i, color);
@@ -79,25 +79,33 @@ void ForEachColor(
   }
 }
 
-// Clones can be called from their own source only.
-INTERLUME_CLONES
 void CompositeColors(const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels)
 {
-  ForEachColor(f, frame, pixels,
-    [](Pixel& pixel, int, const Pixel& color) { FragmentBlending::LayBehind(pixel, color); });
+  SimdDispatch::CallFused(
+    [](const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels)
+    {
+      ForEachColor(f, frame, pixels,
+        [](Pixel& pixel, int, const Pixel& color)
+        { FragmentBlending::CompositeBehind(pixel, color); });
+    },
+    f, frame, pixels);
 }
 
-INTERLUME_CLONES
 void SumColors(const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels)
 {
-  ForEachColor(f, frame, pixels,
-    [](Pixel& pixel, int, const Pixel& color)
+  SimdDispatch::CallFused(
+    [](const Fragments& f, const TetrahedraFrame& frame, Pixel* pixels)
     {
-      for (int c = 0; c < 4; ++c)
-      {
-        pixel[c] += color[c];
-      }
-    });
+      ForEachColor(f, frame, pixels,
+        [](Pixel& pixel, int, const Pixel& color)
+        {
+          for (int c = 0; c < 4; ++c)
+          {
+            pixel[c] += color[c];
+          }
+        });
+    },
+    f, frame, pixels);
 }
 }
 
@@ -112,9 +120,9 @@ void FragmentBlending::CompositeWithSurface(
   ForEachColor(f, frame, pixels,
     [&](Pixel& pixel, int i, const Pixel& color)
     {
-      LayBehind(pixel, surface.GetFront(i));
-      LayBehind(pixel, color);
-      LayBehind(pixel, surface.GetBack(i));
+      CompositeBehind(pixel, surface.GetFront(i));
+      CompositeBehind(pixel, color);
+      CompositeBehind(pixel, surface.GetBack(i));
     });
 }
 
@@ -123,33 +131,33 @@ void FragmentBlending::Sum(const Fragments& f, const TetrahedraFrame& frame, Pix
   SumColors(f, frame, pixels);
 }
 
-void FragmentBlending::LargestScalar(const Fragments& f, Pixel* pixels)
+void FragmentBlending::MaximizeScalar(const Fragments& f, Pixel* pixels)
 {
   ForEachSegment(f,
     [&f, pixels](int pixel, int i, const Fragments::Run&)
     {
-      float& largest = pixels[pixel][0];
-      largest = std::max({ largest, f.Scalar[0][i], f.Scalar[1][i] });
+      float& maximum = pixels[pixel][0];
+      maximum = std::max({ maximum, f.Scalar[0][i], f.Scalar[1][i] });
     });
 }
 
-void FragmentBlending::LargestColor(
+void FragmentBlending::MaximizeColor(
   const Fragments& f, const TetrahedraFields& fields, float unit, Pixel* pixels)
 {
-  const bool isOfCells = fields.Kind == TetrahedraFields::CELL_COLORS;
+  const bool hasCellColors = fields.Kind == TetrahedraFields::CELL_COLORS;
   ForEachSegment(f,
     [&](int pixel, int i, const Fragments::Run& run)
     {
       for (int end = 0; end < 2; ++end)
       {
-        const Pixel& color = isOfCells ? fields.Colors[run.Tetrahedron] : f.Colors[end][i];
+        const Pixel& color = hasCellColors ? fields.Colors[run.Tetrahedron] : f.Colors[end][i];
         const float opacity = std::min(color[3] * unit, 1.0f);
-        Pixel& largest = pixels[pixel];
+        Pixel& maximum = pixels[pixel];
         for (int c = 0; c < 3; ++c)
         {
-          largest[c] = std::max(largest[c], color[c] * opacity);
+          maximum[c] = std::max(maximum[c], color[c] * opacity);
         }
-        largest[3] = std::max(largest[3], opacity);
+        maximum[3] = std::max(maximum[3], opacity);
       }
     });
 }

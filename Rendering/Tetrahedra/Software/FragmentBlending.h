@@ -14,7 +14,7 @@ class SurfaceFragments;
 
 /**
  * @class   FragmentBlending
- * @brief   puts integrated segments into the pixels of a tile, one after the other
+ * @brief   blends integrated segments into the pixels of a tile
  */
 class FragmentBlending
 {
@@ -23,8 +23,8 @@ public:
 
   ///@{
   /**
-   * Lay segments behind what is there: colour times opacity, and opacity. The second function lays
-   * boundary triangles before and behind each segment.
+   * Composite segments behind the pixels. A pixel contains color times opacity, and opacity.
+   * CompositeWithSurface also composites boundary triangles in front of and behind each segment.
    */
   static void Composite(const Fragments& fragments, const TetrahedraFrame& frame, Pixel* pixels);
   static void CompositeWithSurface(const Fragments& fragments, const TetrahedraFrame& frame,
@@ -32,43 +32,43 @@ public:
   ///@}
 
   /**
-   * Adds up weighted colour, and opacity or optical depth.
+   * Adds each segment's weighted color, and its opacity or optical depth, to its pixel.
    */
   static void Sum(const Fragments& fragments, const TetrahedraFrame& frame, Pixel* pixels);
 
-  /// Lays a color, multiplied by its opacity, behind a pixel.
-  static void LayBehind(Pixel& pixel, const Pixel& color)
+  /// Composites a color, premultiplied by opacity, behind a pixel.
+  static void CompositeBehind(Pixel& pixel, const Pixel& color)
   {
-    const float through = 1.0f - pixel[3];
+    const float transmittance = 1.0f - pixel[3];
     for (int c = 0; c < 4; ++c)
     {
-      pixel[c] += through * color[c];
+      pixel[c] += transmittance * color[c];
     }
   }
 
   ///@{
   /**
-   * Keep the largest scalar, as the first of a pixel, or each channel's largest colour times
-   * opacity, opacity being extinction times \a unit and at most 1.
+   * Set channel 0 of each pixel to the maximum scalar, or each channel to the maximum of color
+   * times opacity. Opacity is extinction times \a unit, clamped to 1.
    */
-  static void LargestScalar(const Fragments& fragments, Pixel* pixels);
-  static void LargestColor(
+  static void MaximizeScalar(const Fragments& fragments, Pixel* pixels);
+  static void MaximizeColor(
     const Fragments& fragments, const TetrahedraFields& fields, float unit, Pixel* pixels);
   ///@}
 
   /**
-   * Returns colour times opacity of what was summed up as optical depth.
+   * Converts a sum of colors weighted by optical depth to color times opacity.
    */
   static Pixel Resolve(const Pixel& sum);
 
   /**
-   * Returns colour times opacity of what the blend mode of \a frame has put into a pixel; layers
-   * are resolved one by one before.
+   * Converts the sum or maximum in a pixel to color times opacity, by the blend mode of \a frame.
+   * With PRIORITY, layers must already be converted by Resolve().
    */
   static Pixel Finish(const Pixel& sum, const TetrahedraFrame& frame);
 
   /**
-   * Calls visit(pixel, i, run) for every segment that has a length.
+   * Calls visit(pixel, i, run) for each segment with positive length.
    */
   template <typename Visit>
   static void ForEachSegment(const Fragments& f, const Visit& visit)

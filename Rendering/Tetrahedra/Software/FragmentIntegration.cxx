@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Software/FragmentIntegration.h"
 
+#include "Common/SimdDispatch.h"
 #include "Frame/PiecewiseLinearTransfer.h"
 #include "Frame/SegmentTable.h"
-#include "Software/FragmentClones.h"
 
 #include <algorithm>
 #include <array>
@@ -15,16 +15,16 @@ namespace interlume
 
 namespace
 {
-/// The optical depth below which series are used.
+/// Series are used below this optical depth.
 constexpr float THIN = 0.3f;
 
-// Returns exp(-x) for x >= 0, within 2e-7 of it relatively.
+// Returns exp(-x) for x >= 0, with a relative error below 2e-7.
 inline float ExpOfMinus(float x)
 {
   const float y = std::min(x * 1.44269504f, 126.0f);
-  const int whole = static_cast<int>(y);
-  const float f = y - static_cast<float>(whole);
-  // The polynomial is 2^-f on [0, 1], minimax.
+  const int exponent = static_cast<int>(y);
+  const float f = y - static_cast<float>(exponent);
+  // Minimax polynomial of 2^-f on [0, 1].
   const float p = 1.0f +
     f *
       (-0.693147181f +
@@ -32,7 +32,7 @@ inline float ExpOfMinus(float x)
           (0.240226462f +
             f *
               (-0.0555033400f + f * (0.00961403240f + f * (-0.00132710570f + f * 0.000137200f)))));
-  const int bits = (127 - whole) << 23;
+  const int bits = (127 - exponent) << 23;
   float scale;
   std::memcpy(&scale, &bits, sizeof(scale));
   return p * scale;
@@ -53,13 +53,13 @@ inline float OpacityOf(float x)
   return x < THIN ? ThinOpacityOf(x) : 1.0f - ExpOfMinus(x);
 }
 
-// The optical depth over a unit of length and its distribution, for extinction and extent in time
-// that are linear.
+// Optical depth per unit length and its distribution along a segment, for linear extinction and
+// extent in time.
 struct Moments
 {
   float Mean;
-  // The relative change (back - front) / (back + front) of a linear extinction with the same
-  // centre.
+  // The relative change (back - front) / (back + front) of the linear extinction with the same
+  // centroid.
   float Delta;
 };
 
@@ -76,13 +76,14 @@ inline Moments GetMoments(float t0, float t1, float d0, float d1)
   const float b = t0 * d1 + t1 * d0;
   const float c = t1 * d1;
   const float mean = (2.0f * a + b + 2.0f * c) * (1.0f / 6.0f);
-  const float centre = (a + b + 3.0f * c) * (1.0f / 12.0f) / std::max(mean, 1e-37f);
-  return { mean, std::max(-1.0f, std::min(6.0f * centre - 3.0f, 1.0f)) };
+  const float center = (a + b + 3.0f * c) * (1.0f / 12.0f) / std::max(mean, 1e-37f);
+  return { mean, std::max(-1.0f, std::min(6.0f * center - 3.0f, 1.0f)) };
 }
 
 using Fragments = interlume::Fragments;
 
-// Calls action(i) where test(i) holds, which is rare: groups of segments are tested at once.
+// Calls action(i) for each i with test(i). This is fast if few i pass the test, because tests are
+// vectorized in groups.
 template <typename Test, typename Action>
 inline void ForEachWhere(int size, const Test& test, const Action& action)
 {
@@ -112,83 +113,106 @@ inline void ForEachWhere(int size, const Test& test, const Action& action)
   }
 }
 
-// Each loop is in a function of its own, since a clone is made of functions.
-INTERLUME_CLONES
 void DivideByDepth(const float* front, const float* back, float* front0, float* back0, int size)
 {
-  for (int i = 0; i < size; ++i)
-  {
-    front0[i] /= front[i];
-    back0[i] /= back[i];
-  }
+  SimdDispatch::CallFused(
+    [](const float* front, const float* back, float* front0, float* back0, int size)
+    {
+      for (int i = 0; i < size; ++i)
+      {
+        front0[i] /= front[i];
+        back0[i] /= back[i];
+      }
+    },
+    front, back, front0, back0, size);
 }
 
-INTERLUME_CLONES
 void MakePerspectiveLengths(Fragments& f)
 {
-  for (int i = 0; i < f.Size; ++i)
-  {
-    f.Length[i] /= f.Depth[0][i] * f.Depth[1][i];
-  }
+  SimdDispatch::CallFused(
+    [](Fragments& f)
+    {
+      for (int i = 0; i < f.Size; ++i)
+      {
+        f.Length[i] /= f.Depth[0][i] * f.Depth[1][i];
+      }
+    },
+    f);
 }
 
-INTERLUME_CLONES
 void MakeMoments(Fragments& f)
 {
-  for (int i = 0; i < f.Size; ++i)
-  {
-    const Moments m = GetMoments(f.Extinction[0][i], f.Extinction[1][i]);
-    f.OpticalDepth[i] = m.Mean * f.Length[i];
-    f.Slope[i] = m.Delta;
-  }
+  SimdDispatch::CallFused(
+    [](Fragments& f)
+    {
+      for (int i = 0; i < f.Size; ++i)
+      {
+        const Moments m = GetMoments(f.Extinction[0][i], f.Extinction[1][i]);
+        f.OpticalDepth[i] = m.Mean * f.Length[i];
+        f.Slope[i] = m.Delta;
+      }
+    },
+    f);
 }
 
-INTERLUME_CLONES
 void MakeMomentsWithTime(Fragments& f)
 {
-  for (int i = 0; i < f.Size; ++i)
-  {
-    const Moments m =
-      GetMoments(f.Extinction[0][i], f.Extinction[1][i], f.DeltaT[0][i], f.DeltaT[1][i]);
-    f.OpticalDepth[i] = m.Mean * f.Length[i];
-    f.Slope[i] = m.Delta;
-  }
+  SimdDispatch::CallFused(
+    [](Fragments& f)
+    {
+      for (int i = 0; i < f.Size; ++i)
+      {
+        const Moments m =
+          GetMoments(f.Extinction[0][i], f.Extinction[1][i], f.DeltaT[0][i], f.DeltaT[1][i]);
+        f.OpticalDepth[i] = m.Mean * f.Length[i];
+        f.Slope[i] = m.Delta;
+      }
+    },
+    f);
 }
 
-INTERLUME_CLONES
 void MakeMeans(Fragments& f, bool hasDeltaT)
 {
-  for (int i = 0; i < f.Size; ++i)
-  {
-    const float time = hasDeltaT ? 0.5f * (f.DeltaT[0][i] + f.DeltaT[1][i]) : 1.0f;
-    f.OpticalDepth[i] = 0.5f * (f.Extinction[0][i] + f.Extinction[1][i]) * time * f.Length[i];
-    f.Slope[i] = 0.0f;
-  }
+  SimdDispatch::CallFused(
+    [](Fragments& f, bool hasDeltaT)
+    {
+      for (int i = 0; i < f.Size; ++i)
+      {
+        const float time = hasDeltaT ? 0.5f * (f.DeltaT[0][i] + f.DeltaT[1][i]) : 1.0f;
+        f.OpticalDepth[i] = 0.5f * (f.Extinction[0][i] + f.Extinction[1][i]) * time * f.Length[i];
+        f.Slope[i] = 0.0f;
+      }
+    },
+    f, hasDeltaT);
 }
 
-// Turns optical depth and slope into weights and opacity, right below THIN.
-INTERLUME_CLONES
+// Computes weights and opacity from optical depth and slope. Accurate below THIN.
 void MakeThinOpacities(Fragments& f)
 {
-  for (int i = 0; i < f.Size; ++i)
-  {
-    const float depth = f.OpticalDepth[i];
-    const float delta = f.Slope[i];
-    // 1 - Psi as a series in optical depth: moments of the optical depth in front.
-    const float g1 = 0.5f - delta * (1.0f / 6.0f);
-    const float g2 = 1.0f / 3.0f - delta * (1.0f / 6.0f - delta * (1.0f / 30.0f));
-    const float g3 = 0.25f - delta * (0.15f - delta * (0.05f - delta * (1.0f / 140.0f)));
-    const float front =
-      depth * (g1 - depth * (1.0f / 2.0f) * (g2 - depth * (1.0f / 3.0f) * (g3 - depth * 0.05f)));
-    const float opacity = ThinOpacityOf(depth);
-    f.Weight[0][i] = front;
-    f.Weight[1][i] = opacity - front;
-    f.Total[i] = opacity;
-  }
+  SimdDispatch::CallFused(
+    [](Fragments& f)
+    {
+      for (int i = 0; i < f.Size; ++i)
+      {
+        const float depth = f.OpticalDepth[i];
+        const float delta = f.Slope[i];
+        // Series of 1 - Psi in optical depth. Its coefficients are moments of the optical depth in
+        // front of a point of the segment.
+        const float g1 = 0.5f - delta * (1.0f / 6.0f);
+        const float g2 = 1.0f / 3.0f - delta * (1.0f / 6.0f - delta * (1.0f / 30.0f));
+        const float g3 = 0.25f - delta * (0.15f - delta * (0.05f - delta * (1.0f / 140.0f)));
+        const float front = depth *
+          (g1 - depth * (1.0f / 2.0f) * (g2 - depth * (1.0f / 3.0f) * (g3 - depth * 0.05f)));
+        const float opacity = ThinOpacityOf(depth);
+        f.Weight[0][i] = front;
+        f.Weight[1][i] = opacity - front;
+        f.Total[i] = opacity;
+      }
+    },
+    f);
 }
 
-// Turns optical depth and slope into weights and opacity by the table, for segments that are not
-// thin.
+// Computes weights and opacity from the table, for optical depths of at least THIN.
 void MakeThickOpacities(Fragments& f)
 {
   const SegmentTable& table = SegmentTable::Get();
@@ -198,50 +222,62 @@ void MakeThickOpacities(Fragments& f)
     {
       const float depth = f.OpticalDepth[i];
       const float opacity = 1.0f - ExpOfMinus(depth);
-      const float front = table.GetFrontShare(std::min(depth, 1e7f), f.Slope[i]) * opacity;
+      const float front = table.GetFrontWeight(std::min(depth, 1e7f), f.Slope[i]) * opacity;
       f.Weight[0][i] = front;
       f.Weight[1][i] = opacity - front;
       f.Total[i] = opacity;
     });
 }
 
-// Computes weights that are alike at both ends.
-INTERLUME_CLONES
+// Computes opacity and equal weights for both ends.
 void MakeEvenOpacities(Fragments& f)
 {
-  for (int i = 0; i < f.Size; ++i)
-  {
-    const float depth = f.OpticalDepth[i];
-    const float opacity = OpacityOf(depth);
-    f.Weight[0][i] = f.Weight[1][i] = 0.5f * opacity;
-    f.Total[i] = opacity;
-  }
+  SimdDispatch::CallFused(
+    [](Fragments& f)
+    {
+      for (int i = 0; i < f.Size; ++i)
+      {
+        const float depth = f.OpticalDepth[i];
+        const float opacity = OpacityOf(depth);
+        f.Weight[0][i] = f.Weight[1][i] = 0.5f * opacity;
+        f.Total[i] = opacity;
+      }
+    },
+    f);
 }
 
-INTERLUME_CLONES
 void MakeDepths(Fragments& f, bool isExact)
 {
-  for (int i = 0; i < f.Size; ++i)
-  {
-    const float depth = f.OpticalDepth[i];
-    const float front = depth * (0.5f - (isExact ? f.Slope[i] * (1.0f / 6.0f) : 0.0f));
-    f.Weight[0][i] = front;
-    f.Weight[1][i] = depth - front;
-    f.Total[i] = depth;
-  }
+  SimdDispatch::CallFused(
+    [](Fragments& f, bool isExact)
+    {
+      for (int i = 0; i < f.Size; ++i)
+      {
+        const float depth = f.OpticalDepth[i];
+        const float front = depth * (0.5f - (isExact ? f.Slope[i] * (1.0f / 6.0f) : 0.0f));
+        f.Weight[0][i] = front;
+        f.Weight[1][i] = depth - front;
+        f.Total[i] = depth;
+      }
+    },
+    f, isExact);
 }
 
-// A colour is value + slope * scalar, the scalar counted from its piece's start.
-INTERLUME_CLONES
+// A color is value + slope * scalar, where the scalar is relative to the start of the piece.
 void MakePieceWeights(Fragments& f)
 {
-  for (int i = 0; i < f.Size; ++i)
-  {
-    const float front = f.Weight[0][i];
-    const float back = f.Weight[1][i];
-    f.Weight[0][i] = front + back;
-    f.Weight[1][i] = front * f.Scalar[0][i] + back * f.Scalar[1][i];
-  }
+  SimdDispatch::CallFused(
+    [](Fragments& f)
+    {
+      for (int i = 0; i < f.Size; ++i)
+      {
+        const float front = f.Weight[0][i];
+        const float back = f.Weight[1][i];
+        f.Weight[0][i] = front + back;
+        f.Weight[1][i] = front * f.Scalar[0][i] + back * f.Scalar[1][i];
+      }
+    },
+    f);
 }
 }
 
@@ -273,22 +309,23 @@ void FragmentIntegration::FinishPerspective(interlume::Fragments& f, const Chann
 void FragmentIntegration::CutAt(
   interlume::Fragments& f, const Channels& channels, bool isParallel, const float* opaque)
 {
-  const auto cutOne = [&](int i, float wall)
+  const auto cutOne = [&](int i, float opaqueDepth)
   {
     const float front = f.Depth[0][i];
     const float back = f.Depth[1][i];
-    if (front <= wall)
+    if (front <= opaqueDepth)
     {
       f.Length[i] = 0.0f;
       return;
     }
-    // The share of length that is in front, which is linear in 1/depth in perspective.
-    float share = (front - wall) / (front - back);
-    share = isParallel ? share : share * back / wall;
-    share = std::min(share, 1.0f);
-    f.Length[i] *= share;
-    f.Depth[1][i] = wall;
-    const auto cut = [share](float from, float& to) { to = from + share * (to - from); };
+    // Fraction of the length in front of the opaque surface. In perspective, the length is linear
+    // in 1/depth.
+    float fraction = (front - opaqueDepth) / (front - back);
+    fraction = isParallel ? fraction : fraction * back / opaqueDepth;
+    fraction = std::min(fraction, 1.0f);
+    f.Length[i] *= fraction;
+    f.Depth[1][i] = opaqueDepth;
+    const auto cut = [fraction](float from, float& to) { to = from + fraction * (to - from); };
     if (channels.HasScalars)
     {
       cut(f.Scalar[0][i], f.Scalar[1][i]);
@@ -305,13 +342,13 @@ void FragmentIntegration::CutAt(
   for (int run = 0; run < f.NumberOfRuns; ++run)
   {
     const interlume::Fragments::Run& r = f.Runs[run];
-    const float* walls = opaque + r.Pixel;
+    const float* opaqueDepths = opaque + r.Pixel;
     for (int i = r.Begin; i < r.End; ++i)
     {
-      const float wall = walls[i - r.Begin];
-      if (f.Depth[1][i] < wall)
+      const float opaqueDepth = opaqueDepths[i - r.Begin];
+      if (f.Depth[1][i] < opaqueDepth)
       {
-        cutOne(i, wall);
+        cutOne(i, opaqueDepth);
       }
     }
   }
@@ -319,7 +356,7 @@ void FragmentIntegration::CutAt(
 
 namespace
 {
-/// The number of pieces up to which comparing with each start is faster than a search.
+/// For at most this many pieces, comparing with each start is faster than a search.
 constexpr int FEW = 12;
 
 inline std::int32_t ToBits(float value)
@@ -336,7 +373,7 @@ inline float FromBits(std::int32_t bits)
   return value;
 }
 
-/// What the pieces of the transfer functions have, one array for each.
+/// Starts, values and slopes of the extinction of all pieces.
 struct PieceArrays
 {
   const float* Starts;
@@ -344,8 +381,9 @@ struct PieceArrays
   const float* Slopes;
 };
 
-// Finds the piece, place in it and extinction of one end of all segments, for so few pieces that
-// comparing with each start is faster than a search, and choosing what it has than a lookup.
+// For one end of all segments, finds the piece, replaces the scalar by its offset in the piece, and
+// computes the extinction. With Number pieces (up to 4), comparing with each start and selecting by
+// masks is faster than searches and lookups.
 template <int Number>
 inline void LookUpEach(
   float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
@@ -365,78 +403,92 @@ inline void LookUpEach(
   {
     const float low = scalars[i] > 0.0f ? scalars[i] : 0.0f;
     const float scalar = low < 1.0f ? low : 1.0f;
-    std::int32_t place = 0;
+    std::int32_t index = 0;
     std::int32_t start = startBits[0];
     std::int32_t value = valueBits[0];
     std::int32_t slope = slopeBits[0];
     for (int piece = 1; piece < Number; ++piece)
     {
-      // Compilers make branches of choices between floats here, and no vector instructions.
-      const std::int32_t isBeyond = -static_cast<std::int32_t>(scalar >= starts[piece]);
-      place -= isBeyond;
-      start ^= (start ^ startBits[piece]) & isBeyond;
-      value ^= (value ^ valueBits[piece]) & isBeyond;
-      slope ^= (slope ^ slopeBits[piece]) & isBeyond;
+      // Select by integer masks. For selections of floats, compilers create branches and do not
+      // vectorize the loop.
+      const std::int32_t isPast = -static_cast<std::int32_t>(scalar >= starts[piece]);
+      index -= isPast;
+      start ^= (start ^ startBits[piece]) & isPast;
+      value ^= (value ^ valueBits[piece]) & isPast;
+      slope ^= (slope ^ slopeBits[piece]) & isPast;
     }
     const float offset = scalar - FromBits(start);
     scalars[i] = offset;
     extinctions[i] = FromBits(value) + FromBits(slope) * offset;
-    found[i] = place;
+    found[i] = index;
   }
 }
 
-INTERLUME_CLONES
 void LookUpOne(
   float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
 {
-  LookUpEach<1>(scalars, extinctions, found, size, pieces);
+  SimdDispatch::CallFused(
+    [](float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
+    { LookUpEach<1>(scalars, extinctions, found, size, pieces); },
+    scalars, extinctions, found, size, pieces);
 }
 
-INTERLUME_CLONES
 void LookUpTwo(
   float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
 {
-  LookUpEach<2>(scalars, extinctions, found, size, pieces);
+  SimdDispatch::CallFused(
+    [](float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
+    { LookUpEach<2>(scalars, extinctions, found, size, pieces); },
+    scalars, extinctions, found, size, pieces);
 }
 
-INTERLUME_CLONES
 void LookUpThree(
   float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
 {
-  LookUpEach<3>(scalars, extinctions, found, size, pieces);
+  SimdDispatch::CallFused(
+    [](float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
+    { LookUpEach<3>(scalars, extinctions, found, size, pieces); },
+    scalars, extinctions, found, size, pieces);
 }
 
-INTERLUME_CLONES
 void LookUpFour(
   float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
 {
-  LookUpEach<4>(scalars, extinctions, found, size, pieces);
+  SimdDispatch::CallFused(
+    [](float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces)
+    { LookUpEach<4>(scalars, extinctions, found, size, pieces); },
+    scalars, extinctions, found, size, pieces);
 }
 
-INTERLUME_CLONES
 void LookUpFew(float* scalars, float* extinctions, std::int32_t* found, int size,
   const PieceArrays& pieces, int number)
 {
-  for (int i = 0; i < size; ++i)
-  {
-    const float low = scalars[i] > 0.0f ? scalars[i] : 0.0f;
-    scalars[i] = low < 1.0f ? low : 1.0f;
-    found[i] = 0;
-  }
-  for (int piece = 1; piece < number; ++piece)
-  {
-    const float start = pieces.Starts[piece];
-    for (int i = 0; i < size; ++i)
+  SimdDispatch::CallFused(
+    [](float* scalars, float* extinctions, std::int32_t* found, int size, const PieceArrays& pieces,
+      int number)
     {
-      found[i] += scalars[i] >= start ? 1 : 0;
-    }
-  }
-  for (int i = 0; i < size; ++i)
-  {
-    const float offset = scalars[i] - pieces.Starts[found[i]];
-    scalars[i] = offset;
-    extinctions[i] = pieces.Values[found[i]] + pieces.Slopes[found[i]] * offset;
-  }
+      for (int i = 0; i < size; ++i)
+      {
+        const float low = scalars[i] > 0.0f ? scalars[i] : 0.0f;
+        scalars[i] = low < 1.0f ? low : 1.0f;
+        found[i] = 0;
+      }
+      for (int piece = 1; piece < number; ++piece)
+      {
+        const float start = pieces.Starts[piece];
+        for (int i = 0; i < size; ++i)
+        {
+          found[i] += scalars[i] >= start ? 1 : 0;
+        }
+      }
+      for (int i = 0; i < size; ++i)
+      {
+        const float offset = scalars[i] - pieces.Starts[found[i]];
+        scalars[i] = offset;
+        extinctions[i] = pieces.Values[found[i]] + pieces.Slopes[found[i]] * offset;
+      }
+    },
+    scalars, extinctions, found, size, pieces, number);
 }
 
 void LookUpMany(float* scalars, float* extinctions, std::int32_t* found, int size,
@@ -489,16 +541,16 @@ void FragmentIntegration::LookUp(interlume::Fragments& f, const PiecewiseLinearT
         }
     }
   }
-  f.NumberBent = 0;
+  f.NumberOfSplits = 0;
   if (number > 1)
   {
     ForEachWhere(
       f.Size, [&f](int i) { return f.Pieces[0][i] != f.Pieces[1][i]; },
-      [&f](int i) { f.Bent[f.NumberBent++] = static_cast<std::uint16_t>(i); });
+      [&f](int i) { f.Split[f.NumberOfSplits++] = static_cast<std::uint16_t>(i); });
   }
 }
 
-void FragmentIntegration::TakeExtinction(interlume::Fragments& f)
+void FragmentIntegration::SetExtinction(interlume::Fragments& f)
 {
   for (int end = 0; end < 2; ++end)
   {
@@ -509,7 +561,7 @@ void FragmentIntegration::TakeExtinction(interlume::Fragments& f)
   }
 }
 
-void FragmentIntegration::TakeExtinction(
+void FragmentIntegration::SetExtinction(
   interlume::Fragments& f, const interlume::Fragments::Color* cells)
 {
   for (int run = 0; run < f.NumberOfRuns; ++run)
@@ -556,9 +608,9 @@ namespace
 {
 using Results = FragmentIntegration::Results;
 
-// Integrates segment i from control point to control point, whose ends lie in pieces `piece` and
-// `end`.
-void IntegrateBent(interlume::Fragments& f, int i, int piece, int end,
+// Integrates segment i from control point to control point. Its front end is in the piece `piece`,
+// its back end in the piece `end`.
+void IntegrateSplit(interlume::Fragments& f, int i, int piece, int end,
   const PiecewiseLinearTransfer& pieces, bool hasDeltaT, Results results,
   interlume::Fragments::Color& color)
 {
@@ -572,7 +624,7 @@ void IntegrateBent(interlume::Fragments& f, int i, int piece, int end,
   float value = first;
   while (true)
   {
-    // The part goes to the end of this piece, or of the segment.
+    // This part ends at the end of the piece or of the segment.
     const bool isLast = piece == end;
     const float bound = starts[step > 0 ? piece + 1 : piece];
     const float to = isLast ? 1.0f : std::min((bound - first) / (last - first), 1.0f);
@@ -591,7 +643,7 @@ void IntegrateBent(interlume::Fragments& f, int i, int piece, int end,
     if (results == FragmentIntegration::OPACITY)
     {
       weight = OpacityOf(part) * ExpOfMinus(depth);
-      frontWeight = weight * table.GetFrontShare(std::min(part, 1e7f), m.Delta);
+      frontWeight = weight * table.GetFrontWeight(std::min(part, 1e7f), m.Delta);
     }
     for (int c = 0; c < 3; ++c)
     {
@@ -609,8 +661,8 @@ void IntegrateBent(interlume::Fragments& f, int i, int piece, int end,
   f.Total[i] = results == FragmentIntegration::OPACITY ? OpacityOf(depth) : depth;
 }
 
-// Takes the mean of colour at both ends, which are in different pieces.
-void AverageBent(const interlume::Fragments& f, int i, int piece, int end,
+// Averages the colors at both ends, which are in different pieces.
+void AverageSplit(const interlume::Fragments& f, int i, int piece, int end,
   const PiecewiseLinearTransfer& pieces, interlume::Fragments::Color& color)
 {
   const std::vector<float>& starts = pieces.GetStarts();
@@ -627,22 +679,22 @@ void AverageBent(const interlume::Fragments& f, int i, int piece, int end,
 void FragmentIntegration::FinishPieces(interlume::Fragments& f,
   const PiecewiseLinearTransfer& pieces, bool hasDeltaT, bool isExact, Results results)
 {
-  for (int bent = 0; bent < f.NumberBent; ++bent)
+  for (int split = 0; split < f.NumberOfSplits; ++split)
   {
-    const int i = f.Bent[bent];
+    const int i = f.Split[split];
     const int piece = f.Pieces[0][i];
     const int end = f.Pieces[1][i];
-    interlume::Fragments::Color& color = f.BentColors[bent];
+    interlume::Fragments::Color& color = f.SplitColors[split];
     color = { { 0.0f, 0.0f, 0.0f, 0.0f } };
     if (isExact)
     {
-      IntegrateBent(f, i, piece, end, pieces, hasDeltaT, results, color);
+      IntegrateSplit(f, i, piece, end, pieces, hasDeltaT, results, color);
     }
     else
     {
-      AverageBent(f, i, piece, end, pieces, color);
+      AverageSplit(f, i, piece, end, pieces, color);
     }
-    f.Pieces[0][i] = -1 - bent;
+    f.Pieces[0][i] = -1 - split;
   }
   MakePieceWeights(f);
 }

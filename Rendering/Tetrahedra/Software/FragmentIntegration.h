@@ -11,22 +11,22 @@ class PiecewiseLinearTransfer;
 
 /**
  * @class   FragmentIntegration
- * @brief   the mathematics of segments, many at a time
+ * @brief   integrates many segments at once, with SIMD instructions
  *
- * InterlumeTetrahedraFS.glsl has the same for a graphics card.
+ * InterlumeTetrahedraFS.glsl has the same equations for GPUs.
  */
 class FragmentIntegration
 {
 public:
   enum Results
   {
-    /// Weights add up to opacity, which is Total.
+    /// The weights add up to the opacity, which is stored in Total.
     OPACITY,
-    /// Weights add up to optical depth, which is Total.
+    /// The weights add up to the optical depth, which is stored in Total.
     OPTICAL_DEPTH
   };
 
-  /// The channels that are interpolated besides depth.
+  /// Channels that are interpolated in addition to depth.
   struct Channels
   {
     bool HasScalars = false;
@@ -35,39 +35,41 @@ public:
   };
 
   /**
-   * Divides the values that are weighted by depth, and turns differences of depth into lengths, in
-   * perspective.
+   * In perspective, divides depth-weighted values by depth, and converts depth differences to
+   * lengths.
    */
   static void FinishPerspective(interlume::Fragments& fragments, const Channels& channels);
 
   /**
-   * Cuts each segment where an opaque surface is at, given as depth of each pixel; what lies behind
-   * has length 0 then.
+   * Cuts segments at opaque surfaces, given the opaque depth of each pixel. The length of hidden
+   * segments becomes 0.
    */
   static void CutAt(interlume::Fragments& fragments, const Channels& channels, bool isParallel,
     const float* opaque);
 
   ///@{
   /**
-   * Find the extinction of both ends: by the transfer functions, which also finds the segments that
-   * pass a control point; from point colours; or one for each tetrahedron.
+   * Compute the extinction at both ends of each segment. LookUp uses the transfer functions, and
+   * finds the segments that cross a control point. SetExtinction uses point colors or one color for
+   * each tetrahedron.
    */
   static void LookUp(interlume::Fragments& fragments, const PiecewiseLinearTransfer& pieces);
-  static void TakeExtinction(interlume::Fragments& fragments);
-  static void TakeExtinction(
+  static void SetExtinction(interlume::Fragments& fragments);
+  static void SetExtinction(
     interlume::Fragments& fragments, const interlume::Fragments::Color* cells);
   ///@}
 
   /**
-   * Computes weights and totals: the integral over linear colour and extinction if \a isExact, else
-   * their mean.
+   * Computes weights and totals, by exact integration of linear color and extinction if \a isExact,
+   * otherwise from the means of both ends.
    */
   static void Integrate(
     interlume::Fragments& fragments, bool hasDeltaT, bool isExact, Results results);
 
   /**
-   * Turns the weights of colours, after LookUp() and Integrate(), into those of a piece's value and
-   * slope, and integrates anew the segments that pass a control point, from one to the next.
+   * Converts the color weights from Integrate() to weights of the value and slope of a segment's
+   * piece. Segments that cross control points are split there and integrated again or, unless \a
+   * isExact, averaged.
    */
   static void FinishPieces(interlume::Fragments& fragments, const PiecewiseLinearTransfer& pieces,
     bool hasDeltaT, bool isExact, Results results);

@@ -9,41 +9,43 @@ namespace interlume
 
 /**
  * @class   FragmentRow
- * @brief   segments of one tetrahedron in one row of pixels
+ * @brief   the segments of a tetrahedron in a row of pixels
  *
- * See TetrahedronSilhouette: each value is affine on the base side but for a bend at the crease,
- * and lambda, the least of the shares, takes it to the other side.
+ * See TetrahedronSilhouette: a value on the base side is affine, except for a bend at the crease.
+ * The value on the other side is the sum of this value and lambda (the minimum of the edge
+ * functions) times the difference.
  */
 struct FragmentRow
 {
-  /// The number of channels: depth, scalar, extent in time, four of a colour.
+  /// Number of channels: depth, scalar, extent in time, and four of a color.
   static constexpr int CHANNELS = 7;
 
   float Thickness;
-  /// The slants: for each pixel the length of a line of sight for 1 of difference of depth in
-  /// parallel, and for 1 along the axis in perspective; GROUP more may be read.
+  /// For each pixel, the length of a view ray per unit of depth in parallel projection, and per
+  /// unit along the view axis in perspective. GROUP more values past the row must be readable.
   const float* Slants;
-  /// The values at the first pixel, and their change from pixel to pixel.
-  float Shares[4];
-  float ShareSlopes[4];
+  /// Values at the first pixel, and their change per pixel.
+  float EdgeValues[4];
+  float EdgeSlopes[4];
   float Crease;
   float CreaseSlope;
   float Values[CHANNELS];
   float Slopes[CHANNELS];
   float Bends[CHANNELS];
   float Differences[CHANNELS];
-  /// The arrays that the channels are written to.
+  /// Output arrays of the channels.
   float* Base[CHANNELS];
   float* Other[CHANNELS];
 
   /**
-   * Writes lengths and the first \a channels of \a size segments after the last; the caller counts
-   * them.
+   * Appends the lengths and the first \a channels channels of \a size segments to \a fragments. The
+   * caller updates the counts.
    */
   void Write(Fragments& fragments, int channels, int size) const;
 
   /**
-   * Writes four channels of colours in the same way, from \a channel on.
+   * Writes four color channels, starting with \a channel. Call it after Write(), because it uses
+   * the lengths. \a base is the end (0 front, 1 back) on the base side.
    */
   void WriteColors(Fragments& fragments, int channel, int base, int size) const;
 };

@@ -9,25 +9,25 @@ namespace interlume
 {
 
 /**
- * Segments of lines of sight within tetrahedra, one array for each of their values, so that loops
- * over them use vector instructions however small the tetrahedra are. Index 0 of a pair is the
- * front end, 1 the back end.
+ * Segments of view rays inside tetrahedra, as a structure of arrays, so that loops over segments
+ * are vectorized even if tetrahedra are small. In arrays of two, index 0 is the front end and 1 the
+ * back end.
  */
 struct Fragments
 {
   static constexpr int CAPACITY = 512;
-  /// The size of the groups that rows are written in, the last beyond their end.
+  /// Rows are written in groups of this size. The last group may extend past the row.
   static constexpr int GROUP = 8;
   template <typename T>
   using Array = std::array<T, CAPACITY + GROUP>;
   using Values = Array<float>;
   using Color = std::array<float, 4>;
 
-  /// Segments of one tetrahedron in neighbouring pixels.
+  /// Segments of a tetrahedron in adjacent pixels.
   struct Run
   {
     std::uint32_t Tetrahedron;
-    /// The first pixel within the tile.
+    /// Index of the first pixel in the tile.
     std::uint16_t Pixel;
     std::uint16_t Begin;
     std::uint16_t End;
@@ -36,30 +36,30 @@ struct Fragments
   int NumberOfRuns = 0;
   int Size = 0;
 
-  /// The difference of depth; then the length, in units of the mesh.
+  /// Length in units of the mesh; in perspective, only after FinishPerspective().
   Values Length;
-  /// The depths of both ends.
+  /// Depths of both ends.
   Values Depth[2];
-  /// Scalar, extent in time, and extinction of both ends, weighted by depth until the division in
-  /// perspective.
+  /// Scalar, extent in time and extinction at both ends. In perspective, the first two are
+  /// multiplied by depth until FinishPerspective().
   Values Scalar[2];
   Values DeltaT[2];
   Values Extinction[2];
-  /// The point colours of both ends.
+  /// Point colors at both ends.
   Array<Color> Colors[2];
-  /// The pieces of the transfer functions that both ends are in; for the front end of a segment
-  /// that passes a control point, once it is integrated, -1 - i for Bent[i].
+  /// Transfer function piece that contains each end. After the integration of a segment that
+  /// crosses a control point, its front piece is -1 - i, and its color is SplitColors[i].
   Array<std::int32_t> Pieces[2];
-  /// The segments that pass a control point, and the colours that they come to.
-  Array<std::uint16_t> Bent;
-  Array<Color> BentColors;
-  int NumberBent = 0;
+  /// Segments that cross a control point, and their colors.
+  Array<std::uint16_t> Split;
+  Array<Color> SplitColors;
+  int NumberOfSplits = 0;
 
-  /// The results of integration: the weights of both colours, and their sum, opacity or optical
-  /// depth.
+  /// Results of the integration: weights of the colors at both ends, and the sum of these weights,
+  /// which is the opacity or optical depth.
   Values Weight[2];
   Values Total;
-  /// The intermediate values: optical depth, and how extinction falls or rises.
+  /// Intermediate values: optical depth, and the relative change of extinction.
   Values OpticalDepth;
   Values Slope;
 };

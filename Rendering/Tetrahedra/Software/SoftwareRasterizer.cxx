@@ -25,31 +25,32 @@ bool SoftwareRasterizer::Draw(const TetrahedraFrame& frame, const std::function<
   this->Colors.resize(isSelection ? 0 : 4 * pixels);
   this->Tetrahedra.resize(isSelection ? pixels : 0);
   this->Depths.resize(isSelection ? pixels : 0);
-  vtkSMPThreadLocal<std::shared_ptr<TileRasterizer>> painters;
+  vtkSMPThreadLocal<std::shared_ptr<TileRasterizer>> rasterizers;
   vtkSMPTools::For(0, this->Bins.GetNumberOfTiles(), 1,
     [&](vtkIdType first, vtkIdType last)
     {
-      std::shared_ptr<TileRasterizer>& painter = painters.Local();
-      if (!painter)
+      std::shared_ptr<TileRasterizer>& rasterizer = rasterizers.Local();
+      if (!rasterizer)
       {
-        painter = std::make_shared<TileRasterizer>(frame, this->Bins);
+        rasterizer = std::make_shared<TileRasterizer>(frame, this->Bins);
       }
       for (vtkIdType tile = first; tile < last; ++tile)
       {
-        painter->Draw(static_cast<int>(tile));
-        for (int y = 0; y < painter->GetHeight(); ++y)
+        rasterizer->Draw(static_cast<int>(tile));
+        for (int y = 0; y < rasterizer->GetHeight(); ++y)
         {
-          for (int x = 0; x < painter->GetWidth(); ++x)
+          for (int x = 0; x < rasterizer->GetWidth(); ++x)
           {
-            const std::size_t pixel = (painter->GetBottom() + y) * width + painter->GetLeft() + x;
+            const std::size_t pixel =
+              (rasterizer->GetBottom() + y) * width + rasterizer->GetLeft() + x;
             if (isSelection)
             {
-              this->Tetrahedra[pixel] = painter->GetTetrahedron(x, y);
-              this->Depths[pixel] = painter->GetDepth(x, y);
+              this->Tetrahedra[pixel] = rasterizer->GetTetrahedron(x, y);
+              this->Depths[pixel] = rasterizer->GetDepth(x, y);
             }
             else
             {
-              const TileRasterizer::Pixel& color = painter->GetPixel(x, y);
+              const TileRasterizer::Pixel& color = rasterizer->GetPixel(x, y);
               std::copy(color.begin(), color.end(), &this->Colors[4 * pixel]);
             }
           }

@@ -16,21 +16,21 @@ namespace interlume
  * @class   SoftwareRasterizer
  * @brief   draws tetrahedra on the CPU
  *
- * The picture is cut into tiles, each drawn by one thread from front to back: the silhouettes give
- * segments (Fragments), these are integrated many at a time, and then blended one by one. The
- * result does not depend on the number of threads.
+ * The image is divided into tiles. One thread draws a tile from front to back: silhouettes are
+ * rasterized to segments (Fragments), which are integrated with SIMD instructions and then blended
+ * sequentially. The result does not depend on the number of threads.
  */
 class SoftwareRasterizer
 {
 public:
-  /// Draws an image; returns false if \a isAborted returned true.
+  /// Draws an image. Returns false if \a isAborted returned true.
   bool Draw(const TetrahedraFrame& frame, const std::function<bool()>& isAborted);
 
-  /// Returns RGBA row by row from below, colour multiplied by opacity, or sums where the frame asks
-  /// for them; not for SELECTION.
+  /// Returns RGBA in rows from the bottom, premultiplied by opacity, or sums if the frame requests
+  /// them. Empty with SELECTION.
   const std::vector<float>& GetColors() const { return this->Colors; }
-  /// Return the tetrahedron plus 1 of each pixel, 0 where there is none, and its depth, for
-  /// SELECTION.
+  /// Return the number of the tetrahedron in each pixel plus 1, or 0 if there is none, and its
+  /// depth. Empty except with SELECTION.
   const std::vector<std::uint32_t>& GetTetrahedra() const { return this->Tetrahedra; }
   const std::vector<float>& GetDepths() const { return this->Depths; }
 

@@ -17,7 +17,7 @@ void SurfaceFragments::SetTetrahedron(std::uint32_t tetrahedron)
   std::array<const TetrahedraView::Projected*, 4> p;
   for (int k = 0; k < 4; ++k)
   {
-    p[k] = &this->Bins.GetPoints()[corners[k]].Place;
+    p[k] = &this->Bins.GetPoints()[corners[k]].Position;
   }
   this->Shape.Set(*p[0], *p[1], *p[2], *p[3]);
   this->Shape.SetSlopes();
@@ -50,20 +50,20 @@ double SurfaceFragments::Locate(double x, double y, int& edge) const
 {
   const double dx = x - this->Shape.GetThickX();
   const double dy = y - this->Shape.GetThickY();
-  double least = std::numeric_limits<double>::max();
+  double minimum = std::numeric_limits<double>::max();
   edge = 0;
   for (int i = 0; i < this->Shape.GetNumberOfEdges(); ++i)
   {
     const TetrahedronSilhouette::Slope& e = this->Shape.GetEdge(i);
-    const double share = 1.0 + e.X * dx + e.Y * dy;
+    const double value = 1.0 + e.X * dx + e.Y * dy;
     const bool isUsed = e.X != 0.0 || e.Y != 0.0;
-    if (isUsed && share < least)
+    if (isUsed && value < minimum)
     {
-      least = share;
+      minimum = value;
       edge = i;
     }
   }
-  return std::max(0.0, std::min(least, 1.0));
+  return std::max(0.0, std::min(minimum, 1.0));
 }
 
 void SurfaceFragments::Compute(
@@ -100,7 +100,7 @@ void SurfaceFragments::Compute(
       const double dx = x - this->Shape.GetThickX();
       const double dy = y - this->Shape.GetThickY();
       const TetrahedronSilhouette::Slope& crease = this->Shape.GetCrease();
-      const double beyond = std::max(0.0, crease.X * dx + crease.Y * dy);
+      const double pastCrease = std::max(0.0, crease.X * dx + crease.Y * dy);
       for (int end = 0; end < 2; ++end)
       {
         const bool isBase = end == base;
@@ -113,7 +113,7 @@ void SurfaceFragments::Compute(
         for (int c = 0; c < CHANNELS; ++c)
         {
           const Value& value = this->Values[c];
-          at[c] = value.At + value.Base.X * dx + value.Base.Y * dy + value.Bend * beyond +
+          at[c] = value.At + value.Base.X * dx + value.Base.Y * dy + value.Bend * pastCrease +
             (isBase ? 0.0 : lambda * value.Difference);
         }
         if (opaque && at[0] <= opaque[pixel])

@@ -15,10 +15,10 @@ namespace interlume
 
 /**
  * @class   SurfaceFragments
- * @brief   boundary triangles where segments pass them
+ * @brief   shaded boundary triangles at the ends of segments
  *
- * A segment enters its tetrahedron through one face and leaves it through another. Where such a
- * face is a boundary triangle, its shaded colour is laid before or behind the segment.
+ * A segment enters its tetrahedron through one face and exits through another. If such a face is a
+ * boundary triangle, its shaded color is composited in front of or behind the segment.
  */
 class SurfaceFragments
 {
@@ -30,9 +30,9 @@ public:
   }
 
   /**
-   * Computes colours, times opacity, at both ends of all segments; opacity 0 where there is no
-   * triangle. \a left and \a bottom are the place of the tile; \a opaque is the depth of each of
-   * its pixels, or null.
+   * Computes colors, premultiplied by opacity, at both ends of all segments, with opacity 0 where
+   * there is no triangle. \a left and \a bottom are the tile's position in pixels. \a opaque is the
+   * opaque depth of each pixel, or null.
    */
   void Compute(const Fragments& fragments, int left, int bottom, const float* opaque);
 
@@ -41,11 +41,11 @@ public:
 
 private:
   using Value = TetrahedronSilhouette::Value;
-  /// The number of channels: depth, three of the normal, two texture coordinates.
+  /// Number of channels: depth, three of the normal, two texture coordinates.
   static constexpr int CHANNELS = 6;
 
   void SetTetrahedron(std::uint32_t tetrahedron);
-  /// Finds the edge next to which a pixel lies; returns lambda there.
+  /// Finds the edge whose function is smallest at a pixel, and returns lambda there.
   double Locate(double x, double y, int& edge) const;
 
   const TetrahedraFrame& Frame;

@@ -11,8 +11,8 @@ namespace interlume
 
 namespace
 {
-/// The number of tetrahedra in one piece of work, which is fixed so that lists do not depend on the
-/// number of threads.
+/// Number of tetrahedra per task. It is fixed, so that lists do not depend on the number of
+/// threads.
 constexpr std::size_t CHUNK = 1 << 16;
 }
 
@@ -31,7 +31,7 @@ void TileBins::ProjectPoints(const TetrahedraFrame& frame)
       {
         const glm::dvec3 eye = frame.View.GetEyePoint(&mesh.Points[3 * p]);
         Point& point = this->Points[p];
-        point.Place = frame.View.Project(eye);
+        point.Position = frame.View.Project(eye);
         point.Scalar = hasScalars ? fields.Scalars[p] : 0.0f;
         point.DeltaT = hasDeltaT ? fields.DeltaT[p] : 1.0f;
       }
@@ -41,17 +41,17 @@ void TileBins::ProjectPoints(const TetrahedraFrame& frame)
 TileBins::Range TileBins::GetRange(const TetrahedraFrame& frame, std::uint32_t tetrahedron) const
 {
   const std::uint32_t* corners = frame.Mesh->GetCorners(tetrahedron);
-  const TetrahedraView::Projected& first = this->Points[corners[0]].Place;
+  const TetrahedraView::Projected& first = this->Points[corners[0]].Position;
   double box[4] = { first.X, first.X, first.Y, first.Y };
   for (int k = 1; k < 4; ++k)
   {
-    const TetrahedraView::Projected& point = this->Points[corners[k]].Place;
+    const TetrahedraView::Projected& point = this->Points[corners[k]].Position;
     box[0] = std::min(box[0], point.X);
     box[1] = std::max(box[1], point.X);
     box[2] = std::min(box[2], point.Y);
     box[3] = std::max(box[3], point.Y);
   }
-  // The first and the last pixel with a centre inside are found by moving halves to whole numbers.
+  // Pixel centers are at half-integers.
   const double left = std::max(std::ceil(box[0] - 0.5), 0.0);
   const double right = std::min(std::floor(box[1] - 0.5), frame.View.GetWidth() - 1.0);
   const double bottom = std::max(std::ceil(box[2] - 0.5), 0.0);
@@ -86,7 +86,8 @@ void TileBins::Fill(const TetrahedraFrame& frame)
   const std::size_t number = order ? order->size() : all;
   const std::size_t chunks = (number + CHUNK - 1) / CHUNK;
   const auto tiles = static_cast<std::size_t>(this->GetNumberOfTiles());
-  // The counts are counts[chunk][tile], then where that chunk's part of the tile's list begins.
+  // counts[chunk][tile] is first the number of tetrahedra, later the start of the chunk's part of
+  // the tile's list.
   std::vector<std::size_t> counts(chunks * tiles, 0);
   std::vector<vtkIdType> drawn(chunks, 0);
   const auto visit = [&](std::size_t chunk, auto&& action)
@@ -116,10 +117,10 @@ void TileBins::Fill(const TetrahedraFrame& frame)
       }
     });
   this->NumberDrawn = 0;
-  for (vtkIdType& number1 : drawn)
+  for (vtkIdType& chunkCount : drawn)
   {
-    this->NumberDrawn += number1;
-    number1 = 0;
+    this->NumberDrawn += chunkCount;
+    chunkCount = 0;
   }
   this->Starts.assign(tiles + 1, 0);
   std::size_t sum = 0;
@@ -140,10 +141,10 @@ void TileBins::Fill(const TetrahedraFrame& frame)
     {
       for (vtkIdType chunk = first; chunk < last; ++chunk)
       {
-        std::size_t* place = &counts[chunk * tiles];
+        std::size_t* next = &counts[chunk * tiles];
         visit(chunk,
-          [this, place](std::size_t tile, std::uint32_t tetrahedron)
-          { this->Lists[place[tile]++] = tetrahedron; });
+          [this, next](std::size_t tile, std::uint32_t tetrahedron)
+          { this->Lists[next[tile]++] = tetrahedron; });
       }
     });
 }

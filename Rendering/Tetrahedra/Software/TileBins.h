@@ -13,20 +13,21 @@ namespace interlume
 
 /**
  * @class   TileBins
- * @brief   which tetrahedra each tile of the picture has, in the picture's order
+ * @brief   lists the tetrahedra of each tile, in drawing order
  *
- * It also holds the projected points. Tetrahedra that cover no pixel's centre are in no tile.
+ * It also stores the projected points. Tetrahedra whose bounding rectangle contains no pixel center
+ * are in no tile.
  */
 class TileBins
 {
 public:
-  /// The edge of a tile in pixels.
+  /// Edge length of a tile in pixels.
   static constexpr int SIZE = 96;
 
   /// A projected point with its values.
   struct Point
   {
-    TetrahedraView::Projected Place;
+    TetrahedraView::Projected Position;
     float Scalar;
     float DeltaT;
   };
@@ -42,7 +43,7 @@ public:
   std::size_t GetBytes() const;
 
 private:
-  /// The first and last column and row of tiles; none where the first column is beyond the last.
+  /// First and last column, and first and last row of tiles; empty if the first exceeds the last.
   using Range = std::array<std::uint16_t, 4>;
 
   void ProjectPoints(const TetrahedraFrame& frame);

@@ -2,14 +2,15 @@
 #include "Software/TileRasterizer.h"
 
 #include "Common/Prefetch.h"
+#include "Common/SimdDispatch.h"
 #include "Software/FragmentBlending.h"
-#include "Software/FragmentClones.h"
 #include "Software/FragmentRow.h"
 #include "View/SilhouetteRows.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <type_traits>
 
 namespace interlume
 {
@@ -19,19 +20,19 @@ namespace
 using Pixel = TileRasterizer::Pixel;
 using Blends = TetrahedraFrame::Blends;
 
-/// The opacity behind which nothing is seen.
+/// A pixel with this opacity hides everything behind it.
 constexpr float OPAQUE_ENOUGH = 1.0f - 1e-5f;
-/// The number of flushes between two looks whether the tile is opaque.
-constexpr int LOOK_INTERVAL = 16;
-/// The pixels of a row, the last is before End.
+/// Number of flushes after which to test again whether the tile is opaque.
+constexpr int CHECK_INTERVAL = 16;
+/// A range of pixels in a row, from Begin to End - 1.
 struct Span
 {
   int Begin;
   int End;
 };
 
-/// The slope per pixel of shares and of the crease from which on a row's single precision does not
-/// tell where in a tile they pass from 0 to 1.
+/// If edge functions or the crease have larger slopes per pixel, single precision along a row
+/// cannot resolve where they cross 0 and 1.
 constexpr double STEEP = 100.0;
 
 bool IsSteep(const TetrahedronSilhouette& shape)
@@ -44,8 +45,8 @@ bool IsSteep(const TetrahedronSilhouette& shape)
   return steepest > STEEP;
 }
 
-// Returns whether a steep share or the crease passes from 0 to 1 near the centre of one of the
-// pixels of a row, which begins at an offset from the thick point.
+// Returns true if a steep edge function or a steep crease has a value close to the range from 0 to
+// 1 at a pixel center of a row. (dx, dy) is the row's start relative to the thick point.
 bool HasSteepPixel(const TetrahedronSilhouette& shape, double dx, double dy, int size)
 {
   const auto isPassed = [&](const TetrahedronSilhouette::Slope& slope, double atThick)
@@ -56,7 +57,7 @@ bool HasSteepPixel(const TetrahedronSilhouette& shape, double dx, double dy, int
     }
     const double value = atThick + slope.X * dx + slope.Y * dy;
     const double nearest = std::round(-value / slope.X);
-    // A row's single precision is off by some parts in 10^7 of the largest value in it.
+    // The rounding error in a row is about 1e-7 of the largest value in it.
     const double rounding = 1e-6 * size * std::abs(slope.X);
     return nearest > -1.0 && nearest < size && std::abs(value + nearest * slope.X) < 2.0 + rounding;
   };
@@ -102,18 +103,32 @@ TileRasterizer::TileRasterizer(const TetrahedraFrame& frame, const TileBins& bin
 void TileRasterizer::Draw(int tile)
 {
   this->Begin(tile);
-  const bool hasDeltaT = this->Channels.HasDeltaT;
+  const auto draw = [this, tile](auto hasScalars, auto hasColors, auto hasDeltaT)
+  {
+    SimdDispatch::CallFused(
+      [](TileRasterizer& rasterizer, int at)
+      {
+        rasterizer.DrawTetrahedra<decltype(hasScalars)::value, decltype(hasColors)::value,
+          decltype(hasDeltaT)::value>(at);
+      },
+      *this, tile);
+  };
+  const auto drawFields = [this, &draw](auto hasScalars, auto hasColors)
+  {
+    this->Channels.HasDeltaT ? draw(hasScalars, hasColors, std::true_type())
+                             : draw(hasScalars, hasColors, std::false_type());
+  };
   if (this->Channels.HasScalars)
   {
-    hasDeltaT ? this->DrawScalarsInTime(tile) : this->DrawScalars(tile);
+    drawFields(std::true_type(), std::false_type());
   }
   else if (this->Channels.HasColors)
   {
-    hasDeltaT ? this->DrawColorsInTime(tile) : this->DrawColors(tile);
+    drawFields(std::false_type(), std::true_type());
   }
   else
   {
-    hasDeltaT ? this->DrawCellsInTime(tile) : this->DrawCells(tile);
+    drawFields(std::false_type(), std::false_type());
   }
   this->Finish();
 }
@@ -169,7 +184,7 @@ void TileRasterizer::DrawTetrahedra(int tile)
     this->FetchAhead(t, end);
     const int before = this->Fragments.Size;
     this->DrawTetrahedron<Scalars, Colors, DeltaT>(*t);
-    if (canEnd && this->Fragments.Size < before && ++flushes % LOOK_INTERVAL == 0 &&
+    if (canEnd && this->Fragments.Size < before && ++flushes % CHECK_INTERVAL == 0 &&
       this->IsOpaque())
     {
       this->Fragments.Size = 0;
@@ -181,7 +196,7 @@ void TileRasterizer::DrawTetrahedra(int tile)
 
 void TileRasterizer::FetchAhead(const std::uint32_t* t, const std::uint32_t* end) const
 {
-  // In order of visibility neither corners nor points are neighbours in memory.
+  // In visibility order, corners and points are scattered in memory, so prefetch them.
   constexpr int cornersAhead = 8;
   constexpr int pointsAhead = 4;
   if (end - t > cornersAhead)
@@ -203,7 +218,7 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
   const std::array<const TileBins::Point*, 4> p = { { points + corners[0], points + corners[1],
     points + corners[2], points + corners[3] } };
   TetrahedronSilhouette shape;
-  if (!shape.Set(p[0]->Place, p[1]->Place, p[2]->Place, p[3]->Place))
+  if (!shape.Set(p[0]->Position, p[1]->Position, p[2]->Position, p[3]->Position))
   {
     return;
   }
@@ -229,16 +244,16 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
     std::array<double, 4> v;
     for (int k = 0; k < 4; ++k)
     {
-      v[k] = isParallel ? get(k) : get(k) * p[k]->Place.Depth;
+      v[k] = isParallel ? get(k) : get(k) * p[k]->Position.Depth;
     }
     return shape.GetValue(v);
   };
 
-  // The channels are depth, then the values that are carried.
+  // The channels are depth, then the attributes.
   constexpr int channels = 1 + (Scalars ? 1 : 0) + (DeltaT ? 1 : 0) + (Colors ? 4 : 0);
   std::array<TetrahedronSilhouette::Value, channels> values;
   values[0] = shape.GetValue(
-    { { p[0]->Place.Depth, p[1]->Place.Depth, p[2]->Place.Depth, p[3]->Place.Depth } });
+    { { p[0]->Position.Depth, p[1]->Position.Depth, p[2]->Position.Depth, p[3]->Position.Depth } });
   int channel = 1;
   if (Scalars)
   {
@@ -253,7 +268,7 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
     const auto& colors = this->Frame.Fields->Colors;
     values[channel++] = getValue([&](int k) { return colors[corners[k]][c]; });
   }
-  // The nearer side has the larger depth.
+  // The closer side has the larger depth.
   const int base = values[0].Difference > 0.0 ? 1 : 0;
   FragmentRow row;
   row.Thickness = static_cast<float>(std::abs(values[0].Difference));
@@ -267,7 +282,7 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
   }
   for (int e = 0; e < 4; ++e)
   {
-    row.ShareSlopes[e] = static_cast<float>(shape.GetEdge(e).X);
+    row.EdgeSlopes[e] = static_cast<float>(shape.GetEdge(e).X);
   }
   const TetrahedronSilhouette::Slope crease = shape.GetCrease();
   row.CreaseSlope = static_cast<float>(crease.X);
@@ -289,18 +304,19 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
   const bool isSteep = IsSteep(shape);
   for (int y = bottom; y < top; ++y)
   {
-    const double centre = this->Bottom + y + 0.5;
+    const double center = this->Bottom + y + 0.5;
     const int begin = spans[y].Begin;
     const int end = spans[y].End;
     if (begin >= end)
     {
       continue;
     }
-    const double dy = centre - shape.GetThickY();
-    // Where digits are short every pixel is a row of its own, which begins in double precision.
-    const bool isEach = isSteep &&
+    const double dy = center - shape.GetThickY();
+    // If single precision is insufficient, start a row at each pixel, because the start values are
+    // computed in double precision.
+    const bool isPerPixel = isSteep &&
       HasSteepPixel(shape, this->Left + begin + 0.5 - shape.GetThickX(), dy, end - begin);
-    const int size = isEach ? 1 : end - begin;
+    const int size = isPerPixel ? 1 : end - begin;
     for (int first = begin; first < end; first += size)
     {
       if (f.Size + size > interlume::Fragments::CAPACITY ||
@@ -312,7 +328,7 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
       for (int e = 0; e < 4; ++e)
       {
         const TetrahedronSilhouette::Slope& edge = shape.GetEdge(e);
-        row.Shares[e] = static_cast<float>(1.0 + edge.X * dx + edge.Y * dy);
+        row.EdgeValues[e] = static_cast<float>(1.0 + edge.X * dx + edge.Y * dy);
       }
       row.Crease = static_cast<float>(crease.X * dx + crease.Y * dy);
       for (int c = 0; c < channels; ++c)
@@ -332,42 +348,6 @@ void TileRasterizer::DrawTetrahedron(std::uint32_t tetrahedron)
       f.Size += size;
     }
   }
-}
-
-INTERLUME_CLONES
-void TileRasterizer::DrawScalars(int tile)
-{
-  this->DrawTetrahedra<true, false, false>(tile);
-}
-
-INTERLUME_CLONES
-void TileRasterizer::DrawScalarsInTime(int tile)
-{
-  this->DrawTetrahedra<true, false, true>(tile);
-}
-
-INTERLUME_CLONES
-void TileRasterizer::DrawColors(int tile)
-{
-  this->DrawTetrahedra<false, true, false>(tile);
-}
-
-INTERLUME_CLONES
-void TileRasterizer::DrawColorsInTime(int tile)
-{
-  this->DrawTetrahedra<false, true, true>(tile);
-}
-
-INTERLUME_CLONES
-void TileRasterizer::DrawCells(int tile)
-{
-  this->DrawTetrahedra<false, false, false>(tile);
-}
-
-INTERLUME_CLONES
-void TileRasterizer::DrawCellsInTime(int tile)
-{
-  this->DrawTetrahedra<false, false, true>(tile);
 }
 
 void TileRasterizer::Flush()
@@ -394,12 +374,12 @@ void TileRasterizer::IntegrateAndBlend()
   const Blends blend = this->Frame.Blend;
   if (blend == Blends::MAXIMUM && this->Channels.HasScalars)
   {
-    FragmentBlending::LargestScalar(f, this->Pixels.data());
+    FragmentBlending::MaximizeScalar(f, this->Pixels.data());
     return;
   }
   if (blend == Blends::MAXIMUM)
   {
-    FragmentBlending::LargestColor(
+    FragmentBlending::MaximizeColor(
       f, fields, static_cast<float>(1.0 / this->Frame.ExtinctionUnit), this->Pixels.data());
     return;
   }
@@ -409,11 +389,11 @@ void TileRasterizer::IntegrateAndBlend()
   }
   else if (this->Channels.HasColors)
   {
-    FragmentIntegration::TakeExtinction(f);
+    FragmentIntegration::SetExtinction(f);
   }
   else
   {
-    FragmentIntegration::TakeExtinction(f, fields.Colors.data());
+    FragmentIntegration::SetExtinction(f, fields.Colors.data());
   }
   const bool isDepth = blend == Blends::PRIORITY || blend == Blends::OPTICAL_DEPTH;
   const auto results = isDepth ? FragmentIntegration::OPTICAL_DEPTH : FragmentIntegration::OPACITY;
@@ -479,7 +459,7 @@ void TileRasterizer::ResolveLayer()
   this->Flush();
   for (int i = 0; i < SIZE * SIZE; ++i)
   {
-    FragmentBlending::LayBehind(this->Pixels[i], FragmentBlending::Resolve(this->Layer[i]));
+    FragmentBlending::CompositeBehind(this->Pixels[i], FragmentBlending::Resolve(this->Layer[i]));
     this->Layer[i] = { { 0.0f, 0.0f, 0.0f, 0.0f } };
   }
 }

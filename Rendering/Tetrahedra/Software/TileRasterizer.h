@@ -3,7 +3,6 @@
 #define interlume_TileRasterizer_h
 
 #include "Frame/TetrahedraFrame.h"
-#include "Software/FragmentClones.h"
 #include "Software/FragmentIntegration.h"
 #include "Software/Fragments.h"
 #include "Software/SurfaceFragments.h"
@@ -20,13 +19,13 @@ namespace interlume
 
 /**
  * @class   TileRasterizer
- * @brief   draws one tile at a time, for one thread
+ * @brief   draws one tile at a time, in one thread
  */
 class TileRasterizer
 {
 public:
   static constexpr int SIZE = TileBins::SIZE;
-  /// A pixel as RGB times opacity and opacity, or as the sums that the blend mode keeps.
+  /// RGB premultiplied by opacity, and opacity; or the sums or maxima of the blend mode.
   using Pixel = std::array<float, 4>;
 
   TileRasterizer(const TetrahedraFrame& frame, const TileBins& bins);
@@ -37,9 +36,10 @@ public:
   int GetBottom() const { return this->Bottom; }
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
-  /// Returns the colour multiplied by opacity, after Draw().
+  /// Returns the color premultiplied by opacity, after Draw().
   const Pixel& GetPixel(int x, int y) const { return this->Pixels[y * SIZE + x]; }
-  /// Return the tetrahedron plus 1, and its depth, for SELECTION.
+  /// Return the number of the tetrahedron in a pixel plus 1, or 0 if there is none, and its depth,
+  /// after Draw() with SELECTION.
   std::uint32_t GetTetrahedron(int x, int y) const { return this->Nearest[y * SIZE + x]; }
   float GetDepth(int x, int y) const { return this->NearestDepth[y * SIZE + x]; }
 
@@ -47,20 +47,11 @@ private:
   using Projected = TetrahedraView::Projected;
 
   void Begin(int tile);
-  /// Draws the tetrahedra of a tile. Colors is the number of channels of point colours, 4 or 0;
-  /// Scalars and DeltaT tell whether there are any.
+  /// Draw the tetrahedra of a tile. The template parameters are true for the values that exist.
   template <bool Scalars, bool Colors, bool DeltaT>
   void DrawTetrahedra(int tile);
   template <bool Scalars, bool Colors, bool DeltaT>
   void DrawTetrahedron(std::uint32_t tetrahedron);
-  /// DrawTetrahedra for each kind of fields, as functions that can be compiled for more than one
-  /// processor.
-  INTERLUME_CLONES void DrawScalars(int tile);
-  INTERLUME_CLONES void DrawScalarsInTime(int tile);
-  INTERLUME_CLONES void DrawColors(int tile);
-  INTERLUME_CLONES void DrawColorsInTime(int tile);
-  INTERLUME_CLONES void DrawCells(int tile);
-  INTERLUME_CLONES void DrawCellsInTime(int tile);
   void FetchAhead(const std::uint32_t* tetrahedron, const std::uint32_t* end) const;
   void Flush();
   void IntegrateAndBlend();
@@ -79,9 +70,9 @@ private:
   int Width = 0;
   int Height = 0;
   std::vector<Pixel> Pixels;
-  /// The layer being drawn (PRIORITY), summed up.
+  /// Sums of the current layer (PRIORITY).
   std::vector<Pixel> Layer;
-  /// The fragments of the boundary; null where none is drawn.
+  /// Boundary triangles; null if none are drawn.
   std::unique_ptr<SurfaceFragments> Surface;
   std::vector<float> Slant;
   std::vector<float> Opaque;

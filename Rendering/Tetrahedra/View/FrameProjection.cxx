@@ -18,12 +18,13 @@ FrameProjection::FrameProjection(const ViewRays& rays)
   const glm::dvec3 right = rays.HalfSize[0] * rays.Right;
   const glm::dvec3 up = rays.HalfSize[1] * rays.Up;
   glm::dvec3 direction = rays.Viewpoint.Direction;
-  // A shifted window moves the origin in parallel, turns the middle line of sight in perspective.
+  // A shifted window translates the origin in parallel projection. In perspective it rotates the
+  // central view ray.
   glm::dvec3& shifted = this->Parallel ? this->Origin : direction;
   shifted += rays.Center[0] * rays.Right;
   shifted += rays.Center[1] * rays.Up;
 
-  // The rows of the inverse of the matrix with columns right, up, direction.
+  // Rows of the inverse of the matrix with columns right, up, direction.
   const double determinant = glm::dot(glm::cross(right, up), direction);
   const double inverse = 1.0 / determinant;
   this->Valid = this->Width > 0 && this->Height > 0 && std::isfinite(inverse);
@@ -36,13 +37,14 @@ FrameProjection::FrameProjection(const ViewRays& rays)
   }
 }
 
-FrameProjection::Range FrameProjection::FindRange(double least, double greatest, int pixels)
+FrameProjection::Range FrameProjection::FindRange(double minimum, double maximum, int pixels)
 {
-  // The margin is wider than the error of projection; the test of each pixel is exact to rounding.
-  // The range is bounded first, as a point nearly beside the eye projects beyond any int.
+  // The margin exceeds the error of projection; the later test of each pixel is exact up to
+  // rounding. Clamp before the conversion, because a point near the camera plane projects outside
+  // the range of int.
   constexpr double margin = 1e-3;
-  const double first = std::ceil((least + 1.0) * 0.5 * pixels - 0.5 - margin);
-  const double last = std::floor((greatest + 1.0) * 0.5 * pixels - 0.5 + margin);
+  const double first = std::ceil((minimum + 1.0) * 0.5 * pixels - 0.5 - margin);
+  const double last = std::floor((maximum + 1.0) * 0.5 * pixels - 0.5 + margin);
   return { static_cast<int>(std::clamp(first, 0.0, static_cast<double>(pixels))),
     static_cast<int>(std::clamp(last, -1.0, pixels - 1.0)) };
 }

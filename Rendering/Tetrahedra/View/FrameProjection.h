@@ -10,22 +10,22 @@ namespace interlume
 
 /**
  * @class   FrameProjection
- * @brief   projects the mesh's coordinates to those of a picture, and to its pixels
+ * @brief   projects mesh coordinates to image coordinates and pixels
  *
- * Picture coordinates (x, y, d) are -1 to 1 from the left and the lower edge to the right and the
- * upper one, times the depth in perspective, and the depth d in units of the direction's length.
- * The line of sight of a pixel at (x, y) is (x, y, 1) d in perspective, (x, y, d) in parallel.
+ * Image coordinates are (x, y, d). d is the depth in units of the length of the view direction. x
+ * and y are -1 at the left and lower edge and 1 at the right and upper edge, multiplied by d in
+ * perspective. The view ray of a pixel at (x, y) is (x, y, 1) d in perspective and (x, y, d) in
+ * parallel projection.
  */
 class FrameProjection
 {
 public:
   explicit FrameProjection(const ViewRays& rays);
 
-  /// Returns whether there are pixels, and the three axes do not lie in a plane.
+  /// Returns true if there are pixels and the three axes are not coplanar.
   bool IsValid() const { return this->Valid; }
   bool IsParallel() const { return this->Parallel; }
-  /// Returns whether what is counterclockwise in the mesh's coordinates is clockwise in the
-  /// picture.
+  /// Returns true if triangles that are counterclockwise in mesh coordinates appear clockwise.
   bool IsMirrored() const { return this->Mirrored; }
 
   glm::dvec3 Project(const glm::dvec3& point) const
@@ -38,15 +38,15 @@ public:
   int GetHeight() const { return this->Height; }
   ///@{
   /**
-   * Return the centre of a column or row of pixels, moved by a hundred-millionth of a pixel to the
-   * right and less up: edges and corners that line up with pixel centres, as those of a lattice do,
-   * would otherwise be on either side by rounding.
+   * Return the center of a column or row of pixels, shifted by about 1e-8 pixels, by different
+   * amounts in x and y. Edges and corners of regular grids often pass exactly through pixel
+   * centers. Rounding would then assign the pixel to either side.
    */
   double GetX(int i) const { return (2 * i + 1 + 2.0e-8) * this->PixelWidth - 1.0; }
   double GetY(int j) const { return (2 * j + 1 + 1.2e-8) * this->PixelHeight - 1.0; }
   ///@}
 
-  /// The pixels first to last, whose centres may be in a range; none where first > last.
+  /// A range of columns or rows whose centers may be between two bounds; empty if First > Last.
   struct Range
   {
     int First;

@@ -12,10 +12,10 @@ namespace interlume
 
 /**
  * @class   SilhouetteRows
- * @brief   the pixels of a silhouette, row by row
+ * @brief   rasterizes a silhouette row by row
  *
- * A pixel belongs to it if its centre does; a centre on an edge belongs to the right and the upper
- * one of both neighbours, which find the same crossing of row and edge.
+ * A pixel is inside if its center is inside. A center on an edge belongs to the right or upper
+ * tetrahedron. Neighbors compute the same intersection of row and edge.
  */
 class SilhouetteRows
 {
@@ -27,7 +27,7 @@ public:
     {
       const auto* a = &shape.GetPoint(i);
       const auto* b = &shape.GetPoint((i + 1) % this->Size);
-      // An edge is taken from its lower end, whichever tetrahedron it is seen from.
+      // Start at the lower end, so that neighbors round in the same way.
       if (b->Y < a->Y || (b->Y == a->Y && b->X < a->X))
       {
         std::swap(a, b);
@@ -38,15 +38,16 @@ public:
     }
   }
 
-  /// Return the first row and the one after the last, counted from \a bottom, of \a height.
+  /// Return the first row and the row after the last, relative to \a bottom. Both are clamped to 0
+  /// or more, and the latter to at most \a height.
   int GetBegin(int bottom) const
   {
     return GetCeiling(this->Low - 0.5 - bottom, std::numeric_limits<int>::max());
   }
   int GetEnd(int bottom, int height) const { return GetCeiling(this->High - 0.5 - bottom, height); }
 
-  /// Computes the first pixel and the one after the last of the row with its centre at \a y,
-  /// counted from \a left, of \a width.
+  /// Computes the first pixel and the pixel after the last in the row with center \a y, relative to
+  /// \a left, clamped to the range from 0 to \a width.
   void GetSpan(double y, int left, int width, int& begin, int& end) const
   {
     double first = std::numeric_limits<double>::max();
@@ -74,8 +75,8 @@ private:
     double Slope;
   };
 
-  // Returns the ceiling of a value between 0 and the limit, else 0 or the limit; faster than
-  // std::ceil, which may be a call.
+  // Returns the ceiling, clamped to [0, limit]. This is faster than std::ceil, which may compile to
+  // a function call.
   static int GetCeiling(double value, int limit)
   {
     if (!(value > 0.0))
@@ -86,8 +87,8 @@ private:
     {
       return limit;
     }
-    const int whole = static_cast<int>(value);
-    return whole + (whole < value ? 1 : 0);
+    const int truncated = static_cast<int>(value);
+    return truncated + (truncated < value ? 1 : 0);
   }
 
   int Size;

@@ -26,7 +26,7 @@ void TetrahedraDepth::SetBuffer(const std::vector<float>& depths, const std::arr
   this->Size = size;
 }
 
-void TetrahedraDepth::Place(const TetrahedraView& view, int stride, bool isCutByFarPlane)
+void TetrahedraDepth::Resample(const TetrahedraView& view, int stride, bool isCutByFarPlane)
 {
   this->Depths.clear();
   if (this->Buffer.empty() && !isCutByFarPlane)

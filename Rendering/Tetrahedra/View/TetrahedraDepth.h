@@ -14,31 +14,34 @@ namespace interlume
 
 /**
  * @class   TetrahedraDepth
- * @brief   the scene's depth in the numbers of TetrahedraView
+ * @brief   reads the scene's depth and converts it to depths of TetrahedraView
  */
 class TetrahedraDepth
 {
 public:
   /**
-   * Reads the scene's depth. Returns whether anything is drawn; else GetBuffer() is empty.
+   * Reads the scene's depth buffer. Returns true if it contains a surface; otherwise GetBuffer() is
+   * empty.
    */
   bool Read(vtkRenderer* renderer);
 
   ///@{
   /**
-   * The depth of all pixels of the viewport, 0 to 1 at the far plane.
+   * Set/Get the depth buffer of the viewport, 0 to 1 (far plane).
    */
   const std::vector<float>& GetBuffer() const { return this->Buffer; }
   void SetBuffer(const std::vector<float>& depths, const std::array<int, 2>& size);
   ///@}
 
   /**
-   * Takes the depth for every \a stride-th pixel; where nothing is drawn, the depth of the far
-   * plane if \a isCutByFarPlane.
+   * Converts the depth of every \a stride-th pixel to a depth as defined by TetrahedraView. Pixels
+   * without a surface get the depth of the far plane if \a isCutByFarPlane, otherwise a depth that
+   * cuts nothing.
    */
-  void Place(const TetrahedraView& view, int stride, bool isCutByFarPlane);
+  void Resample(const TetrahedraView& view, int stride, bool isCutByFarPlane);
 
-  /// Returns depths as TetrahedraView has them, for each of its pixels; empty where nothing cuts.
+  /// Returns the depth at which tetrahedra are cut, as defined by TetrahedraView, for each pixel;
+  /// empty if nothing is cut.
   const std::vector<float>& GetDepths() const { return this->Depths; }
 
 private:

@@ -16,19 +16,20 @@ namespace interlume
 
 namespace
 {
-/// Lines of sight pass this far from the pixels' centres. Regular meshes in regular views have
-/// edges and faces through the centres, where rounding alone would choose between neighbours. The
-/// less, the thinner meshes that are seen from the side may be.
-constexpr double HAIR_X = 2.3e-9;
-constexpr double HAIR_Y = 3.7e-9;
+/// View rays are offset from pixel centers by this many pixels. In regular views of regular meshes,
+/// edges and faces pass exactly through pixel centers, and rounding would choose one of the
+/// neighbors. Smaller offsets allow thinner meshes that are seen edge-on.
+constexpr double PIXEL_OFFSET_X = 2.3e-9;
+constexpr double PIXEL_OFFSET_Y = 3.7e-9;
 
-// Returns the transposed matrix, whose columns are the matrix's rows.
+// Returns the transposed matrix. Its columns are the matrix rows.
 glm::dmat4 GetRows(vtkMatrix4x4* matrix)
 {
   return glm::make_mat4(matrix->GetData());
 }
 
-// Returns the rows of the matrix from some coordinates to clip coordinates by those to the world.
+// Returns the rows of the matrix from some coordinates to clip coordinates, given the rows of the
+// matrix from them to world coordinates.
 glm::dmat4 GetClipRows(vtkRenderer* renderer, const glm::dmat4& toWorld)
 {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -42,9 +43,10 @@ glm::dvec4 Normalized(const glm::dvec4& plane)
 }
 }
 
-/// The right-handed axes of eye coordinates in the world, and clip coordinates by them, from an RQ
-/// decomposition: X = ScaleX x + SkewX y + ShiftX z, Y = ScaleY y + ShiftY z, and -Depth z, which
-/// is w in perspective and Z in parallel projection.
+/// The right-handed axes of eye coordinates in the world, from an RQ decomposition of the clip
+/// matrix. Clip coordinates (X, Y, Z, w) depend on eye coordinates (x, y, z) as follows: X = ScaleX
+/// x + SkewX y + ShiftX z, Y = ScaleY y + ShiftY z. -Depth z equals w in perspective and Z in
+/// parallel projection.
 struct TetrahedraView::Axes
 {
   Axes(const glm::dmat4& clip, int deepRow)
@@ -71,7 +73,8 @@ struct TetrahedraView::Axes
     return std::isfinite(inverse) && inverse != 0.0;
   }
 
-  // Returns the rows of the matrix to eye coordinates by those to clip coordinates.
+  // Returns the rows of the matrix to eye coordinates, given the rows of the matrix to clip
+  // coordinates.
   std::array<glm::dvec4, 3> GetEyeRows(const glm::dmat4& clip) const
   {
     const glm::dvec4 z = clip[this->DeepRow] / -this->Depth;
@@ -79,7 +82,7 @@ struct TetrahedraView::Axes
     return { { (clip[0] - this->SkewX * y - this->ShiftX * z) / this->ScaleX, y, z } };
   }
 
-  // Returns the coefficients of Z = x X + y Y + w w, but for a constant, in perspective.
+  // Returns the coefficients (a, b, c) of Z = a X + b Y + c w + constant, in perspective.
   glm::dvec3 GetDepthRow(const glm::dmat4& clip) const
   {
     const glm::dvec3 z(clip[2]);
@@ -111,23 +114,24 @@ Error TetrahedraView::Set(
   this->Width = (width + stride - 1) / stride;
   this->Height = (height + stride - 1) / stride;
 
-  // Everything is put together in double precision before a coordinate is touched.
-  vtkNew<vtkMatrix4x4> place;
-  volume->GetMatrix(place);
-  vtkNew<vtkMatrix4x4> meshPlace;
+  // Multiply matrices in double precision before transforming any coordinate.
+  vtkNew<vtkMatrix4x4> volumeMatrix;
+  volume->GetMatrix(volumeMatrix);
+  vtkNew<vtkMatrix4x4> meshMatrix;
   for (int i = 0; i < 3; ++i)
   {
-    meshPlace->SetElement(i, i, mesh.Scale);
-    meshPlace->SetElement(i, 3, mesh.Origin[i]);
+    meshMatrix->SetElement(i, i, mesh.Scale);
+    meshMatrix->SetElement(i, 3, mesh.Origin[i]);
   }
-  vtkMatrix4x4::Multiply4x4(place, meshPlace, place);
-  const double determinant = std::abs(place->Determinant());
+  vtkMatrix4x4::Multiply4x4(volumeMatrix, meshMatrix, volumeMatrix);
+  const double determinant = std::abs(volumeMatrix->Determinant());
   if (!(determinant > 0.0) || !std::isfinite(determinant))
   {
-    return "the volume's matrix is singular or not finite";
+    return "the matrix of the volume is singular or not finite; check its position, scale and user "
+           "matrix";
   }
   this->Unit = std::cbrt(determinant);
-  this->WorldFromMesh = GetRows(place);
+  this->WorldFromMesh = GetRows(volumeMatrix);
   return this->SetEye(GetClipRows(renderer, glm::dmat4(1.0)),
     GetClipRows(renderer, this->WorldFromMesh),
     glm::make_vec3(renderer->GetActiveCamera()->GetPosition()),
@@ -148,10 +152,12 @@ Error TetrahedraView::SetEye(glm::dmat4 world, glm::dmat4 mesh, const glm::dvec3
   const Axes axes(world, this->Parallel ? 2 : 3);
   if (!axes.IsValid() || !std::isfinite(this->NearPlane.w) || !std::isfinite(this->FarPlane.w))
   {
-    return "the camera's matrix is singular or not finite";
+    return "the matrix of the camera is singular or not finite; check its position, focal point, "
+           "clipping range and transforms";
   }
 
-  // View rays meet in the origin of eye coordinates, in parallel projection that is the camera.
+  // The origin of eye coordinates is the point where view rays meet, or the camera position in
+  // parallel projection.
   glm::dvec3 origin(0.0);
   if (this->Parallel)
   {
@@ -184,20 +190,20 @@ Error TetrahedraView::SetEye(glm::dmat4 world, glm::dmat4 mesh, const glm::dvec3
   this->ScaleX = halfSize[0] * axes.ScaleX * length;
   this->SkewX = halfSize[0] * axes.SkewX * length;
   this->ShiftX = halfSize[0] * axes.ShiftX * length;
-  this->OffsetX = halfSize[0] * (1.0 + origin[0]) + HAIR_X;
+  this->OffsetX = halfSize[0] * (1.0 + origin[0]) + PIXEL_OFFSET_X;
   this->ScaleY = halfSize[1] * axes.ScaleY * length;
   this->ShiftY = halfSize[1] * axes.ShiftY * length;
-  this->OffsetY = halfSize[1] * (1.0 + origin[1]) + HAIR_Y;
+  this->OffsetY = halfSize[1] * (1.0 + origin[1]) + PIXEL_OFFSET_Y;
   return {};
 }
 
 std::array<double, 4> TetrahedraView::FindEye(vtkRenderer* renderer, vtkVolume* volume)
 {
-  vtkNew<vtkMatrix4x4> place;
-  volume->GetMatrix(place);
-  // The only point whose clip coordinates X, Y and w are 0.
+  vtkNew<vtkMatrix4x4> volumeMatrix;
+  volume->GetMatrix(volumeMatrix);
+  // The eye is the only point whose clip coordinates X, Y and w are 0.
   glm::dvec4 eye =
-    glm::dvec4(0.0, 0.0, -1.0, 0.0) * glm::inverse(GetClipRows(renderer, GetRows(place)));
+    glm::dvec4(0.0, 0.0, -1.0, 0.0) * glm::inverse(GetClipRows(renderer, GetRows(volumeMatrix)));
   eye = eye.w < 0.0 ? -eye : eye;
   return { { eye.x, eye.y, eye.z, eye.w } };
 }
@@ -259,20 +265,20 @@ ViewRays TetrahedraView::GetRays() const
   ViewRays rays;
   rays.Viewpoint.IsParallel = this->Parallel;
   rays.Viewpoint.Eye = column(3);
-  // A shear bends the line of sight off the axis.
+  // In parallel projection, view shear tilts the view rays relative to the view axis.
   const glm::dvec2 tilt = this->Parallel ? this->GetTilt() : glm::dvec2(0.0);
   const glm::dvec3 direction = tilt.x * column(0) + tilt.y * column(1) - column(2);
   const double length = glm::length(direction);
   rays.Viewpoint.Direction = direction / length;
-  // The length of the direction and their lengths belong together in perspective only.
+  // In perspective, scale Right and Up together with the direction.
   const double size = this->Parallel ? 1.0 : length;
   const double skew = this->SkewX / this->ScaleX;
   rays.Right = column(0) / size;
   rays.Up = (column(1) - skew * column(0)) / size;
   rays.HalfSize = { { 0.5 * this->Width / this->ScaleX, 0.5 * this->Height / this->ScaleY } };
-  const glm::dvec3 middle =
+  const glm::dvec3 center =
     this->GetEyePoint(0.5 * this->Width, 0.5 * this->Height, this->Parallel ? 0.0 : 1.0);
-  rays.Center = { { middle.x + skew * middle.y, middle.y } };
+  rays.Center = { { center.x + skew * center.y, center.y } };
   rays.Width = this->Width;
   rays.Height = this->Height;
   return rays;

@@ -21,49 +21,47 @@ namespace interlume
 
 /**
  * @class   TetrahedraView
- * @brief   projects the mesh's coordinates to pixels and depths
+ * @brief   projects mesh coordinates to pixels and depths
  *
- * Along a pixel's line of sight every face of a tetrahedron has a depth that is affine in the
- * pixel, if depth d is 1/z in perspective and -z in parallel, z the distance along the view axis:
- * the larger the nearer. There v d is affine for an attribute v in perspective, and v itself in
- * parallel. Lengths are in units of the mesh's coordinates as they appear in the world, GetUnit()
- * long.
+ * Depth d is 1/z in perspective and -z in parallel projection, where z is the distance along the
+ * view axis. Larger depths are closer. On every face of a tetrahedron d is then affine in pixel
+ * coordinates. So is v d for an attribute v in perspective, and v itself in parallel projection.
+ * Lengths are in units of GetUnit(), the world length of a unit of mesh coordinates.
  *
- * The eye is the point where all view rays meet. Eye and axes are computed from the matrix from
- * world to clip coordinates only, since stereo, view shear, off-axis projection and the camera's
- * user transforms move the eye or scale view coordinates. Eye coordinates preserve lengths in the
- * world.
+ * The eye is the point where all view rays meet. Eye and axes are derived only from the matrix from
+ * world to clip coordinates, because stereo, view shear, off-axis projection and the camera's user
+ * transforms move the eye or scale view coordinates. Eye coordinates preserve world lengths.
  */
 class TetrahedraView
 {
 public:
   struct Projected
   {
-    /// The place in pixels: the centre of the first is at (0.5, 0.5).
+    /// Position in pixels; the first pixel's center is at (0.5, 0.5).
     double X;
     double Y;
     double Depth;
   };
 
   /**
-   * Reads the camera and the volume's matrix. \a stride pixels of the viewport are one pixel here.
-   * Returns an error if a matrix is singular or not finite.
+   * Reads the camera and the volume's matrix. One image pixel covers \a stride viewport pixels
+   * along an edge. Returns an error if a matrix is singular or not finite.
    */
   Error Set(vtkRenderer* renderer, vtkVolume* volume, const TetrahedraMesh& mesh, int stride);
 
   /**
-   * Returns the eye in the volume's coordinates, homogeneous with w >= 0: in parallel projection a
-   * point at infinity, where the view rays come from.
+   * Returns the eye in volume coordinates, homogeneous with w >= 0. In parallel projection it is
+   * the point at infinity where the view rays originate.
    */
   static std::array<double, 4> FindEye(vtkRenderer* renderer, vtkVolume* volume);
 
   int GetWidth() const { return this->Width; }
   int GetHeight() const { return this->Height; }
   bool IsParallel() const { return this->Parallel; }
-  /// Returns the world length of one unit of the mesh's coordinates.
+  /// Returns the world length of a unit of mesh coordinates.
   double GetUnit() const { return this->Unit; }
 
-  /// Returns eye coordinates in units: the eye looks along -z.
+  /// Returns eye coordinates in units of GetUnit(); the view direction is -z.
   glm::dvec3 GetEyePoint(const double* point) const
   {
     glm::dvec3 eye;
@@ -74,13 +72,13 @@ public:
     }
     return eye;
   }
-  /// Returns eye coordinates, in units, of a point of the world with w = 1, of a direction with 0.
+  /// Returns eye coordinates of a world point (w = 1) or direction (w = 0).
   glm::dvec3 GetEyeOfWorld(const glm::dvec4& point) const
   {
     return { glm::dot(this->EyeFromWorld[0], point), glm::dot(this->EyeFromWorld[1], point),
       glm::dot(this->EyeFromWorld[2], point) };
   }
-  /// Projects a point beyond the near plane.
+  /// Projects a point in eye coordinates. The near plane must not cut it off.
   Projected Project(const glm::dvec3& eye) const
   {
     const double depth = this->Parallel ? eye[2] : -1.0 / eye[2];
@@ -89,7 +87,7 @@ public:
         this->OffsetX,
       (this->ScaleY * eye[1] + this->ShiftY * eye[2]) * weight + this->OffsetY, depth };
   }
-  /// Returns the eye coordinates of a pixel's point at a depth.
+  /// Returns the eye coordinates of the point at a pixel position and depth.
   glm::dvec3 GetEyePoint(double x, double y, double depth) const
   {
     const double z = this->Parallel ? depth : -1.0 / depth;
@@ -100,45 +98,44 @@ public:
   }
 
   ///@{
-  /// Return planes in the mesh's coordinates, with a normal of unit length: points p with
-  /// dot(plane, (p, 1)) < 0 are before the near plane, beyond the far plane, or on the side of a
-  /// plane of the world that its normal does not point to.
+  /// Return planes in mesh coordinates with unit normals. Points p with dot(plane, (p, 1)) < 0 are
+  /// cut off: in front of the near plane, behind the far plane, or on the negative side of a plane
+  /// given in world coordinates.
   const glm::dvec4& GetNearPlane() const { return this->NearPlane; }
   const glm::dvec4& GetFarPlane() const { return this->FarPlane; }
   glm::dvec4 GetPlane(const double* normal, const double* origin) const;
   ///@}
 
-  /// Returns the length of a line of sight between two depths, over the length between them along
-  /// the axis.
+  /// Returns the ratio of the length of a view ray segment at a pixel to its length along the view
+  /// axis.
   double GetSlant(double x, double y) const;
 
-  /// Returns coefficients c of the depth at a pixel: c[0] + c[1] * (value of the depth buffer, 0 to
-  /// 1) + c[2] * x + c[3] * y. The last two are 0 unless the camera's user transform tilts depths.
+  /// Returns coefficients c of the depth at a pixel: c[0] + c[1] * (depth buffer value, 0 to 1) +
+  /// c[2] * x + c[3] * y. The last two are 0 unless the camera's user transform tilts depths.
   const glm::dvec4& GetDepthOfBuffer() const { return this->DepthOfBuffer; }
   double GetDepthOfBuffer(double x, double y, double value) const
   {
     return glm::dot(this->DepthOfBuffer, glm::dvec4(1.0, value, x, y));
   }
-  /// Returns the inverse: the value of the depth buffer of a depth at a pixel.
+  /// Returns the depth buffer value of a depth at a pixel, the inverse of GetDepthOfBuffer().
   double GetBufferOfDepth(double x, double y, double depth) const
   {
     return (depth - this->GetDepthOfBuffer(x, y, 0.0)) / this->DepthOfBuffer[1];
   }
 
-  /// Returns the lines of sight of the pixels, in the mesh's coordinates.
+  /// Returns the view rays of the pixels in mesh coordinates.
   ViewRays GetRays() const;
 
-  /// Returns the matrix from mesh to eye, as three rows of four.
+  /// Returns the matrix from mesh to eye coordinates, as three rows of four.
   const std::array<double, 12>& GetEyeFromMesh() const { return this->EyeFromMesh; }
-  /// Returns the rows of the matrix from mesh to what Project() divides by depth, then offsets: x
-  /// and y of pixels, and z of the eye.
+  /// Returns the matrix from mesh coordinates to pixel x, pixel y and eye z, as three rows of four.
+  /// Pixel x and y are not yet multiplied by depth nor shifted by GetPixelOffset().
   std::array<double, 12> GetPixelsFromMesh() const;
   glm::dvec2 GetPixelOffset() const { return { this->OffsetX, this->OffsetY }; }
-  /// Returns x and y of the eye point on a pixel's view ray where z is -1 in perspective and 0 in
-  /// parallel projection, as coefficients of the pixel's x, y, and 1.
+  /// Returns eye x and y of the point on a pixel's view ray where z is -1 in perspective and 0 in
+  /// parallel projection. Each has three coefficients, for the pixel's x, y and 1.
   std::array<glm::dvec3, 2> GetEyeOfPixels() const;
-  /// Returns the change of x and y of the eye point along a view ray in parallel projection, for a
-  /// unit of depth.
+  /// Returns the change of eye x and y per unit of depth along a view ray, in parallel projection.
   glm::dvec2 GetTilt() const;
 
   bool operator==(const TetrahedraView& other) const;
@@ -146,8 +143,9 @@ public:
 
 private:
   struct Axes;
-  /// Sets everything that depends on the matrices from world and from mesh to clip coordinates,
-  /// given by their rows. Returns an error if they are singular or not finite.
+  /// Sets the members that depend on the matrices \a world and \a mesh, which transform world and
+  /// mesh coordinates to clip coordinates and are stored by rows. Returns an error if a matrix is
+  /// singular or not finite.
   Error SetEye(glm::dmat4 world, glm::dmat4 mesh, const glm::dvec3& camera,
     const std::array<double, 2>& halfSize);
 
@@ -156,7 +154,7 @@ private:
   bool Parallel = false;
   double Unit = 1.0;
   std::array<double, 12> EyeFromMesh{};
-  /// The rows of the matrices from mesh to world and from world to eye.
+  /// Rows of the matrices from mesh to world and from world to eye coordinates.
   glm::dmat4 WorldFromMesh{ 1.0 };
   std::array<glm::dvec4, 3> EyeFromWorld{};
   double ScaleX = 1.0;

@@ -13,40 +13,44 @@ namespace interlume
 
 /**
  * @class   TetrahedronSilhouette
- * @brief   one tetrahedron on the screen
+ * @brief   the projection of a tetrahedron, with its front and back as functions of the pixel
  *
- * The four projected corners have one affine dependency, sum S_k p_k = 0 with sum S_k = 0, where
- * S_k is the signed area of the face opposite corner k. Its positive and its negative corners meet
- * in one point, the thick one (Radon's theorem): a corner inside a triangle, or the crossing of two
- * edges. There the two sides of the tetrahedron are sum S_k v_k / P apart in any affine value v, P
- * the sum of the positive S_k; towards each edge of the silhouette this falls to 0 linearly. So
- * with lambda(x, y) the least of one affine function for each edge, 1 at the thick point,
+ * The four projected corners p_k have one affine dependency, sum S_k p_k = 0 with sum S_k = 0,
+ * where S_k is the signed area of the face opposite corner k. The convex hull of the corners with
+ * positive S_k and the convex hull of the corners with negative S_k meet in one point, the thick
+ * point (Radon's theorem). It is a corner inside a triangle, or the intersection of two edges. At
+ * the thick point, the front and back sides of the tetrahedron differ by sum S_k v_k / P in any
+ * affine value v, where P is the sum of the positive S_k. The difference decreases linearly to 0
+ * toward each edge of the silhouette. Let lambda(x, y) be the minimum of one affine function for
+ * each edge, which is 1 at the thick point and 0 on the edge. Then
  *
  *   other side = base side + lambda * difference at the thick point
  *
- * for depth and every attribute, without a case distinction and, the difference being taken before
- * anything is rounded, with a relative error that does not grow as the tetrahedron gets thin.
+ * for depth and all attributes, without case distinctions. Because the difference is computed
+ * before anything is rounded, the relative error does not increase for thin tetrahedra.
  *
- * The base side is one triangle, or two along a crease, the edge between corners 0 and 2 of the
- * silhouette, beyond which h(x, y) > 0 bends it:
+ * The base side is one triangle, or two triangles that meet at a crease, the edge between corners 0
+ * and 2 of the silhouette. Past the crease, where h(x, y) > 0, the slope changes:
  *
  *   base side = affine + bend * max(0, h(x, y))
  *
- * The affine function is that of the larger triangle. A thin one, as where a face is seen nearly
- * edge-on, has slopes without bound, and what is taken of them beyond the crease is rounding.
+ * The affine function is computed from the larger triangle. A thin triangle, such as a face seen
+ * nearly edge-on, has unbounded slopes, so extrapolating them across the crease would amplify
+ * rounding errors.
  */
 class TetrahedronSilhouette
 {
 public:
   using Projected = TetrahedraView::Projected;
 
-  /// An affine function from the thick point: X (x - thick x) + Y (y - thick y).
+  /// An affine function: X (x - thick x) + Y (y - thick y).
   struct Slope
   {
     double X;
     double Y;
   };
-  /// A value on the base side: At (at the thick point), slope, bend, and the other side less it.
+  /// A value on the base side, as its value at the thick point, its slope and its bend, and the
+  /// difference to the other side at the thick point.
   struct Value
   {
     double At;
@@ -56,8 +60,7 @@ public:
   };
 
   /**
-   * Sets the corners: polygon, thick point and faces. Returns false for a tetrahedron seen without
-   * area.
+   * Sets the corners, polygon, thick point and faces. Returns false if the projection has no area.
    */
   bool Set(const Projected& p0, const Projected& p1, const Projected& p2, const Projected& p3)
   {
@@ -90,8 +93,8 @@ public:
   }
 
   /**
-   * Sets edges, crease and what values need, after Set(): a tetrahedron between the pixels' centres
-   * needs none of them.
+   * Sets edges, crease and value coefficients. Call it after Set(), unless the tetrahedron covers
+   * no pixel center.
    */
   void SetSlopes()
   {
@@ -113,18 +116,18 @@ public:
     }
   }
 
-  /// Returns the number of corners and edges; edge i joins corners i and i + 1.
+  /// Returns the number of corners and edges. Edge i joins corners i and i + 1.
   int GetNumberOfEdges() const { return this->Size; }
   const Projected& GetPoint(int i) const { return *this->Points[this->Polygon[i]]; }
-  /// Returns the slope of an edge: lambda is 1 + the least of all slopes; 0, 0 where an edge's
-  /// never is the least, and for the fourth where there are three.
+  /// Returns the slope of an edge: lambda is 1 plus the minimum over all edges. The slope is 0 for
+  /// edges that never determine the minimum, and for edge 3 of a triangle.
   const Slope& GetEdge(int i) const { return this->Edges[i]; }
-  /// Returns the slope of h; 0, 0 where there is no crease.
+  /// Returns the slope of h; 0 if there is no crease.
   const Slope& GetCrease() const { return this->Crease; }
   double GetThickX() const { return this->ThickX; }
   double GetThickY() const { return this->ThickY; }
 
-  /// Returns the values \a v at the four corners as functions on both sides.
+  /// Returns the functions that interpolate the values \a v at the four corners, on both sides.
   Value GetValue(const std::array<double, 4>& v) const
   {
     Value value;
@@ -145,11 +148,11 @@ public:
       return value;
     }
     const int d = this->Polygon[3];
-    value.At = v[a] + this->ThickShare * (v[c] - v[a]);
+    value.At = v[a] + this->ThickFraction * (v[c] - v[a]);
     value.Base = this->GetSlope(v[b] - v[a], v[c] - v[a]);
     if (this->HasBend)
     {
-      // h is 1 at the corner across.
+      // h is 1 at corner d.
       const Projected& across = *this->Points[d];
       value.Bend = v[d] - value.At - value.Base.X * (across.X - this->ThickX) -
         value.Base.Y * (across.Y - this->ThickY);
@@ -158,11 +161,11 @@ public:
   }
 
   ///@{
-  /// Return the face that a line of sight passes on the base side and on the other side, next to
-  /// edge \a i, as the corner opposite to it.
+  /// Return the face that a view ray crosses on the base side and on the other side, next to edge
+  /// \a i, as the number of the opposite corner.
   int GetBaseFace(int i) const
   {
-    // Edges 0 and 1 are the first triangle's.
+    // Edges 0 and 1 belong to the first triangle.
     return this->Size == 3 ? this->Inner : this->Polygon[i < 2 ? 3 : 1];
   }
   int GetOtherFace(int i) const
@@ -171,7 +174,7 @@ public:
     {
       return this->Polygon[(i + 2) % 3];
     }
-    // The crease is from corner 1 to corner 3, its faces have corner 0 or corner 2.
+    // The crease of the other side joins corners 1 and 3. Its faces contain corner 0 or corner 2.
     return this->Polygon[i == 0 || i == 3 ? 2 : 0];
   }
   ///@}
@@ -185,7 +188,7 @@ private:
     return (q.X - p.X) * (r.Y - p.Y) - (q.Y - p.Y) * (r.X - p.X);
   }
 
-  // Sets a corner inside the triangle of the others.
+  // Handles a corner inside the triangle of the other corners.
   void SetInner(bool innerIsPositive)
   {
     this->Size = 3;
@@ -223,7 +226,8 @@ private:
     this->Crease = { 0.0, 0.0 };
   }
 
-  // Sets two crossing edges: the positive corners are 0 and 2 of the polygon.
+  // Handles two crossing edges. The corners with positive area become corners 0 and 2 of the
+  // polygon.
   void SetCrossing()
   {
     this->Size = 4;
@@ -232,22 +236,22 @@ private:
     int negative = 1;
     for (int k = 0; k < 4; ++k)
     {
-      int& place = this->Areas[k] > 0.0 ? positive : negative;
-      this->Polygon[place] = k;
-      place += 2;
+      int& slot = this->Areas[k] > 0.0 ? positive : negative;
+      this->Polygon[slot] = k;
+      slot += 2;
     }
-    // The first triangle is the larger one: its plane is continued by no more than its own size.
+    // The first triangle is the larger one, so its plane is extrapolated by at most its own size.
     if (std::abs(this->Areas[this->Polygon[1]]) > std::abs(this->Areas[this->Polygon[3]]))
     {
       std::swap(this->Polygon[1], this->Polygon[3]);
     }
     const int a = this->Polygon[0];
     const int c = this->Polygon[2];
-    this->ThickShare = this->Areas[c] / this->Sum;
+    this->ThickFraction = this->Areas[c] / this->Sum;
     this->ThickX =
-      this->Points[a]->X + this->ThickShare * (this->Points[c]->X - this->Points[a]->X);
+      this->Points[a]->X + this->ThickFraction * (this->Points[c]->X - this->Points[a]->X);
     this->ThickY =
-      this->Points[a]->Y + this->ThickShare * (this->Points[c]->Y - this->Points[a]->Y);
+      this->Points[a]->Y + this->ThickFraction * (this->Points[c]->Y - this->Points[a]->Y);
   }
 
   void SetCrossingEdges()
@@ -258,13 +262,13 @@ private:
     {
       const int from = this->Polygon[i];
       const int to = this->Polygon[(i + 1) % 4];
-      // The positive corner that this edge has not.
+      // The corner with positive area that is not on this edge.
       const int across = this->Polygon[i == 0 || i == 3 ? 2 : 0];
-      const double share = this->Areas[across] * this->InverseSum;
+      const double fraction = this->Areas[across] * this->InverseSum;
       const double area = this->Area(from, to, across);
-      this->SetEdge(i, share * area, area);
+      this->SetEdge(i, fraction * area, area);
     }
-    // A triangle without area beyond the crease is left out.
+    // Ignore the second triangle if it has no area.
     this->HasBend = std::abs(this->Areas[this->Polygon[1]]) > 1e-12 * this->Sum;
     this->Crease = { 0.0, 0.0 };
     if (this->HasBend)
@@ -278,7 +282,7 @@ private:
 
   void SetEdge(int i, double atThick, double inside)
   {
-    // A thick point on the edge itself: what lies between has no area.
+    // Ignore the edge if the thick point is on it: their triangle has no area.
     if (atThick * inside <= 0.0 || std::abs(atThick) < 1e-12 * this->Sum)
     {
       this->Edges[i] = { 0.0, 0.0 };
@@ -290,8 +294,8 @@ private:
     this->Edges[i] = { (a.Y - b.Y) * inverse, (b.X - a.X) * inverse };
   }
 
-  // Returns the slope of a value by how much it rises along the first triangle's sides from corner
-  // 0.
+  // Returns the slope of a value, given its increments from corner 0 to corners 1 and 2 of the
+  // first triangle.
   Slope GetSlope(double toFirst, double toSecond) const
   {
     return { toFirst * this->First.X + toSecond * this->Second.X,
@@ -302,7 +306,8 @@ private:
   std::array<double, 4> Areas;
   double Sum = 0.0;
   double InverseSum = 0.0;
-  // The slopes of the functions that are 1 at corner 1 or 2 of the first triangle, 0 at the others.
+  // Slopes of the functions that are 1 at corner 1 or 2 of the first triangle and 0 at the other
+  // corners.
   Slope First;
   Slope Second;
   double Sign = 1.0;
@@ -314,7 +319,7 @@ private:
   Slope Crease;
   double ThickX = 0.0;
   double ThickY = 0.0;
-  double ThickShare = 0.0;
+  double ThickFraction = 0.0;
 };
 
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is kept of paths besides their ends: speeds, lengths and means against exact ones.
+// Optional results along streamlines, compared with exact values: maximum speed, arc length and
+// means.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceAdvection.h"
 
@@ -13,13 +14,13 @@ namespace
 
 using namespace reference;
 
-const Lattice Cells = []
+const BoxGrid Cells = []
 {
-  Lattice lattice;
-  lattice.Origin = { -6, -6, -6 };
-  lattice.Spacing = { 0.5, 0.4, 0.3 };
-  lattice.Cells = { 24, 30, 40 };
-  return lattice;
+  BoxGrid grid;
+  grid.Origin = { -6, -6, -6 };
+  grid.Spacing = { 0.5, 0.4, 0.3 };
+  grid.Cells = { 24, 30, 40 };
+  return grid;
 }();
 
 KeepingOptions ExtraOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces = {})
@@ -33,7 +34,7 @@ KeepingOptions ExtraOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& 
   return options;
 }
 
-/// Array 0 is x, array 1 is y squared and 3.
+/// Array 0 is x, array 1 is y^2 + 3.
 Flow WithArrays(Flow flow)
 {
   flow.Array = [](int array, const double* x) { return array == 0 ? x[0] : x[1] * x[1] + 3.0; };
@@ -41,10 +42,10 @@ Flow WithArrays(Flow flow)
 }
 
 std::vector<interlume::AdvectionResult> AdvectInAll(
-  const Flow& flow, const interlume::AdvectionOptions& options, const Place& start)
+  const Flow& flow, const interlume::AdvectionOptions& options, const Position& start)
 {
   return { Advect(SpaceWalker(flow), options, start),
-    Advect(LatticeWalker(flow, Cells), options, start) };
+    Advect(BoxWalker(flow, Cells), options, start) };
 }
 
 void TestRotation(Check& check)
@@ -54,13 +55,13 @@ void TestRotation(Check& check)
        integrator <= vtkImplicitFlowField::ROSENBROCK; ++integrator)
   {
     check.SetContext("integrator " + std::to_string(integrator));
-    // Half a turn to the plane y = 0.
+    // Half a rotation to the plane y = 0.
     KeepingOptions options = ExtraOptions({ FormulaSurface::Plane({ 0, 1, 0 }, -1e-9, 0, 2) });
     options.Integrator = integrator;
     for (const auto& result : AdvectInAll(flow, options, { 2.5, 0, 1 }))
     {
       const double half = 0.5 * vtkMath::Pi();
-      check.Near(result.Time, half, 1e-7, "the time of half a turn");
+      check.Near(result.Time, half, 1e-7, "time of half a rotation");
       check.Near(result.MaximumSpeed, 5.0, 1e-7, "largest speed");
       check.Near(result.ArcLength, 5.0 * half, 1e-7, "length");
       check.Near(result.MeanVorticity, 4.0, 1e-12, "vorticity");
@@ -77,8 +78,8 @@ void TestSaddle(Check& check)
   const Flow flow = WithArrays(Flow::Linear({ 1, 0, 0, 0, -1, 0, 0, 0, 0 }));
   KeepingOptions options = ExtraOptions();
   options.MaximumTime = 2.0;
-  // Simpson's rule over the exact path.
-  const Place start = { 0.3, 2.0, 0.1 };
+  // The exact path, integrated by Simpson's rule.
+  const Position start = { 0.3, 2.0, 0.1 };
   double length = 0.0;
   constexpr int pieces = 20000;
   for (int i = 0; i <= pieces; ++i)
@@ -98,7 +99,7 @@ void TestSaddle(Check& check)
   }
 }
 
-/// The curl of this flow is the flow.
+/// The curl of this flow equals the flow.
 void TestBeltrami(Check& check)
 {
   const Flow flow = WithArrays(Flow::Beltrami(1.0, 0.7, 0.43));
@@ -106,9 +107,11 @@ void TestBeltrami(Check& check)
   options.MaximumTime = 3.0;
   for (const auto& result : AdvectInAll(flow, options, { 0.5, 0.6, 0.7 }))
   {
-    check.Near(result.MeanVorticity * result.Time, result.ArcLength, 1e-7, "curl and length");
-    check.That(result.ArcLength > 2.0, "it went somewhere");
-    check.That(result.MaximumSpeed >= result.ArcLength / result.Time, "largest and mean speed");
+    check.Near(
+      result.MeanVorticity * result.Time, result.ArcLength, 1e-7, "mean vorticity and arc length");
+    check.That(result.ArcLength > 2.0, "the streamline is long");
+    check.That(result.MaximumSpeed >= result.ArcLength / result.Time,
+      "the maximum speed is at least the mean speed");
   }
 }
 
@@ -120,19 +123,19 @@ void TestNoTime(Check& check)
   {
     check.That(result.Status == vtkFlowStatus::REACHED_SURFACE && result.Time == 0.0,
       "a sample on a surface");
-    check.Near(result.MaximumSpeed, 2.0 * std::hypot(2.5, 0.5), 1e-14, "its speed");
-    check.Near(result.ArcLength, 0.0, 0.0, "no length");
-    check.Near(result.MeanVorticity, 4.0, 1e-14, "its vorticity");
-    check.Near(result.Means[0], 3.25, 1e-14, "its value");
-    check.Near(result.Means[1], 2.5, 1e-14, "its other value");
+    check.Near(result.MaximumSpeed, 2.0 * std::hypot(2.5, 0.5), 1e-14, "speed at the sample");
+    check.Near(result.ArcLength, 0.0, 0.0, "zero length");
+    check.Near(result.MeanVorticity, 4.0, 1e-14, "vorticity at the sample");
+    check.Near(result.Means[0], 3.25, 1e-14, "mean of y squared at the sample");
+    check.Near(result.Means[1], 2.5, 1e-14, "mean of x at the sample");
   }
-  const auto outside = Advect(LatticeWalker(flow, Cells), ExtraOptions(), { 7, 0, 0 });
+  const auto outside = Advect(BoxWalker(flow, Cells), ExtraOptions(), { 7, 0, 0 });
   check.That(outside.Status == vtkFlowStatus::OUTSIDE && outside.MaximumSpeed == 0.0 &&
       outside.Means.size() == 2 && outside.Means[0] == 0.0,
-    "nothing of a sample outside");
+    "a sample outside has no results");
 }
 
-/// What is not asked for is 0 and costs nothing; the streamline is the same.
+/// Results that are not requested are 0 and cause no evaluations. The streamline is unchanged.
 void TestOff(Check& check)
 {
   int gradients = 0;
@@ -150,24 +153,24 @@ void TestOff(Check& check)
   };
   KeepingOptions options = ForwardOptions();
   options.MaximumTime = 3.0;
-  const auto plain = Advect(LatticeWalker(flow, Cells), options, { 2.5, 0, 1 });
+  const auto plain = Advect(BoxWalker(flow, Cells), options, { 2.5, 0, 1 });
   check.Equal(velocities, plain.Evaluations, "evaluations are counted");
   check.Equal(gradients, 0, "no gradients");
   check.That(plain.MaximumSpeed == 0.0 && plain.ArcLength == 0.0 && plain.MeanVorticity == 0.0 &&
       plain.Means.empty(),
-    "nothing that was not asked for");
+    "results that were not requested are 0");
   KeepingOptions all = ExtraOptions();
   all.MaximumError = options.MaximumError;
   all.MaximumTime = 3.0;
-  const auto full = Advect(LatticeWalker(flow, Cells), all, { 2.5, 0, 1 });
+  const auto full = Advect(BoxWalker(flow, Cells), all, { 2.5, 0, 1 });
   check.That(full.Position[0] == plain.Position[0] && full.Steps == plain.Steps &&
       full.Evaluations == plain.Evaluations,
-    "the same streamline");
+    "the streamline is unchanged");
   options.Integrator = vtkImplicitFlowField::ROSENBROCK;
   gradients = 0;
-  const auto stiff = Advect(LatticeWalker(flow, Cells), options, { 2.5, 0, 1 });
+  const auto stiff = Advect(BoxWalker(flow, Cells), options, { 2.5, 0, 1 });
   check.Equal(stiff.JacobianEvaluations, gradients, "Jacobians are counted");
-  check.Equal(gradients, stiff.StiffSteps + stiff.RejectedStiffSteps, "one a step");
+  check.Equal(gradients, stiff.StiffSteps + stiff.RejectedStiffSteps, "one Jacobian per step");
 }
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors of streamlines against exact ones and those of a method of order 8(7): how they fall with
-// the step, and what they are at one tolerance.
+// Errors of streamlines, compared with exact streamlines and with a method of order 8(7):
+// convergence with the step size, and errors at a fixed tolerance.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceAdvection.h"
 
@@ -20,13 +20,13 @@ namespace
 
 using namespace reference;
 
-const Lattice Cells = []
+const BoxGrid Cells = []
 {
-  Lattice lattice;
-  lattice.Origin = { -20.1, -20.13, -20.17 };
-  lattice.Spacing = { 0.5, 0.5, 0.5 };
-  lattice.Cells = { 81, 81, 81 };
-  return lattice;
+  BoxGrid grid;
+  grid.Origin = { -20.1, -20.13, -20.17 };
+  grid.Spacing = { 0.5, 0.5, 0.5 };
+  grid.Cells = { 81, 81, 81 };
+  return grid;
 }();
 
 enum Walkers
@@ -37,18 +37,18 @@ enum Walkers
 };
 const char* const WalkerNames[NumberOfWalkers] = { "space", "cubes" };
 
-interlume::AdvectionResult AdvectIn(int walker, const Flow& flow, const Lattice& lattice,
-  const interlume::AdvectionOptions& options, Place x)
+interlume::AdvectionResult AdvectIn(int walker, const Flow& flow, const BoxGrid& grid,
+  const interlume::AdvectionOptions& options, Position x)
 {
   return walker == Space ? Advect(SpaceWalker(flow), options, x)
-                         : Advect(LatticeWalker(flow, lattice), options, x);
+                         : Advect(BoxWalker(flow, grid), options, x);
 }
 
 struct Method
 {
   const char* Name;
   int Integrator;
-  /// The least power of the step, in one cell and where steps are cut at faces.
+  /// Minimum order of convergence in a single cell, and in many cells, where steps end at faces.
   double Orders[2];
 };
 const Method Methods[] = {
@@ -57,7 +57,7 @@ const Method Methods[] = {
   { "Rosenbrock", vtkImplicitFlowField::ROSENBROCK, { 3.7, 2.8 } },
 };
 
-/// The slope of a line through points.
+/// Returns the slope of the regression line through points.
 double Slope(const std::vector<double>& x, const std::vector<double>& y)
 {
   double meanX = 0.0;
@@ -81,55 +81,56 @@ struct Scene
 {
   const char* Name;
   Flow Field;
-  std::vector<Place> Starts;
+  std::vector<Position> Starts;
   double Time;
-  /// None: by the method of order 8(7).
-  std::function<Place(const Place&, double)> Exact;
+  /// Exact solution. If null, a method of order 8(7) is used.
+  std::function<Position(const Position&, double)> Exact;
 };
 
-std::vector<Place> RandomPlaces(std::size_t number, const Place& low, const Place& high)
+std::vector<Position> RandomPositions(std::size_t number, const Position& low, const Position& high)
 {
   std::mt19937 random(7);
-  std::vector<Place> places(number);
-  for (Place& place : places)
+  std::vector<Position> positions(number);
+  for (Position& position : positions)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      place[i] = low[i] + (high[i] - low[i]) * (random() / 4294967296.0);
+      position[i] = low[i] + (high[i] - low[i]) * (random() / 4294967296.0);
     }
   }
-  return places;
+  return positions;
 }
 
 std::vector<Scene> MakeScenes()
 {
   std::vector<Scene> scenes;
   scenes.push_back(
-    { "rotation", Flow::Rotation(1.0), RandomPlaces(12, { 0.5, -2, -1 }, { 2, 2, 1 }), 6.0,
-      [](const Place& x, double t)
+    { "rotation", Flow::Rotation(1.0), RandomPositions(12, { 0.5, -2, -1 }, { 2, 2, 1 }), 6.0,
+      [](const Position& x, double t)
       {
-        return Place{ x[0] * std::cos(t) - x[1] * std::sin(t),
+        return Position{ x[0] * std::cos(t) - x[1] * std::sin(t),
           x[0] * std::sin(t) + x[1] * std::cos(t), x[2] };
       } });
   scenes.push_back({ "saddle", Flow::Linear({ 1, 0, 0, 0, -1, 0, 0, 0, 0.2 }),
-    RandomPlaces(12, { 0.1, 0.5, -1 }, { 0.4, 2, 1 }), 3.0, [](const Place& x, double t) {
-      return Place{ x[0] * std::exp(t), x[1] * std::exp(-t), x[2] * std::exp(0.2 * t) };
+    RandomPositions(12, { 0.1, 0.5, -1 }, { 0.4, 2, 1 }), 3.0, [](const Position& x, double t) {
+      return Position{ x[0] * std::exp(t), x[1] * std::exp(-t), x[2] * std::exp(0.2 * t) };
     } });
-  scenes.push_back({ "round a sphere", Flow::RoundSphere(),
-    RandomPlaces(12, { -3, 0.3, 0.2 }, { -2.5, 0.8, 0.8 }), 7.0, nullptr });
+  scenes.push_back({ "orbit around a sphere", Flow::RoundSphere(),
+    RandomPositions(12, { -3, 0.3, 0.2 }, { -2.5, 0.8, 0.8 }), 7.0, nullptr });
   scenes.push_back({ "Beltrami", Flow::Beltrami(1.0, 0.7, 0.43),
-    RandomPlaces(12, { 0, 0, 0 }, { 6, 6, 6 }), 4.0, nullptr });
+    RandomPositions(12, { 0, 0, 0 }, { 6, 6, 6 }), 4.0, nullptr });
   for (Scene& scene : scenes)
   {
     if (!scene.Exact)
     {
-      scene.Exact = [flow = scene.Field](const Place& x, double t) { return flow.Follow(x, t); };
+      scene.Exact = [flow = scene.Field](const Position& x, double t) { return flow.Follow(x, t); };
     }
   }
   return scenes;
 }
 
-/// Of one step: how its error falls at the end and between, and that of its estimate.
+/// Convergence of a single step: its error at the end, its error in between, and the error
+/// estimate.
 template <typename Method>
 void TestStep(Check& check, const char* name, double endOrder, double denseOrder)
 {
@@ -142,7 +143,7 @@ void TestStep(Check& check, const char* name, double endOrder, double denseOrder
   for (double h : { 0.4, 0.2, 0.1, 0.05, 0.025 })
   {
     double sums[3] = {};
-    for (const Place& start : RandomPlaces(20, { 0, 0, 0 }, { 6, 6, 6 }))
+    for (const Position& start : RandomPositions(20, { 0, 0, 0 }, { 6, 6, 6 }))
     {
       interlume::AdvectionEnd counts;
       interlume::AdvectionRate<SpaceWalker> rate(walker, false, counts);
@@ -163,7 +164,7 @@ void TestStep(Check& check, const char* name, double endOrder, double denseOrder
       double p[3];
       dense.GetPoint(1.0, p);
       check.That(Distance(p, { method.End[0], method.End[1], method.End[2] }) <= 1e-14,
-        "a dense output that ends where the step does");
+        "the dense output ends at the end of the step");
     }
     steps.push_back(std::log(h));
     ends.push_back(0.5 * std::log(sums[0]));
@@ -174,17 +175,17 @@ void TestStep(Check& check, const char* name, double endOrder, double denseOrder
   std::cout << name << ": local orders " << orders[0] << " at the end, " << orders[1]
             << " between, " << orders[2] << " of the estimate\n";
   const std::string what = std::string("local order of ") + name;
-  check.That(orders[0] >= endOrder - 0.3, what + " at the end");
-  check.Near(orders[1], denseOrder, 0.06, what + " between");
-  check.Near(orders[2], Method::ErrorOrder + 1.0, 0.06, what + ", estimate");
+  check.That(orders[0] >= endOrder - 0.3, what + " at the end of the step");
+  check.Near(orders[1], denseOrder, 0.06, what + " of the dense output");
+  check.Near(orders[2], Method::ErrorOrder + 1.0, 0.06, what + " of the error estimate");
 }
 
 void TestSlopes(Check& check)
 {
   for (const Scene& scene : MakeScenes())
   {
-    std::vector<Place> ends;
-    for (const Place& start : scene.Starts)
+    std::vector<Position> ends;
+    for (const Position& start : scene.Starts)
     {
       ends.push_back(scene.Exact(start, scene.Time));
     }
@@ -211,12 +212,12 @@ void TestSlopes(Check& check)
                 (method.Integrator == vtkImplicitFlowField::ROSENBROCK
                     ? NumberOfSteps(result) - result.RejectedStiffSteps
                     : 0),
-              "steps of the method asked for");
+              "steps of the requested method");
             number += NumberOfSteps(result);
             squares += std::pow(Distance(result.Position, ends[i]), 2.0);
           }
           const double error = std::sqrt(squares / static_cast<double>(ends.size()));
-          check.That(error <= 10.0 * tolerance * scene.Time, "an error as asked for");
+          check.That(error <= 10.0 * tolerance * scene.Time, "the error is within the tolerance");
           steps.push_back(-std::log(number));
           errors.push_back(std::log(error));
         }
@@ -224,29 +225,29 @@ void TestSlopes(Check& check)
         const std::string what =
           std::string(scene.Name) + " in " + WalkerNames[walker] + ", " + method.Name;
         std::cout << what << ": order " << slope << "\n";
-        check.That(slope >= method.Orders[walker == Space ? 0 : 1], "the order of " + what);
+        check.That(slope >= method.Orders[walker == Space ? 0 : 1], "order of " + what);
       }
     }
   }
 }
 
-/// Kinks at faces, between cells of a field interpolated trilinearly, cost no order.
+/// Trilinear interpolation has kinks at cell faces. They do not reduce the order.
 void TestKinks(Check& check)
 {
   const Flow flow = Flow::Beltrami(1.0, 0.7, 0.43);
-  Lattice lattice = Cells;
-  lattice.IsInterpolated = true;
-  const std::vector<Place> starts = RandomPlaces(12, { 0, 0, 0 }, { 6, 6, 6 });
+  BoxGrid grid = Cells;
+  grid.IsInterpolated = true;
+  const std::vector<Position> starts = RandomPositions(12, { 0, 0, 0 }, { 6, 6, 6 });
   KeepingOptions options = ForwardOptions();
   options.MaximumTime = 4.0;
   for (const Method& method : Methods)
   {
-    std::vector<Place> ends;
+    std::vector<Position> ends;
     options.Integrator = vtkImplicitFlowField::DORMAND_PRINCE;
     options.MaximumError = 1e-13;
-    for (const Place& start : starts)
+    for (const Position& start : starts)
     {
-      const interlume::AdvectionResult result = AdvectIn(Cubes, flow, lattice, options, start);
+      const interlume::AdvectionResult result = AdvectIn(Cubes, flow, grid, options, start);
       ends.push_back({ result.Position[0], result.Position[1], result.Position[2] });
     }
     options.Integrator = method.Integrator;
@@ -259,13 +260,13 @@ void TestKinks(Check& check)
       double squares = 0.0;
       for (std::size_t i = 0; i < ends.size(); ++i)
       {
-        const interlume::AdvectionResult result =
-          AdvectIn(Cubes, flow, lattice, options, starts[i]);
+        const interlume::AdvectionResult result = AdvectIn(Cubes, flow, grid, options, starts[i]);
         number += NumberOfSteps(result);
         squares += std::pow(Distance(result.Position, ends[i]), 2.0);
       }
       const double error = std::sqrt(squares / static_cast<double>(ends.size()));
-      check.That(error <= 10.0 * tolerance * options.MaximumTime, "an error as asked for at kinks");
+      check.That(error <= 10.0 * tolerance * options.MaximumTime,
+        "the error with kinks is within the tolerance");
       steps.push_back(-std::log(number));
       errors.push_back(std::log(error));
     }
@@ -274,8 +275,8 @@ void TestKinks(Check& check)
   }
 }
 
-/// 2,000 samples that reach a surface, each in one cell and in many: 99.9 % within ten times the
-/// tolerance.
+/// 2,000 samples that reach a surface, in a single cell and in many cells. 99.9 % of the errors are
+/// within ten times the tolerance.
 void TestTolerance(Check& check)
 {
   struct Case
@@ -283,8 +284,8 @@ void TestTolerance(Check& check)
     const char* Name;
     Flow Field;
     vtkSmartPointer<FormulaSurface> Surface;
-    Place Low;
-    Place High;
+    Position Low;
+    Position High;
     bool IsBackward;
   };
   const Case cases[] = {
@@ -292,7 +293,7 @@ void TestTolerance(Check& check)
       { -2, -2, -1 }, { 2, 2, 1 }, true },
     { "saddle", Flow::Linear({ 1, 0, 0, 0, -1, 0, 0, 0, 0.2 }),
       FormulaSurface::Sphere({ 0, 0, 0 }, 3.0), { -1, -1, -1 }, { 1, 1, 1 }, false },
-    { "round a sphere", Flow::RoundSphere(), FormulaSurface::Plane({ 1, 0, 0 }, -3.0, 1, 2),
+    { "orbit around a sphere", Flow::RoundSphere(), FormulaSurface::Plane({ 1, 0, 0 }, -3.0, 1, 2),
       { -3, 1.1, -2 }, { 4, 2, 2 }, true },
     { "Beltrami", Flow::Beltrami(1.0, 0.7, 0.43), FormulaSurface::Sphere({ 3, 3, 3 }, 2.0),
       { 1.9, 1.9, 1.9 }, { 4.1, 4.1, 4.1 }, true },
@@ -309,17 +310,17 @@ void TestTolerance(Check& check)
       options.SetBackward(one.IsBackward);
       options.MaximumError = tolerance;
       options.MaximumTime = 50.0;
-      int answers = 0;
-      for (const Place& start : RandomPlaces(700, one.Low, one.High))
+      int arrivals = 0;
+      for (const Position& start : RandomPositions(700, one.Low, one.High))
       {
         const interlume::AdvectionResult result =
           AdvectIn(walker, one.Field, Cells, options, start);
-        if (result.Status != vtkFlowStatus::REACHED_SURFACE || answers == 500)
+        if (result.Status != vtkFlowStatus::REACHED_SURFACE || arrivals == 500)
         {
           continue;
         }
-        ++answers;
-        const Place end = one.Field.Follow(start, one.IsBackward ? -result.Time : result.Time);
+        ++arrivals;
+        const Position end = one.Field.Follow(start, one.IsBackward ? -result.Time : result.Time);
         const double error = std::max(
           Distance(result.Position, end), std::abs(one.Surface->EvaluateDistance(end.data())));
         const double part = error / (tolerance * std::max(1.0, result.Time));
@@ -329,14 +330,15 @@ void TestTolerance(Check& check)
         one.Surface->EvaluateParameters(result.Position, uv);
         check.That(uv[0] == result.Parameters[0] && uv[1] == result.Parameters[1] &&
             std::abs(one.Surface->EvaluateDistance(result.Position)) <= 1e-13,
-          "the end on the surface");
+          "the end lies on the surface");
       }
-      std::cout << WalkerNames[walker] << ", " << one.Name << ": " << answers << " answers\n";
-      number += answers;
+      std::cout << WalkerNames[walker] << ", " << one.Name << ": " << arrivals
+                << " samples reach the surface\n";
+      number += arrivals;
     }
     std::cout << WalkerNames[walker] << ": " << good << " of " << number
-              << " within ten times the tolerance, the worst " << worst << " times\n";
-    check.Equal(number, 2000, "samples with an answer");
+              << " within ten times the tolerance, maximum " << worst << " times\n";
+    check.Equal(number, 2000, "samples that reach the surface");
     check.That(good >= 0.999 * number, "99.9 % within ten times the tolerance");
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Closed orbits end by coming back, long before the steps are used up; spirals, inward, outward and
-// along an axis, arrive where they would have arrived however slowly they get there, and so do
-// streamlines beside an orbit that repels them.
+// Closed orbits are detected long before the maximum number of steps. Spirals, inward, outward and
+// along an axis, reach the same surfaces as without the detection, however slow they are. The same
+// holds for streamlines near a repelling orbit.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceAdvection.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -23,20 +23,20 @@ namespace
 
 using namespace reference;
 
-/// Cells of width 1, over -4 ... 4.
-Lattice MakeLattice()
+/// Cells of width 1 in [-4, 4].
+BoxGrid MakeGrid()
 {
-  Lattice lattice;
-  lattice.Cells = { 8, 8, 8 };
-  lattice.Origin = { -4, -4, -4 };
-  return lattice;
+  BoxGrid grid;
+  grid.Cells = { 8, 8, 8 };
+  grid.Origin = { -4, -4, -4 };
+  return grid;
 }
 
 void TestClosed(Check& check)
 {
   const Flow flow = Flow::Rotation(1.0);
-  const Lattice lattice = MakeLattice();
-  const LatticeWalker walker(flow, lattice);
+  const BoxGrid grid = MakeGrid();
+  const BoxWalker walker(flow, grid);
   for (int integrator = vtkImplicitFlowField::AUTOMATIC;
        integrator <= vtkImplicitFlowField::ROSENBROCK; ++integrator)
   {
@@ -51,16 +51,16 @@ void TestClosed(Check& check)
       check.That(NumberOfSteps(result) < options.MaximumNumberOfSteps / 4, Describe(result));
       options.SetBackward(!options.IsBackward());
     }
-    // The surface is nearer than the orbit is sure to keep away from.
-    const auto beside = Advect(walker, options, { 2.0, 0.1, 1.999999 });
-    check.Equal(beside.Status, vtkFlowStatus::OUT_OF_STEPS, Describe(beside));
+    // The distance to the surface is within the uncertainty of the orbit.
+    const auto near = Advect(walker, options, { 2.0, 0.1, 1.999999 });
+    check.Equal(near.Status, vtkFlowStatus::OUT_OF_STEPS, Describe(near));
   }
 }
 
-/// v = rate (-y - a x, x - a y) and b z, from (r, 0, z).
+/// v = rate (-y - a x, x - a y) and b z, started at (r, 0, z).
 void TestSpirals(Check& check)
 {
-  const Lattice lattice = MakeLattice();
+  const BoxGrid grid = MakeGrid();
   int late = 0;
   for (const double inward : { 0.1, 0.01, 1e-3, 1e-4, -0.1, -0.01, -1e-3, -1e-4 })
   {
@@ -68,14 +68,14 @@ void TestSpirals(Check& check)
     {
       check.SetContext("inward " + std::to_string(inward) + ", along " + std::to_string(along));
       const Flow flow = Flow::Linear({ { -inward, -1, 0, 1, -inward, 0, 0, 0, along } });
-      const LatticeWalker walker(flow, lattice);
+      const BoxWalker walker(flow, grid);
       KeepingOptions options = ForwardOptions(
         { FormulaSurface::Sphere({ 0, 0, 0 }, 0.9), FormulaSurface::Sphere({ 0, 0, 0 }, 3.9) });
       for (const double radius : { 0.95, 1.5, 2.5, 3.7 })
       {
         for (const double z : { 0.0, 1e-6, 0.01 })
         {
-          // When the distance from the middle is the one or the other.
+          // Time at which the distance from the center reaches one of the radii.
           double time = 0.0;
           const auto distance = [&](double t)
           { return std::hypot(radius * std::exp(-inward * t), z * std::exp(along * t)); };
@@ -83,33 +83,34 @@ void TestSpirals(Check& check)
           {
             time += 0.01;
           }
-          // In fewer steps than half of those that it takes there is nothing to be found.
+          // The limit affects the detection of orbits, so that a low limit and a high limit are
+          // compared.
           options.MaximumNumberOfSteps = 2000;
           const auto result = Advect(walker, options, { radius, 0, z });
           options.MaximumNumberOfSteps = 200000;
-          const auto whole = Advect(walker, options, { radius, 0, z });
+          const auto full = Advect(walker, options, { radius, 0, z });
           if (time < 2e4)
           {
-            check.Equal(whole.Status, vtkFlowStatus::REACHED_SURFACE, Describe(whole));
-            check.Near(whole.Time, time, 1e-3, "time", 10.0);
+            check.Equal(full.Status, vtkFlowStatus::REACHED_SURFACE, Describe(full));
+            check.Near(full.Time, time, 1e-3, "time", 10.0);
           }
-          // What would have reached within its steps does.
+          // Streamlines that reach a surface within the step limit still do.
           const bool isReached =
-            whole.Status == vtkFlowStatus::REACHED_SURFACE && NumberOfSteps(whole) < 2000;
+            full.Status == vtkFlowStatus::REACHED_SURFACE && NumberOfSteps(full) < 2000;
           check.That(!isReached || result.Status == vtkFlowStatus::REACHED_SURFACE,
-            Describe(result) + " instead of " + Describe(whole));
-          late += isReached && NumberOfSteps(whole) > 500 ? 1 : 0;
+            Describe(result) + " instead of " + Describe(full));
+          late += isReached && NumberOfSteps(full) > 500 ? 1 : 0;
         }
       }
     }
   }
-  check.That(late > 5, "some are long under way: " + std::to_string(late));
+  check.That(late > 5, "some streamlines take many steps: " + std::to_string(late));
 }
 
-/// An orbit that repels: dr/dt = rate (r - 2).
+/// A repelling orbit: dr/dt = rate (r - 2).
 void TestRepelled(Check& check)
 {
-  const Lattice lattice = MakeLattice();
+  const BoxGrid grid = MakeGrid();
   for (const double rate : { 0.03, 0.1, 0.5 })
   {
     for (const double start : { 1e-2, 1e-4, 1e-6, -1e-2, -1e-4, -1e-6 })
@@ -124,7 +125,7 @@ void TestRepelled(Check& check)
         v[1] = x[0] + outward * x[1];
         v[2] = 0.0;
       };
-      const LatticeWalker walker(flow, lattice);
+      const BoxWalker walker(flow, grid);
       KeepingOptions options = ForwardOptions(
         { FormulaSurface::Sphere({ 0, 0, 0 }, 1.1), FormulaSurface::Sphere({ 0, 0, 0 }, 3.1) });
       options.Integrator = vtkImplicitFlowField::DORMAND_PRINCE;
@@ -136,7 +137,7 @@ void TestRepelled(Check& check)
   }
 }
 
-/// Hill's vortex in uniform flow, in a sphere of radius 0.6.
+/// Hill's vortex of radius 0.6 in uniform flow.
 Vector Hill(const Vector& x)
 {
   constexpr double a = 0.6;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How streamlines end where they reach no surface: every status, and limits to the last digit.
+// Termination without a surface: every status, and limits that are met exactly.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceAdvection.h"
 
@@ -17,98 +17,99 @@ namespace
 
 using namespace reference;
 
-Lattice Cubes(int number)
+BoxGrid Cubes(int number)
 {
-  Lattice lattice;
-  lattice.Cells = { number, number, number };
-  return lattice;
+  BoxGrid grid;
+  grid.Cells = { number, number, number };
+  return grid;
 }
 
 void TestOutside(Check& check)
 {
   const Flow flow = Flow::Uniform({ 1, 0, 0 });
-  const Lattice lattice = Cubes(4);
+  const BoxGrid grid = Cubes(4);
   const auto surface = FormulaSurface::Plane({ 1, 0, 0 }, -1.0, 1, 2);
-  const auto result =
-    Advect(LatticeWalker(flow, lattice), ForwardOptions({ surface }), { -1, 2, 2 });
+  const auto result = Advect(BoxWalker(flow, grid), ForwardOptions({ surface }), { -1, 2, 2 });
   check.Equal(result.Status, vtkFlowStatus::OUTSIDE, "a sample outside, even on a surface");
   check.That(result.Position[0] == -1 && result.Time == 0.0 && result.Id == -1 &&
       result.Cells == 0 && result.Evaluations == 0,
-    "nothing but the sample");
+    "results of a sample outside");
 }
 
 void TestLeaving(Check& check)
 {
   const Flow flow = Flow::Uniform({ 1, 0.5, 0 });
-  Lattice lattice = Cubes(4);
-  auto left = Advect(LatticeWalker(flow, lattice), ForwardOptions(), { 0.5, 0.5, 0.5 });
-  check.Equal(left.Status, vtkFlowStatus::LEFT_DOMAIN, "the end of the field");
-  check.Near(left.Time, 3.5, 1e-14, "time until there");
-  check.Near(left.Position[1], 2.25, 1e-14, "place there");
+  BoxGrid grid = Cubes(4);
+  auto left = Advect(BoxWalker(flow, grid), ForwardOptions(), { 0.5, 0.5, 0.5 });
+  check.Equal(left.Status, vtkFlowStatus::LEFT_DOMAIN, "the streamline leaves the domain");
+  check.Near(left.Time, 3.5, 1e-14, "time of leaving");
+  check.Near(left.Position[1], 2.25, 1e-14, "position of leaving");
   check.Equal(left.Cells, 6, "cells entered");
-  // A cell that is missing.
-  lattice.IsCell = [](const auto& cell) { return cell[0] != 2; };
+  // The grid has no cells at index 2 along x.
+  grid.IsCell = [](const auto& cell) { return cell[0] != 2; };
   interlume::AdvectionOptions options = ForwardOptions();
   options.DomainFaces = true;
   options.DomainFaceId = 0;
-  left = Advect(LatticeWalker(flow, lattice), options, { 0.5, 0.5, 0.5 });
-  check.Equal(left.Status, vtkFlowStatus::LEFT_DOMAIN, "a hole is no face of the domain");
+  left = Advect(BoxWalker(flow, grid), options, { 0.5, 0.5, 0.5 });
+  check.Equal(left.Status, vtkFlowStatus::LEFT_DOMAIN, "a face of a hole is not a domain face");
   check.Near(left.Time, 1.5, 1e-14, "time until the hole");
-  // A sample on the boundary, outwards and inwards and along it.
-  lattice = Cubes(4);
-  const LatticeWalker walker(flow, lattice);
+  // A sample on the boundary, with outward, inward and tangential flow.
+  grid = Cubes(4);
+  const BoxWalker walker(flow, grid);
   left = Advect(walker, options, { 4, 1.25, 0.5 });
   check.That(left.Status == vtkFlowStatus::REACHED_SURFACE && left.Id == 1 && left.Time == 0.0 &&
       left.Parameters[0] == 0.3125,
-    "outwards from a face: " + Describe(left));
+    "outward from a face: " + Describe(left));
   left = Advect(walker, options, { 0, 1.25, 0.5 });
-  check.That(left.Id == 1 && std::abs(left.Time - 4.0) < 1e-14, "inwards from a face");
+  check.That(left.Id == 1 && std::abs(left.Time - 4.0) < 1e-14, "inward from a face");
   const Flow along = Flow::Uniform({ 1, 0, 0 });
-  for (const Place& start : { Place{ 0.5, 4, 4 }, Place{ 0.5, 0, 4 }, Place{ 0, 0, 0 } })
+  for (const Position& start :
+    { Position{ 0.5, 4, 4 }, Position{ 0.5, 0, 4 }, Position{ 0, 0, 0 } })
   {
-    left = Advect(LatticeWalker(along, lattice), options, start);
+    left = Advect(BoxWalker(along, grid), options, start);
     check.That(left.Id == 1 && std::abs(left.Time - (4.0 - start[0])) < 1e-14,
       "along an edge of the domain: " + Describe(left));
   }
 }
 
-/// Through edges and corners, along faces, and round an edge that is all of a streamline's middle.
+/// Streamlines through edges and corners, along faces, and around an edge.
 void TestEdges(Check& check)
 {
-  Lattice lattice = Cubes(8);
+  BoxGrid grid = Cubes(8);
   interlume::AdvectionOptions options = ForwardOptions();
   options.MaximumTime = 50.0;
-  for (const Place& velocity :
-    { Place{ 1, 1, 1 }, Place{ 1, 1, 0 }, Place{ 1, 0, 0 }, Place{ 1, -1, 1 }, Place{ -1, -1, -1 },
-      Place{ 1, 1e-14, -1e-14 }, Place{ 1, 1e-17, 1 }, Place{ 1, 1 + 1e-15, 1 } })
+  for (const Position& velocity : { Position{ 1, 1, 1 }, Position{ 1, 1, 0 }, Position{ 1, 0, 0 },
+         Position{ 1, -1, 1 }, Position{ -1, -1, -1 }, Position{ 1, 1e-14, -1e-14 },
+         Position{ 1, 1e-17, 1 }, Position{ 1, 1 + 1e-15, 1 } })
   {
     const Flow flow = Flow::Uniform(velocity);
-    const auto result = Advect(LatticeWalker(flow, lattice), options, { 4, 4, 4 });
+    const auto result = Advect(BoxWalker(flow, grid), options, { 4, 4, 4 });
     check.Equal(result.Status, vtkFlowStatus::LEFT_DOMAIN, "from a corner: " + Describe(result));
-    check.Near(result.Time, 4.0, 1e-13, "time from the middle");
+    check.Near(result.Time, 4.0, 1e-13, "time from the center");
     for (std::size_t i = 0; i < 3; ++i)
     {
-      check.Near(result.Position[i], 4.0 + 4.0 * velocity[i], 1e-12, "place from the middle", 1.0);
+      check.Near(
+        result.Position[i], 4.0 + 4.0 * velocity[i], 1e-12, "position from the center", 1.0);
     }
     check.That(NumberOfSteps(result) <= 12 && result.Cells <= 40, "few steps and cells");
   }
-  // Missing cells beside the diagonal: there is no way but through the edge.
-  lattice.IsCell = [](const auto& cell) { return cell[0] == cell[1]; };
-  auto result =
-    Advect(LatticeWalker(Flow::Uniform({ 1, 1, 0 }), lattice), options, { 0.5, 0.5, 0.5 });
-  check.Equal(result.Status, vtkFlowStatus::LEFT_DOMAIN, "nothing beyond an edge");
+  // Missing cells next to the diagonal: the only connection is an edge.
+  grid.IsCell = [](const auto& cell) { return cell[0] == cell[1]; };
+  auto result = Advect(BoxWalker(Flow::Uniform({ 1, 1, 0 }), grid), options, { 0.5, 0.5, 0.5 });
+  check.Equal(
+    result.Status, vtkFlowStatus::LEFT_DOMAIN, "the streamline ends at an edge without cells");
   check.Near(result.Time, 0.5, 1e-14, "time to the edge");
-  lattice.IsCell = [](const auto& cell) { return cell[0] == cell[1] || cell[0] == cell[1] + 1; };
+  grid.IsCell = [](const auto& cell) { return cell[0] == cell[1] || cell[0] == cell[1] + 1; };
   const Flow diagonal = Flow::Uniform({ 1, 1, 0 });
-  result = Advect(LatticeWalker(diagonal, lattice), options, { 0.5, 0.5, 0.5 });
+  result = Advect(BoxWalker(diagonal, grid), options, { 0.5, 0.5, 0.5 });
   check.That(result.Status == vtkFlowStatus::LEFT_DOMAIN && std::abs(result.Time - 7.5) < 1e-13,
-    "round an edge by the cells on one side: " + Describe(result));
-  lattice.IsCell = [](const auto& cell) { return cell[0] == cell[1] || cell[0] + 1 == cell[1]; };
-  result = Advect(LatticeWalker(diagonal, lattice), options, { 0.5, 0.5, 0.5 });
+    "around an edge, through the cells on one side: " + Describe(result));
+  grid.IsCell = [](const auto& cell) { return cell[0] == cell[1] || cell[0] + 1 == cell[1]; };
+  result = Advect(BoxWalker(diagonal, grid), options, { 0.5, 0.5, 0.5 });
   check.That(result.Status == vtkFlowStatus::LEFT_DOMAIN && std::abs(result.Time - 7.5) < 1e-13,
-    "round an edge by the cells on the other side: " + Describe(result));
-  // Closed orbits round an edge and a corner, and through the middles of faces.
-  lattice.IsCell = nullptr;
+    "around an edge, through the cells on the other side: " + Describe(result));
+  // Closed orbits around an edge and a corner, and through face centers.
+  grid.IsCell = nullptr;
   const Flow rotation = Flow::Linear({ 0, -1, 0, 1, 0, 0, 0, 0, 0 }, { 4, 4, 4 });
   options.MaximumError = 1e-9;
   options.MaximumTime = 20.0 * vtkMath::Pi();
@@ -116,29 +117,29 @@ void TestEdges(Check& check)
   {
     for (double height : { 4.0, 4.3 })
     {
-      const auto orbit =
-        Advect(LatticeWalker(rotation, lattice), options, { 4 + radius, 4, height });
-      check.Equal(orbit.Status, vtkFlowStatus::OUT_OF_TIME, "ten times around");
-      check.Near(Distance(orbit.Position, { 4 + radius, 4, height }), 0.0, 6e-8, "back again", 1.0);
+      const auto orbit = Advect(BoxWalker(rotation, grid), options, { 4 + radius, 4, height });
+      check.Equal(orbit.Status, vtkFlowStatus::OUT_OF_TIME, "ten orbits");
+      check.Near(
+        Distance(orbit.Position, { 4 + radius, 4, height }), 0.0, 6e-8, "the orbit is closed", 1.0);
     }
   }
-  // Two cells of which each sends the streamline to the other.
-  lattice.CellVelocity = [](const auto& cell) {
-    return Place{ cell[0] < 4 ? 1.0 : -1.0, 0.125, 0.0 };
+  // The velocities of two adjacent cells point toward each other.
+  grid.CellVelocity = [](const auto& cell) {
+    return Position{ cell[0] < 4 ? 1.0 : -1.0, 0.125, 0.0 };
   };
   options = ForwardOptions();
   options.MaximumNumberOfSteps = 2000;
-  result = Advect(LatticeWalker(rotation, lattice), options, { 3.5, 4.2, 4.5 });
+  result = Advect(BoxWalker(rotation, grid), options, { 3.5, 4.2, 4.5 });
   check.That(
     NumberOfSteps(result) <= 2000 && result.Time > 0.5 && std::abs(result.Position[0] - 4.0) < 0.1,
-    "to and fro: " + Describe(result));
+    "alternating between two cells: " + Describe(result));
 }
 
 void TestStagnation(Check& check)
 {
   const Flow node = Flow::Linear({ -1, 0, 0, 0, -1, 0, 0, 0, -1 }, { 2.3, 2.4, 2.6 });
-  const Lattice lattice = Cubes(4);
-  const LatticeWalker walker(node, lattice);
+  const BoxGrid grid = Cubes(4);
+  const BoxWalker walker(node, grid);
   for (int integrator = vtkFlowSettings::AUTOMATIC; integrator <= vtkFlowSettings::ROSENBROCK;
        ++integrator)
   {
@@ -148,14 +149,14 @@ void TestStagnation(Check& check)
     auto result = Advect(walker, options, { 0.3, 0.4, 0.6 });
     check.Equal(result.Status, vtkFlowStatus::STAGNATED, "a node");
     const double distance = Distance(result.Position, { 2.3, 2.4, 2.6 });
-    check.That(distance < 1e-3 && distance > 1e-6, "it is slow there");
-    // Without a least speed it ends where steps are lost.
+    check.That(distance < 1e-3 && distance > 1e-6, "the streamline ends where the flow is slow");
+    // Without a minimum speed, the streamline ends where steps become too small.
     options.MinimumSpeed = 0.0;
     result = Advect(walker, options, { 0.3, 0.4, 0.6 });
     check.That(result.Status == vtkFlowStatus::STAGNATED && NumberOfSteps(result) < 1000,
       "at the node: " + Describe(result));
     check.That(Distance(result.Position, { 2.3, 2.4, 2.6 }) <= options.MaximumError * result.Time,
-      "the node to the error: " + Describe(result));
+      "the end is the node within the error: " + Describe(result));
     const auto origin = Advect(
       SpaceWalker(Flow::Linear({ -1, 0, 0, 0, -1, 0, 0, 0, -1 })), options, { 0.3, 0.4, 0.6 });
     check.That(origin.Status == vtkFlowStatus::STAGNATED && NumberOfSteps(origin) < 1000,
@@ -163,7 +164,7 @@ void TestStagnation(Check& check)
   }
   interlume::AdvectionOptions options = ForwardOptions();
   const Flow zero = Flow::Uniform({ 0, 0, 0 });
-  const auto still = Advect(LatticeWalker(zero, lattice), options, { 1, 2, 3 });
+  const auto still = Advect(BoxWalker(zero, grid), options, { 1, 2, 3 });
   check.That(still.Status == vtkFlowStatus::STAGNATED && still.Time == 0.0 &&
       NumberOfSteps(still) == 0 && still.Position[1] == 2.0,
     "no flow");
@@ -172,9 +173,9 @@ void TestStagnation(Check& check)
 void TestLimits(Check& check)
 {
   const Flow flow = Flow::Rotation(1.0);
-  Lattice lattice = Cubes(8);
-  lattice.Origin = { -4, -4, -4 };
-  const LatticeWalker walker(flow, lattice);
+  BoxGrid grid = Cubes(8);
+  grid.Origin = { -4, -4, -4 };
+  const BoxWalker walker(flow, grid);
   for (int integrator = vtkFlowSettings::AUTOMATIC; integrator <= vtkFlowSettings::ROSENBROCK;
        ++integrator)
   {
@@ -185,23 +186,23 @@ void TestLimits(Check& check)
     {
       options.MaximumTime = time;
       const auto result = Advect(walker, options, { 3, 0.1, 0.2 });
-      check.Equal(result.Status, vtkFlowStatus::OUT_OF_TIME, "a limit of time");
-      check.That(result.Time == time, "the time of the limit");
+      check.Equal(result.Status, vtkFlowStatus::OUT_OF_TIME, "a limit of the time");
+      check.That(result.Time == time, "the time equals the limit");
       const double cosine = std::cos(time);
       const double sine = std::sin(time);
       check.Near(
         Distance(result.Position, { 3 * cosine - 0.1 * sine, 3 * sine + 0.1 * cosine, 0.2 }), 0.0,
-        2e-8, "the place at that time", 1.0);
+        2e-8, "the position at the limit", 1.0);
     }
     options.MaximumTime = VTK_DOUBLE_MAX;
     for (int number : { 1, 2, 17, 500 })
     {
       options.MaximumNumberOfSteps = number;
       const auto result = Advect(walker, options, { 3, 0.1, 0.2 });
-      check.Equal(result.Status, vtkFlowStatus::OUT_OF_STEPS, "a limit of steps");
-      check.Equal(NumberOfSteps(result), number, "as many steps");
+      check.Equal(result.Status, vtkFlowStatus::OUT_OF_STEPS, "a limit of the number of steps");
+      check.Equal(NumberOfSteps(result), number, "the number of steps equals the limit");
       check.Near(std::hypot(result.Position[0], result.Position[1]), std::hypot(3.0, 0.1), 1e-6,
-        "the circle");
+        "the position lies on the circle");
     }
   }
 }
@@ -209,16 +210,17 @@ void TestLimits(Check& check)
 void TestNotFinite(Check& check)
 {
   const Flow flow = Flow::Uniform({ 1, 0, 0 });
-  Lattice lattice = Cubes(4);
-  lattice.IsFinite = [](const auto& cell) { return cell[0] != 2; };
+  BoxGrid grid = Cubes(4);
+  grid.IsFinite = [](const auto& cell) { return cell[0] != 2; };
   interlume::AdvectionOptions options = ForwardOptions();
-  auto result = Advect(LatticeWalker(flow, lattice), options, { 0.5, 0.5, 0.5 });
-  check.Equal(result.Status, vtkFlowStatus::NOT_FINITE, "a cell that is not finite");
-  check.Near(result.Time, 1.5, 1e-14, "time to there");
-  check.Near(result.Position[0], 2.0, 1e-14, "place there");
-  result = Advect(LatticeWalker(flow, lattice), options, { 2.5, 0.5, 0.5 });
-  check.That(result.Status == vtkFlowStatus::NOT_FINITE && result.Time == 0.0, "a sample in it");
-  // A field that is NaN from x = 2 in the midst of a cell, and one that becomes infinite there.
+  auto result = Advect(BoxWalker(flow, grid), options, { 0.5, 0.5, 0.5 });
+  check.Equal(result.Status, vtkFlowStatus::NOT_FINITE, "a cell with non-finite velocity");
+  check.Near(result.Time, 1.5, 1e-14, "time of reaching the cell");
+  check.Near(result.Position[0], 2.0, 1e-14, "position at the cell");
+  result = Advect(BoxWalker(flow, grid), options, { 2.5, 0.5, 0.5 });
+  check.That(
+    result.Status == vtkFlowStatus::NOT_FINITE && result.Time == 0.0, "a sample in the cell");
+  // The velocity is NaN for x > 2, inside a cell, or becomes infinite there.
   Flow wall = flow;
   wall.Velocity = [](const double* x, double* v)
   {
@@ -250,12 +252,12 @@ void TestNotFinite(Check& check)
   }
 }
 
-/// The parts: roots of polynomials in Bernstein's form, and of functions.
+/// Unit tests of root finding: polynomials in Bernstein form, and functions.
 void TestRoots(Check& check)
 {
   const auto product = [](const std::vector<double>& roots, double factor)
   {
-    // factor prod (root - theta), by powers and then in Bernstein's form
+    // factor prod (root - theta), in powers and then in Bernstein form
     std::vector<double> powers = { factor };
     for (double root : roots)
     {
@@ -284,18 +286,18 @@ void TestRoots(Check& check)
   };
   check.Near(product({ 0.3 }, 1.0), 0.3, 1e-15, "one root");
   check.Near(product({ 0.3, 0.301, 2.0, 3.0 }, 1.0), 0.3, 1e-12, "two roots close together");
-  check.Near(product({ 0.7, 0.2, 0.9, 1.5, -1.0 }, -1.0), 0.2, 1e-13, "the first of five");
-  check.Near(product({ 0.2, 0.7, 0.9, 1.5, 2.0 }, 1.0), 0.2, 1e-13, "the first of three");
+  check.Near(product({ 0.7, 0.2, 0.9, 1.5, -1.0 }, -1.0), 0.2, 1e-13, "the first of five roots");
+  check.Near(product({ 0.2, 0.7, 0.9, 1.5, 2.0 }, 1.0), 0.2, 1e-13, "the first of three roots");
   check.Near(product({ 1e-9, 0.5 }, 1.0), 1e-9, 1e-15, "a root near the start", 1e-9);
   check.Near(product({ 0.999999, 3.0 }, 1.0), 0.999999, 1e-14, "a root near the end");
-  check.That(product({ 1.001, 3.0 }, 1.0) > 1.0, "a root beyond the end");
+  check.That(product({ 1.001, 3.0 }, 1.0) > 1.0, "a root after the end");
   check.That(product({ -0.001, -3.0 }, 1.0) > 1.0, "roots before the start");
   const double above[3] = { 1.0, -0.1, 1.0 };
   check.That(
-    interlume::BernsteinRoot::Find(above, 2) > 1.0, "a control point below 0, the curve above");
+    interlume::BernsteinRoot::Find(above, 2) > 1.0, "a negative control point of a positive curve");
   const double dip[3] = { 1.0, -1.1, 1.0 };
-  check.Near(
-    interlume::BernsteinRoot::Find(dip, 2), (4.2 - std::sqrt(0.84)) / 8.4, 1e-14, "in and out");
+  check.Near(interlume::BernsteinRoot::Find(dip, 2), (4.2 - std::sqrt(0.84)) / 8.4, 1e-14,
+    "roots on entering and leaving");
   for (double power : { 1.0, 3.0, 9.0 })
   {
     int calls = 0;
@@ -305,14 +307,16 @@ void TestRoots(Check& check)
       return std::pow(x, power) - 0.3;
     };
     check.Near(interlume::BracketedRoot::Find(function, 0.0, -0.3, 2.0, std::pow(2.0, power) - 0.3),
-      std::pow(0.3, 1.0 / power), 1e-14, "a root of a power");
+      std::pow(0.3, 1.0 / power), 1e-14, "a multiple root");
     check.That(calls < 40, std::to_string(calls) + " evaluations");
   }
   auto jump = [](double x) { return x < 0.625 ? 1.0 : -2.0; };
-  check.Near(interlume::BracketedRoot::Find(jump, 0.0, 1.0, 1.0, -2.0), 0.625, 1e-15, "a jump");
+  check.Near(
+    interlume::BracketedRoot::Find(jump, 0.0, 1.0, 1.0, -2.0), 0.625, 1e-15, "a discontinuity");
 }
 
-/// Fifteen steps at the edge of stability are stiff, six small ones are no more.
+/// Fifteen steps at the stability limit indicate a stiff problem. Six successive steps far from the
+/// limit reset the test.
 void TestStiffness(Check& check)
 {
   interlume::StiffnessTest test;
@@ -324,66 +328,67 @@ void TestStiffness(Check& check)
     }
     return test.IsStiff();
   };
-  check.That(!add(100, 3.2), "large, but stable steps");
-  check.That(!add(14, 3.3), "fourteen steps");
-  check.That(!add(5, 3.2) && add(1, 3.3), "a fifteenth, after others");
-  check.That(add(100, 2.1) && add(5, 1.9) && add(1, 2.1) && add(5, 1.9), "not small for long");
-  check.That(!add(1, 1.9), "six small ones");
-  check.That(!add(14, 3.3) && !add(6, 3.2) && !add(14, 3.3) && add(1, 3.3), "counted anew");
+  check.That(!add(100, 3.2), "large but stable steps");
+  check.That(!add(14, 3.3), "fourteen stiff steps");
+  check.That(!add(5, 3.2) && add(1, 3.3), "a fifteenth stiff step after stable steps");
+  check.That(add(100, 2.1) && add(5, 1.9) && add(1, 2.1) && add(5, 1.9),
+    "fewer than six small steps in sequence");
+  check.That(!add(1, 1.9), "six small steps in sequence");
+  check.That(!add(14, 3.3) && !add(6, 3.2) && !add(14, 3.3) && add(1, 3.3), "counting restarts");
 }
 
-/// Harmless steps that are added together count as the same steps added one by one.
+/// Stable steps count the same whether they are added together or one by one.
 void TestHarmlessSteps(Check& check)
 {
   std::mt19937 random(5);
   for (int run = 0; run < 200; ++run)
   {
     interlume::StiffnessTest together;
-    interlume::StiffnessTest apart;
-    while (!apart.IsStiff())
+    interlume::StiffnessTest separate;
+    while (!separate.IsStiff())
     {
-      // In two parts, as where a cell ends between them.
+      // Added in two parts, as if a cell boundary were between them.
       const int harmless = static_cast<int>(random() % 8);
       const int first = static_cast<int>(random() % (harmless + 1));
       together.AddHarmless(first);
       together.AddHarmless(harmless - first);
       for (int i = 0; i < harmless; ++i)
       {
-        apart.Add(interlume::StiffnessTest::LeastStiff);
+        separate.Add(interlume::StiffnessTest::MinimumStiff);
       }
       const int stiff = 1 + static_cast<int>(random() % 16);
-      for (int i = 0; i < stiff && !apart.IsStiff(); ++i)
+      for (int i = 0; i < stiff && !separate.IsStiff(); ++i)
       {
         together.Add(3.3);
-        apart.Add(3.3);
-        check.Equal(together.IsStiff(), apart.IsStiff(), "stiffness after steps added together");
+        separate.Add(3.3);
+        check.Equal(together.IsStiff(), separate.IsStiff(), "stiffness after steps added together");
       }
     }
   }
 }
 
-/// One object follows many streamlines, each as if it were alone.
+/// Advection objects can be reused. Each streamline equals the streamline of a new object.
 void TestReuse(Check& check)
 {
   const Flow flow = Flow::Beltrami(1.0, 0.7, 0.43);
-  const Lattice lattice = Cubes(6);
+  const BoxGrid grid = Cubes(6);
   const auto sphere = FormulaSurface::Sphere({ 3, 3, 3 }, 0.5);
   interlume::AdvectionOptions options = ForwardOptions();
   options.Surfaces.push_back({ sphere, 4 });
   options.MaximumTime = 20.0;
-  interlume::Advection<LatticeWalker> advection(LatticeWalker(flow, lattice), options);
+  interlume::Advection<BoxWalker> advection(BoxWalker(flow, grid), options);
   interlume::AdvectionResult result;
   for (int i = 0; i < 200; ++i)
   {
-    const Place start = { 0.03 * i, 6.0 - 0.029 * i, 1.0 + 0.02 * i };
+    const Position start = { 0.03 * i, 6.0 - 0.029 * i, 1.0 + 0.02 * i };
     advection.Follow(start.data(), result);
-    const auto alone = Advect(LatticeWalker(flow, lattice), options, start);
-    check.That(result.Status == alone.Status && result.Time == alone.Time &&
-        result.Position[0] == alone.Position[0] && result.Steps == alone.Steps &&
-        result.Evaluations == alone.Evaluations &&
-        result.DistanceEvaluations == alone.DistanceEvaluations && result.Cells == alone.Cells &&
-        result.Parameters[0] == alone.Parameters[0],
-      "the same again: " + Describe(result) + " and " + Describe(alone));
+    const auto fresh = Advect(BoxWalker(flow, grid), options, start);
+    check.That(result.Status == fresh.Status && result.Time == fresh.Time &&
+        result.Position[0] == fresh.Position[0] && result.Steps == fresh.Steps &&
+        result.Evaluations == fresh.Evaluations &&
+        result.DistanceEvaluations == fresh.DistanceEvaluations && result.Cells == fresh.Cells &&
+        result.Parameters[0] == fresh.Parameters[0],
+      "same streamline with a reused object: " + Describe(result) + " and " + Describe(fresh));
   }
 }
 

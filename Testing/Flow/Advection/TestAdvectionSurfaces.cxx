@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Where streamlines meet termination surfaces: ids, parameters and times against exact ones.
+// Intersections of streamlines with termination surfaces: ids, parameters and times, compared with
+// exact values.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceAdvection.h"
 
@@ -18,23 +19,23 @@ using namespace reference;
 
 using Surface = vtkSmartPointer<FormulaSurface>;
 
-const Lattice Cells = []
+const BoxGrid Cells = []
 {
-  Lattice lattice;
-  lattice.Origin = { -10, -10, -10 };
-  lattice.Spacing = { 0.5, 0.4, 0.8 };
-  lattice.Cells = { 40, 50, 25 };
-  return lattice;
+  BoxGrid grid;
+  grid.Origin = { -10, -10, -10 };
+  grid.Spacing = { 0.5, 0.4, 0.8 };
+  grid.Cells = { 40, 50, 25 };
+  return grid;
 }();
 
 std::vector<interlume::AdvectionResult> AdvectInAll(
-  const Flow& flow, const interlume::AdvectionOptions& options, const Place& start)
+  const Flow& flow, const interlume::AdvectionOptions& options, const Position& start)
 {
   return { Advect(SpaceWalker(flow), options, start),
-    Advect(LatticeWalker(flow, Cells), options, start) };
+    Advect(BoxWalker(flow, Cells), options, start) };
 }
 
-struct Answer
+struct Expected
 {
   int Id;
   double U;
@@ -42,7 +43,7 @@ struct Answer
   double Time;
 };
 
-void Expect(Check& check, const interlume::AdvectionResult& result, const Answer& answer,
+void Expect(Check& check, const interlume::AdvectionResult& result, const Expected& answer,
   double tolerance, const std::string& what)
 {
   check.Equal(result.Status, vtkFlowStatus::REACHED_SURFACE, what + ": " + Describe(result));
@@ -67,17 +68,17 @@ void TestExact(Check& check)
     for (const auto& result : AdvectInAll(uniform, options, { 1, 2, 3 }))
     {
       Expect(check, result, { 10, 0.0, 2.0, 2.0 }, 1e-13, "uniform to a plane");
-      check.Near(result.Position[0], -3.0, 1e-14, "the place on the plane");
+      check.Near(result.Position[0], -3.0, 1e-14, "the position on the plane");
     }
     options = ForwardOptions({ sphere });
     options.Integrator = integrator;
     // |x0 + v t| = 4 by the quadratic equation
-    const Place start = { 0.5, -1, 1.25 };
+    const Position start = { 0.5, -1, 1.25 };
     const double a = 5.25;
     const double b = 2 * start[0] + start[1] + 0.5 * start[2];
     const double c = start[0] * start[0] + start[1] * start[1] + start[2] * start[2] - 16.0;
     const double t = (-b + std::sqrt(b * b - a * c)) / a;
-    const Place end = { start[0] + 2 * t, start[1] + t, start[2] + 0.5 * t };
+    const Position end = { start[0] + 2 * t, start[1] + t, start[2] + 0.5 * t };
     double uv[2];
     sphere->EvaluateParameters(end.data(), uv);
     for (const auto& result : AdvectInAll(uniform, options, start))
@@ -85,7 +86,7 @@ void TestExact(Check& check)
       Expect(check, result, { 10, uv[0], uv[1], t }, 1e-13, "uniform to a sphere");
     }
 
-    // A quarter of a turn backwards, to the plane x = 0 from x > 0.
+    // A quarter of a rotation backward, to the plane x = 0 from x > 0.
     options = ForwardOptions({ FormulaSurface::Plane({ 0.6, 0.8, 0 }, 0.0, 1, 2) });
     options.Integrator = integrator;
     options.SetBackward(true);
@@ -93,12 +94,12 @@ void TestExact(Check& check)
     const double quarter = std::atan2(0.6, -0.8);
     for (const auto& result : AdvectInAll(Flow::Rotation(2.0), options, { 1.5, 0, 0.3 }))
     {
-      // the end is where (x,y) is along (0.8,-0.6)
+      // The streamline ends where (x,y) has the direction (0.8,-0.6).
       Expect(check, result, { 10, -1.5 * 0.6, 0.3, 0.5 * (vtkMath::Pi() - quarter) }, 1e-8,
         "rotation to a plane");
     }
 
-    // (0.3 exp(t), 2 exp(-t), 0.5): when it is 4 away from the origin
+    // The path is (0.3 exp(t), 2 exp(-t), 0.5). It ends at a distance of 4 from the origin.
     options = ForwardOptions({ sphere });
     options.Integrator = integrator;
     options.MaximumError = 1e-9;
@@ -106,10 +107,10 @@ void TestExact(Check& check)
     double high = 5.0;
     for (int i = 0; i < 100; ++i)
     {
-      const double middle = 0.5 * (low + high);
-      const double x = 0.3 * std::exp(middle);
-      const double y = 2.0 * std::exp(-middle);
-      (x * x + y * y + 0.25 < 16.0 ? low : high) = middle;
+      const double midpoint = 0.5 * (low + high);
+      const double x = 0.3 * std::exp(midpoint);
+      const double y = 2.0 * std::exp(-midpoint);
+      (x * x + y * y + 0.25 < 16.0 ? low : high) = midpoint;
     }
     const double saddleEnd[3] = { 0.3 * std::exp(low), 2.0 * std::exp(-low), 0.5 };
     sphere->EvaluateParameters(saddleEnd, uv);
@@ -133,11 +134,12 @@ void TestStartOnSurface(Check& check)
     for (const auto& result : AdvectInAll(flow, options, { 0.25, 0.7, 0.5 }))
     {
       Expect(check, result, { 10, 0.25, 0.5, 0.0 }, 0.0, "start on a plane");
-      check.Equal(NumberOfSteps(result), 0, "no step");
+      check.Equal(NumberOfSteps(result), 0, "no steps");
       check.That(result.Position[1] == 0.7, "the sample is the end");
     }
   }
-  // Rounding of the distance is not off the surface; a millionth is.
+  // A sample at a distance within rounding error is on the surface, a sample at a distance of 1e-6
+  // is not.
   const Surface sphere = FormulaSurface::Sphere({ 0.1, 0.2, 0.3 }, 0.7);
   const double s = 0.7 / std::sqrt(3.0);
   for (const auto& result :
@@ -151,7 +153,7 @@ void TestStartOnSurface(Check& check)
   {
     Expect(check, result, { 10, 0.25, 0.5, 1e-6 }, 1e-15, "start near a plane");
   }
-  // Where the surface has ended the streamline goes on, and to the next.
+  // Outside the extent of the surface, the streamline continues to the next surface.
   plane->Extent = [](const double* x) { return x[0] > 1.0; };
   options = ForwardOptions({ plane, FormulaSurface::Plane({ 0, 1, 0 }, 2.7, 0, 2) });
   for (const auto& result : AdvectInAll(flow, options, { 0.25, 0.7, 0.5 }))
@@ -163,7 +165,7 @@ void TestStartOnSurface(Check& check)
 void TestTangents(Check& check)
 {
   const Flow flow = Flow::Rotation(1.0);
-  const Place start = { std::cos(1.0), -std::sin(1.0), 0.0 };
+  const Position start = { std::cos(1.0), -std::sin(1.0), 0.0 };
   const auto advect = [&](double offset)
   {
     KeepingOptions options = ForwardOptions({ FormulaSurface::Plane({ 1, 0, 0 }, offset, 1, 2) });
@@ -178,15 +180,15 @@ void TestTangents(Check& check)
     {
       const double angle = std::acos(1.0 - depth);
       Expect(check, result, { 10, -std::sin(angle), 0.0, 1.0 - angle },
-        std::max(1e-10, 1e-11 / angle), "in and out again");
+        std::max(1e-10, 1e-11 / angle), "through a thin segment behind the plane");
     }
     for (const auto& result : advect(1.0 + depth))
     {
-      check.Equal(result.Status, vtkFlowStatus::OUT_OF_TIME, "past the plane");
+      check.Equal(result.Status, vtkFlowStatus::OUT_OF_TIME, "the plane is missed");
     }
   }
   check.SetContext("");
-  // Within rounding: one or the other, but always the same.
+  // Rounding errors decide whether the surface is reached, but the result is repeatable.
   const auto once = advect(1.0);
   const auto again = advect(1.0);
   for (std::size_t i = 0; i < once.size(); ++i)
@@ -195,8 +197,8 @@ void TestTangents(Check& check)
   }
 }
 
-/// Spheres from a ten thousandth in size in a uniform flow whose steps grow and grow: each one that
-/// is hit is seen, none that is missed.
+/// Spheres with radii down to 1e-4 in a uniform flow with growing steps: each intersection is
+/// found, without false intersections.
 void TestSmallSpheres(Check& check)
 {
   std::mt19937 random(3);
@@ -222,15 +224,15 @@ void TestSmallSpheres(Check& check)
       check.Equal(result.Status,
         isHit ? vtkFlowStatus::REACHED_SURFACE : vtkFlowStatus::OUT_OF_TIME,
         "a sphere of radius " + std::to_string(radius) + ", " + std::to_string(away / radius) +
-          " of it off the axis");
+          " radii off the axis");
       if (isHit && result.Status == vtkFlowStatus::REACHED_SURFACE)
       {
         check.Near(result.Time, expected, 1e-12, "time to the sphere", 1.0);
       }
     }
   }
-  check.That(hits > 500 && hits < 800, "spheres hit and missed");
-  // A bent streamline in steps of more than a sphere's size.
+  check.That(hits > 500 && hits < 800, "some spheres are hit and some are missed");
+  // A curved streamline with steps larger than the spheres.
   const Flow rotation = Flow::Rotation(1.0);
   for (int i = 0; i < 300; ++i)
   {
@@ -242,7 +244,7 @@ void TestSmallSpheres(Check& check)
     KeepingOptions options = ForwardOptions({ sphere });
     options.MaximumTime = 6.0;
     options.MaximumError = 1e-7;
-    // By the law of cosines; the circle of radius 2 comes no closer than |off|.
+    // Law of cosines. The distance between the sphere's center and the circle of radius 2 is |off|.
     const double cosine = (4.0 + (2.0 + off) * (2.0 + off) - radius * radius) / (4.0 * (2.0 + off));
     for (const auto& result : AdvectInAll(rotation, options, { 2, 0, 0 }))
     {
@@ -260,10 +262,10 @@ void TestSmallSpheres(Check& check)
 void TestExtents(Check& check)
 {
   const Flow rotation = Flow::Rotation(1.0);
-  const Place start = { std::cos(1.0), -std::sin(1.0), 0.0 };
+  const Position start = { std::cos(1.0), -std::sin(1.0), 0.0 };
   KeepingOptions options;
-  const auto each = [&](const Surface& surface, const Flow& flow, const Place& from,
-                      const Answer& answer, const char* what)
+  const auto each = [&](const Surface& surface, const Flow& flow, const Position& from,
+                      const Expected& answer, const char* what)
   {
     options = ForwardOptions({ surface });
     options.MaximumError = 1e-11;
@@ -276,20 +278,20 @@ void TestExtents(Check& check)
   const Surface half = FormulaSurface::Plane({ 0, 1, 0 }, 0.0, 0, 2);
   half->Extent = [](const double* x) { return x[0] < 0.0; };
   each(half, rotation, start, { 10, -1.0, 0.0, 1.0 + vtkMath::Pi() }, "the second root");
-  // From the other side: it is passed where it is not, then met from above.
+  // From the other side: the first intersection is outside the extent, the second is inside.
   half->Extent = [](const double* x) { return x[0] > 0.99 && x[2] > -1.0; };
   each(half, rotation, { std::cos(1.0), std::sin(1.0), 0.0 },
-    { 10, 1.0, 0.0, 2.0 * vtkMath::Pi() - 1.0 }, "once around");
-  // The far side of a sphere alone, in through nothing.
+    { 10, 1.0, 0.0, 2.0 * vtkMath::Pi() - 1.0 }, "after one rotation");
+  // Only the far half of a sphere exists. The streamline enters through the missing half.
   const Surface bowl = FormulaSurface::Sphere({ 3, 0, 0 }, 0.01);
   bowl->Extent = [](const double* x) { return x[0] > 3.0; };
-  each(bowl, Flow::Uniform({ 1, 0, 0 }), { -9, 0, 0 }, { 10, 0.0, 0.5, 12.01 }, "the far side");
-  // A distance that jumps behind the end of the surface, as that of an open mesh does.
+  each(bowl, Flow::Uniform({ 1, 0, 0 }), { -9, 0, 0 }, { 10, 0.0, 0.5, 12.01 }, "the far half");
+  // The distance is discontinuous past the boundary edge of the surface, as for an open mesh.
   const Surface open = FormulaSurface::Plane({ 0, 1, 0 }, 0.0, 0, 2);
   open->Distance = [](const double* x)
   { return x[0] < 0.0 ? x[1] : std::copysign(std::hypot(x[0], x[1]), x[1]); };
-  each(open, rotation, start, { 10, -1.0, 0.0, 1.0 + vtkMath::Pi() }, "past a jump");
-  // Parts have ids of their own.
+  each(open, rotation, start, { 10, -1.0, 0.0, 1.0 + vtkMath::Pi() }, "after a discontinuity");
+  // Parts of a surface have separate ids.
   const Surface parts = FormulaSurface::Plane({ 1, 0, 0 }, 2.0, 1, 2);
   parts->Part = [](const double* x) { return x[1] > 0.0 ? 3 : 1; };
   each(parts, Flow::Uniform({ 1, 0, 0 }), { 0, 1, 0 }, { 13, 1.0, 0.0, 2.0 }, "a part");
@@ -310,17 +312,19 @@ void TestSeveral(Check& check)
     const char* What;
   } const cases[] = {
     { { plane, sphere }, 20, 4.2, "the sphere is first" },
-    { { sphere, plane }, 10, 4.2, "the sphere is first, added first" },
+    { { sphere, plane }, 10, 4.2, "the sphere is first, although added last" },
     { { plane, same }, 10, 5.0, "the same plane twice" },
     { { same, plane }, 10, 5.0, "the same plane twice, other order" },
-    { { FormulaSurface::Sphere({ 6, 0, 0 }, 1.0), plane }, 10, 5.0, "a sphere that touches" },
-    { { plane, FormulaSurface::Sphere({ 6, 0, 0 }, 1.0) }, 10, 5.0, "touches a sphere" },
-    { { FormulaSurface::Plane({ 1, 0, 0 }, 5.0 + 1e-9, 1, 2), plane }, 20, 5.0, "1e-9 apart" },
-    { { FormulaSurface::Plane({ 0, 1, 0 }, 3.0, 1, 2), plane }, 20, 5.0, "one never met" },
+    { { FormulaSurface::Sphere({ 6, 0, 0 }, 1.0), plane }, 10, 5.0, "a tangent sphere" },
+    { { plane, FormulaSurface::Sphere({ 6, 0, 0 }, 1.0) }, 10, 5.0, "a tangent sphere added last" },
+    { { FormulaSurface::Plane({ 1, 0, 0 }, 5.0 + 1e-9, 1, 2), plane }, 20, 5.0,
+      "two planes at a distance of 1e-9" },
+    { { FormulaSurface::Plane({ 0, 1, 0 }, 3.0, 1, 2), plane }, 20, 5.0,
+      "a plane that is not reached" },
   };
   for (const auto& one : cases)
   {
-    for (const Place& start : { Place{ 0, 0, 0 }, Place{ 0.123456789, 0, 0 } })
+    for (const Position& start : { Position{ 0, 0, 0 }, Position{ 0.123456789, 0, 0 } })
     {
       for (const auto& result : AdvectInAll(flow, ForwardOptions(one.Surfaces), start))
       {
@@ -347,38 +351,38 @@ void TestBoundary(Check& check)
   const interlume::AdvectionResult left = advect(outside, false);
   check.Equal(left.Status, vtkFlowStatus::LEFT_DOMAIN, "a surface outside: " + Describe(left));
   check.That(left.Id == -1 && left.Parameters[0] == 0.0 && left.Parameters[1] == 0.0,
-    "no id and no parameters");
-  check.Near(left.Time, 1.0, 1e-14, "time until it left");
+    "id and parameters of no surface");
+  check.Near(left.Time, 1.0, 1e-14, "time of leaving the domain");
   Expect(check, advect(outside, true), { 501, 0.625, 0.5625, 1.0 }, 1e-14, "through a face");
   Expect(check, advect(FormulaSurface::Plane({ 1, 0, 0 }, 1.0, 1, 2), true),
-    { 10, 0.25, 0.125, 1.0 }, 1e-12, "a surface in the boundary");
-  // A plane in the boundary that rounding leaves on either side.
+    { 10, 0.25, 0.125, 1.0 }, 1e-12, "a surface in the domain boundary");
+  // A plane in the domain boundary that is inside or outside because of rounding errors.
   for (double tilt : { -1e-15, 1e-15 })
   {
     Expect(check, advect(FormulaSurface::Plane({ 1, 0, 0 }, 1.0 + tilt, 1, 2), false),
-      { 10, 0.25, 0.125, 1.0 }, 1e-12, "a surface beside the boundary");
+      { 10, 0.25, 0.125, 1.0 }, 1e-12, "a surface close to the domain boundary");
   }
-  // All six faces of a lattice.
+  // Streamlines through each of the six faces of a box.
   for (int face = 0; face < 6; ++face)
   {
-    Place velocity{};
+    Position velocity{};
     velocity[static_cast<std::size_t>(face / 2)] = face % 2 == 0 ? -1.0 : 1.0;
     const Flow along = Flow::Uniform(velocity);
     KeepingOptions options = ForwardOptions();
     options.DomainFaces = true;
     options.DomainFaceId = 7;
-    const auto result = Advect(LatticeWalker(along, Cells), options, { 1, 2, 3 });
+    const auto result = Advect(BoxWalker(along, Cells), options, { 1, 2, 3 });
     const double parts[3] = { 11.0 / 20.0, 12.0 / 20.0, 13.0 / 20.0 };
     const double u = face / 2 == 0 ? parts[1] : parts[0];
     const double v = face / 2 == 2 ? parts[1] : parts[2];
     const int axis = face / 2;
     const double at = 1.0 + axis;
     Expect(check, result, { 7 + face, u, v, face % 2 == 0 ? at + 10.0 : 10.0 - at }, 1e-13,
-      "a face of a lattice");
+      "a face of a box");
   }
 }
 
-/// A distance is evaluated only where the streamline can have come.
+/// Distances are evaluated only if the streamline may have reached the surface.
 void TestCounts(Check& check)
 {
   const Flow flow = Flow::Rotation(1.0);
@@ -391,8 +395,8 @@ void TestCounts(Check& check)
   };
   KeepingOptions options = ForwardOptions({ counted });
   options.MaximumTime = 100.0;
-  const auto far = Advect(LatticeWalker(flow, Cells), options, { 3, 0, 0 });
-  check.Equal(far.DistanceEvaluations, calls, "distances are counted");
+  const auto far = Advect(BoxWalker(flow, Cells), options, { 3, 0, 0 });
+  check.Equal(far.DistanceEvaluations, calls, "distance evaluations are counted");
   check.That(NumberOfSteps(far) > 500 && calls <= 2,
     std::to_string(calls) + " distances of a surface far away");
   calls = 0;
@@ -401,9 +405,9 @@ void TestCounts(Check& check)
     ++calls;
     return x[0] - 3.0001;
   };
-  const auto near = Advect(LatticeWalker(flow, Cells), options, { 3, 0, 0 });
-  check.Equal(near.Status, vtkFlowStatus::OUT_OF_TIME, "never met");
-  check.Equal(near.DistanceEvaluations, calls, "distances are counted");
+  const auto near = Advect(BoxWalker(flow, Cells), options, { 3, 0, 0 });
+  check.Equal(near.Status, vtkFlowStatus::OUT_OF_TIME, "the surface is not reached");
+  check.Equal(near.DistanceEvaluations, calls, "distance evaluations are counted");
   check.That(calls < 3 * NumberOfSteps(near),
     std::to_string(calls) + " distances in " + std::to_string(NumberOfSteps(near)) + " steps");
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Streamlines that end where the field ends, at a surface that lies there: meshes of the field's
-// own faces on six kinds of grids, flat and bent, against a flow whose streamlines are known;
-// planes on rounded points, samples on the skin, walls without slip, and surfaces that are not to
-// be reached.
+// Streamlines that leave the field at a surface on the domain boundary: meshes of the field's
+// boundary faces for six kinds of grids, with and without deformation, compared with known
+// streamlines. Also tests planes on rounded points, samples on the boundary, no-slip walls, and
+// surfaces that must not be reached.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -34,8 +34,8 @@ using namespace reference;
 constexpr int Cells = 4;
 constexpr int NumberOfSamples = 10000;
 
-/// Away from a point, at other rates along x, y and z: cells interpolate it without an error.
-const Vector Centre = { { 1.9, 2.2, 2.05 } };
+/// Center of a linear flow with different rates along x, y and z. Cells interpolate it exactly.
+const Vector Center = { { 1.9, 2.2, 2.05 } };
 const Vector Rates = { { 1.0, 0.7, -0.4 } };
 
 Vector Diverge(const Vector& x)
@@ -43,19 +43,20 @@ Vector Diverge(const Vector& x)
   Vector v{};
   for (int i = 0; i < 3; ++i)
   {
-    v[i] = Rates[i] * (x[i] - Centre[i]);
+    v[i] = Rates[i] * (x[i] - Center[i]);
   }
   return v;
 }
 
-/// Where and when a streamline leaves the box 0 ... Cells, by 2 axis + 1 for the upper side.
+/// Position, time and side of the box at which a streamline leaves. The side is 2 * axis, plus 1
+/// for the upper side.
 struct Exit
 {
   int Side = -1;
   double Time = VTK_DOUBLE_MAX;
-  Vector Place{};
-  /// How near the other sides are.
-  double Room = VTK_DOUBLE_MAX;
+  Vector Position{};
+  /// Distance of the position from the other sides of the box.
+  double Clearance = VTK_DOUBLE_MAX;
 };
 
 Exit Trace(const Vector& start)
@@ -63,8 +64,8 @@ Exit Trace(const Vector& start)
   Exit exit;
   for (int i = 0; i < 3; ++i)
   {
-    const double from = start[i] - Centre[i];
-    const double to = (from > 0.0 ? Cells : 0.0) - Centre[i];
+    const double from = start[i] - Center[i];
+    const double to = (from > 0.0 ? Cells : 0.0) - Center[i];
     const double time = std::log(to / from) / Rates[i];
     if (time >= 0.0 && time < exit.Time)
     {
@@ -74,16 +75,16 @@ Exit Trace(const Vector& start)
   }
   for (int i = 0; i < 3; ++i)
   {
-    exit.Place[i] = Centre[i] + (start[i] - Centre[i]) * std::exp(Rates[i] * exit.Time);
+    exit.Position[i] = Center[i] + (start[i] - Center[i]) * std::exp(Rates[i] * exit.Time);
     if (i != exit.Side / 2)
     {
-      exit.Room = std::min({ exit.Room, exit.Place[i], Cells - exit.Place[i] });
+      exit.Clearance = std::min({ exit.Clearance, exit.Position[i], Cells - exit.Position[i] });
     }
   }
   return exit;
 }
 
-/// Moves all points, those on the sides too.
+/// Displaces all points, including boundary points.
 VectorField Shake(double bend)
 {
   return [bend](const Vector& x)
@@ -106,7 +107,7 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkPointSet>>> MakeGrids(doub
   }
   for (auto& grid : grids)
   {
-    grid.first += " bent by " + std::to_string(bend);
+    grid.first += " displaced by " + std::to_string(bend);
     MovePoints(grid.second, Shake(bend));
     AddVectors(grid.second, Diverge);
   }
@@ -161,8 +162,8 @@ vtkSmartPointer<vtkPolyData> MakeSamples(int number)
   return samples;
 }
 
-/// Six meshes, one of each side of the grid's own skin: all samples reach the one they should.
-void TestSkin(Check& check)
+/// Six meshes, one per side of the boundary: all samples reach the expected mesh.
+void TestBoundary(Check& check)
 {
   auto samples = MakeSamples(NumberOfSamples);
   for (const double bend : { 0.0, 1e-6, 1e-3 })
@@ -173,15 +174,16 @@ void TestSkin(Check& check)
       auto filter = MakeFilter(grid.second, samples);
       for (int side = 0; side < 6; ++side)
       {
-        const double place = side % 2 == 0 ? 0.0 : Cells;
+        const double position = side % 2 == 0 ? 0.0 : Cells;
         auto skin = MakeSkin(grid.second,
-          [side, place](const Vector& middle) { return std::abs(middle[side / 2] - place) < 0.1; });
+          [side, position](const Vector& center)
+          { return std::abs(center[side / 2] - position) < 0.1; });
         filter->AddTerminationSurface(MakeSurface(skin, side));
       }
       vtkDataSet* output = Update(filter);
-      check.Near(filter->GetReport()->GetNumber("Statuses", vtkFlowStatus::REACHED_SURFACE),
-        NumberOfSamples, 0.0, "samples that reached the skin");
-      int wrong = 0;
+      check.Equal(filter->GetReport()->GetCount("Statuses", vtkFlowStatus::REACHED_SURFACE),
+        NumberOfSamples, "samples that reached the boundary");
+      int unexpected = 0;
       double latest = 0.0;
       for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
       {
@@ -189,22 +191,22 @@ void TestSkin(Check& check)
         output->GetPoint(id, x.data());
         const Exit exit = Trace(x);
         const bool isSide = GetValue(output, "TerminationId", id) == exit.Side;
-        wrong += isSide || exit.Room < 0.01 + 4.0 * bend ? 0 : 1;
+        unexpected += isSide || exit.Clearance < 0.01 + 4.0 * bend ? 0 : 1;
         if (isSide)
         {
-          const double speed = std::abs(Diverge(exit.Place)[exit.Side / 2]);
+          const double speed = std::abs(Diverge(exit.Position)[exit.Side / 2]);
           latest =
             std::max(latest, speed * std::abs(GetValue(output, "AdvectionTime", id) - exit.Time));
         }
       }
-      check.Equal(wrong, 0, "samples that reached another side");
-      check.That(latest < 2.5 * bend + 1e-4, "they are late by the way " + std::to_string(latest));
+      check.Equal(unexpected, 0, "samples that reached an unexpected side");
+      check.That(latest < 2.5 * bend + 1e-4, "maximum distance error " + std::to_string(latest));
     }
   }
   check.SetContext("");
 }
 
-/// A mesh of floats over a field of doubles, and what happens without the tolerance.
+/// A mesh in single precision for a field in double precision, with and without the tolerance.
 void TestRounding(Check& check)
 {
   auto samples = MakeSamples(1000);
@@ -229,18 +231,19 @@ void TestRounding(Check& check)
                     grid, [](const Vector&) { return true; }, VTK_FLOAT),
         3));
     Update(filter);
-    check.Near(filter->GetReport()->GetNumber("Statuses", vtkFlowStatus::REACHED_SURFACE), 1000,
-      0.0, "samples that reached a skin of floats");
+    check.Equal(filter->GetReport()->GetCount("Statuses", vtkFlowStatus::REACHED_SURFACE), 1000,
+      "samples that reached the single-precision mesh");
     filter->SetArrivalTolerance(0.0);
     Update(filter);
     check.That(filter->GetReport()->GetNumber("Statuses", vtkFlowStatus::LEFT_DOMAIN) > 100,
-      "without the tolerance rounding decides");
-    check.Near(filter->GetReport()->GetNumber("ReachedWithinTolerance"), 0, 0.0,
-      "none within a tolerance of 0");
+      "without the tolerance, rounding errors decide");
+    check.Equal(filter->GetReport()->GetCount("ReachedWithinTolerance"), 0,
+      "samples within a tolerance of 0");
   }
 }
 
-/// A plane on the inlet of a grid whose points are floats: from inside, and from samples on it.
+/// A plane on the inlet of a grid with single-precision points. Samples are inside and on the
+/// inlet.
 void TestPlane(Check& check)
 {
   const std::array<int, 3> cells = { { 6, 10, 10 } };
@@ -272,7 +275,7 @@ void TestPlane(Check& check)
     {
       const auto i = id % (cells[0] + 1);
       const auto j = id / (cells[0] + 1) % (cells[1] + 1);
-      // On the walls rounding decides whether the flow goes through them.
+      // Rounding errors decide whether the flow crosses the walls.
       const bool isReached =
         i == 0 || (direction == vtkImplicitFlowField::BACKWARD && j > 0 && j < cells[1]);
       if (isReached || direction == vtkImplicitFlowField::FORWARD)
@@ -283,16 +286,16 @@ void TestPlane(Check& check)
       }
       if (i == 0)
       {
-        check.That(GetValue(output, "AdvectionTime", id) == 0.0, "at once");
+        check.That(
+          GetValue(output, "AdvectionTime", id) == 0.0, "a sample on the surface ends at once");
         check.Equal(static_cast<int>(GetValue(output, "TerminationSide", id)), 0,
-          "on no side of the surface");
+          "a sample on the surface has no side");
       }
     }
   }
 }
 
-/// Near a wall without slip streamlines get ever slower: they have reached it where it is a
-/// surface.
+/// Streamlines slow down toward a no-slip wall. They still reach a surface at the wall.
 void TestWall(Check& check)
 {
   auto image = MakeFlowImage(5, [](const Vector& x) { return Vector{ { 0.0, -x[1], 0.0 } }; });
@@ -303,16 +306,17 @@ void TestWall(Check& check)
   auto filter = MakeFilter(image, nullptr);
   filter->AddTerminationSurface(wall);
   Update(filter);
-  check.Near(filter->GetReport()->GetNumber("Statuses", vtkFlowStatus::REACHED_SURFACE), 125, 0.0,
+  check.Equal(filter->GetReport()->GetCount("Statuses", vtkFlowStatus::REACHED_SURFACE), 125,
     "samples that reached the wall");
   filter->SetArrivalTolerance(0.0);
   ExpectWarnings(filter);
   Update(filter);
-  check.Equal(
-    filter->GetReport()->GetSize("SurfaceIds"), 0, "surfaces that are reached without it");
+  check.Equal(filter->GetReport()->GetSize("SurfaceIds"), 0,
+    "number of surfaces reached without the tolerance");
 }
 
-/// Surfaces beside the way, behind the field's end, and across it.
+/// Surfaces along the streamline, past the end of the field, and with a boundary edge near the end
+/// of the streamline.
 void TestMissed(Check& check)
 {
   auto image = MakeFlowImage(5, [](const Vector&) { return Vector{ { 1.0, 0.0, 0.0 } }; });
@@ -326,11 +330,12 @@ void TestMissed(Check& check)
   };
   const Case cases[] = {
     { "behind the end", { { 4.02, 0, 0 } }, { { 4.02, 4, 0 } }, { { 4.02, 0, 4 } }, false },
-    { "a little behind the end", { { 4.005, 0, 0 } }, { { 4.005, 4, 0 } }, { { 4.005, 0, 4 } },
+    { "slightly behind the end", { { 4.005, 0, 0 } }, { { 4.005, 4, 0 } }, { { 4.005, 0, 4 } },
       true },
-    { "along the way", { { 0, 2.005, 0 } }, { { 8, 2.005, 0 } }, { { 0, 2.005, 4 } }, false },
-    { "beside its rim", { { 4, 2.02, 0 } }, { { 4, 4, 0 } }, { { 4, 2.02, 4 } }, false },
-    { "at its rim", { { 4, 2.005, 0 } }, { { 4, 4, 0 } }, { { 4, 2.005, 4 } }, true },
+    { "along the streamline", { { 0, 2.005, 0 } }, { { 8, 2.005, 0 } }, { { 0, 2.005, 4 } },
+      false },
+    { "outside its boundary edge", { { 4, 2.02, 0 } }, { { 4, 4, 0 } }, { { 4, 2.02, 4 } }, false },
+    { "at its boundary edge", { { 4, 2.005, 0 } }, { { 4, 4, 0 } }, { { 4, 2.005, 4 } }, true },
     { "askew", { { 4.005, 2, 0 } }, { { 5.005, 3, 0 } }, { { 4.005, 2, 4 } }, true },
   };
   vtkNew<vtkPoints> points;
@@ -349,17 +354,18 @@ void TestMissed(Check& check)
     vtkDataSet* output = Update(filter);
     check.Equal(static_cast<int>(GetValue(output, "TerminationId", 0)), one.IsReached ? 0 : 1001,
       "a surface " + one.What);
-    check.Near(GetValue(output, "AdvectionTime", 0), 3.5, 1e-12, "the time to the end");
-    check.Near(filter->GetReport()->GetNumber("ReachedWithinTolerance"), one.IsReached ? 1 : 0, 0.0,
-      "samples within the tolerance");
+    check.Near(GetValue(output, "AdvectionTime", 0), 3.5, 1e-12, "time of leaving the field");
+    check.Equal(filter->GetReport()->GetCount("ReachedWithinTolerance"), one.IsReached ? 1 : 0,
+      "samples that reach a surface within the tolerance");
   }
-  // Of two surfaces the nearer one.
+  // The closest of several surfaces is reached.
   auto filter = MakeFilter(image, sample);
   for (const double gap : { 0.008, 0.002, 0.006 })
   {
     filter->AddTerminationSurface(MakeFlowPlane(4.0 + gap));
   }
-  check.Equal(static_cast<int>(GetValue(Update(filter), "TerminationId", 0)), 1, "the nearest");
+  check.Equal(
+    static_cast<int>(GetValue(Update(filter), "TerminationId", 0)), 1, "the closest surface");
 }
 
 }
@@ -367,7 +373,7 @@ void TestMissed(Check& check)
 int TestFlowArrival(int, char*[])
 {
   Check check;
-  TestSkin(check);
+  TestBoundary(check);
   TestRounding(check);
   TestPlane(check);
   TestWall(check);

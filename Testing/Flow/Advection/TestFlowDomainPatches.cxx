@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Domain faces of unstructured grids and of several blocks: patches between sharp edges, their ids
-// and places, against a flow whose streamlines are known.
+// and parameters, compared with known streamlines.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
 
@@ -27,7 +27,7 @@ using namespace reference;
 
 constexpr int Cells = 4;
 
-/// Out of the box 0 ... Cells everywhere, along straight lines from its middle.
+/// Flow out of the box along straight lines from its center.
 Vector Diverge(const Vector& x)
 {
   return { { x[0] - 2.0, x[1] - 2.0, x[2] - 2.0 } };
@@ -48,7 +48,7 @@ double GetValue(vtkDataSet* data, const char* name, vtkIdType id, int component 
   return data->GetPointData()->GetArray(name)->GetComponent(id, component);
 }
 
-/// Samples of a box reach the patch that they should, and at the right place and time.
+/// Checks that the samples in a box reach the expected patch at the expected position and time.
 void CheckBox(const std::string& name, vtkDataObject* field, double tolerance, Check& check)
 {
   check.SetContext(name);
@@ -64,19 +64,19 @@ void CheckBox(const std::string& name, vtkDataObject* field, double tolerance, C
   {
     Vector x;
     output->GetPoint(id, x.data());
-    const Vector way = Diverge(x);
+    const Vector direction = Diverge(x);
     int axis = 0;
     for (int i = 1; i < 3; ++i)
     {
-      axis = std::abs(way[i]) > std::abs(way[axis]) ? i : axis;
+      axis = std::abs(direction[i]) > std::abs(direction[axis]) ? i : axis;
     }
-    const int side = 2 * axis + (way[axis] > 0.0 ? 1 : 0);
+    const int side = 2 * axis + (direction[axis] > 0.0 ? 1 : 0);
     check.Equal(static_cast<int>(GetValue(output, "FlowStatus", id)),
-      vtkFlowStatus::REACHED_SURFACE, "samples that leave");
+      vtkFlowStatus::REACHED_SURFACE, "samples that leave the domain");
     const int patch = static_cast<int>(GetValue(output, "TerminationId", id));
     check.That(patch >= 40 && patch < 46, "ids of patches");
     check.Equal(sides.emplace(patch, side).first->second, side, "one patch for each side");
-    check.Near(GetValue(output, "AdvectionTime", id), std::log(2.0 / std::abs(way[axis])),
+    check.Near(GetValue(output, "AdvectionTime", id), std::log(2.0 / std::abs(direction[axis])),
       1e-5 + tolerance, "time to the patch", 1.0);
     int component = 0;
     for (int i = 0; i < 3; ++i)
@@ -84,11 +84,12 @@ void CheckBox(const std::string& name, vtkDataObject* field, double tolerance, C
       if (i != axis)
       {
         check.Near(GetValue(output, "TerminationUV", id, component++),
-          0.5 + 0.5 * way[i] / std::abs(way[axis]), 1e-5 + tolerance, "place on the patch", 1.0);
+          0.5 + 0.5 * direction[i] / std::abs(direction[axis]), 1e-5 + tolerance,
+          "position on the patch", 1.0);
       }
     }
   }
-  check.Equal(sides.size(), 6, "sides that are reached");
+  check.Equal(sides.size(), 6, "number of sides that are reached");
 }
 
 void TestBoxes(Check& check)
@@ -106,7 +107,7 @@ void TestBoxes(Check& check)
             x[2] + bend * std::sin(5.0 * x[0]) } };
         });
       AddVectors(grid, Diverge);
-      CheckBox(GetName(kind) + " bent by " + std::to_string(bend), grid, 2.0 * bend, check);
+      CheckBox(GetName(kind) + " displaced by " + std::to_string(bend), grid, 2.0 * bend, check);
     }
   }
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -121,7 +122,8 @@ void TestBoxes(Check& check)
   check.SetContext("");
 }
 
-/// Walls that bend by less than the angle from face to face are one patch: inside, outside, ends.
+/// Adjacent faces at a small angle form one patch. A ring has four patches: inside, outside and
+/// both ends.
 void TestRing(Check& check)
 {
   vtkNew<vtkAppendFilter> append;
@@ -133,8 +135,8 @@ void TestRing(Check& check)
   vtkDataSet* output = Follow(filter, ring);
   check.Equal(output->GetFieldData()->GetArray(vtkFlowStatus::SurfacesArray())->GetNumberOfTuples(),
     4, "patches of a ring");
-  check.Equal(filter->GetReport()->GetSize("SurfaceIds"), 1, "patches that are reached");
-  check.Near(filter->GetReport()->GetNumber("SamplesBySurface"), ring->GetNumberOfPoints(), 0.0,
+  check.Equal(filter->GetReport()->GetSize("SurfaceIds"), 1, "number of patches that are reached");
+  check.Equal(filter->GetReport()->GetCount("SamplesBySurface"), ring->GetNumberOfPoints(),
     "samples that reach the outside");
 }
 

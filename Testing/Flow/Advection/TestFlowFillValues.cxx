@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Speeds out of all proportion: automatic error and minimum speed ignore fill values at up to half
-// of the points, and nothing else; streamlines, line integral convolution, critical points, vortex
-// axes and inflow surfaces are those of the other points, with a warning that names the value, also
-// if that is NaN or infinite.
+// Fill values in the velocity: automatic error and minimum speed ignore fill values at up to half
+// of the points and ignore no real values. Streamlines, line integral convolution, critical points,
+// vortex axes and inflow surfaces are the same as without fill values, except nearby. A warning
+// names the value, including NaN and infinity.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -37,7 +37,7 @@ namespace
 
 using namespace reference;
 
-/// Checks the scale of \a number vectors, given by their index.
+/// Checks the speed scale of \a number vectors, given by index.
 interlume::FillValues CheckVectors(const std::string& name, int number,
   const std::function<Vector(int)>& vector, double scale, int fillValues, Check& check)
 {
@@ -54,7 +54,7 @@ interlume::FillValues CheckVectors(const std::string& name, int number,
   return fill;
 }
 
-/// Checks the same with vectors along x.
+/// Checks the speed scale of vectors along x.
 void CheckScale(const std::string& name, int number, const std::function<double(int)>& speed,
   double scale, int fillValues, Check& check)
 {
@@ -66,7 +66,7 @@ void CheckScale(const std::string& name, int number, const std::function<double(
     scale, fillValues, check);
 }
 
-/// Fill values of several kinds at a share of 5000 points, among speeds of 1 to 2.
+/// Various fill values at a fraction of 5000 points. Speeds at other points are from 1 to 2.
 void TestRepeated(Check& check)
 {
   const auto land = [](int number, const Vector& value)
@@ -86,7 +86,7 @@ void TestRepeated(Check& check)
     { "1e20 at half", { { 1e20, 1e20, 1e20 } }, 2500, 2500 },
     { "1e20 in two components", { { 1e20, 1e20, 0.0 } }, 1500, 1500 },
     { "1e20 in one component", { { 0.1, 1e20, -0.3 } }, 1500, 1500 },
-    { "1e20 at nearly all", { { 1e20, 1e20, 1e20 } }, 4900, 4900 },
+    { "1e20 at almost all", { { 1e20, 1e20, 1e20 } }, 4900, 4900 },
     { "NetCDF", { { 9.96921e36, 9.96921e36, 9.96921e36 } }, 1500, 1500 },
     { "-9999", { { -9999, -9999, -9999 } }, 1500, 1500 },
     { "-30000 in packed thousandths", { { -30, -30, 0.0 } }, 1500, 1500 },
@@ -101,7 +101,7 @@ void TestRepeated(Check& check)
     const interlume::FillValues fill = CheckVectors(
       one.Name, 5000, land(one.Number, one.Value), one.Found > 0 ? fast : speed, one.Found, check);
     const double value = one.Value[1] == 1e20 ? 1e20 : one.Value[0];
-    check.That(one.Found == 0 || fill.Value == value, std::string(one.Name) + ": the value");
+    check.That(one.Found == 0 || fill.Value == value, std::string(one.Name) + ": the fill value");
   }
   CheckVectors(
     "a real jet", 5000,
@@ -116,7 +116,7 @@ void TestRepeated(Check& check)
     },
     std::sqrt(2.0), 0, check);
   const interlume::FillValues two = CheckVectors(
-    "two kinds at many points", 5000,
+    "two fill values at many points", 5000,
     [](int i)
     {
       return i < 800 ? Vector{ { 1e20, 1e20, 1e20 } }
@@ -124,7 +124,7 @@ void TestRepeated(Check& check)
                      : Vector{ { 2.0, 0.0, 0.0 } };
     },
     2.0, 2000, check);
-  check.That(two.Value == -9999, "the more frequent value");
+  check.That(two.Value == -9999, "the more frequent value is reported");
 }
 
 void TestScale(Check& check)
@@ -140,22 +140,24 @@ void TestScale(Check& check)
   CheckScale("plain", 5000, filled(0, 0.0), 1.0 + 4999 / 5000.0, 0, check);
   CheckScale("one fill value", 5000, filled(1, 1e30), 1.0 + 4999 / 5000.0, 1, check);
   CheckScale("fifty", 5000, filled(50, 1e30), 1.0 + 4999 / 5000.0, 50, check);
-  CheckScale("too many to be left aside", 5000, filled(51, 1e4), 1e4, 0, check);
-  CheckScale("huge ones", 5000, filled(51, 1e30), 1.0 + 4999 / 5000.0, 51, check);
+  CheckScale("more large values than are ignored", 5000, filled(51, 1e4), 1e4, 0, check);
+  CheckScale("more huge values", 5000, filled(51, 1e30), 1.0 + 4999 / 5000.0, 51, check);
   CheckScale("a jet", 5000, filled(20, 500.0), 500.0, 0, check);
   CheckScale("one of eight", 8, filled(1, 17321.0), 1.0 + 7 / 5000.0, 1, check);
   CheckScale("one of seven", 7, filled(1, 17321.0), 17321.0, 0, check);
   CheckScale(
-    "by and by", 5000, [](int i) { return std::pow(2.0, i / 50); }, std::pow(2.0, 99), 0, check);
+    "gradually increasing speeds", 5000, [](int i) { return std::pow(2.0, i / 50); },
+    std::pow(2.0, 99), 0, check);
   CheckScale(
     "among zeros", 5000, [](int i) { return i == 0 ? 1e20 : (i < 300 ? 3.0 : 0.0); }, 3.0, 1,
     check);
   CheckScale(
-    "the least and the largest", 500, [tiny, huge](int i) { return i == 0 ? huge : tiny; }, tiny, 1,
-    check);
-  // Two kinds at once.
+    "the smallest and the largest number", 500,
+    [tiny, huge](int i) { return i == 0 ? huge : tiny; }, tiny, 1, check);
+  // Two fill values in one field.
   CheckScale(
-    "two kinds", 5000, [](int i) { return i == 0 ? 1e36 : (i == 1 ? 1e20 : 2.0); }, 2.0, 2, check);
+    "two fill values", 5000, [](int i) { return i == 0 ? 1e36 : (i == 1 ? 1e20 : 2.0); }, 2.0, 2,
+    check);
 }
 
 bool IsLand(const double* x)
@@ -163,7 +165,8 @@ bool IsLand(const double* x)
   return x[1] > 3.0;
 }
 
-/// Sets a value in all components on land, at 4 of 17 layers of points. Returns their number.
+/// Sets all components to a fill value at 4 of 17 layers of points, called land. Returns the number
+/// of these points.
 vtkIdType AddLand(vtkImageData* image, double value)
 {
   vtkDataArray* vectors = image->GetPointData()->GetVectors();
@@ -192,7 +195,7 @@ void HideLand(vtkImageData* image)
   }
 }
 
-/// Flow that is followed to a plane, and its results while all vectors are real ones.
+/// Advection to a plane, and its results for a field without fill values.
 struct FlowToPlane
 {
   FlowToPlane()
@@ -204,7 +207,7 @@ struct FlowToPlane
     this->Error = this->Filter->GetReport()->GetNumber("MaximumError");
   }
 
-  /// Checks that results in a region are as they were.
+  /// Checks that results in a region are unchanged.
   void Compare(const std::function<bool(const double*)>& isInRegion, Check& check)
   {
     auto* output = vtkDataSet::SafeDownCast(this->Filter->GetOutputDataObject(0));
@@ -224,8 +227,8 @@ struct FlowToPlane
       reached += get(output, "FlowStatus") == vtkFlowStatus::REACHED_SURFACE ? 1 : 0;
     }
     check.That(reached > 2000, "samples that reach the plane");
-    check.Near(
-      this->Filter->GetReport()->GetNumber("MaximumError"), this->Error, 1e-9, "the error");
+    check.Near(this->Filter->GetReport()->GetNumber("MaximumError"), this->Error, 1e-9,
+      "the automatic error is unchanged");
   }
 
   vtkSmartPointer<vtkImageData> Image = MakeFlowImage(17,
@@ -257,10 +260,10 @@ std::string DescribeNonFinite(vtkIdType number)
 void CheckWarning(const std::string& warning, const std::string& expected, Check& check)
 {
   check.That(warning.find(expected) != std::string::npos, "a warning: " + warning);
-  check.That(warning.find("HIDDENPOINT") != std::string::npos, "with the remedy");
+  check.That(warning.find("HIDDENPOINT") != std::string::npos, "the warning names the remedy");
 }
 
-/// Land with a fill value leaves the answers of all samples away from it as they are.
+/// Land with a fill value does not change the results of distant samples.
 void TestLand(Check& check)
 {
   FlowToPlane flow;
@@ -269,12 +272,12 @@ void TestLand(Check& check)
     check.SetContext("land of " + std::to_string(value));
     const vtkIdType number = AddLand(flow.Image, value);
     CheckWarning(WarningsOf(flow.Filter), DescribeValue(number, value), check);
-    check.Near(flow.Filter->GetReport()->GetNumber("FillValues"), number, 0.0, "fill values");
+    check.Equal(flow.Filter->GetReport()->GetCount("FillValues"), number, "fill values");
     check.That(flow.Filter->GetReport()->GetNumber("FillValue") == value, "the value");
     flow.Compare(IsAtSea, check);
   }
-  // Hidden points are none of the field's, and nothing is left to warn of.
-  check.SetContext("land that is hidden");
+  // Hidden points are not part of the field and cause no warning.
+  check.SetContext("hidden land");
   HideLand(flow.Image);
   check.That(WarningsOf(flow.Filter).empty(), "no warning");
 }
@@ -282,34 +285,34 @@ void TestLand(Check& check)
 const double NonFiniteValues[] = { std::numeric_limits<double>::quiet_NaN(),
   std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() };
 
-/// The same of land without numbers, also if automatic settings are not used.
+/// NaN or infinity on land causes a warning, even if automatic settings are off.
 void TestNonFinite(Check& check)
 {
   for (const double value : NonFiniteValues)
   {
     FlowToPlane flow;
     check.SetContext("land of " + std::to_string(value));
-    check.Near(
-      flow.Filter->GetReport()->GetNumber("NonFiniteVectors"), 0, 0.0, "vectors without land");
+    check.Equal(
+      flow.Filter->GetReport()->GetCount("NonFiniteVectors"), 0, "non-finite vectors without land");
     const vtkIdType number = AddLand(flow.Image, value);
     CheckWarning(WarningsOf(flow.Filter), DescribeNonFinite(number), check);
-    check.Near(flow.Filter->GetReport()->GetNumber("NonFiniteVectors"), number, 0.0, "vectors");
-    check.Near(flow.Filter->GetReport()->GetNumber("FillValues"), 0, 0.0, "fill values");
+    check.Equal(flow.Filter->GetReport()->GetCount("NonFiniteVectors"), number, "vectors");
+    check.Equal(flow.Filter->GetReport()->GetCount("FillValues"), 0, "fill values");
     flow.Compare(IsAtSea, check);
     flow.Filter->SetMaximumError(flow.Error);
     flow.Filter->SetMinimumSpeed(1e-9);
     CheckWarning(WarningsOf(flow.Filter), DescribeNonFinite(number), check);
     HideLand(flow.Image);
-    check.That(WarningsOf(flow.Filter).empty(), "no warning if it is hidden");
-    check.Near(
-      flow.Filter->GetReport()->GetNumber("NonFiniteVectors"), 0, 0.0, "vectors of hidden land");
+    check.That(WarningsOf(flow.Filter).empty(), "no warning if the land is hidden");
+    check.Equal(flow.Filter->GetReport()->GetCount("NonFiniteVectors"), 0,
+      "non-finite vectors with hidden land");
   }
 }
 
-/// Land does not take convolution, zeros and vortices out of place.
+/// Land does not change convolution, critical points and vortex axes.
 void TestOtherFilters(Check& check)
 {
-  // A vortex about the line (1.3, 1.3) along z.
+  // A vortex around the line (1.3, 1.3) along z.
   const auto swirl = [](const Vector& x)
   {
     return Vector{ { 1.3 - x[1] - 0.1 * (x[0] - 1.3), x[0] - 1.3 - 0.1 * (x[1] - 1.3),
@@ -329,7 +332,7 @@ void TestOtherFilters(Check& check)
       const vtkIdType number = AddLand(image, value);
       CheckWarning(WarningsOf(filter),
         std::isfinite(value) ? DescribeValue(number, value) : DescribeNonFinite(number), check);
-      check.That(count(std::isfinite(value)) > 0, "cells or points that are counted");
+      check.That(count(std::isfinite(value)) > 0, "the report counts cells or points");
       vtkDataArray* found = get(filter);
       check.Equal(found->GetNumberOfTuples(), expected->GetNumberOfTuples(), "results");
       double largest = 0.0;
@@ -343,7 +346,7 @@ void TestOtherFilters(Check& check)
             std::max(largest, std::abs(found->GetComponent(i, c) - expected->GetComponent(i, c)));
         }
       }
-      check.Near(largest, 0.0, 1e-6, "a difference", 1.0);
+      check.Near(largest, 0.0, 1e-6, "maximum difference", 1.0);
     }
   };
   const auto getPoints = [](vtkAlgorithm* filter)
@@ -381,47 +384,49 @@ void TestOtherFilters(Check& check)
     });
 }
 
-/// A fill value in a corner changes no answer far from it, and is reported.
+/// A fill value in a corner is reported and does not change distant results.
 void TestField(Check& check)
 {
   check.SetContext("a corner");
   FlowToPlane flow;
-  check.Near(flow.Filter->GetReport()->GetNumber("FillValues"), 0, 0.0, "fill values");
+  check.Equal(flow.Filter->GetReport()->GetCount("FillValues"), 0, "fill values");
   vtkDataArray* vectors = flow.Image->GetPointData()->GetVectors();
   vectors->SetTuple3(flow.Image->GetNumberOfPoints() - 1, 1e30, 1e30, 1e30);
   vectors->Modified();
   CheckWarning(WarningsOf(flow.Filter), DescribeValue(1, 1e30), check);
-  check.Near(flow.Filter->GetReport()->GetNumber("FillValues"), 1, 0.0, "fill values");
+  check.Equal(flow.Filter->GetReport()->GetCount("FillValues"), 1, "fill values");
   flow.Compare([](const double* x) { return x[1] < 3.0 || x[2] < 3.0; }, check);
   flow.Filter->SetMaximumError(flow.Error);
   flow.Filter->SetMinimumSpeed(1e-9);
-  check.That(WarningsOf(flow.Filter).empty(), "no warning if nothing is automatic");
+  check.That(WarningsOf(flow.Filter).empty(), "no warning without automatic settings");
 }
 
-/// A surface that is placed by the flow is not drawn to a fill value.
+/// A surface positioned by the flow is not attracted by a fill value.
 void TestInflow(Check& check)
 {
   auto image = MakeFlowImage(17,
     [](const Vector& x) {
       return Vector{ { 2.0 + std::sin(x[1]), 0.1, 0.0 } };
     });
-  std::array<double, 6> place;
+  std::array<double, 6> position;
   const auto find = [&](const std::string& name)
   {
     check.SetContext("inflow, " + name);
     vtkNew<vtkTerminationInflow> inflow;
-    check.That(inflow->PlaceIn(image, image->GetPointData()->GetVectors(), true).empty() &&
+    check.That(
+      inflow->InitializeFromField(image, image->GetPointData()->GetVectors(), true).empty() &&
         inflow->Update().empty(),
-      "a place");
-    inflow->GetBounds(place.data());
+      "an inflow surface is found");
+    inflow->GetBounds(position.data());
   };
   find("real vectors");
-  const std::array<double, 6> expected = place;
-  check.That(expected[1] < 1.0, "where it enters");
+  const std::array<double, 6> expected = position;
+  check.That(expected[1] < 1.0, "the surface is at the inflow");
   const auto compare = [&](const std::string& name)
   {
     find(name);
-    check.That(place[0] == expected[0] && place[1] == expected[1], "across the flow");
+    check.That(position[0] == expected[0] && position[1] == expected[1],
+      "the surface is perpendicular to the flow");
   };
   image->GetPointData()->GetVectors()->SetTuple3(image->GetNumberOfPoints() / 2, 0.0, 1e30, 0.0);
   compare("one fill value");
@@ -429,7 +434,7 @@ void TestInflow(Check& check)
   {
     AddLand(image, value);
     compare("land of " + std::to_string(value));
-    check.That(place[3] <= 3.0, "without the land");
+    check.That(position[3] <= 3.0, "result without the land");
   }
 }
 

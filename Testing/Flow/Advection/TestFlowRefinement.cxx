@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Samples refined where their answers differ: cells fit face to face and fill what they filled, on
-// grids of every kind; what a flow volume leaves out at a separatrix halves with each level, and at
-// a surface that flow comes back to; arrays, threads, pieces, ghosts, progress and abort.
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+// Samples refined where neighboring results differ. Cells match at faces and fill the original
+// cells on grids of every kind. The volume that a flow volume omits at a separatrix, and at a
+// surface to which the flow returns, halves with each level. Also tests arrays, threads, pieces,
+// ghosts, progress and abort.
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -45,7 +46,7 @@ namespace
 
 using namespace reference;
 
-constexpr double Turn = 6.283185307179586;
+constexpr double FullTurn = 6.283185307179586;
 
 vtkSmartPointer<vtkTerminationPlane> MakePlane(
   const Vector& origin, const Vector& u, const Vector& v, int id)
@@ -58,7 +59,8 @@ vtkSmartPointer<vtkTerminationPlane> MakePlane(
   return plane;
 }
 
-/// Of the saddle (x, -y, 0): at y = 1 and y = -1, with y = height between them.
+/// The saddle (x, -y, 0). The separatrix y = 0 divides the streamlines between the planes y = 1 and
+/// y = -1.
 Vector Saddle(const Vector& x)
 {
   return { { x[0], -x[1], 0.0 } };
@@ -70,17 +72,18 @@ void AddPlanes(vtkImplicitFlowField* field)
     MakePlane({ { -5, -1, -5 } }, { { 10, 0, 0 } }, { { 0, 0, 10 } }, 1));
 }
 
-/// The volume of a cell by the tetrahedra of its middle and its faces, of convex cells exact.
+/// Returns the volume of a cell from tetrahedra between its center and its faces. Exact for convex
+/// cells.
 double GetVolume(vtkCell* cell)
 {
-  double middle[3] = { 0.0, 0.0, 0.0 };
+  double center[3] = { 0.0, 0.0, 0.0 };
   for (vtkIdType i = 0; i < cell->GetNumberOfPoints(); ++i)
   {
     double x[3];
     cell->GetPoints()->GetPoint(i, x);
     for (int axis = 0; axis < 3; ++axis)
     {
-      middle[axis] += x[axis] / cell->GetNumberOfPoints();
+      center[axis] += x[axis] / cell->GetNumberOfPoints();
     }
   }
   double sum = 0.0;
@@ -95,14 +98,14 @@ double GetVolume(vtkCell* cell)
       points->GetPoint(cycle[0], x[0]);
       points->GetPoint(cycle[i], x[1]);
       points->GetPoint(cycle[i + 1], x[2]);
-      sum += std::abs(vtkTetra::ComputeVolume(x[0], x[1], x[2], middle));
+      sum += std::abs(vtkTetra::ComputeVolume(x[0], x[1], x[2], center));
     }
   }
   return sum;
 }
 
-/// Faces have two cells but on the sides of the box, no point lies in the middle of an edge, and
-/// the volume is that of the box.
+/// Checks that inner faces have two cells, that no point lies at the midpoint of an edge, and that
+/// the total volume matches.
 void CheckMesh(vtkUnstructuredGrid* mesh, double volume, Check& check)
 {
   double bounds[6];
@@ -114,7 +117,7 @@ void CheckMesh(vtkUnstructuredGrid* mesh, double volume, Check& check)
   {
     vtkCell* cell = mesh->GetCell(id);
     const double own = GetVolume(cell);
-    check.That(own > 0.0, "a cell has a volume");
+    check.That(own > 0.0, "a cell has a positive volume");
     sum += own;
     if (cell->GetCellType() == VTK_TETRA)
     {
@@ -123,7 +126,8 @@ void CheckMesh(vtkUnstructuredGrid* mesh, double volume, Check& check)
       {
         cell->GetPoints()->GetPoint(i, x[i]);
       }
-      check.That(vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]) > 0.0, "a tetrahedron's order");
+      check.That(vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]) > 0.0,
+        "a tetrahedron is positively oriented");
     }
     for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
     {
@@ -150,7 +154,7 @@ void CheckMesh(vtkUnstructuredGrid* mesh, double volume, Check& check)
   check.Near(sum, volume, 1e-10, "volume");
 }
 
-/// Grids of every kind over [-1,1]^3 with the saddle.
+/// Returns grids of every kind over [-1,1]^3 with the saddle.
 std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeGrids()
 {
   std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> grids;
@@ -160,15 +164,15 @@ std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeGrids()
   };
   grids.emplace_back("image", MakeFlowImage({ { 6, 6, 6 } }, { { -1, 1, -1, 1, -1, 1 } }));
   auto rectilinear = vtkSmartPointer<vtkRectilinearGrid>::New();
-  vtkNew<vtkDoubleArray> places;
-  for (const double place : { -1.0, -0.5, -0.1, 0.15, 0.6, 1.0 })
+  vtkNew<vtkDoubleArray> positions;
+  for (const double position : { -1.0, -0.5, -0.1, 0.15, 0.6, 1.0 })
   {
-    places->InsertNextValue(place);
+    positions->InsertNextValue(position);
   }
   rectilinear->SetDimensions(6, 6, 6);
-  rectilinear->SetXCoordinates(places);
-  rectilinear->SetYCoordinates(places);
-  rectilinear->SetZCoordinates(places);
+  rectilinear->SetXCoordinates(positions);
+  rectilinear->SetYCoordinates(positions);
+  rectilinear->SetZCoordinates(positions);
   grids.emplace_back("rectilinear", rectilinear);
   auto structured = MakeStructuredGrid({ { cells, cells, cells } });
   MovePoints(structured, scale);
@@ -201,8 +205,8 @@ void TestGrids(Check& check)
     field->SetInputDataObject(grid.second);
     AddPlanes(field);
     vtkIdType before = grid.second->GetNumberOfPoints();
-    const int most = grid.first == "image" || grid.first == "tetrahedra6" ? 3 : 2;
-    for (int levels = 0; levels <= most; ++levels)
+    const int maximum = grid.first == "image" || grid.first == "tetrahedra6" ? 3 : 2;
+    for (int levels = 0; levels <= maximum; ++levels)
     {
       check.SetContext(grid.first + ", levels " + std::to_string(levels));
       field->SetRefinementLevels(levels);
@@ -210,15 +214,15 @@ void TestGrids(Check& check)
       vtkDataSet* output = vtkDataSet::SafeDownCast(field->GetOutputDataObject(0));
       vtkInterlumeReport* report = field->GetReport();
       check.Equal(report->GetSize("AddedSamples"), levels, "levels in the report");
-      check.Near(report->GetNumber("Samples"), output->GetNumberOfPoints(), 0.0, "no sample twice");
+      check.Equal(report->GetCount("Samples"), output->GetNumberOfPoints(), "no duplicate samples");
       auto* mesh = vtkUnstructuredGrid::SafeDownCast(output);
       if (levels == 0)
       {
         check.That(
-          std::strcmp(output->GetClassName(), grid.second->GetClassName()) == 0, "its type");
+          std::strcmp(output->GetClassName(), grid.second->GetClassName()) == 0, "the output type");
         continue;
       }
-      check.That(report->GetNumber("RefinedCells", levels - 1) > 0, "cells are refined");
+      check.That(report->GetNumber("RefinedCells", levels - 1) > 0, "some cells are refined");
       check.Near(output->GetNumberOfPoints() - before,
         report->GetNumber("AddedSamples", levels - 1), 0.0, "samples");
       before = output->GetNumberOfPoints();
@@ -228,7 +232,7 @@ void TestGrids(Check& check)
       {
         double x[3];
         mesh->GetPoint(id, x);
-        // Where they do not leave the domain first, streamlines end at one of the planes.
+        // Streamlines end at one of the planes unless they leave the domain first.
         const auto status =
           static_cast<int>(mesh->GetPointData()->GetArray("FlowStatus")->GetComponent(id, 0));
         const double time = std::log(1.0 / std::abs(x[1]));
@@ -255,20 +259,20 @@ void TestGrids(Check& check)
         {
           const double over =
             side % 2 == 0 ? bounds[side] - range[side] : range[side] - bounds[side];
-          check.That(over <= 1e-12, "a cell is a part of its parent");
+          check.That(over <= 1e-12, "a refined cell lies in its parent cell");
         }
       }
     }
   }
 }
 
-/// What is left out beside a separatrix that no level has points on.
+/// Volume omitted at a separatrix that contains no sample at any level.
 void TestSeparatrix(Check& check)
 {
-  constexpr double place = 0.0237;
+  constexpr double position = 0.0237;
   vtkNew<vtkImplicitFlowField> field;
   auto image = MakeFlowImage({ { 10, 10, 4 } }, { { -1, 1, -1, 1, -0.3, 0.3 } });
-  AddVectors(image, [](const Vector& x) { return Vector{ { x[0], place - x[1], 0.0 } }; });
+  AddVectors(image, [](const Vector& x) { return Vector{ { x[0], position - x[1], 0.0 } }; });
   field->SetInputData(image);
   AddPlanes(field);
   vtkNew<vtkFlowVolume> volume;
@@ -293,18 +297,18 @@ void TestSeparatrix(Check& check)
       {
         double bounds[6];
         samples->GetCellBounds(cell, bounds);
-        check.That(std::max(place - bounds[2], bounds[3] - place) <= width, "within a cell");
+        check.That(std::max(position - bounds[2], bounds[3] - position) <= width, "within a cell");
       }
     }
-    // The planes have both sides, and all samples reach one of them.
-    const double leftOut = 2.4 - MeasureVolume(volume->GetOutput());
-    check.That(leftOut > 0.0 && leftOut <= 1.2 * width + 1e-9, "volume left out");
-    check.That(levels == 0 || leftOut < 0.6 * before, "it halves");
-    before = leftOut;
+    // The planes have two sides, and all samples reach one of them.
+    const double omitted = 2.4 - MeasureVolume(volume->GetOutput());
+    check.That(omitted > 0.0 && omitted <= 1.2 * width + 1e-9, "omitted volume");
+    check.That(levels == 0 || omitted < 0.6 * before, "the omitted volume halves per level");
+    before = omitted;
   }
 }
 
-/// The sector that takes less than 0.9 of a turn, between two radii.
+/// The sector of a disk in which advection takes less than 0.9 rotations.
 void TestRotation(Check& check)
 {
   check.SetContext("rotation");
@@ -316,9 +320,9 @@ void TestRotation(Check& check)
   vtkNew<vtkFlowVolume> volume;
   volume->SetInputConnection(field->GetOutputPort());
   volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  volume->SetTimeRange(0.0, 0.9 * Turn);
-  // Streamlines within the disc never leave.
-  const double exact = 0.2 * 0.9 * 0.5 * Turn * 1.1 * 1.1;
+  volume->SetTimeRange(0.0, 0.9 * FullTurn);
+  // Streamlines within the disk never leave.
+  const double exact = 0.2 * 0.9 * 0.5 * FullTurn * 1.1 * 1.1;
   double before = 0.0;
   for (int levels = 0; levels <= 4; ++levels)
   {
@@ -333,11 +337,12 @@ void TestRotation(Check& check)
       check.That(!(isAcross && bounds[0] > -1e-9), "no cell crosses the surface");
     }
     const double error = std::abs(MeasureVolume(mesh) - exact) / exact;
-    check.That(levels == 0 || error < 0.65 * before, "converges: " + std::to_string(error));
+    check.That(
+      levels == 0 || error < 0.65 * before, "the volume converges: " + std::to_string(error));
     before = error;
   }
-  check.That(before < 0.03, "close: " + std::to_string(before));
-  check.That(volume->GetReport()->GetNumber("CellsAcrossSurfaces") > 0, "cells are left out");
+  check.That(before < 0.03, "the volume is close to the exact volume: " + std::to_string(before));
+  check.That(volume->GetReport()->GetNumber("CellsAcrossSurfaces") > 0, "some cells are omitted");
 }
 
 vtkSmartPointer<vtkImplicitFlowField> MakeField(int points, int levels)
@@ -367,7 +372,7 @@ void TestThreads(Check& check)
     check);
 }
 
-/// Samples of other datasets, pieces, and what is not refined.
+/// Samples of other datasets, pieces, and samples that are not refined.
 void TestSamples(Check& check)
 {
   check.SetContext("image of samples");
@@ -383,7 +388,7 @@ void TestSamples(Check& check)
          vtkImplicitFlowField::SAMPLES_OF_FIELD, vtkImplicitFlowField::SAMPLES_OF_INPUT })
   {
     field->SetSampleMode(mode);
-    // Four cells of width 1 along each axis, in parts.
+    // Four cells of width 1 along each axis, in pieces.
     vtkNew<vtkRTAnalyticSource> samples;
     samples->SetWholeExtent(-2, 2, -2, 2, -2, 2);
     field->SetSampleConnection(samples->GetOutputPort());
@@ -401,18 +406,18 @@ void TestSamples(Check& check)
     }
     check.Near(volume, expected, 1e-10, "sum");
   }
-  check.SetContext("back to none");
-  // Of another extent, and still connected.
+  check.SetContext("refinement turned off again");
+  // The sample input, which has another extent, remains connected.
   field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
   field->SetRefinementLevels(0);
-  check.That(field->GetExecutive()->Update() != 0, "samples that are not asked for do not matter");
+  check.That(field->GetExecutive()->Update() != 0, "unused samples have no effect");
   check.That(vtkImageData::SafeDownCast(field->GetOutputDataObject(0)), "an image again");
   field->SetRefinementLevels(7);
   check.Equal(field->GetRefinementLevels(), 6, "clamped");
   CheckPrinted(Print(field), { "RefinementLevels: 6" }, check);
 }
 
-/// Cells that are not refined are as they were, with others beside them.
+/// Cell types that are not refined are unchanged. Other cells next to them are refined.
 void TestOtherCells(Check& check)
 {
   for (const MeshKind kind : { MeshKind::Boxes, MeshKind::Honeycomb })
@@ -430,11 +435,11 @@ void TestOtherCells(Check& check)
     auto* mesh = vtkUnstructuredGrid::SafeDownCast(field->GetOutputDataObject(0));
     check.Equal(mesh->GetNumberOfCells(), samples->GetNumberOfCells(), "cells");
     check.Equal(mesh->GetNumberOfPoints(), samples->GetNumberOfPoints(), "points");
-    check.Near(field->GetReport()->GetNumber("RefinedCells", 1), 0, 0.0, "none is refined");
+    check.Equal(field->GetReport()->GetCount("RefinedCells", 1), 0, "no cell is refined");
     check.Near(mesh->GetCell(0)->GetNumberOfFaces(), samples->GetCell(0)->GetNumberOfFaces(), 0.0,
       "faces", 1.0);
   }
-  check.SetContext("polyhedra among others");
+  check.SetContext("polyhedra next to other cells");
   auto samples = MakeMesh(MeshKind::Mixed, { { 4, 4, 2 } });
   MovePoints(samples,
     [](const Vector& x) {
@@ -459,8 +464,8 @@ void TestOtherCells(Check& check)
     check.Near(volume, 32.0 * 0.027, 1e-9, "volume");
     polyhedra = count;
   }
-  check.That(output->GetNumberOfCells() > samples->GetNumberOfCells(), "others are refined");
-  check.SetContext("points alone");
+  check.That(output->GetNumberOfCells() > samples->GetNumberOfCells(), "other cells are refined");
+  check.SetContext("points without cells");
   auto field = MakeField(6, 1);
   auto flat = MakeFlowImage({ { 5, 5, 2 } }, { { -1, 1, -1, 1, 0, 1 } });
   flat->SetDimensions(5, 5, 1);
@@ -471,9 +476,9 @@ void TestOtherCells(Check& check)
     if (cells == 0)
     {
       vtkNew<vtkPolyData> points;
-      vtkNew<vtkPoints> places;
-      places->InsertNextPoint(0.1, 0.2, 0.3);
-      points->SetPoints(places);
+      vtkNew<vtkPoints> positions;
+      positions->InsertNextPoint(0.1, 0.2, 0.3);
+      points->SetPoints(positions);
       samples = points;
     }
     field->SetSampleData(samples);
@@ -484,8 +489,8 @@ void TestOtherCells(Check& check)
   }
 }
 
-/// Hidden cells are not refined, duplicates are; ghost types of new points are those of all
-/// corners.
+/// Hidden cells are not refined, duplicate cells are. A new point has the ghost flags that all
+/// points of its cell have.
 void TestGhosts(Check& check)
 {
   check.SetContext("ghosts");
@@ -495,7 +500,7 @@ void TestGhosts(Check& check)
   cells->SetName("vtkGhostType");
   cells->SetNumberOfValues(samples->GetNumberOfCells());
   cells->Fill(0);
-  // In the layer that is mixed: two cells far from each other.
+  // Two distant cells in the layer with mixed results.
   const vtkIdType hidden = 0 + 5 * 2 + 25 * 0;
   const vtkIdType duplicate = 4 + 5 * 2 + 25 * 4;
   cells->SetValue(hidden, vtkDataSetAttributes::HIDDENCELL);
@@ -504,7 +509,8 @@ void TestGhosts(Check& check)
   field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
   field->SetSampleData(samples);
   field->Update();
-  check.Near(field->GetReport()->GetNumber("RefinedCells", 0), 24, 0.0, "all but the hidden one");
+  check.Equal(field->GetReport()->GetCount("RefinedCells", 0), 24,
+    "all cells are refined except the hidden cell");
   auto* mesh = vtkUnstructuredGrid::SafeDownCast(field->GetOutputDataObject(0));
   vtkUnsignedCharArray* ghosts = mesh->GetCellGhostArray();
   vtkIdType counts[2] = { 0, 0 };
@@ -513,9 +519,9 @@ void TestGhosts(Check& check)
     counts[0] += ghosts->GetValue(cell) == vtkDataSetAttributes::HIDDENCELL ? 1 : 0;
     counts[1] += ghosts->GetValue(cell) == vtkDataSetAttributes::DUPLICATECELL ? 1 : 0;
   }
-  check.Equal(counts[0], 1, "the hidden cell is whole");
-  // Six quadrilaterals of four triangles, each with a marked edge.
-  check.Equal(counts[1], 48, "parts of the duplicate");
+  check.Equal(counts[0], 1, "the hidden cell is not refined");
+  // The duplicate cell has six quadrilaterals, each split into eight triangles.
+  check.Equal(counts[1], 48, "cells that replace the duplicate cell");
 }
 
 void TestProgress(Check& check)
@@ -526,18 +532,18 @@ void TestProgress(Check& check)
   Observe(field, watch);
   field->Update();
   CheckGrowth(watch, 30, check);
-  check.That(watch.Progress.back() > 0.9, "to the end");
+  check.That(watch.Progress.back() > 0.9, "progress reaches the end");
   auto aborted = MakeField(8, 2);
   ProgressWatch second;
   second.AbortAt = 0.5;
   Observe(aborted, second);
   aborted->Update();
   check.Equal(vtkDataSet::SafeDownCast(aborted->GetOutputDataObject(0))->GetNumberOfPoints(), 0,
-    "nothing after an abort in a level");
+    "the output is empty after an abort in a level");
   check.SetContext("errors");
   auto wrong = MakeField(4, 2);
   wrong->RemoveAllTerminationSurfaces();
-  check.That(!MessagesOf(wrong).empty(), "no surface is told");
+  check.That(!MessagesOf(wrong).empty(), "an error for the missing surface");
   check.Equal(
     vtkDataSet::SafeDownCast(wrong->GetOutputDataObject(0))->GetNumberOfPoints(), 0, "no output");
 }

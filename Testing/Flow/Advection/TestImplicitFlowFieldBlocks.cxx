@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkImplicitFlowField over composite data: streamlines from block to block, with the answers that
-// one grid gives; hidden and duplicate cells, arrays, samples and errors of blocks.
+// vtkImplicitFlowField on composite data: streamlines cross blocks and have the same results as in
+// a single grid. Also tests hidden and duplicate cells, arrays, samples, and errors of blocks.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
 #include "Support/Checks/ReferenceMessages.h"
@@ -44,7 +44,7 @@ Vector Shear(const Vector& x)
   return { { 1.0, 0.25 * x[2], 0.125 } };
 }
 
-/// Cells of width 1 over 0 ... 4 in y and z, and \a cells of them from \a start along x.
+/// Returns an image with cells of width 1: [0, 4] in y and z, and \a cells from \a start along x.
 Grid MakeImage(int start, int cells)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -71,7 +71,7 @@ Grid MakeMesh(MeshKind kind, int start, int cells)
   return MakeMoved(MakeFlowMesh(kind, { { cells, 4, 4 } }), start);
 }
 
-/// Blocks under a nested tree, with empty ones between them.
+/// Returns blocks in a nested tree with empty blocks in between.
 vtkSmartPointer<vtkMultiBlockDataSet> MakeBlocks(const std::vector<Grid>& grids)
 {
   vtkNew<vtkMultiBlockDataSet> inner;
@@ -108,7 +108,7 @@ double GetValue(vtkDataSet* data, const char* name, vtkIdType id, int component 
   return data->GetPointData()->GetArray(name)->GetComponent(id, component);
 }
 
-/// Each sample has the answer of the sample of \a whole in its place.
+/// Checks that each sample has the result of the sample of \a whole at the same position.
 void CheckSame(vtkDataSet* found, vtkDataSet* whole, Check& check)
 {
   for (vtkIdType id = 0; id < found->GetNumberOfPoints(); ++id)
@@ -126,7 +126,7 @@ void CheckSame(vtkDataSet* found, vtkDataSet* whole, Check& check)
   }
 }
 
-/// Blocks of any kind and tree give what one image gives.
+/// Blocks of any kind in any tree yield the results of a single image.
 void TestTrees(Check& check)
 {
   auto filter = NewFilter(MakeImage(0, 4));
@@ -155,9 +155,9 @@ void TestTrees(Check& check)
     check.That(MessagesOf(filter).empty(), "no messages");
     vtkDataSet* output = Update(filter);
     check.That(vtkUnstructuredGrid::SafeDownCast(output) != nullptr, "one unstructured grid");
-    check.Equal(output->GetNumberOfPoints(), whole->GetNumberOfPoints(), "samples, each once");
+    check.Equal(output->GetNumberOfPoints(), whole->GetNumberOfPoints(), "no duplicate samples");
     CheckSame(output, whole, check);
-    check.Near(filter->GetReport()->GetNumber("SurfaceIds"), 0, 0.0, "the id that is reached");
+    check.Equal(filter->GetReport()->GetCount("SurfaceIds"), 0, "id of the surface");
     check.That(
       filter->GetReport()->GetNumber("SamplesBySurface") > 60, "streamlines reach the plane");
     const vtkIdType all = output->GetNumberOfCells();
@@ -166,9 +166,9 @@ void TestTrees(Check& check)
     output = Update(filter);
     check.That(vtkImageData::SafeDownCast(output) != nullptr, "an image of samples");
     check.Near(output->GetPoint(0)[0], 2.0, 0.0, "bounds of all blocks", 1.0);
-    check.Near(GetValue(output, "AdvectionTime", 0), 2.0, 1e-12, "time from the middle");
+    check.Near(GetValue(output, "AdvectionTime", 0), 2.0, 1e-12, "time from the center");
     filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
-    // Parts have all cells, once.
+    // The pieces together contain all cells without duplicates.
     vtkIdType cells = 0;
     for (int piece = 0; piece < 3; ++piece)
     {
@@ -177,7 +177,7 @@ void TestTrees(Check& check)
       CheckSame(output, whole, check);
       cells += output->GetNumberOfCells();
     }
-    check.Equal(cells, all, "cells of all parts");
+    check.Equal(cells, all, "cells of all pieces");
   }
   check.SetContext("");
 }
@@ -195,7 +195,7 @@ void SetGhosts(vtkDataSet* grid, int attributes, unsigned char ghost,
   grid->GetAttributes(attributes)->AddArray(ghosts);
 }
 
-/// Hidden cells of one block stop streamlines; duplicates of another block's do not.
+/// Hidden cells of a block stop streamlines. Duplicates of another block's cells do not.
 void TestGhosts(Check& check)
 {
   const auto isLast = [](vtkIdType cell) { return cell % 2 == 1; };
@@ -207,20 +207,20 @@ void TestGhosts(Check& check)
     auto filter = NewFilter(MakeBlocks({ first, MakeImage(2, 2) }));
     vtkDataSet* output = Update(filter);
     check.Equal(output->GetNumberOfCells(), 48, "cells that are not hidden");
-    check.Equal(output->GetNumberOfPoints(), 125, "points of those");
+    check.Equal(output->GetNumberOfPoints(), 125, "points of these cells");
     check.That(output->GetPointGhostArray() == nullptr && output->GetCellGhostArray() == nullptr,
       "no ghost arrays");
     for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
     {
       const bool isBehind = output->GetPoint(id)[0] > 1.5;
       check.That(!isBehind || GetValue(output, "FlowStatus", id) == vtkFlowStatus::LEFT_DOMAIN,
-        "hidden cells are a hole");
+        "hidden cells form a hole");
     }
-    check.Near(filter->GetReport()->GetNumber("SurfaceIds"), 0, 0.0, "the id that is reached");
+    check.Equal(filter->GetReport()->GetCount("SurfaceIds"), 0, "id of the surface");
     check.That(
       filter->GetReport()->GetNumber("SamplesBySurface") > 20, "streamlines before the hole");
   }
-  // Hidden cells may be of types that a field has not.
+  // Hidden cells may have types that fields do not support.
   auto mesh = MakeFlowMesh(MeshKind::Hexahedra, { { 2, 4, 4 } });
   AddVectors(mesh, Shear);
   const vtkIdType corners[3] = { 0, 1, 2 };
@@ -230,7 +230,8 @@ void TestGhosts(Check& check)
   auto mixed = NewFilter(MakeBlocks({ mesh, MakeImage(2, 2) }));
   check.That(MessagesOf(mixed).empty(), "a hidden triangle");
   check.Equal(Update(mixed)->GetNumberOfCells(), 64, "cells without the triangle");
-  // A block with one layer of the next, as readers of parallel files give them.
+  // A block that overlaps the next block by one layer of duplicate cells, as readers of parallel
+  // files produce.
   auto filter = NewFilter(MakeImage(0, 4));
   vtkNew<vtkImageData> whole;
   whole->DeepCopy(Update(filter));
@@ -241,11 +242,12 @@ void TestGhosts(Check& check)
   SetGhosts(next, vtkDataObject::CELL, 0, isLast);
   filter->SetInputDataObject(MakeBlocks({ more, next }));
   vtkDataSet* output = Update(filter);
-  check.That(output->GetCellGhostArray() == nullptr, "no ghosts though both blocks have some");
+  check.That(
+    output->GetCellGhostArray() == nullptr, "no ghost array, although both blocks have one");
   check.Equal(output->GetNumberOfCells(), 64, "cells without duplicates");
   check.Equal(output->GetNumberOfPoints(), 125, "points without duplicates");
   CheckSame(output, whole, check);
-  // Points that are hidden in one block may hold anything, and hide nothing of another block.
+  // Points hidden in one block may have any value. They do not hide points of another block.
   auto hidden = MakeImage(0, 3);
   SetGhosts(hidden, vtkDataObject::POINT, vtkDataSetAttributes::HIDDENPOINT,
     [](vtkIdType point) { return point % 4 == 3; });
@@ -273,7 +275,8 @@ void AddArray(vtkDataSetAttributes* data, const char* name, vtkIdType number, do
   data->AddArray(array);
 }
 
-/// Arrays that all blocks have are kept, with the first block's values in points of two.
+/// Arrays that exist in all blocks are passed. At common points, the values of the first block are
+/// used.
 void TestArrays(Check& check)
 {
   auto first = MakeImage(0, 2);
@@ -287,7 +290,7 @@ void TestArrays(Check& check)
   auto filter = NewFilter(MakeBlocks({ first, second }));
   filter->AddMeanArray("Both");
   vtkDataSet* output = Update(filter);
-  check.That(output->GetPointData()->GetArray("One") == nullptr, "an array of one block");
+  check.That(output->GetPointData()->GetArray("One") == nullptr, "an array of only one block");
   check.Equal(output->GetNumberOfPoints(), 125, "samples");
   for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
   {
@@ -295,17 +298,17 @@ void TestArrays(Check& check)
     const bool isFirst = x[0] <= 2.0;
     const double row = 3.0 * (x[1] + 5.0 * x[2]);
     check.Near(GetValue(output, "Both", id), isFirst ? x[0] + row : 1000.0 + x[0] - 2.0 + row, 0.0,
-      "the value of the first block that has the point");
+      "the value of the first block with the point");
   }
   auto* numbers = vtkIntArray::SafeDownCast(output->GetCellData()->GetArray("Number"));
-  check.That(numbers != nullptr, "a cell array of its type");
+  check.That(numbers != nullptr, "a cell array with its type");
   for (vtkIdType cell = 0; numbers && cell < 64; ++cell)
   {
     double bounds[6];
     output->GetCellBounds(cell, bounds);
     const double row = 2.0 * (bounds[2] + 4.0 * bounds[4]);
     check.Near(static_cast<double>(numbers->GetValue(cell)),
-      bounds[0] < 1.5 ? bounds[0] + row : 998.0 + bounds[0] + row, 0.0, "its cell's number");
+      bounds[0] < 1.5 ? bounds[0] + row : 998.0 + bounds[0] + row, 0.0, "the id of the input cell");
   }
   auto type = [&](const Grid& one, const Grid& other)
   {
@@ -325,35 +328,35 @@ void TestArrays(Check& check)
     vtkPointSet::SafeDownCast(grid)->SetPoints(floats);
     return grid;
   };
-  check.Equal(type(makeFloats(0), makeFloats(2)), VTK_FLOAT, "coordinates of floats");
-  check.Equal(type(makeFloats(0), MakeImage(2, 2)), VTK_DOUBLE, "coordinates of both");
-  check.Equal(first->GetPointData()->GetNumberOfArrays(), 3, "the input stays as it is");
+  check.Equal(type(makeFloats(0), makeFloats(2)), VTK_FLOAT, "single-precision coordinates");
+  check.Equal(type(makeFloats(0), MakeImage(2, 2)), VTK_DOUBLE, "mixed coordinates");
+  check.Equal(first->GetPointData()->GetNumberOfArrays(), 3, "the input is unchanged");
 }
 
-/// A block alone is the field as it is.
+/// A single block is used like a field without blocks.
 void TestSingle(Check& check)
 {
   for (const Grid& grid :
     { MakeImage(0, 4), MakeStructured(0, 4), MakeMesh(MeshKind::Wedges, 0, 4) })
   {
     check.SetContext(std::string("a single ") + grid->GetClassName());
-    auto alone = NewFilter(grid);
+    auto gridFilter = NewFilter(grid);
     auto filter = NewFilter(MakeBlocks({ grid }));
-    alone->DomainFacesOn();
+    gridFilter->DomainFacesOn();
     filter->DomainFacesOn();
-    vtkDataSet* expected = Update(alone);
+    vtkDataSet* expected = Update(gridFilter);
     vtkDataSet* output = Update(filter);
     check.That(vtkUnstructuredGrid::SafeDownCast(output) != nullptr, "an unstructured grid");
     check.Equal(output->GetNumberOfPoints(), expected->GetNumberOfPoints(), "samples");
     check.Equal(output->GetNumberOfCells(), expected->GetNumberOfCells(), "cells");
     CheckSame(output, expected, check);
-    check.Near(filter->GetReport()->GetNumber("Steps"), alone->GetReport()->GetNumber("Steps"), 0.0,
-      "steps of its own walker");
+    check.Equal(filter->GetReport()->GetCount("Steps"), gridFilter->GetReport()->GetCount("Steps"),
+      "steps of the specialized walker");
   }
   check.SetContext("");
 }
 
-/// The same bytes for any number of threads.
+/// Output is bit-identical for any number of threads.
 void TestThreads(Check& check)
 {
   std::vector<double> known;
@@ -370,7 +373,7 @@ void TestThreads(Check& check)
           found.insert(found.end(), output->GetPoint(id), output->GetPoint(id) + 3);
           found.push_back(GetValue(output, "AdvectionTime", id));
         }
-        check.That(known.empty() || known == found, "places and times");
+        check.That(known.empty() || known == found, "positions and times");
         known = found;
       });
   }
@@ -395,10 +398,10 @@ void TestErrors(Check& check)
   expect({ surface, surface }, "Block 4 (flat index): The field has no three-dimensional cells");
   auto filter = NewFilter(vtkNew<vtkMultiBlockDataSet>());
   ExpectWarnings(filter);
-  check.That(MessagesOf(filter).empty(), "no blocks are no error");
+  check.That(MessagesOf(filter).empty(), "a composite input without blocks is not an error");
   filter->Modified();
-  check.That(WarningsOf(filter).find("no points") != std::string::npos, "no blocks are warned of");
-  check.Equal(Update(filter)->GetNumberOfPoints(), 0, "nothing of no blocks");
+  check.That(WarningsOf(filter).find("no points") != std::string::npos, "a warning for no blocks");
+  check.Equal(Update(filter)->GetNumberOfPoints(), 0, "no output without blocks");
 }
 
 }

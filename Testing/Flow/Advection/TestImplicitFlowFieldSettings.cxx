@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is set on vtkImplicitFlowField reaches the streamlines, the output and what is asked of the
-// inputs; ids of surfaces and spheres; pieces of meshes.
+// Settings of vtkImplicitFlowField: their effect on streamlines, output and requests to inputs.
+// Also tests ids of surfaces and spheres, and pieces of meshes.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
 #include "Support/Checks/ReferenceMessages.h"
@@ -53,7 +53,7 @@ vtkDataSet* Update(vtkImplicitFlowField* filter)
   return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
-/// Limits of time, speed and error, and the least ones of a field without flow.
+/// Limits of time, speed and error, and the automatic values for a field without flow.
 void TestLimits(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
@@ -67,7 +67,8 @@ void TestLimits(Check& check)
   {
     const double time = 2.0 * output->GetPoint(id)[0];
     check.Equal(static_cast<int>(GetValue(output, "FlowStatus", id)),
-      time < 5.0 ? vtkFlowStatus::REACHED_SURFACE : vtkFlowStatus::OUT_OF_TIME, "status by time");
+      time < 5.0 ? vtkFlowStatus::REACHED_SURFACE : vtkFlowStatus::OUT_OF_TIME,
+      "status of exceeding the time");
     check.Near(GetValue(output, "AdvectionTime", id), std::min(5.0, time), 1e-12, "time", 1.0);
   }
   filter->SetMaximumError(0.125);
@@ -75,19 +76,19 @@ void TestLimits(Check& check)
   Update(filter);
   check.That(filter->GetReport()->GetNumber("MaximumError") == 0.125, "the error that is set");
   check.That(filter->GetReport()->GetNumber("MinimumSpeed") == 0.75, "the speed that is set");
-  check.Near(filter->GetReport()->GetNumber("Statuses", vtkFlowStatus::STAGNATED), 100, 0.0,
-    "all are too slow");
+  check.Equal(filter->GetReport()->GetCount("Statuses", vtkFlowStatus::STAGNATED), 100,
+    "all streamlines are too slow");
   filter->SetMaximumError(0.0);
   filter->SetMinimumSpeed(0.0);
   filter->SetInputDataObject(MakeFlowImage(5, [](const Vector&) { return Vector{}; }));
   Update(filter);
   check.That(filter->GetReport()->GetNumber("MaximumError") == std::numeric_limits<double>::min(),
-    "the least error where there is no flow");
-  check.Near(
-    filter->GetReport()->GetNumber("Statuses", vtkFlowStatus::STAGNATED), 100, 0.0, "no flow");
+    "the minimum error for a field without flow");
+  check.Equal(filter->GetReport()->GetCount("Statuses", vtkFlowStatus::STAGNATED), 100,
+    "the minimum speed for a field without flow");
 }
 
-/// Methods by the steps that they take, and the arrays of those.
+/// Integration methods, identified by their step counts, and the arrays of step counts.
 void TestMethods(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
@@ -103,11 +104,11 @@ void TestMethods(Check& check)
     check.SetContext("integrator " + std::to_string(integrator));
     const bool isStiff = integrator == vtkImplicitFlowField::ROSENBROCK;
     filter->SetIntegrator(integrator);
-    filter->KeepStepsOff();
+    filter->StoreStepCountsOff();
     check.That(Update(filter)->GetPointData()->GetArray("AdvectionSteps") == nullptr &&
         Update(filter)->GetPointData()->GetArray("StiffSteps") == nullptr,
-      "no steps unless asked for");
-    filter->KeepStepsOn();
+      "no step arrays by default");
+    filter->StoreStepCountsOn();
     vtkDataSet* output = Update(filter);
     double steps = 0.0;
     double stiffSteps = 0.0;
@@ -120,9 +121,9 @@ void TestMethods(Check& check)
     check.Near(steps, report->GetNumber("Steps"), 0.0, "steps of all samples");
     check.Near(stiffSteps, report->GetNumber("StiffSteps"), 0.0, "stiff steps of all samples");
     check.That((isStiff ? stiffSteps : steps) > 100.0, "steps of the method");
-    check.Near(isStiff ? steps : stiffSteps, 0.0, 0.0, "steps of others");
+    check.Near(isStiff ? steps : stiffSteps, 0.0, 0.0, "steps of other methods");
     check.That(isStiff || report->GetNumber("RejectedSteps") > 0, "some steps are rejected");
-    check.That(evaluations != report->GetNumber("Evaluations"), "evaluations of its own");
+    check.That(evaluations != report->GetNumber("Evaluations"), "evaluations of the method");
     evaluations = report->GetNumber("Evaluations");
   }
   check.SetContext("");
@@ -140,7 +141,7 @@ std::vector<std::vector<int>> GetSurfaces(vtkDataSet* output)
   return rows;
 }
 
-/// Ids that are free of all parts of others, each once, and what is periodic.
+/// Unused ids skip all parts of other surfaces. Ids are unique. Also tests periodic parameters.
 void TestIds(Check& check)
 {
   vtkNew<vtkTerminationBox> box;
@@ -161,7 +162,7 @@ void TestIds(Check& check)
   filter->AddTerminationSurface(same);
   filter->RemoveTerminationSurface(removed);
   check.Equal(filter->GetNumberOfTerminationSurfaces(), 5, "surfaces");
-  check.That(filter->GetTerminationSurface(0) == first, "another one is removed");
+  check.That(filter->GetTerminationSurface(0) == first, "another surface is removed");
   filter->DomainFacesOn();
   filter->SetDomainFaceId(300);
   vtkDataSet* output = Update(filter);
@@ -178,15 +179,16 @@ void TestIds(Check& check)
       { 20 + part, cylinder->IsPeriodic(0, part) ? 1 : 0, cylinder->IsPeriodic(1, part) ? 1 : 0 });
   }
   check.Equal(
-    expected[static_cast<std::size_t>(2 + box->GetNumberOfParts())][1], 1, "u goes around");
-  check.Equal(expected[static_cast<std::size_t>(2 + box->GetNumberOfParts())][2], 0, "v does not");
+    expected[static_cast<std::size_t>(2 + box->GetNumberOfParts())][1], 1, "u is periodic");
+  check.Equal(
+    expected[static_cast<std::size_t>(2 + box->GetNumberOfParts())][2], 0, "v is not periodic");
   for (int face = 0; face < 6; ++face)
   {
     expected.push_back({ 300 + face, 0, 0 });
   }
   check.That(GetSurfaces(output) == expected, "the table of surfaces");
   filter->RemoveAllTerminationSurfaces();
-  check.Equal(static_cast<int>(GetValue(Update(filter), "TerminationId", 2)), 300, "a face's id");
+  check.Equal(static_cast<int>(GetValue(Update(filter), "TerminationId", 2)), 300, "id of a face");
 }
 
 vtkIdType CountReached(vtkImplicitFlowField* filter, int id)
@@ -201,7 +203,7 @@ vtkIdType CountReached(vtkImplicitFlowField* filter, int id)
   return reached;
 }
 
-/// Two sources have spheres of their own; spirals have some too.
+/// Two flow sources have separate spheres, and spirals have spheres too.
 void TestSpheres(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
@@ -214,13 +216,13 @@ void TestSpheres(Check& check)
   vtkDataSet* output = Update(filter);
   check.Equal(filter->GetReport()->GetSize("SurfaceIds"), 2, "two spheres");
   const double low = GetValue(output, "TerminationId", 0);
-  check.That(low == 500.0 || low == 501.0, "an id from the first on");
+  check.That(low == 500.0 || low == 501.0, "ids start at the given id");
   for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
   {
     const bool isLow = output->GetPoint(id)[0] < 2.1;
     check.That(GetValue(output, "FlowStatus", id) != vtkFlowStatus::REACHED_SURFACE ||
         GetValue(output, "TerminationId", id) == (isLow ? low : 1001.0 - low),
-      "the sphere on its side");
+      "each side reaches its sphere");
   }
   filter->SetInputDataObject(MakeFlowImage(9,
     [](const Vector& x)
@@ -255,7 +257,8 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(
   return array;
 }
 
-/// Each array has a mean of its own, once; others than of one component have none.
+/// Each array has a separate mean. Duplicate arrays have one mean, and arrays with several
+/// components have none.
 void TestMeans(Check& check)
 {
   auto image = MakeFlowImage(5, Uniform);
@@ -268,22 +271,23 @@ void TestMeans(Check& check)
   {
     filter->AddMeanArray(name);
   }
-  check.Equal(filter->GetNumberOfMeanArrays(), 2, "arrays that have a mean");
+  check.Equal(filter->GetNumberOfMeanArrays(), 2, "arrays with a mean");
   vtkDataSet* output = Update(filter);
   for (vtkIdType id = 0; id < output->GetNumberOfPoints(); ++id)
   {
     const double* x = output->GetPoint(id);
-    check.Near(GetValue(output, "MeanAlong", id), 0.5 * x[0], 1e-12, "mean along", 1.0);
-    check.Near(GetValue(output, "MeanAcross", id), x[1], 1e-12, "mean across", 1.0);
+    check.Near(GetValue(output, "MeanAlong", id), 0.5 * x[0], 1e-12, "mean along the flow", 1.0);
+    check.Near(GetValue(output, "MeanAcross", id), x[1], 1e-12, "mean across the flow", 1.0);
   }
   filter->AddMeanArray(image->GetPointData()->GetVectors()->GetName());
   const std::string wrong = MessagesOf(filter);
-  check.That(wrong.find("There is no mean: array \"") != std::string::npos &&
+  check.That(wrong.find("Cannot compute a mean along streamlines: array \"") != std::string::npos &&
       wrong.find("\" has 3 components; 1 is needed.") != std::string::npos,
     "no mean of vectors");
 }
 
-/// All of the field is asked for, and of other samples the piece.
+/// Upstream requests: all pieces of the field, but only the requested piece of samples from another
+/// input.
 void TestRequests(Check& check)
 {
   using Pipeline = vtkStreamingDemandDrivenPipeline;
@@ -299,12 +303,12 @@ void TestRequests(Check& check)
     filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
     filter->UpdateInformation();
     filter->UpdatePiece(1, 3, 0);
-    vtkInformation* asked = filter->GetInputInformation(0, 0);
-    check.Equal(asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()), 1, "pieces of the field");
-    check.Equal(asked->Get(Pipeline::UPDATE_PIECE_NUMBER()), 0, "the piece of the field");
+    vtkInformation* information = filter->GetInputInformation(0, 0);
+    check.Equal(information->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()), 1, "pieces of the field");
+    check.Equal(information->Get(Pipeline::UPDATE_PIECE_NUMBER()), 0, "piece of the field");
     vtkInformation* samples = filter->GetInputInformation(1, 0);
     check.Equal(samples->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()), 3, "pieces of the samples");
-    check.Equal(samples->Get(Pipeline::UPDATE_PIECE_NUMBER()), 1, "the piece of the samples");
+    check.Equal(samples->Get(Pipeline::UPDATE_PIECE_NUMBER()), 1, "piece of the samples");
     filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
     filter->UpdatePiece(1, 3, 0);
     if (field == image)
@@ -313,12 +317,12 @@ void TestRequests(Check& check)
       filter->GetInputInformation(0, 0)->Get(Pipeline::UPDATE_EXTENT(), extent);
       check.That(
         extent[1] - extent[0] == 4 && extent[3] - extent[2] == 4 && extent[5] - extent[4] == 4,
-        "all of an image");
+        "the whole extent of an image");
     }
   }
 }
 
-/// Pieces of a mesh keep what belongs to its points, cells and all of it.
+/// Pieces of a mesh preserve point, cell and field data.
 void TestPieces(Check& check)
 {
   auto mesh = MakeFlowMesh(MeshKind::Tetrahedra6, { { 4, 3, 2 } });
@@ -370,23 +374,24 @@ void TestPieces(Check& check)
       const Vector expected = { { x[0], x[1], x[2] } };
       for (int i = 0; i < 3; ++i)
       {
-        check.Near(part->GetPoint(id)[i], expected[static_cast<std::size_t>(i)], 0.0, "its point");
+        check.Near(
+          part->GetPoint(id)[i], expected[static_cast<std::size_t>(i)], 0.0, "the input point");
       }
     }
     for (vtkIdType id = 0; id < part->GetNumberOfCells(); ++id)
     {
-      check.Near(cellIds->GetComponent(id, 0), static_cast<double>(next), 0.0, "its cell");
+      check.Near(cellIds->GetComponent(id, 0), static_cast<double>(next), 0.0, "the input cell");
       double bounds[6];
       double expected[6];
       part->GetCellBounds(id, bounds);
       mesh->GetCellBounds(next++, expected);
-      check.That(std::equal(bounds, bounds + 6, expected), "the cell's place");
+      check.That(std::equal(bounds, bounds + 6, expected), "the position of the cell");
     }
   }
   check.Equal(next, mesh->GetNumberOfCells(), "cells of all pieces");
 }
 
-/// Vectors that are not the points', or are too few.
+/// Vectors that are not point data or have too few tuples are errors.
 void TestVectors(Check& check)
 {
   auto image = MakeFlowImage(3, Uniform);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An implicit flow field that is stopped, by an abort and by a kill, and resumed from its
-// checkpoint: the bytes of a run that was never stopped; files that are refused, and what is
-// written when.
+// Implicit flow fields stopped by an abort or a kill and resumed from the checkpoint: results are
+// bit-identical to an uninterrupted run. Also tests rejected files and when checkpoints are
+// written.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -83,7 +83,7 @@ std::vector<Case> MakeCases()
 {
   using Flow = vtkAnalyticFlowSource;
   return {
-    { "an image, with extras and what is beyond the surface",
+    { "an image, with optional results and far sides",
       [](vtkImplicitFlowField* filter)
       {
         SetFlow(filter, Flow::ABC, 12);
@@ -93,7 +93,7 @@ std::vector<Case> MakeCases()
         filter->ComputeMaximumSpeedOn();
         filter->ComputeMeanVorticityOn();
         filter->AddMeanArray("Pressure");
-        filter->KeepStepsOn();
+        filter->StoreStepCountsOn();
         auto* data = vtkDataSet::SafeDownCast(filter->GetInputDataObject(0, 0));
         vtkNew<vtkDoubleArray> pressure;
         pressure->SetName("Pressure");
@@ -126,7 +126,7 @@ std::vector<Case> MakeCases()
         filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
         filter->SetSampleDimensions(17, 17, 17);
         filter->SetMaximumError(1e-3);
-        filter->ShareStreamlinesOn();
+        filter->InterpolateStreamlinesOn();
       } },
     { "Rosenbrock's method, forward, with checks of the sampling",
       [](vtkImplicitFlowField* filter)
@@ -167,7 +167,7 @@ void AddBytes(std::string& bytes, vtkFieldData* data)
   }
 }
 
-/// Returns all numbers of the output.
+/// Returns all values of the output.
 std::string GetBytes(vtkImplicitFlowField* filter)
 {
   vtkDataSet* output = GetOutput(filter);
@@ -182,8 +182,8 @@ std::string GetBytes(vtkImplicitFlowField* filter)
   return bytes;
 }
 
-/// Returns a copy of the report without the values about checkpoints, and SIMD steps, which depend
-/// on who was followed beside whom.
+/// Returns a copy of the report without the statistics of checkpoints, and without SIMD steps,
+/// which depend on how streamlines are grouped.
 ReportCopy GetNumbers(vtkImplicitFlowField* filter)
 {
   const auto report = CopyReport(filter->GetReport());
@@ -205,7 +205,7 @@ void Write(const std::string& name, const std::string& content)
   std::ofstream(name, std::ios::binary) << content;
 }
 
-/// Runs until \a progress and aborts there.
+/// Aborts the execution at \a progress.
 void Abort(const Case& test, const std::string& name, double progress, Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
@@ -219,20 +219,21 @@ void Abort(const Case& test, const std::string& name, double progress, Check& ch
   check.Equal(GetOutput(filter)->GetPointData()->GetNumberOfArrays(), 0, "arrays after an abort");
 }
 
-/// The file is a table that says what it is.
+/// The file is a table with an identifying array.
 void CheckFile(const std::string& name, Check& check)
 {
   vtkNew<vtkXMLTableReader> reader;
   reader->SetFileName(name.c_str());
   reader->Update();
   vtkTable* table = reader->GetOutput();
-  check.That(table->GetFieldData()->GetArray("PartialImplicitFlow") != nullptr, "the mark");
+  check.That(
+    table->GetFieldData()->GetArray("PartialImplicitFlow") != nullptr, "the identifying array");
   check.That(table->GetNumberOfRows() > 0, "finished streamlines");
-  check.That(table->GetColumnByName("Position") != nullptr, "where they ended");
-  check.That(!files::exists(name + ".part"), "nothing is left beside it");
+  check.That(table->GetColumnByName("Position") != nullptr, "end positions");
+  check.That(!files::exists(name + ".part"), "no temporary file remains");
 }
 
-/// Resumes by a filter of its own. Returns how many streamlines were in the file.
+/// Resumes with a new filter. Returns the number of streamlines read from the file.
 vtkIdType Resume(const Case& test, const std::string& name, const std::string& whole,
   vtkInterlumeReport* numbers, Check& check)
 {
@@ -240,9 +241,10 @@ vtkIdType Resume(const Case& test, const std::string& name, const std::string& w
   test.Set(filter);
   filter->SetCheckpointFileName(name.c_str());
   filter->Update();
-  check.That(GetBytes(filter) == whole, "the bytes of a run without a stop");
-  check.That(GetNumbers(filter)->IsEqual(numbers), "and its report");
-  check.That(!files::exists(name), "the file is removed when all is there");
+  check.That(GetBytes(filter) == whole, "the result is bit-identical to an uninterrupted run");
+  check.That(
+    GetNumbers(filter)->IsEqual(numbers), "the report equals the report of an uninterrupted run");
+  check.That(!files::exists(name), "the file is removed on completion");
   return filter->GetReport()->GetNumber("ResumedStreamlines");
 }
 
@@ -264,7 +266,7 @@ void TestAborts(const std::string& name, Check& check)
       Abort(test, name, progress, check);
       CheckFile(name, check);
       const vtkIdType resumed = Resume(test, name, whole, numbers, check);
-      check.That(resumed > before, "more is there, the later it was stopped");
+      check.That(resumed > before, "a later stop resumes more streamlines");
       before = resumed;
     }
     check.SetContext(test.Name + ", stopped twice");
@@ -280,35 +282,35 @@ void TestAborts(const std::string& name, Check& check)
   }
 }
 
-/// Without a name nothing is there; with one the result is the same.
-void TestPay(const std::string& name, Check& check)
+/// Without a file name no checkpoint is written. A file name does not change the result.
+void TestOnRequest(const std::string& name, Check& check)
 {
-  check.SetContext("what is paid for");
+  check.SetContext("checkpoints on request");
   const Case test = MakeCases()[0];
   vtkNew<vtkImplicitFlowField> filter;
   check.That(filter->GetCheckpointFileName() == nullptr, "no file by default");
-  check.Near(filter->GetCheckpointInterval(), 60.0, 0.0, "the interval by default");
+  check.Near(filter->GetCheckpointInterval(), 60.0, 0.0, "default interval");
   filter->SetCheckpointInterval(-1.0);
   check.Near(filter->GetCheckpointInterval(), 0.0, 0.0, "clamped");
   test.Set(filter);
   filter->Update();
-  check.Near(filter->GetReport()->GetNumber("Checkpoints"), 0, 0.0, "files without a name");
+  check.Equal(filter->GetReport()->GetCount("Checkpoints"), 0, "files without a name");
   const std::string whole = GetBytes(filter);
   filter->SetCheckpointFileName(name.c_str());
-  check.That(filter->GetCheckpointFileName() == name, "its name");
+  check.That(filter->GetCheckpointFileName() == name, "the file name");
   filter->Update();
-  check.That(GetBytes(filter) == whole, "the same with files");
-  check.That(filter->GetReport()->GetNumber("Checkpoints") > 1, "after every part");
-  check.Near(filter->GetReport()->GetNumber("ResumedStreamlines"), 0, 0.0, "nothing was there");
+  check.That(GetBytes(filter) == whole, "the result is unchanged");
+  check.That(filter->GetReport()->GetNumber("Checkpoints") > 1, "one checkpoint per part");
+  check.Equal(filter->GetReport()->GetCount("ResumedStreamlines"), 0, "no file to resume from");
   filter->SetCheckpointInterval(3600.0);
   filter->Update();
-  check.Near(filter->GetReport()->GetNumber("Checkpoints"), 0, 0.0, "not within the hour");
+  check.Equal(filter->GetReport()->GetCount("Checkpoints"), 0, "no checkpoint within the interval");
   filter->SetCheckpointFileName("");
-  check.That(filter->GetCheckpointFileName() == nullptr, "none again");
-  check.That(!files::exists(name), "nothing is left");
+  check.That(filter->GetCheckpointFileName() == nullptr, "the file name is cleared");
+  check.That(!files::exists(name), "no file remains");
 }
 
-/// Gives the samples a part at a time, each with a file of its own.
+/// Requests a piece. Each piece has a separate file.
 void TestPieces(const std::string& name, Check& check)
 {
   check.SetContext("pieces");
@@ -327,11 +329,12 @@ void TestPieces(const std::string& name, Check& check)
 
 using Change = std::function<void(vtkImplicitFlowField*)>;
 
-/// A file that is not of this execution, or not whole, is refused with \a words.
-void TestRefusal(const std::string& name, const std::string& what, const std::string& words,
+/// Checks that an invalid file, or a file of another execution, is rejected with a warning that
+/// contains \a words.
+void TestRejection(const std::string& name, const std::string& what, const std::string& words,
   const Change& change, Check& check)
 {
-  check.SetContext("refused: " + what);
+  check.SetContext("rejected: " + what);
   const Case test = MakeCases()[0];
   vtkNew<vtkImplicitFlowField> expected;
   test.Set(expected);
@@ -341,17 +344,18 @@ void TestRefusal(const std::string& name, const std::string& what, const std::st
   test.Set(filter);
   change(filter);
   filter->SetCheckpointFileName(name.c_str());
-  // None is due, however slow this is.
+  // No checkpoint is written within the interval.
   filter->SetCheckpointInterval(3600.0);
   const std::string warning = WarningsOf(filter);
   check.That(warning.find(name) != std::string::npos, "the file's name in: " + warning);
   check.That(warning.find(words) != std::string::npos, "\"" + words + "\" in: " + warning);
-  check.That(warning.find("followed anew") != std::string::npos, "what is done, in: " + warning);
-  check.Near(filter->GetReport()->GetNumber("ResumedStreamlines"), 0, 0.0, "nothing of the file");
-  check.That(GetBytes(filter) == GetBytes(expected), "the result without the file");
+  check.That(
+    warning.find("computed again") != std::string::npos, "the consequence, in: " + warning);
+  check.Equal(filter->GetReport()->GetCount("ResumedStreamlines"), 0, "no streamlines are resumed");
+  check.That(GetBytes(filter) == GetBytes(expected), "the result equals the result without a file");
 }
 
-/// A checkpoint of other settings gives way to that of an execution that is stopped.
+/// A checkpoint with other settings is replaced when an execution is stopped.
 void TestReplaced(const std::string& name, Check& check)
 {
   check.SetContext("replaced");
@@ -366,11 +370,11 @@ void TestReplaced(const std::string& name, Check& check)
   other.Set(filter);
   filter->Update();
   Abort(other, name, 0.5, check);
-  check.That(
-    Resume(other, name, GetBytes(filter), GetNumbers(filter), check) > 0, "the new one is used");
+  check.That(Resume(other, name, GetBytes(filter), GetNumbers(filter), check) > 0,
+    "the new checkpoint is used");
 }
 
-void TestRefusals(const std::string& name, Check& check)
+void TestRejections(const std::string& name, Check& check)
 {
   const auto nothing = [](vtkImplicitFlowField*) {};
   const auto getData = [](vtkImplicitFlowField* filter)
@@ -378,7 +382,7 @@ void TestRefusals(const std::string& name, Check& check)
   const std::vector<std::tuple<std::string, std::string, Change>> changes{
     { "another error", "MaximumError (0.0001",
       [](vtkImplicitFlowField* filter) { filter->SetMaximumError(1e-3); } },
-    { "another direction", "Direction (0 there, 1 here)",
+    { "another direction", "Direction (0 stored, 1 now)",
       [](vtkImplicitFlowField* filter) { filter->SetDirectionToForward(); } },
     { "other vectors", "these differ: vectors.",
       [&](vtkImplicitFlowField* filter)
@@ -393,16 +397,16 @@ void TestRefusals(const std::string& name, Check& check)
       [&](vtkImplicitFlowField* filter) {
         getData(filter)->AllocateCellGhostArray()->SetValue(100, vtkDataSetAttributes::HIDDENCELL);
       } },
-    { "another place", "field's points",
+    { "another position", "field's points",
       [&](vtkImplicitFlowField* filter)
       { vtkImageData::SafeDownCast(getData(filter))->SetOrigin(-1.0, -0.9, -0.81); } },
-    { "a surface elsewhere", "these differ: surface 0.",
+    { "a moved surface", "these differ: surface 0.",
       [](vtkImplicitFlowField* filter)
       {
         vtkTerminationPlane::SafeDownCast(filter->GetTerminationSurface(0))
           ->SetOrigin(0.4, -3.0 - 1e-12, -3.0);
       } },
-    { "a further surface", "number of surfaces (1 there, 2 here)",
+    { "an additional surface", "number of surfaces (1 stored, 2 now)",
       [](vtkImplicitFlowField* filter)
       {
         vtkNew<vtkTerminationCylinder> cylinder;
@@ -413,54 +417,56 @@ void TestRefusals(const std::string& name, Check& check)
       { filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE); } },
   };
   Abort(MakeCases()[0], name, 0.5, check);
-  const std::string kept = Read(name);
+  const std::string original = Read(name);
   for (const auto& [what, words, change] : changes)
   {
-    TestRefusal(name, what, words, change, check);
-    check.That(Read(name) == kept, "the file is as it was, since none was due");
+    TestRejection(name, what, words, change, check);
+    check.That(Read(name) == original, "the file is unchanged");
   }
-  for (const double share : { 0.2, 0.6, 0.999 })
+  for (const double fraction : { 0.2, 0.6, 0.999 })
   {
-    Write(name, kept.substr(0, static_cast<std::size_t>(share * static_cast<double>(kept.size()))));
-    TestRefusal(name, "truncated", "damaged or not whole", nothing, check);
+    Write(name,
+      original.substr(
+        0, static_cast<std::size_t>(fraction * static_cast<double>(original.size()))));
+    TestRejection(name, "truncated", "damaged or incomplete", nothing, check);
   }
-  for (const double share : { 0.5, 0.8, 0.95 })
+  for (const double fraction : { 0.5, 0.8, 0.95 })
   {
-    std::string damaged = kept;
-    damaged[static_cast<std::size_t>(share * static_cast<double>(kept.size()))] ^= 1;
+    std::string damaged = original;
+    damaged[static_cast<std::size_t>(fraction * static_cast<double>(original.size()))] ^= 1;
     Write(name, damaged);
-    TestRefusal(name, "a bit is turned over", "damaged", nothing, check);
+    TestRejection(name, "one flipped bit", "damaged", nothing, check);
   }
-  Write(name, kept);
+  Write(name, original);
   TestReplaced(name, check);
   Write(name, "My thesis.\n");
-  TestRefusal(name, "no checkpoint", "is no checkpoint", nothing, check);
+  TestRejection(name, "not a checkpoint", "is not a checkpoint", nothing, check);
   vtkNew<vtkImplicitFlowField> filter;
   MakeCases()[0].Set(filter);
   filter->SetCheckpointFileName(name.c_str());
   filter->SetCheckpointInterval(0.0);
   check.That(!WarningsOf(filter).empty(), "a warning");
-  check.Near(filter->GetReport()->GetNumber("Checkpoints"), 0, 0.0, "nothing is written");
-  check.That(Read(name) == "My thesis.\n", "a file of the user's is left as it is");
+  check.Equal(filter->GetReport()->GetCount("Checkpoints"), 0, "no checkpoint is written");
+  check.That(Read(name) == "My thesis.\n", "a file that is not a checkpoint is not overwritten");
   files::remove(name);
 }
 
-void TestNoFolder(Check& check)
+void TestNoDirectory(Check& check)
 {
-  check.SetContext("no such folder");
+  check.SetContext("directory does not exist");
   vtkNew<vtkImplicitFlowField> filter;
   MakeCases()[0].Set(filter);
   filter->SetCheckpointFileName("no/such/folder/flow.vtt");
   const std::string warning = WarningsOf(filter);
   check.That(warning.find("No checkpoint is written: the file no/such/folder/flow.vtt.part") !=
       std::string::npos,
-    "a warning, not " + warning);
-  check.That(GetOutput(filter)->GetNumberOfPoints() > 0, "the result is there");
+    "a warning, found: " + warning);
+  check.That(GetOutput(filter)->GetNumberOfPoints() > 0, "the result is complete");
 }
 
 constexpr double KilledAt = 0.7;
 
-/// Ends the process in the middle of the execution, as nothing else can be done after it.
+/// Kills the process during the execution.
 void KillAt(vtkObject*, unsigned long, void*, void* progress)
 {
   if (*static_cast<double*>(progress) >= KilledAt)
@@ -484,9 +490,9 @@ void RunUntilKilled(const std::string& name)
 void TestKill(const std::string& name, Check& check)
 {
   check.SetContext("killed");
-  std::error_code wrong;
-  const files::path program = files::read_symlink("/proc/self/exe", wrong);
-  if (wrong)
+  std::error_code error;
+  const files::path program = files::read_symlink("/proc/self/exe", error);
+  if (error)
   {
     return;
   }
@@ -497,12 +503,12 @@ void TestKill(const std::string& name, Check& check)
   const std::string command =
     "\"" + program.string() + "\" TestFlowCheckpoint --until-killed \"" + name + "\"";
   check.That(std::system(command.c_str()) != 0, "the process was killed");
-  check.That(files::exists(name), "it has left a file");
-  // What one that is killed in writing leaves beside it.
+  check.That(files::exists(name), "a file remains");
+  // Simulates the temporary file of a process that was killed while writing.
   Write(name + ".part", Read(name).substr(0, 3000));
-  check.That(
-    Resume(test, name, GetBytes(filter), GetNumbers(filter), check) > 1000, "most is there");
-  check.That(!files::exists(name + ".part"), "nothing is left beside it");
+  check.That(Resume(test, name, GetBytes(filter), GetNumbers(filter), check) > 1000,
+    "most streamlines are resumed");
+  check.That(!files::exists(name + ".part"), "no temporary file remains");
 }
 
 }
@@ -518,11 +524,11 @@ int TestFlowCheckpoint(int argc, char* argv[])
   const std::string name = (files::temp_directory_path() /
     ("TestFlowCheckpoint" + std::to_string(std::random_device()()) + ".vtt"))
                              .string();
-  TestPay(name, check);
+  TestOnRequest(name, check);
   TestAborts(name, check);
   TestPieces(name, check);
-  TestRefusals(name, check);
-  TestNoFolder(check);
+  TestRejections(name, check);
+  TestNoDirectory(check);
   TestKill(name, check);
   return check.Result();
 }

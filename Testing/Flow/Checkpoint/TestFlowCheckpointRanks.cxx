@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A field that processes hold in parts, under MPI: stopped in one of them, resumed by all, with the
-// bytes of a run without a stop.
+// A distributed field under MPI, stopped in one process and resumed in all: the result is
+// bit-identical to an uninterrupted run.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 
@@ -22,7 +22,7 @@ namespace
 
 using namespace reference;
 
-/// Returns the answers of this process's samples.
+/// Returns the results of this process's samples.
 std::string GetBytes(vtkImplicitFlowField* filter)
 {
   std::string bytes;
@@ -59,7 +59,7 @@ void TestRanks(Check& check, vtkMultiProcessController* controller)
   vtkNew<vtkImplicitFlowField> filter;
   Update(filter, controller);
   const std::string whole = GetBytes(filter);
-  check.That(filter->GetReport()->GetText("WholeFieldReason").empty(), "the field is in parts");
+  check.That(filter->GetReport()->GetText("WholeFieldReason").empty(), "the field is distributed");
 
   const std::string name =
     (std::filesystem::temp_directory_path() / "TestFlowCheckpointRanks.vtt").string();
@@ -69,19 +69,19 @@ void TestRanks(Check& check, vtkMultiProcessController* controller)
   vtkNew<vtkImplicitFlowField> stopped;
   stopped->SetCheckpointFileName(name.c_str());
   ProgressWatch watch;
-  // The others do not know.
+  // Other processes do not abort.
   watch.AbortAt = rank == 1 ? 0.7 : 2.0;
   Observe(stopped, watch);
   Update(stopped, controller);
-  check.That(GetBytes(stopped).empty(), "nothing after an abort in one process");
-  check.That(std::filesystem::exists(own), "a file of each process");
+  check.That(GetBytes(stopped).empty(), "no output after an abort in one process");
+  check.That(std::filesystem::exists(own), "one file per process");
 
   vtkNew<vtkImplicitFlowField> resumed;
   resumed->SetCheckpointFileName(name.c_str());
   Update(resumed, controller);
-  check.That(GetBytes(resumed) == whole, "the bytes of a run without a stop");
-  check.That(resumed->GetReport()->GetNumber("ResumedStreamlines") > 0, "streamlines of the file");
-  check.That(!std::filesystem::exists(own), "the file is removed");
+  check.That(GetBytes(resumed) == whole, "the result is bit-identical to an uninterrupted run");
+  check.That(resumed->GetReport()->GetNumber("ResumedStreamlines") > 0, "streamlines resumed");
+  check.That(!std::filesystem::exists(own), "the file is removed on completion");
 }
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkFlowLIC: values against quadrature by brute force, contrast, coherence along streamlines,
-// where streamlines end, points outside and at rest, kinds of datasets, threads, errors.
+// vtkFlowLIC: values compared with brute-force quadrature, contrast, coherence along streamlines,
+// ends of streamlines, points outside and points at rest, dataset types, threads and errors.
 #include "Support/AnalyticFlows/ReferenceNoise.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
@@ -38,7 +38,7 @@ using namespace reference;
 constexpr double Pi = 3.14159265358979324;
 constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
-/// What the filter is asked for.
+/// Settings of the filter.
 struct Setting
 {
   bool IsHann = true;
@@ -53,7 +53,7 @@ double GetKernel(const Setting& setting, double s)
   return setting.IsHann ? 0.5 * (1.0 + std::cos(Pi * s / setting.Length)) : 1.0;
 }
 
-/// The mean of noise over lines, from -back to front.
+/// Returns the weighted mean of noise along a line from -back to front.
 double GetMean(
   const Setting& setting, const std::function<Vector(double)>& line, double back, double front)
 {
@@ -70,7 +70,8 @@ double GetMean(
   return sum / weights;
 }
 
-/// The mean over places of the product of weights of one lattice point at two places.
+/// Returns the correlation of one-dimensional noise at two positions \a distance apart: the mean
+/// product of a grid point's interpolation weights.
 double GetCorrelation(double distance)
 {
   constexpr int parts = 200;
@@ -83,7 +84,8 @@ double GetCorrelation(double distance)
   return 2.0 * sum / parts;
 }
 
-/// The deviation of such means over straight lines: their covariances, by directions at random.
+/// Returns the standard deviation of GetMean() for straight lines, from covariances along random
+/// directions.
 double GetDeviation(const Setting& setting, double back, double front)
 {
   std::vector<double> correlations;
@@ -104,9 +106,9 @@ double GetDeviation(const Setting& setting, double back, double front)
       double product = 1.0 / 12.0 / directions;
       for (int axis = 0; axis < 3; ++axis)
       {
-        const auto place =
+        const auto position =
           static_cast<std::size_t>(std::abs(d[axis]) * i * part / setting.Scale * 500.0 + 0.5);
-        product *= place < correlations.size() ? correlations[place] : 0.0;
+        product *= position < correlations.size() ? correlations[position] : 0.0;
       }
       covariances[i] += product;
     }
@@ -136,7 +138,7 @@ vtkSmartPointer<vtkFlowLIC> MakeFilter(const Setting& setting)
   return filter;
 }
 
-/// An image over -2 ... 2.
+/// Returns an image over [-2, 2].
 vtkSmartPointer<vtkImageData> MakeImage(int points, const VectorField& field)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -148,28 +150,28 @@ vtkSmartPointer<vtkImageData> MakeImage(int points, const VectorField& field)
   return image;
 }
 
-vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<Vector>& places)
+vtkSmartPointer<vtkPolyData> MakePoints(const std::vector<Vector>& positions)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (const Vector& place : places)
+  for (const Vector& position : positions)
   {
-    points->InsertNextPoint(place.data());
+    points->InsertNextPoint(position.data());
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points);
   return data;
 }
 
-std::vector<Vector> MakePlaces(int number, double size)
+std::vector<Vector> MakePositions(int number, double size)
 {
   Random random(11);
-  std::vector<Vector> places;
+  std::vector<Vector> positions;
   for (int i = 0; i < number; ++i)
   {
-    places.push_back(random.GetPoint(size));
+    positions.push_back(random.GetPoint(size));
   }
-  return places;
+  return positions;
 }
 
 double GetValue(vtkAlgorithm* filter, vtkIdType id)
@@ -189,7 +191,7 @@ Vector Rotation(const Vector& x)
   return { { -3.0 * x[1], 3.0 * x[0], 0.0 } };
 }
 
-/// Values at points, through streamlines known by formula, against quadrature.
+/// Compares values at points with quadrature along known streamlines.
 void TestValues(Check& check, const std::string& name, const VectorField& field,
   const std::function<Vector(const Vector&, double)>& line)
 {
@@ -201,50 +203,51 @@ void TestValues(Check& check, const std::string& name, const VectorField& field,
       setting.IsHann = isHann;
       setting.Scale = scale;
       check.SetContext(name + (isHann ? ", Hann, " : ", box, ") + std::to_string(scale) + ": ");
-      const std::vector<Vector> places = MakePlaces(60, 0.7);
+      const std::vector<Vector> positions = MakePositions(60, 0.7);
       const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
-      filter->SetInputData(MakePoints(places));
+      filter->SetInputData(MakePoints(positions));
       filter->SetFieldData(MakeImage(9, field));
       check.That(MessagesOf(filter).empty(), "no messages");
       const double deviation = GetDeviation(setting, setting.Length, setting.Length);
       double largest = 0.0;
-      for (std::size_t i = 0; i < places.size(); ++i)
+      for (std::size_t i = 0; i < positions.size(); ++i)
       {
         const double mean = GetMean(
-          setting, [&](double s) { return line(places[i], s); }, setting.Length, setting.Length);
+          setting, [&](double s) { return line(positions[i], s); }, setting.Length, setting.Length);
         const double expected = std::clamp(0.5 + 0.2 * (mean - 0.5) / deviation, 0.0, 1.0);
         largest =
           std::max(largest, std::abs(GetValue(filter, static_cast<vtkIdType>(i)) - expected));
       }
       check.That(largest <= 0.008, "error " + std::to_string(largest));
-      check.Near(filter->GetReport()->GetNumber("PointsWithShortLines"), 0, 0.0, "lines that end");
-      check.Near(filter->GetReport()->GetNumber("Steps"), 100, 0.0, "steps");
+      check.Equal(filter->GetReport()->GetCount("PointsWithShortLines"), 0, "short streamlines");
+      check.Equal(filter->GetReport()->GetCount("Steps"), 100, "steps");
     }
   }
 }
 
-/// Few samples have the weights of the trapezoidal rule: values are in proportion to such sums.
+/// With few samples, the weights of the trapezoidal rule matter. Values are proportional to its
+/// sums.
 void TestWeights(Check& check)
 {
   check.SetContext("weights: ");
   Setting setting;
   setting.IsHann = false;
   setting.Step = 0.5;
-  const std::vector<Vector> places = MakePlaces(30, 0.7);
+  const std::vector<Vector> positions = MakePositions(30, 0.7);
   const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
   filter->SetContrast(0.05);
-  filter->SetInputData(MakePoints(places));
+  filter->SetInputData(MakePoints(positions));
   filter->SetFieldData(MakeImage(9, Uniform));
   filter->Update();
   double factor = 0.0;
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
     double sum = 0.0;
     for (int j = -2; j <= 2; ++j)
     {
-      const double s = 0.5 * j / GetNorm(Uniform(places[i]));
-      const Vector x = { { places[i][0] + 0.6 * s, places[i][1] - 1.2 * s,
-        places[i][2] + 0.8 * s } };
+      const double s = 0.5 * j / GetNorm(Uniform(positions[i]));
+      const Vector x = { { positions[i][0] + 0.6 * s, positions[i][1] - 1.2 * s,
+        positions[i][2] + 0.8 * s } };
       sum += (std::abs(j) == 2 ? 0.125 : 0.25) * (GetNoise(x, setting.Scale, setting.Seed) - 0.5);
     }
     const double found = GetValue(filter, static_cast<vtkIdType>(i)) - 0.5;
@@ -253,34 +256,35 @@ void TestWeights(Check& check)
   }
 }
 
-/// Where streamlines leave, the rest of the kernel counts, with its own deviation.
+/// If a streamline leaves the field, the remaining part of the kernel is normalized with its own
+/// deviation.
 void TestEnds(Check& check)
 {
   Setting setting;
   const auto along = [](const Vector&) { return Vector{ { 2.0, 0.0, 0.0 } }; };
-  const std::vector<Vector> places = { { { 1.605, 0.3, 0.1 } }, { { -1.905, 0.2, -0.7 } },
+  const std::vector<Vector> positions = { { { 1.605, 0.3, 0.1 } }, { { -1.905, 0.2, -0.7 } },
     { { 1.805, -0.3, 0.6 } }, { { 0.005, 1.1, 0.9 } } };
   for (const bool isHann : { true, false })
   {
     setting.IsHann = isHann;
     check.SetContext(isHann ? "ends, Hann: " : "ends, box: ");
     const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
-    filter->SetInputData(MakePoints(places));
+    filter->SetInputData(MakePoints(positions));
     filter->SetFieldData(MakeImage(9, along));
     filter->Update();
-    check.Near(filter->GetReport()->GetNumber("PointsWithShortLines"), 3, 0.0, "lines that end");
-    for (std::size_t i = 0; i < places.size(); ++i)
+    check.Equal(filter->GetReport()->GetCount("PointsWithShortLines"), 3, "short streamlines");
+    for (std::size_t i = 0; i < positions.size(); ++i)
     {
-      // Whole steps, half of one of which is what the last sample stands for.
-      const auto reach = [&](double room)
-      { return std::min(setting.Length, std::floor(room / setting.Step) * setting.Step); };
+      // The length is a multiple of the step. The last sample represents another half step.
+      const auto reach = [&](double space)
+      { return std::min(setting.Length, std::floor(space / setting.Step) * setting.Step); };
       const auto part = [&](double r) { return r + (r < setting.Length ? setting.Step / 2 : 0.0); };
-      const double back = part(reach(places[i][0] + 2.0));
-      const double front = part(reach(2.0 - places[i][0]));
+      const double back = part(reach(positions[i][0] + 2.0));
+      const double front = part(reach(2.0 - positions[i][0]));
       const double mean = GetMean(
         setting,
         [&](double s) {
-          return Vector{ { places[i][0] + s, places[i][1], places[i][2] } };
+          return Vector{ { positions[i][0] + s, positions[i][1], positions[i][2] } };
         },
         back, front);
       const double expected =
@@ -291,7 +295,7 @@ void TestEnds(Check& check)
   }
 }
 
-/// Mean and deviation of a volume, whatever the kernel.
+/// The mean and deviation of a volume do not depend on the kernel.
 void TestContrast(Check& check)
 {
   for (const double length : { 0.05, 0.5, 1.5 })
@@ -306,7 +310,7 @@ void TestContrast(Check& check)
       check.SetContext("contrast, length " + std::to_string(length) + ": ");
       const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
       filter->SetContrast(0.1);
-      filter->SetInputData(MakePoints(MakePlaces(4000, 2.0)));
+      filter->SetInputData(MakePoints(MakePositions(4000, 2.0)));
       filter->SetFieldData(MakeImage(9, Uniform));
       filter->Update();
       double sum = 0.0;
@@ -325,7 +329,7 @@ void TestContrast(Check& check)
   }
 }
 
-/// Neighbours along streamlines are alike, those across are not.
+/// Neighbors along streamlines have similar values. Neighbors across streamlines do not.
 void TestCoherence(Check& check)
 {
   check.SetContext("coherence: ");
@@ -334,23 +338,23 @@ void TestCoherence(Check& check)
   setting.Step = 0.0125;
   double along = 0.0;
   double across = 0.0;
-  std::vector<Vector> places;
+  std::vector<Vector> positions;
   Random random(4);
-  constexpr double way = 0.1;
+  constexpr double distance = 0.1;
   for (int i = 0; i < 1000; ++i)
   {
     const double radius = random.Get(0.6, 1.6);
     const double angle = random.Get(0.0, 2.0 * Pi);
     const double z = random.Get(-1.5, 1.5);
     const auto add = [&](double r, double a) {
-      places.push_back({ { r * std::cos(a), r * std::sin(a), z } });
+      positions.push_back({ { r * std::cos(a), r * std::sin(a), z } });
     };
     add(radius, angle);
-    add(radius, angle + way / radius);
-    add(radius + way, angle);
+    add(radius, angle + distance / radius);
+    add(radius + distance, angle);
   }
   const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
-  filter->SetInputData(MakePoints(places));
+  filter->SetInputData(MakePoints(positions));
   filter->SetFieldData(MakeImage(9, Rotation));
   filter->Update();
   for (vtkIdType i = 0; i < 3000; i += 3)
@@ -360,26 +364,27 @@ void TestCoherence(Check& check)
   }
   check.That(
     across >= 8.0 * along, "across " + std::to_string(across) + ", along " + std::to_string(along));
-  check.Near(std::sqrt(across / 2000.0), 0.2, 0.1, "deviation across");
+  check.Near(std::sqrt(across / 2000.0), 0.2, 0.1, "deviation across streamlines");
 }
 
-/// Points outside are 0 and counted; at rest they have the noise.
+/// The value is 0 at points outside, and these points are counted. Points at rest have the value of
+/// the noise.
 void TestOutside(Check& check)
 {
   check.SetContext("outside: ");
   Setting setting;
-  const std::vector<Vector> places = { { { 0.1, 0.2, 0.3 } }, { { 2.1, 0.0, 0.0 } },
+  const std::vector<Vector> positions = { { { 0.1, 0.2, 0.3 } }, { { 2.1, 0.0, 0.0 } },
     { { 0.0, -9.0, 0.0 } }, { { 0.0, 0.0, NaN } } };
   vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
-  filter->SetInputData(MakePoints(places));
+  filter->SetInputData(MakePoints(positions));
   filter->SetFieldData(MakeImage(5, Uniform));
   check.That(MessagesOf(filter).empty(), "no messages");
-  check.Near(filter->GetReport()->GetNumber("Points"), 4, 0.0, "points");
-  check.Near(filter->GetReport()->GetNumber("PointsOutside"), 3, 0.0, "points outside");
+  check.Equal(filter->GetReport()->GetCount("Points"), 4, "points");
+  check.Equal(filter->GetReport()->GetCount("PointsOutside"), 3, "points outside");
   check.That(GetValue(filter, 0) > 0.0, "inside");
   for (vtkIdType id = 1; id < 4; ++id)
   {
-    check.That(GetValue(filter, id) == 0.0, "0 outside");
+    check.That(GetValue(filter, id) == 0.0, "the value is 0 outside");
   }
   check.SetContext("at rest: ");
   const double deviation = GetDeviation(setting, 0.0, 1e-9);
@@ -392,16 +397,16 @@ void TestOutside(Check& check)
   for (const VectorField& field : fields)
   {
     filter = MakeFilter(setting);
-    const std::vector<Vector> inside = MakePlaces(40, 1.9);
+    const std::vector<Vector> inside = MakePositions(40, 1.9);
     filter->SetInputData(MakePoints(inside));
     filter->SetFieldData(MakeImage(5, field));
     const bool isFinite = std::isfinite(field({ { 0.0, 0.0, 0.0 } })[0]);
     const std::string warning = WarningsOf(filter);
     check.That(isFinite ? warning.empty() : warning.find("NaN or infinite") != std::string::npos,
-      "a warning of NaN alone");
-    check.Near(filter->GetReport()->GetNumber("PointsAtRest"), 40, 0.0, "points at rest");
-    check.Near(
-      filter->GetReport()->GetNumber("PointsWithShortLines"), 0, 0.0, "they have no lines");
+      "a warning for NaN only");
+    check.Equal(filter->GetReport()->GetCount("PointsAtRest"), 40, "points at rest");
+    check.Equal(filter->GetReport()->GetCount("PointsWithShortLines"), 0,
+      "points at rest are not counted as short streamlines");
     for (std::size_t i = 0; i < inside.size(); ++i)
     {
       const double noise = GetNoise(inside[i], setting.Scale, setting.Seed);
@@ -411,7 +416,7 @@ void TestOutside(Check& check)
   }
 }
 
-/// A streamline does not go to and fro over a sink.
+/// A streamline does not alternate across a sink.
 void TestSink(Check& check)
 {
   check.SetContext("sink: ");
@@ -422,8 +427,8 @@ void TestSink(Check& check)
   filter->SetInputData(MakePoints({ { { 0.5, 0.1, 0.1 } }, { { 1.3, 0.0, 0.0 } } }));
   filter->SetFieldData(MakeImage(10, sink));
   filter->Update();
-  // One ends at the sink; the other at the box, outward.
-  check.Near(filter->GetReport()->GetNumber("PointsWithShortLines"), 2, 0.0, "lines that end");
+  // One streamline ends at the sink, the other at the boundary of the box.
+  check.Equal(filter->GetReport()->GetCount("PointsWithShortLines"), 2, "short streamlines");
   const double size = std::sqrt(0.27);
   const double mean = GetMean(
     setting,
@@ -435,7 +440,7 @@ void TestSink(Check& check)
   check.Near(GetValue(filter, 0), expected, 0.03, "value", 1.0);
 }
 
-/// The same on every kind of dataset, as field and as points.
+/// Values do not depend on the type of the dataset that provides the field or the points.
 void TestDatasets(Check& check)
 {
   Setting setting;
@@ -443,10 +448,10 @@ void TestDatasets(Check& check)
   setting.Step = 0.05;
   const auto shear = [](const Vector& x) { return Vector{ { 1.0, 0.25 * x[2], 0.0 } }; };
   const auto grids = MakeFlowGrids();
-  std::vector<Vector> places;
-  for (const Vector& place : MakePlaces(50, 1.3))
+  std::vector<Vector> positions;
+  for (const Vector& position : MakePositions(50, 1.3))
   {
-    places.push_back({ { place[0] + 2.0, place[1] + 2.0, place[2] + 2.0 } });
+    positions.push_back({ { position[0] + 2.0, position[1] + 2.0, position[2] + 2.0 } });
   }
   std::vector<double> values;
   for (const auto& grid : grids)
@@ -454,7 +459,7 @@ void TestDatasets(Check& check)
     check.SetContext(grid.first + ": ");
     AddVectors(grid.second, shear);
     const vtkSmartPointer<vtkFlowLIC> filter = MakeFilter(setting);
-    filter->SetInputData(MakePoints(places));
+    filter->SetInputData(MakePoints(positions));
     filter->SetFieldData(grid.second);
     check.That(MessagesOf(filter).empty(), "no messages");
     for (vtkIdType id = 0; id < 50; ++id)
@@ -465,21 +470,21 @@ void TestDatasets(Check& check)
       }
       check.Near(GetValue(filter, id), values[id], 1e-6, "value", 1.0);
     }
-    // Its own points, where nothing else is connected.
+    // Values at the field's own points, without points input.
     const vtkSmartPointer<vtkFlowLIC> own = MakeFilter(setting);
     own->SetInputData(grid.second);
-    check.That(MessagesOf(own).empty(), "no messages of its own");
+    check.That(MessagesOf(own).empty(), "no messages without points input");
     auto* output = vtkDataSet::SafeDownCast(own->GetOutputDataObject(0));
     check.That(output->IsA(grid.second->GetClassName()), "type");
     check.Equal(output->GetNumberOfCells(), grid.second->GetNumberOfCells(), "cells");
-    check.Near(own->GetReport()->GetNumber("PointsOutside"), 0, 0.0, "points outside");
+    check.Equal(own->GetReport()->GetCount("PointsOutside"), 0, "points outside");
     check.That(output->GetPointData()->GetScalars() == output->GetPointData()->GetArray("LIC"),
       "active scalars");
-    check.That(grid.second->GetPointData()->GetArray("LIC") == nullptr, "nothing in the input");
+    check.That(grid.second->GetPointData()->GetArray("LIC") == nullptr, "the input is unchanged");
   }
 }
 
-/// Values of 0 are those of the bounds.
+/// A setting of 0 selects a default that depends on the bounds.
 void TestDefaults(Check& check)
 {
   check.SetContext("defaults: ");
@@ -490,12 +495,12 @@ void TestDefaults(Check& check)
   const double scale = 4.0 * std::sqrt(3.0) / 128.0;
   check.Near(report->GetNumber("NoiseScale"), scale, 1e-12, "scale");
   check.Near(report->GetNumber("Length"), 10.0 * scale, 1e-12, "length");
-  check.Near(report->GetNumber("Steps"), 40, 0.0, "steps");
+  check.Equal(report->GetCount("Steps"), 40, "steps");
   check.Near(report->GetNumber("StepLength"), 0.25 * scale, 1e-12, "step");
   filter->SetStepLength(0.3 * scale);
   filter->Update();
-  check.Near(filter->GetReport()->GetNumber("Steps"), 34, 0.0, "steps up to the whole length");
-  check.Near(filter->GetReport()->GetNumber("StepLength"), scale / 3.4, 1e-12, "shorter step");
+  check.Equal(filter->GetReport()->GetCount("Steps"), 34, "steps over the full length");
+  check.Near(filter->GetReport()->GetNumber("StepLength"), scale / 3.4, 1e-12, "a shorter step");
   filter->SetSeed(-1);
   std::vector<double> before;
   for (vtkIdType id = 0; id < 125; ++id)
@@ -508,7 +513,7 @@ void TestDefaults(Check& check)
   {
     changed += std::abs(before[id] - GetValue(filter, id)) > 1e-3 ? 1 : 0;
   }
-  check.That(changed > 110, "another seed");
+  check.That(changed > 110, "another seed changes the values");
 }
 
 void TestThreads(Check& check)
@@ -529,7 +534,7 @@ void TestThreads(Check& check)
           found.push_back(static_cast<float>(GetValue(filter, id)));
         }
         check.Equal(static_cast<long long>(found.size()), 9261, "points");
-        check.Near(filter->GetReport()->GetNumber("PointsAtRest"), 21, 0.0, "points on the axis");
+        check.Equal(filter->GetReport()->GetCount("PointsAtRest"), 21, "points on the axis");
         check.That(values.empty() || values == found, "values");
         values = found;
       });
@@ -540,7 +545,7 @@ void TestErrors(Check& check)
 {
   check.SetContext("errors: ");
   vtkNew<vtkFlowLIC> filter;
-  filter->SetInputData(MakePoints(MakePlaces(3, 1.0)));
+  filter->SetInputData(MakePoints(MakePositions(3, 1.0)));
   CheckError(filter, "no active point vectors", check);
   const vtkSmartPointer<vtkImageData> image = MakeImage(3, Uniform);
   filter->SetFieldData(image);
@@ -555,7 +560,7 @@ void TestErrors(Check& check)
   image->GetPointData()->AddArray(wind);
   CheckError(filter, "has 2 components", check);
   vtkNew<vtkFlowLIC> surface;
-  auto points = MakePoints(MakePlaces(3, 1.0));
+  auto points = MakePoints(MakePositions(3, 1.0));
   AddVectors(points, Uniform);
   surface->SetInputData(points);
   CheckError(surface, "vtkPolyData", check);
@@ -572,7 +577,7 @@ void TestErrors(Check& check)
   vtkNew<vtkFlowLIC> empty;
   vtkNew<vtkImageData> nothing;
   empty->SetInputData(nothing);
-  check.That(MessagesOf(empty).empty(), "nothing to do");
+  check.That(MessagesOf(empty).empty(), "an empty input");
 }
 
 void TestProgress(Check& check)

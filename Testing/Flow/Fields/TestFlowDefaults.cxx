@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What flow filters give with no setting: few samples of large fields, scalars to colour by, and a
-// warning that says what the data has where nothing comes out.
+// Flow filters with default settings: a limited number of samples for large fields, active scalars
+// for coloring, and a warning with properties of the data if the output is empty.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -66,8 +66,8 @@ void CheckBounds(vtkDataSet* samples, vtkDataSet* field, Check& check)
   }
 }
 
-/// Every n-th point of large grids, voxels of large unstructured ones, and all points of small
-/// ones.
+/// Every n-th point of large grids, a regular grid of samples for large meshes, and all points of
+/// small grids.
 void TestSamples(Check& check)
 {
   vtkNew<vtkTerminationInflow> surface;
@@ -79,15 +79,17 @@ void TestSamples(Check& check)
     check.SetContext(grid.first);
     AddVectors(grid.second, Along);
     vtkDataSet* samples = Sample(filter, grid.second);
-    check.That(samples->IsA(grid.second->GetClassName()), "the field's type");
-    check.Equal(samples->GetNumberOfPoints(), grid.second->GetNumberOfPoints(), "its own points");
+    check.That(samples->IsA(grid.second->GetClassName()), "the output has the type of the field");
+    check.Equal(
+      samples->GetNumberOfPoints(), grid.second->GetNumberOfPoints(), "points of the field");
   }
 
   check.SetContext("large image");
   const auto image = MakeFlowImage(41, Along);
   auto* thin = vtkImageData::SafeDownCast(Sample(filter, image));
   check.That(thin != nullptr, "an image");
-  check.That(thin->GetNumberOfPoints() <= 32768 && thin->GetNumberOfPoints() > 8192, "few points");
+  check.That(thin->GetNumberOfPoints() <= 32768 && thin->GetNumberOfPoints() > 8192,
+    "the number of points is limited");
   CheckBounds(thin, image, check);
 
   check.SetContext("large structured grid");
@@ -105,17 +107,19 @@ void TestSamples(Check& check)
   check.That(every != nullptr, "a structured grid");
   int dimensions[3];
   every->GetDimensions(dimensions);
-  // 41 x 31 x 51 = 64821, 41 x 31 x 26 = 33046, 21 x 31 x 26.
-  check.That(dimensions[0] == 21 && dimensions[1] == 31 && dimensions[2] == 26, "every second");
+  // The number of points is halved along one axis at a time: 41 x 31 x 51 = 64821, 41 x 31 x 26 =
+  // 33046, 21 x 31 x 26.
+  check.That(
+    dimensions[0] == 21 && dimensions[1] == 31 && dimensions[2] == 26, "every second point");
   CheckBounds(every, structured, check);
-  vtkDataArray* kept = every->GetPointData()->GetArray("Ids");
-  for (vtkIdType p = 0; kept && p < every->GetNumberOfPoints(); ++p)
+  vtkDataArray* retained = every->GetPointData()->GetArray("Ids");
+  for (vtkIdType p = 0; retained && p < every->GetNumberOfPoints(); ++p)
   {
     double x[3];
-    structured->GetPoint(static_cast<vtkIdType>(kept->GetComponent(p, 0)), x);
+    structured->GetPoint(static_cast<vtkIdType>(retained->GetComponent(p, 0)), x);
     check.That(std::equal(x, x + 3, every->GetPoint(p)), "a point of the field with its values");
   }
-  check.That(kept != nullptr, "arrays are kept");
+  check.That(retained != nullptr, "arrays are passed");
   vtkIdType cells = 0;
   const vtkIdType whole = every->GetNumberOfCells();
   for (int piece = 0; piece < 3; ++piece)
@@ -129,18 +133,18 @@ void TestSamples(Check& check)
   check.SetContext("large rectilinear grid");
   vtkNew<vtkRectilinearGrid> rectilinear;
   rectilinear->SetDimensions(34, 34, 34);
-  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkDoubleArray> positions;
   for (int i = 0; i < 34; ++i)
   {
-    places->InsertNextValue(i * i);
+    positions->InsertNextValue(i * i);
   }
-  rectilinear->SetXCoordinates(places);
-  rectilinear->SetYCoordinates(places);
-  rectilinear->SetZCoordinates(places);
+  rectilinear->SetXCoordinates(positions);
+  rectilinear->SetYCoordinates(positions);
+  rectilinear->SetZCoordinates(positions);
   AddVectors(rectilinear, Along);
   vtkDataSet* rows = Sample(filter, rectilinear);
   check.That(rows->IsA("vtkRectilinearGrid"), "a rectilinear grid");
-  check.Equal(rows->GetNumberOfPoints(), 18 * 34 * 34, "every second along x");
+  check.Equal(rows->GetNumberOfPoints(), 18 * 34 * 34, "every second point along x");
   CheckBounds(rows, rectilinear, check);
 
   check.SetContext("large mesh");
@@ -153,7 +157,7 @@ void TestSamples(Check& check)
   CheckBounds(voxels, mesh, check);
 }
 
-/// The chain leaves scalars active, and keeps those that were before.
+/// The filters set active scalars and pass the scalars that were active before.
 void TestScalars(Check& check)
 {
   check.SetContext("scalars");
@@ -173,7 +177,7 @@ void TestScalars(Check& check)
   volume->SetInputConnection(mapping->GetOutputPort());
   volume->GenerateStreamSurfacesOn();
   volume->SetStreamSurface(0, 0.5);
-  check.That(WarningsOf(volume).empty(), "nothing is missing");
+  check.That(WarningsOf(volume).empty(), "no warning");
   vtkNew<vtkStreamSurfaceParameters> texture;
   texture->SetInputConnection(volume->GetOutputPort(1));
   texture->SetMapping(mapping);
@@ -182,33 +186,34 @@ void TestScalars(Check& check)
   vtkNew<vtkFlowLIC> lic;
   lic->SetInputData(image);
   lic->Update();
-  check.That(ScalarsOf(field) == "AdvectionTime", "those of the field");
-  check.That(ScalarsOf(mapping) == "Inflow", "those of the mapping");
-  check.That(ScalarsOf(volume) == "Inflow", "those of the volume");
-  check.That(ScalarsOf(volume, 1) == "Inflow", "those of the stream surfaces");
-  check.That(ScalarsOf(texture) == "AdvectionTime", "those of the texture");
-  check.That(ScalarsOf(lic) == "LIC", "those of the convolution");
+  check.That(ScalarsOf(field) == "AdvectionTime", "active scalars of the field");
+  check.That(ScalarsOf(mapping) == "Inflow", "active scalars of the mapping");
+  check.That(ScalarsOf(volume) == "Inflow", "active scalars of the volume");
+  check.That(ScalarsOf(volume, 1) == "Inflow", "active scalars of the stream surfaces");
+  check.That(ScalarsOf(texture) == "AdvectionTime", "active scalars of the texture");
+  check.That(ScalarsOf(lic) == "LIC", "active scalars of the convolution");
   for (vtkAlgorithm* filter : { static_cast<vtkAlgorithm*>(field.GetPointer()),
          static_cast<vtkAlgorithm*>(mapping.GetPointer()),
          static_cast<vtkAlgorithm*>(lic.GetPointer()) })
   {
     vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-    check.That(output->GetPointData()->HasArray("Before"), "what was active is still there");
+    check.That(
+      output->GetPointData()->HasArray("Before"), "the previously active scalars are passed");
   }
   check.That(vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0))
                ->GetPointData()
                ->HasArray("AdvectionTime"),
-    "and so is the time");
-  // A range with all of the times costs no second extraction.
+    "the advection time is passed");
+  // A time range that contains all times requires no second pass.
   volume->SetTimeRange(0.0, 8.0);
   volume->Update();
-  check.Near(volume->GetReport()->GetNumber("TimePasses"), 0, 0.0, "nothing is cut by time");
+  check.Equal(volume->GetReport()->GetCount("TimePasses"), 0, "no cut by time");
   volume->SetTimeRange(0.0, 2.0);
   volume->Update();
-  check.Near(volume->GetReport()->GetNumber("TimePasses"), 1, 0.0, "the end is cut");
+  check.Equal(volume->GetReport()->GetCount("TimePasses"), 1, "the range is cut at its end");
 }
 
-/// Nothing comes out, and why.
+/// Empty outputs, and the warnings that state the reasons.
 void TestWarnings(Check& check)
 {
   check.SetContext("warnings");
@@ -226,7 +231,7 @@ void TestWarnings(Check& check)
   vtkNew<vtkFlowVolume> volume;
   volume->SetInputConnection(mapping->GetOutputPort());
   check.Contains(WarningsOf(volume), "None of 729 samples reached");
-  check.That(WarningsOf(volume).find("None") == std::string::npos, "once an execution");
+  check.That(WarningsOf(volume).find("None") == std::string::npos, "one warning per execution");
 
   field->RemoveAllTerminationSurfaces();
   field->AddTerminationSurface(MakeFlowPlane(0.0));
@@ -245,7 +250,7 @@ void TestWarnings(Check& check)
   texture->SetInputData(vtkNew<vtkUnstructuredGrid>());
   texture->SetMapping(mapping);
   check.Contains(WarningsOf(texture), "The input has no triangles.");
-  // A surface has no volume.
+  // Samples on a surface, which has no volume.
   const auto flat = MakeFlowImage(9, Along);
   flat->SetDimensions(9, 9, 1);
   vtkNew<vtkImageData> sheet;
@@ -272,15 +277,15 @@ void TestWarnings(Check& check)
   lic->SetInputData(away);
   lic->SetFieldData(image);
   check.Contains(WarningsOf(lic), "All 27 points lie outside of the field");
-  // Spheres around critical points are asked for in a field without any.
+  // Spheres around critical points in a field without critical points.
   vtkNew<vtkImplicitFlowField> spheres;
   spheres->SetInputDataObject(image);
   spheres->AddTerminationSurface(MakeFlowPlane(0.0));
   spheres->CriticalPointSpheresOn();
-  check.That(WarningsOf(spheres).empty(), "no warning of the search inside");
+  check.That(WarningsOf(spheres).empty(), "no warning from the internal search");
 }
 
-/// An error names the arrays that could be taken.
+/// The error lists arrays that could be used.
 void TestErrors(Check& check)
 {
   check.SetContext("errors");
@@ -289,7 +294,7 @@ void TestErrors(Check& check)
   vtkNew<vtkImplicitFlowField> field;
   field->SetInputDataObject(image);
   field->AddTerminationSurface(MakeFlowPlane(0.0));
-  check.Contains(MessagesOf(field), "Its point arrays of three components: \"");
+  check.Contains(MessagesOf(field), "Its point arrays with three components: \"");
 }
 }
 

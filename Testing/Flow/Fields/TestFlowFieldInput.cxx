@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What fields of flow filters may be: grids with triangles on their boundary, blocks of floats and
-// of doubles, blocks beside patches; what is said of planar fields and of arrays in the cells; and
-// that an aborted filter executes again.
+// Inputs of flow filters: grids with boundary triangles, blocks with float and double vectors, and
+// blocks next to surface patches. Also tests messages for planar fields and for cell arrays, and
+// that a filter executes again after an abort.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -82,7 +82,7 @@ void TestBoundary(Check& check)
   const auto grid = MakeFlowMesh(MeshKind::Tetrahedra6, { { 4, 4, 4 } });
   AddVectors(grid, Shear);
   auto whole = NewFilter(grid);
-  check.That(MessagesOf(whole).empty(), "tetrahedra alone");
+  check.That(MessagesOf(whole).empty(), "only tetrahedra");
   vtkNew<vtkUnstructuredGrid> both;
   both->DeepCopy(grid);
   vtkNew<vtkIdList> corners;
@@ -95,18 +95,18 @@ void TestBoundary(Check& check)
   }
   auto filter = NewFilter(both);
   check.That(MessagesOf(filter).empty(), "no error");
-  check.Near(filter->GetReport()->GetNumber("LowerDimensionalCells"), tetrahedra, 0.0, "counted");
-  check.Near(whole->GetReport()->GetNumber("LowerDimensionalCells"), 0, 0.0, "none without");
-  check.Near(GetTimes(filter), GetTimes(whole), 1e-12, "the same answers");
+  check.Equal(filter->GetReport()->GetCount("LowerDimensionalCells"), tetrahedra, "counted");
+  check.Equal(whole->GetReport()->GetCount("LowerDimensionalCells"), 0, "no triangles to count");
+  check.Near(GetTimes(filter), GetTimes(whole), 1e-12, "the results are unchanged");
   vtkNew<vtkFlowVolume> volume;
   volume->SetInputConnection(filter->GetOutputPort());
-  check.That(MessagesOf(volume).empty(), "a volume of it");
-  check.That(volume->GetOutput()->GetNumberOfCells() > 0, "with tetrahedra");
+  check.That(MessagesOf(volume).empty(), "a volume without errors");
+  check.That(volume->GetOutput()->GetNumberOfCells() > 0, "the volume has tetrahedra");
   vtkNew<vtkFlowCriticalPoints> points;
   points->SetInputData(both);
   const std::string none = WarningsOf(points);
   check.Contains(none, "no isolated critical point");
-  // As a block of its own, with or without vectors.
+  // The triangle as a separate block without vectors.
   vtkNew<vtkPolyData> patch;
   patch->SetPoints(grid->GetPoints());
   patch->AllocateEstimate(1, 3);
@@ -116,8 +116,8 @@ void TestBoundary(Check& check)
   blocks->SetBlock(1, grid);
   auto composite = NewFilter(blocks);
   const std::string wrong = MessagesOf(composite);
-  check.That(wrong.empty(), "a patch is no block of the field: " + wrong);
-  check.Near(GetTimes(composite), GetTimes(whole), 1e-12, "the same answers of the block");
+  check.That(wrong.empty(), "a block of triangles is skipped: " + wrong);
+  check.Near(GetTimes(composite), GetTimes(whole), 1e-12, "the results are unchanged by the block");
 }
 
 void TestTypes(Check& check)
@@ -133,9 +133,9 @@ void TestTypes(Check& check)
     filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
     check.That(MessagesOf(filter).empty(), "no error");
     auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-    check.Equal(output->GetNumberOfPoints(), 125, "samples of both");
+    check.Equal(output->GetNumberOfPoints(), 125, "number of samples of both");
     check.Equal(output->GetPointData()->GetVectors()->GetDataType(), VTK_DOUBLE, "vectors");
-    check.That(type == VTK_DOUBLE || std::abs(GetTimes(filter) - known) < 1e-6, "the same");
+    check.That(type == VTK_DOUBLE || std::abs(GetTimes(filter) - known) < 1e-6, "the same results");
     known = GetTimes(filter);
     check.That(known > 100.0, "times");
   }
@@ -211,26 +211,26 @@ void TestAbort(Check& check)
     };
     filter->Update();
     const vtkIdType whole = count();
-    check.That(whole > 0, "there is output");
+    check.That(whole > 0, "the output is not empty");
     ProgressWatch watch;
     Observe(filter, watch);
     watch.AbortAt = 0.0;
-    // Taken back at the end, so that it is no change of the filter afterwards.
-    vtkNew<vtkCallbackCommand> takeBack;
-    takeBack->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    // Clears the flag at the end, so that clearing it does not modify the filter again.
+    vtkNew<vtkCallbackCommand> clearAbort;
+    clearAbort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
       { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(0); });
-    filter->AddObserver(vtkCommand::EndEvent, takeBack);
+    filter->AddObserver(vtkCommand::EndEvent, clearAbort);
     filter->Modified();
     filter->Update();
-    check.Equal(count(), 0, "nothing after an abort");
+    check.Equal(count(), 0, "no output after an abort");
     watch.AbortAt = 2.0;
     filter->Update();
-    check.Equal(count(), whole, "all once it is taken back");
+    check.Equal(count(), whole, "the full output after the flag is cleared");
     filter->RemoveAllObservers();
   }
 }
 
-// Arrays that the output takes from the samples have a value for each point or cell.
+// Arrays copied from samples must have one value per point or cell.
 void TestShortArrays(Check& check)
 {
   for (const int association : { vtkDataObject::POINT, vtkDataObject::CELL })
@@ -250,7 +250,7 @@ void TestShortArrays(Check& check)
       check);
     check.Equal(
       vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfPoints(), 0, "empty");
-    // An image of samples of its own does not take them.
+    // Samples on a separate image do not use the arrays of the field.
     filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
     check.That(MessagesOf(filter).empty(), "samples of an image");
   }

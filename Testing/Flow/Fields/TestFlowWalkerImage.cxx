@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The walkers of images and rectilinear grids against VTK's cells, differences, linear fields and
-// straight lines; the field's sums, blanking, array types and errors.
+// The walkers of images and rectilinear grids, compared with VTK's cells, finite differences,
+// linear fields and straight lines. Also tests speeds, blanking, array types and errors.
 #include "Support/Flow/ReferenceWalker.h"
 #include "Support/Meshes/ReferenceLattice.h"
 
@@ -57,7 +57,7 @@ void CheckGrid(
   WithWalker(data, vectors, check,
     [&](const auto& walker)
     {
-      CheckPlaces(walker, data, vectors, 3, 1e-11, check, !isTurned && unit >= 1.0);
+      CheckLocations(walker, data, vectors, 3, 1e-11, check, !isTurned && unit >= 1.0);
       CheckDerivatives(walker, data, vectors, unit == 1.0 ? 1e-8 : 1e-6, check);
       CheckPoints(walker, data, check);
       if (!isTurned)
@@ -84,15 +84,15 @@ void CheckGrids(Check& check)
     auto scaled = MakeBox(4, 5, 3);
     scaled->SetSpacing(unit, 1e-4 * unit, 2.0 * unit);
     scaled->SetOrigin(-2.5 * unit, 1e-4 * unit, unit);
-    CheckGrid("flat cells of " + std::to_string(unit), scaled, unit, check);
-    CheckGrid("rectilinear, flat cells of " + std::to_string(unit),
+    CheckGrid("planar cells of " + std::to_string(unit), scaled, unit, check);
+    CheckGrid("rectilinear, planar cells of " + std::to_string(unit),
       MakeRectilinear(1e4, unit, false), unit, check);
   }
   CheckGrid("rectilinear", MakeRectilinear(1.0, 1.0, false), 1.0, check);
   CheckGrid("descending", MakeRectilinear(1.0, 1.0, true), 1.0, check);
 }
 
-// Along the diagonal through corners, along an edge and in a face.
+// Walks along the diagonal through points, along an edge, and within a face.
 void CheckCorners(Check& check)
 {
   auto image = MakeBox(4, 4, 4);
@@ -144,15 +144,16 @@ void CheckBlanking(Check& check)
     [&](auto walker)
     {
       const auto stopped = CheckHiddenRow(walker, check);
-      check.Equal(stopped.Stand.GetDomainFace(stopped.EndFace), -1, "which is no domain face");
-      check.Equal(stopped.Stand.GetCell(), 1, "the walker stays");
+      check.Equal(stopped.Stand.GetDomainFace(stopped.EndFace), -1, "not a domain face");
+      check.Equal(stopped.Stand.GetCell(), 1, "the walker is unchanged");
       Vector p;
       const Vector far = { { 3.0, 0.5, 0.5 } };
       check.That(walker.Locate(far.data(), p.data()) && walker.GetCell() == 3 && p[0] == 0.0,
-        "a point on its other face is in that neighbour");
+        "a point on the opposite face is in that neighbor");
       const Vector corner = { { 2.0, 1.0, 1.0 } };
-      check.That(walker.Locate(corner.data(), p.data()), "a corner is in a cell of the field");
-      check.Near(GetNorm(PositionOf(walker, p) - corner), 0.0, 1e-15, "at its place", 1.0);
+      check.That(walker.Locate(corner.data(), p.data()), "a grid point is in a cell of the field");
+      check.Near(
+        GetNorm(PositionOf(walker, p) - corner), 0.0, 1e-15, "position of the grid point", 1.0);
     });
 
   check.SetContext("hidden points");
@@ -172,7 +173,7 @@ void CheckBlanking(Check& check)
       const Vector x = { { 0.5, 0.5, 0.5 } };
       check.That(!walker.Locate(x.data(), p.data()), "a cell with a hidden point is not found");
       check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 0, "hidden vectors");
-      check.Near(walker.GetField().GetMaximumSpeed(), 5.0, 1e-15, "largest speed");
+      check.Near(walker.GetField().GetMaximumSpeed(), 5.0, 1e-15, "maximum speed");
     });
 }
 
@@ -198,10 +199,11 @@ void CheckNonFinite(Check& check)
         const double c = cell + 0.5;
         const Vector x = { { c, c, c } };
         check.That(walker.Locate(x.data(), p.data()), "the cell is found");
-        check.Equal(walker.IsFinite(), cell == 1 || cell == 2, "whether it is finite");
+        check.Equal(walker.IsFinite(), cell == 1 || cell == 2,
+          "the cell is recognized as finite or non-finite");
       }
       const Vector nowhere = { { std::nan(""), 1.0, 1.0 } };
-      check.That(!walker.Locate(nowhere.data(), p.data()), "NaN is nowhere");
+      check.That(!walker.Locate(nowhere.data(), p.data()), "a NaN position is not found");
       const Vector outside = { { 4.0 + 1e-9, 1.0, 1.0 } };
       check.That(!walker.Locate(outside.data(), p.data()), "a point outside is not found");
     });
@@ -237,12 +239,12 @@ void CheckTypes(Check& check)
         {
           const Vector x = { { 0.25, 1.5, 2.75 } };
           Vector p;
-          check.That(walker.Locate(x.data(), p.data()), "the place is found");
+          check.That(walker.Locate(x.data(), p.data()), "the position is found");
           check.Near(GetNorm(VelocityOf(walker, p) - field(x)), 0.0, 1e-14, "velocity", 1.0);
           check.Equal(walker.GetField().GetNumberOfArrays(), 1, "arrays");
           check.Near(walker.Interpolate(0, p.data()), 11.5, 1e-14, "an array's value");
           check.Near(walker.GetField().GetMaximumSpeed(), std::sqrt(9.0 + 25.0 + 16.0), 1e-15,
-            "largest speed");
+            "maximum speed");
           check.Near(walker.GetField().GetBounds()[3], 3.0, 0.0, "bounds");
         });
       check.That(!error, error.GetMessage());
@@ -250,7 +252,7 @@ void CheckTypes(Check& check)
   }
 }
 
-// Numbers that floats do not have.
+// Numbers that single precision cannot represent.
 void CheckLargeIntegers(Check& check)
 {
   check.SetContext("large integers");
@@ -263,7 +265,7 @@ void CheckLargeIntegers(Check& check)
     VTK_INT);
   WithWalker(image, vectors, check,
     [&](const auto& walker)
-    { check.Equal(std::llround(walker.GetField().GetMaximumSpeed()), 16777217, "largest speed"); });
+    { check.Equal(std::llround(walker.GetField().GetMaximumSpeed()), 16777217, "maximum speed"); });
 }
 
 void CheckErrors(Check& check)
@@ -306,11 +308,13 @@ void CheckErrors(Check& check)
   auto gridVectors = AddRandomVectors(grid, 1);
   grid->GetYCoordinates()->SetTuple1(2, -5.0);
   expect(grid, gridVectors, {},
-    "the coordinates along y turn back or repeat at number 2 (-5 after 0.7)");
+    "the y coordinates are not strictly monotonic at index 2 (-5 after 0.7)");
   grid->GetYCoordinates()->SetTuple1(2, std::nan(""));
-  expect(grid, gridVectors, {}, "the coordinate along y of number 2 is not finite");
+  expect(grid, gridVectors, {}, "coordinate 2 along y is not finite");
   vtkNew<vtkPolyData> surface;
-  expect(surface, vectors, {}, "a field is no vtkPolyData");
+  expect(surface, vectors, {},
+    "the field must be an image or a rectilinear, structured or unstructured grid, not a "
+    "vtkPolyData");
   expect(nullptr, vectors, {}, "there is no dataset");
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The walker of structured grids against VTK's hexahedra, differences, linear fields and straight
-// lines; seams, blanking, collapsed and folded cells, threads.
+// The walker of structured grids, compared with VTK's hexahedra, finite differences, linear fields
+// and straight lines. Also tests seams, blanking, collapsed and folded cells, and threads.
 #include "Support/Checks/ReferenceExecution.h"
 #include "Support/Flow/ReferenceWalker.h"
 
@@ -17,15 +17,15 @@ using namespace reference;
 
 const std::array<int, 3> Cells = { { 5, 4, 6 } };
 
-vtkSmartPointer<vtkStructuredGrid> MakeCurved(double bend, const VectorField& place)
+vtkSmartPointer<vtkStructuredGrid> MakeCurved(double bend, const VectorField& position)
 {
   auto grid = MakeStructuredGrid(Cells);
   MovePoints(grid, MakeBend(Cells, bend));
-  MovePoints(grid, place);
+  MovePoints(grid, position);
   return grid;
 }
 
-// \a isBox: the grid fills its bounds.
+// \a isBox is true if the grid fills its bounds.
 void CheckGrid(const std::string& name, vtkStructuredGrid* grid, double unit, double tolerance,
   bool isBox, Check& check)
 {
@@ -34,7 +34,7 @@ void CheckGrid(const std::string& name, vtkStructuredGrid* grid, double unit, do
   WithWalker(grid, vectors, check,
     [&](const auto& walker)
     {
-      CheckPlaces(walker, grid, vectors, 4, tolerance, check, unit >= 1.0);
+      CheckLocations(walker, grid, vectors, 4, tolerance, check, unit >= 1.0);
       CheckDerivatives(walker, grid, vectors, 1e-6, check);
       CheckPoints(walker, grid, check);
       if (isBox)
@@ -71,7 +71,7 @@ void CheckGrids(Check& check)
           return Vector{ { unit * (x[0] - 2.0), unit * x[1], unit * x[2] } };
         }),
       unit, 1e-11, true, check);
-    CheckGrid("flat of " + std::to_string(unit),
+    CheckGrid("planar of " + std::to_string(unit),
       MakeCurved(0.35,
         [unit](const Vector& x) {
           return Vector{ { unit * x[0], 1e-4 * unit * x[1], unit * x[2] } };
@@ -90,7 +90,7 @@ void CheckCorners(Check& check)
     });
 }
 
-// All around the ring, over the seam, and back.
+// Walks once around a closed ring, across the seam.
 void CheckSeam(Check& check)
 {
   check.SetContext("seam");
@@ -100,7 +100,7 @@ void CheckSeam(Check& check)
   WithWalker(ring, vectors, check,
     [&](auto walker)
     {
-      CheckPlaces(walker, ring, vectors, 3, 1e-12, check);
+      CheckLocations(walker, ring, vectors, 3, 1e-12, check);
       for (const int around : { 3, 2 })
       {
         const Vector start = { { 1.4, 0.1, 1.3 } };
@@ -109,38 +109,41 @@ void CheckSeam(Check& check)
         const vtkIdType first = walker.GetCell();
         for (int step = 0; step < cells[1]; ++step)
         {
-          check.Equal(walker.GetDomainFace(around), -1, "no side of the grid around");
+          check.Equal(walker.GetDomainFace(around), -1, "no domain face around the ring");
           p[1] = around == 3 ? 1.0 : 0.0;
           const Vector before = PositionOf(walker, p);
           check.That(walker.Cross(around, p.data()), "the next cell around");
           check.Near(
-            GetNorm(PositionOf(walker, p) - before), 0.0, 1e-15, "the position stays", 1.0);
+            GetNorm(PositionOf(walker, p) - before), 0.0, 1e-15, "the position is unchanged", 1.0);
         }
-        check.Equal(walker.GetCell(), first, "once around");
-        check.That(!walker.Cross(4, p.data()) || walker.GetDomainFace(5) == -1, "sides along z");
+        check.Equal(walker.GetCell(), first, "after one rotation");
+        check.That(
+          !walker.Cross(4, p.data()) || walker.GetDomainFace(5) == -1, "domain faces along z");
       }
-      // The inner side is a polygon: in the box of the cell, but not in it.
-      const double middle = 3.14159265358979324 / cells[1];
+      // The inner side is a polygon. The point is in the bounding box of the cell, but not in the
+      // cell.
+      const double midpoint = 3.14159265358979324 / cells[1];
       for (const double beside : { -1e-4, -1e-9, 1e-9 })
       {
-        const double radius = std::cos(middle) + beside;
-        const double x[3] = { radius * std::cos(middle), radius * std::sin(middle), 0.5 };
+        const double radius = std::cos(midpoint) + beside;
+        const double x[3] = { radius * std::cos(midpoint), radius * std::sin(midpoint), 0.5 };
         Vector there;
-        check.Equal(walker.Locate(x, there.data()), beside > 0.0, "whether it is in the ring");
+        check.Equal(walker.Locate(x, there.data()), beside > 0.0,
+          "the point is inside or outside as expected");
       }
       const double inner[3] = { 1.0, 0.02, 0.5 };
       Vector p;
       check.That(walker.Locate(inner, p.data()), "a point at the inner side");
       check.Equal(walker.GetDomainFace(0), 0, "the inner side");
       check.Equal(walker.GetDomainFace(4), 4, "the lower side");
-      check.Equal(walker.GetDomainFace(5), -1, "a face within");
+      check.Equal(walker.GetDomainFace(5), -1, "an inner face");
       double uv[2];
       walker.GetDomainParameters(0, p.data(), uv);
       check.Near(uv[1], 0.125, 1e-12, "v of -i is along k");
     });
 }
 
-// The cut of a C-grid in parabolic coordinates, where i runs to and fro.
+// The branch cut of a C-grid in parabolic coordinates, where i runs back along itself.
 void CheckCut(Check& check)
 {
   check.SetContext("cut");
@@ -160,15 +163,17 @@ void CheckCut(Check& check)
       Vector p;
       check.That(walker.Locate(start, p.data()), "the start is found");
       check.Equal(walker.GetCell(), 4, "before the cut");
-      check.Equal(walker.GetDomainFace(2), -1, "the cut is no side");
+      check.Equal(walker.GetDomainFace(2), -1, "the cut is not a domain face");
       p[1] = 0.0;
       const Vector before = PositionOf(walker, p);
       check.That(walker.Cross(2, p.data()), "the cut is crossed");
-      check.Equal(walker.GetCell(), 1, "behind the cut");
+      check.Equal(walker.GetCell(), 1, "after the cut");
       check.Near(p[1], 0.0, 0.0, "on the cut", 1.0);
-      check.Near(GetNorm(PositionOf(walker, p) - before), 0.0, 1e-15, "the position stays", 1.0);
-      check.That(walker.Cross(2, p.data()) && walker.GetCell() == 4, "and back");
-      check.Near(GetNorm(PositionOf(walker, p) - before), 0.0, 1e-15, "the position stays", 1.0);
+      check.Near(
+        GetNorm(PositionOf(walker, p) - before), 0.0, 1e-15, "the position is unchanged", 1.0);
+      check.That(walker.Cross(2, p.data()) && walker.GetCell() == 4, "back across the cut");
+      check.Near(
+        GetNorm(PositionOf(walker, p) - before), 0.0, 1e-15, "the position is unchanged", 1.0);
     });
 }
 
@@ -182,7 +187,7 @@ void CheckBlanking(Check& check)
   WithWalker(grid, vectors, check, [&](const auto& walker) { CheckHiddenRow(walker, check); });
 }
 
-// A wedge of revolution: at i = 0 all cells around end in the axis, where j has no meaning.
+// A wedge of revolution: at i = 0, all cells end at the axis, where j has no effect.
 void CheckCollapsed(Check& check)
 {
   check.SetContext("collapsed");
@@ -197,22 +202,23 @@ void CheckCollapsed(Check& check)
   WithWalker(grid, vectors, check,
     [&](auto walker)
     {
-      CheckPlaces(walker, grid, vectors, 3, 1e-10, check, false);
+      CheckLocations(walker, grid, vectors, 3, 1e-10, check, false);
       const double axis[3] = { 0.0, 0.0, 1.5 };
       Vector p;
       Vector rate;
       check.That(walker.Locate(axis, p.data()), "the axis is found");
       walker.GetVelocity(p.data(), rate.data());
-      check.Near(rate[0], 0.0, 1e-12, "nothing outward", 1.0);
-      check.Near(rate[1], 0.0, 1e-12, "nothing around", 1.0);
-      check.Near(rate[2], 2.0, 1e-12, "along the axis");
+      check.Near(rate[0], 0.0, 1e-12, "no velocity outward", 1.0);
+      check.Near(rate[1], 0.0, 1e-12, "no velocity around the axis", 1.0);
+      check.Near(rate[2], 2.0, 1e-12, "velocity along the axis");
       std::array<double, 9> jacobian;
       walker.GetJacobian(p.data(), jacobian.data());
       check.That(std::isfinite(GetLargest(jacobian)), "the Jacobian is finite");
     });
 }
 
-// A corner that is straight: two of the columns of dx/dp are parallel there but for rounding.
+// A corner with an angle of 180 degrees: two columns of dx/dp are parallel except for rounding
+// errors.
 void CheckStraightCorner(Check& check)
 {
   check.SetContext("straight corner");
@@ -238,7 +244,7 @@ void CheckStraightCorner(Check& check)
   WithWalker(grid, vectors, check,
     [&](auto walker)
     {
-      CheckPlaces(walker, grid, vectors, 20, 1e-10, check, false);
+      CheckLocations(walker, grid, vectors, 20, 1e-10, check, false);
       const Vector inside = SampleCell(grid, vectors, 0, random).Position;
       Vector p;
       check.That(walker.Locate(inside.data(), p.data()), "the cell is found");
@@ -247,19 +253,20 @@ void CheckStraightCorner(Check& check)
       walker.GetVelocity(p.data(), rate.data());
       check.Near(GetNorm(VelocityOf(walker, p) - expected), 0.0, 1e-12,
         "the velocity along the other columns", 1.0);
-      check.Near(rate[0] - 0.6 * rate[1], 0.7, 1e-12, "one of the two is enough");
-      check.Near(rate[0] * rate[1], 0.0, 1e-12, "and the other stays", 1.0);
+      check.Near(rate[0] - 0.6 * rate[1], 0.7, 1e-12, "one of the two columns is used");
+      check.Near(rate[0] * rate[1], 0.0, 1e-12, "the other rate is 0", 1.0);
       check.Near(rate[2], 1.0, 1e-12, "upward");
     });
 }
 
-// Whether dx/dp of the cell that a walker stands in is positive at 125 places.
+// Returns whether the determinant of dx/dp in the walker's cell is positive at 125 positions.
 template <typename Walker>
 bool IsPositive(const Walker& walker)
 {
-  for (int place = 0; place < 125; ++place)
+  for (int position = 0; position < 125; ++position)
   {
-    const double p[3] = { 0.25 * (place % 5), 0.25 * (place / 5 % 5), 0.25 * (place / 25 % 5) };
+    const double p[3] = { 0.25 * (position % 5), 0.25 * (position / 5 % 5),
+      0.25 * (position / 25 % 5) };
     double w[3][3];
     for (int j = 0; j < 3; ++j)
     {
@@ -277,7 +284,7 @@ bool IsPositive(const Walker& walker)
   return true;
 }
 
-// Cells so distorted that Newton's method from the centre does not find all their places.
+// Strongly distorted cells, for which Newton's method from the center does not find all positions.
 void CheckDistorted(Check& check)
 {
   check.SetContext("distorted");
@@ -306,16 +313,16 @@ void CheckDistorted(Check& check)
         for (int i = 0; i < 20; ++i)
         {
           sample = SampleCell(grid, vectors, 0, random);
-          check.That(walker.Locate(sample.Position.data(), p.data()), "the place is found");
-          check.Near(
-            GetNorm(VelocityOf(walker, p) - sample.Velocity), 0.0, 1e-9, "its velocity", 1.0);
+          check.That(walker.Locate(sample.Position.data(), p.data()), "the position is found");
+          check.Near(GetNorm(VelocityOf(walker, p) - sample.Velocity), 0.0, 1e-9,
+            "velocity at the position", 1.0);
         }
       });
   }
-  check.That(cells > 100, "there are such cells");
+  check.That(cells > 100, "the field has such cells");
 }
 
-// A cell turned inside out by a moved point, and collapsed ones: all ends, nothing is NaN.
+// A cell inverted by a moved point, and collapsed cells: all walks end, and nothing is NaN.
 void CheckFolded(Check& check)
 {
   check.SetContext("folded");
@@ -352,12 +359,12 @@ void CheckErrors(Check& check)
   grid->GetPoints()->SetPoint(63, 0.0, std::nan(""), 0.0);
   check.That(find() == "point 63 is not finite", find());
   grid->GetPoints()->SetNumberOfPoints(60);
-  check.That(find() == "the grid has 60 points of 64", find());
+  check.That(find() == "the grid has 60 points; its dimensions require 64", find());
   grid->SetDimensions(4, 1, 4);
   check.That(find().find("the field has no three-dimensional cells. ") == 0, find());
 }
 
-// Cells, places and velocities of points, from a field that was built and read by threads.
+// Returns cells, positions and velocities of points, from a field built and read in parallel.
 std::vector<double> FindAll(vtkDataSet* data, vtkDataArray* vectors, Check& check)
 {
   std::vector<double> all(7 * data->GetNumberOfPoints());
@@ -386,7 +393,7 @@ void CheckThreads(Check& check)
   auto grid = MakeCurved(0.35, [](const Vector& x) { return x; });
   auto vectors = AddRandomVectors(grid, 3);
   CheckSame(
-    "cells, places and velocities", [&]() { return FindAll(grid, vectors, check); }, check);
+    "cells, positions and velocities", [&]() { return FindAll(grid, vectors, check); }, check);
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The walker of unstructured grids against VTK's cells, differences, linear fields and straight
-// lines, over meshes of all its types; turned and mirrored cells, blocks, cracks and errors.
+// The walker of unstructured grids, compared with VTK's cells, finite differences, linear fields
+// and straight lines, for all supported cell types. Also tests rotated and mirrored cells, blocks,
+// mismatched faces and errors.
 #include "Support/Checks/ReferenceExecution.h"
 #include "Support/Flow/ReferenceWalker.h"
 #include "Support/Meshes/ReferenceTransform.h"
@@ -27,7 +28,7 @@ void CheckMesh(
   WithWalker(mesh, vectors, check,
     [&](const auto& walker)
     {
-      CheckPlaces(walker, mesh, vectors, 3, tolerance, check, unit >= 1.0);
+      CheckLocations(walker, mesh, vectors, 3, tolerance, check, unit >= 1.0);
       CheckDerivatives(walker, mesh, vectors, 1e-5, check);
       CheckPoints(walker, mesh, check);
       CheckLines(walker, mesh, 12, unit, check);
@@ -44,7 +45,7 @@ void CheckMeshes(Check& check)
     auto curved = MakeFlowMesh(kind, Cells, false);
     MovePoints(curved, MakeBend(Cells, 0.25));
     CheckMesh(name + ", curved", curved, 1.0, 1e-10, check);
-    CheckMesh(name + ", turned", TurnCells(curved, 5), 1.0, 1e-10, check);
+    CheckMesh(name + ", rotated", TurnCells(curved, 5), 1.0, 1e-10, check);
     CheckMesh(name + ", mirrored", InvertCells(curved), 1.0, 1e-10, check);
     for (const double unit : { 1e-9, 1e9 })
     {
@@ -54,12 +55,12 @@ void CheckMeshes(Check& check)
         [unit](const Vector& x) {
           return Vector{ { unit * x[0], unit * x[1], 1e-4 * unit * x[2] } };
         });
-      CheckMesh(name + ", flat of " + std::to_string(unit), flat, unit, 1e-9, check);
+      CheckMesh(name + ", planar of " + std::to_string(unit), flat, unit, 1e-9, check);
     }
   }
 }
 
-// Through corners, edges, apexes and along faces.
+// Walks through points, edges and apexes, and along faces.
 void CheckCorners(Check& check)
 {
   for (const MeshKind kind : FlowMeshKinds())
@@ -68,7 +69,8 @@ void CheckCorners(Check& check)
   }
 }
 
-// In the apex of a pyramid velocity and Jacobian of p are finite, and the velocity is its vector.
+// At the apex of a pyramid, velocity and Jacobian in cell coordinates are finite, and the velocity
+// equals the vector at the apex.
 void CheckApex(Check& check)
 {
   check.SetContext("apex");
@@ -89,25 +91,26 @@ void CheckApex(Check& check)
         vectors->GetTuple(ids->GetId(4), expected.data());
         check.That(walker.Locate(x.data(), p.data()), "the apex is found");
         check.Near(p[2], 1.0, 1e-12, "at z = 1");
-        check.Near(GetNorm(VelocityOf(walker, p) - expected), 0.0, 1e-12, "its vector", 1.0);
+        check.Near(
+          GetNorm(VelocityOf(walker, p) - expected), 0.0, 1e-12, "vector at the apex", 1.0);
         Vector rate;
         std::array<double, 9> jacobian;
         walker.GetVelocity(p.data(), rate.data());
         walker.GetJacobian(p.data(), jacobian.data());
         check.That(GetNorm(rate) < 100.0, "the rate is bounded");
-        // A little to the side and beyond.
+        // Positions slightly next to the apex and above it.
         for (const double z : { 1.0 - 1e-13, 1.0, 1.0 + 1e-13, 1.0 + 1e-3 })
         {
           const double beside[3] = { 1e-13, -1e-13, z };
           walker.GetVelocity(beside, rate.data());
-          check.That(GetNorm(rate) < 1000.0, "the rate beside the apex is bounded");
+          check.That(GetNorm(rate) < 1000.0, "the rate close to the apex is bounded");
         }
       }
     });
 }
 
-// Two blocks whose points are not shared go on into each other; where one has quadrilaterals and
-// the other triangles, the field ends.
+// Two blocks without shared points are connected, except where one has quadrilaterals and the other
+// has triangles.
 void CheckBlocks(Check& check)
 {
   check.SetContext("blocks");
@@ -150,7 +153,7 @@ void CheckBlocks(Check& check)
       LineWalk<std::decay_t<decltype(walker)>> walk(walker, { { 0.5, 0.6, 0.7 } }, { { 1, 0, 0 } });
       check.That(walk.Run(10.0) && walk.HasEnded, "the walk ends between blocks");
       check.Near(walk.Time, 1.5, 1e-12, "at the quadrilaterals");
-      check.Equal(walk.Stand.GetDomainFace(walk.EndFace), -1, "no side of a structured grid");
+      check.Equal(walk.Stand.GetDomainFace(walk.EndFace), -1, "not a side of a structured grid");
     });
 }
 
@@ -158,7 +161,7 @@ void CheckBlanking(Check& check)
 {
   check.SetContext("blanking");
   auto mesh = MakeFlowMesh(MeshKind::Hexahedra, { { 4, 3, 3 } });
-  // Of no point of the field: does not count.
+  // A point that no cell uses is ignored.
   mesh->GetPoints()->InsertNextPoint(0.0, 0.0, 0.0);
   auto vectors = AddVectors(mesh, [](const Vector&) { return Vector{ { 1.0, 2.0, 2.0 } }; });
   const double infinite[3] = { 0.0, std::numeric_limits<double>::infinity(), 0.0 };
@@ -168,13 +171,13 @@ void CheckBlanking(Check& check)
   WithWalker(mesh, vectors, check,
     [&](const auto& walker)
     {
-      check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 0, "vectors of no cell");
-      check.Near(walker.GetField().GetMaximumSpeed(), 3.0, 1e-15, "largest speed");
+      check.Equal(walker.GetField().GetNumberOfNonFiniteVectors(), 0, "vectors at unused points");
+      check.Near(walker.GetField().GetMaximumSpeed(), 3.0, 1e-15, "maximum speed");
       CheckHiddenRow(walker, check);
     });
 }
 
-// A cell that is left out has no box; the origin is where one of zeros would be.
+// A hidden cell has no bounding box. A box of zeros would be at the origin.
 void CheckHiddenAtOrigin(Check& check)
 {
   check.SetContext("hidden at the origin");
@@ -190,7 +193,8 @@ void CheckHiddenAtOrigin(Check& check)
       const Vector origin = { { 0.0, 0.0, 0.0 } };
       check.That(!walker.Locate(origin.data(), p.data()), "the hidden cell is not found");
       const Vector other = { { 1.5, 0.5, 0.5 } };
-      check.That(walker.Locate(other.data(), p.data()) && walker.GetCell() == 1, "the other is");
+      check.That(
+        walker.Locate(other.data(), p.data()) && walker.GetCell() == 1, "the other cell is found");
     });
 }
 
@@ -216,13 +220,13 @@ void CheckNonFinite(Check& check)
         const CellSample sample = SampleCell(mesh, vectors, cell, random);
         Vector p;
         check.That(walker.Locate(sample.Position.data(), p.data()), "the cell is found");
-        check.Equal(walker.IsFinite(), isFinite, "whether it is finite");
+        check.Equal(walker.IsFinite(), isFinite, "the cell is recognized as finite or non-finite");
       }
-      check.That(infinite > 0, "there are such cells");
+      check.That(infinite > 0, "the field has such cells");
     });
 }
 
-// Arrays interpolated as the vectors are.
+// Arrays are interpolated in the same way as vectors.
 void CheckArrays(Check& check)
 {
   for (const MeshKind kind : FlowMeshKinds())
@@ -269,16 +273,16 @@ void CheckErrors(Check& check)
   };
   auto boxes = MakeMesh(MeshKind::Boxes, { { 2, 2, 2 } });
   check.That(find(boxes) ==
-      "cell 0 is a vtkPolyhedron (type 42); a field has tetrahedra, voxels, hexahedra, wedges and "
-      "pyramids",
+      "cell 0 is a vtkPolyhedron (type 42); only tetrahedra, voxels, hexahedra, wedges and "
+      "pyramids are supported",
     find(boxes));
   auto mesh = MakeFlowMesh(MeshKind::Tetrahedra5, { { 2, 2, 2 } });
   const vtkIdType triangle[3] = { 0, 1, 2 };
   mesh->InsertNextCell(VTK_TRIANGLE, 3, triangle);
-  check.That(find(mesh).empty(), "cells of fewer dimensions are left out: " + find(mesh));
+  check.That(find(mesh).empty(), "lower-dimensional cells are skipped: " + find(mesh));
   auto short4 = MakeFlowMesh(MeshKind::Hexahedra, { { 1, 1, 1 } });
   short4->InsertNextCell(VTK_HEXAHEDRON, 3, triangle);
-  check.That(find(short4) == "cell 1 is a vtkHexahedron (type 12) of 3 points", find(short4));
+  check.That(find(short4) == "cell 1 is a vtkHexahedron (type 12) with 3 points", find(short4));
   auto broken = MakeFlowMesh(MeshKind::Hexahedra, { { 2, 2, 2 } });
   broken->GetPoints()->SetPoint(26, 0.0, 0.0, std::nan(""));
   check.That(find(broken) == "point 26 is not finite", find(broken));
@@ -286,7 +290,7 @@ void CheckErrors(Check& check)
   check.That(find(empty).find("the field has no three-dimensional cells. ") == 0, find(empty));
 }
 
-// Where lines through a mesh go, with a field built by threads.
+// Returns the positions of lines through a mesh whose field is built in parallel.
 std::vector<double> WalkAll(vtkUnstructuredGrid* mesh, vtkDataArray* vectors, Check& check)
 {
   std::vector<double> all;
@@ -313,7 +317,7 @@ void CheckThreads(Check& check)
   auto mesh = MakeFlowMesh(MeshKind::Mixed, Cells, false);
   MovePoints(mesh, MakeBend(Cells, 0.25));
   auto vectors = AddRandomVectors(mesh, 3);
-  check.That(WalkAll(mesh, vectors, check).size() > 200, "there are cells on the way");
+  check.That(WalkAll(mesh, vectors, check).size() > 200, "the lines cross cells");
   CheckSame(
     "walks", [&]() { return WalkAll(mesh, vectors, check); }, check);
 }

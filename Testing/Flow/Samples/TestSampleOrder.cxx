@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The order in which samples are followed: each once, those of a block one after another, for
-// positions of any kind.
+// The order in which samples are advected: each sample occurs once, samples of a block are
+// consecutive, and positions may be arbitrary.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 
@@ -23,8 +23,8 @@ namespace
 using namespace reference;
 using interlume::SampleOrder;
 
-/// Whether the order has each sample from \a first on once.
-bool IsWhole(const SampleOrder& order, vtkIdType first, vtkIdType number)
+/// Returns whether the order contains each sample from \a first exactly once.
+bool IsComplete(const SampleOrder& order, vtkIdType first, vtkIdType number)
 {
   std::vector<vtkIdType> ids;
   for (vtkIdType i = 0; i < number - first; ++i)
@@ -50,10 +50,10 @@ void TestCodes(Check& check)
   {
     code += (index[bit % 3] >> (bit / 3) & 1U) << bit;
   }
-  check.Equal(SampleOrder::GetCode(index), code, "bits in turn");
+  check.Equal(SampleOrder::GetCode(index), code, "interleaved bits");
 }
 
-/// Runs of eight samples of an image are blocks of two each way, runs of 64 blocks of four.
+/// Runs of 8 samples of an image are blocks of 2 x 2 x 2, runs of 64 are blocks of 4 x 4 x 4.
 void TestBlocks(Check& check)
 {
   vtkNew<vtkImageData> image;
@@ -61,7 +61,7 @@ void TestBlocks(Check& check)
   image->SetOrigin(-3.0, 1e6, 0.0);
   image->SetSpacing(0.5, 2.0, 1e-3);
   const SampleOrder order(image, 0);
-  check.That(IsWhole(order, 0, 4096), "each sample once");
+  check.That(IsComplete(order, 0, 4096), "each sample occurs once");
   for (const vtkIdType run : { 8, 64, 512 })
   {
     const int side = static_cast<int>(std::lround(std::cbrt(static_cast<double>(run))));
@@ -86,7 +86,7 @@ void TestBlocks(Check& check)
   }
 }
 
-/// Points in a plane, in a line, in one place, none, and some that are not finite.
+/// Points in a plane, on a line, at one position, an empty set, and non-finite points.
 void TestShapes(Check& check)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -115,7 +115,7 @@ void TestShapes(Check& check)
         samples->SetPoints(points);
         for (const vtkIdType first : { vtkIdType(0), number / 2 })
         {
-          check.That(IsWhole(SampleOrder(samples, first), first, number),
+          check.That(IsComplete(SampleOrder(samples, first), first, number),
             std::to_string(number) + " samples of " + std::to_string(dimensions) + " dimensions");
         }
       }

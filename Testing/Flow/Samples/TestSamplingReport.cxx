@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What vtkImplicitFlowField says of the error between its samples, against formulas: flows that are
-// straight and that turn, on all grids; what is split; seams; threads; pay for use.
+// Error of interpolation between samples, as reported by vtkImplicitFlowField, compared with
+// formulas for uniform and rotating flow on all grids. Also tests split cells, seams, threads, and
+// when the check is off.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -31,13 +32,13 @@ using namespace reference;
 
 constexpr int AllCells = 1000000;
 
-/// The image of samples.
-struct Lattice
+/// An image of samples.
+struct SampleGrid
 {
   std::array<int, 3> Points;
   std::array<double, 6> Bounds;
 
-  Vector GetPlace(const std::array<double, 3>& at) const
+  Vector GetPosition(const std::array<double, 3>& at) const
   {
     Vector x;
     for (std::size_t axis = 0; axis < 3; ++axis)
@@ -49,7 +50,7 @@ struct Lattice
   }
 };
 
-/// How a streamline ends by formula.
+/// The end of a streamline by formula.
 struct End
 {
   int Status = vtkFlowStatus::REACHED_SURFACE;
@@ -57,20 +58,20 @@ struct End
 };
 using Formula = std::function<End(const Vector&)>;
 
-vtkSmartPointer<vtkImplicitFlowField> NewFilter(
-  vtkDataSet* field, vtkTerminationSurface* surface, const Lattice& lattice, int checks = AllCells)
+vtkSmartPointer<vtkImplicitFlowField> NewFilter(vtkDataSet* field, vtkTerminationSurface* surface,
+  const SampleGrid& samples, int checks = AllCells)
 {
   auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();
   filter->SetInputDataObject(field);
   filter->AddTerminationSurface(surface);
   filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
-  filter->SetSampleDimensions(lattice.Points[0], lattice.Points[1], lattice.Points[2]);
-  filter->SetSampleBounds(lattice.Bounds.data());
+  filter->SetSampleDimensions(samples.Points[0], samples.Points[1], samples.Points[2]);
+  filter->SetSampleBounds(samples.Bounds.data());
   filter->SetSamplingChecks(checks);
   return filter;
 }
 
-/// The values of the report about interpolation between samples.
+/// Values of the report about interpolation between samples.
 struct Sampling
 {
   struct Error
@@ -91,8 +92,7 @@ struct Sampling
 
 Sampling ReadReport(vtkInterlumeReport* report)
 {
-  const auto count = [report](const char* name)
-  { return static_cast<vtkIdType>(report->GetNumber(name)); };
+  const auto count = [report](const char* name) { return report->GetCount(name); };
   const auto error = [report](const char* name)
   {
     return Sampling::Error{ report->GetNumber(name), report->GetNumber(name, 1),
@@ -103,22 +103,22 @@ Sampling ReadReport(vtkInterlumeReport* report)
     error("SamplingErrorTime") };
 }
 
-/// The report of all cells by formula.
-Sampling GetExpected(const Lattice& lattice, const Formula& formula)
+/// Computes the expected report of all cells by formula.
+Sampling GetExpected(const SampleGrid& samples, const Formula& formula)
 {
   Sampling report;
   std::array<std::vector<double>, 3> errors;
-  for (int k = 0; k + 1 < lattice.Points[2]; ++k)
+  for (int k = 0; k + 1 < samples.Points[2]; ++k)
   {
-    for (int j = 0; j + 1 < lattice.Points[1]; ++j)
+    for (int j = 0; j + 1 < samples.Points[1]; ++j)
     {
-      for (int i = 0; i + 1 < lattice.Points[0]; ++i)
+      for (int i = 0; i + 1 < samples.Points[0]; ++i)
       {
         std::map<int, int> numbers;
         std::array<double, 3> means{};
         for (int corner = 0; corner < 8; ++corner)
         {
-          const End end = formula(lattice.GetPlace({ { i + 0.0 + (corner & 1),
+          const End end = formula(samples.GetPosition({ { i + 0.0 + (corner & 1),
             j + 0.0 + ((corner >> 1) & 1), k + 0.0 + (corner >> 2) } }));
           ++numbers[end.Status];
           for (std::size_t q = 0; q < 3; ++q)
@@ -130,24 +130,24 @@ Sampling GetExpected(const Lattice& lattice, const Formula& formula)
         {
           continue;
         }
-        const End middle = formula(lattice.GetPlace({ { i + 0.5, j + 0.5, k + 0.5 } }));
-        int most = 0;
+        const End center = formula(samples.GetPosition({ { i + 0.5, j + 0.5, k + 0.5 } }));
+        int maximum = 0;
         for (const auto& status : numbers)
         {
-          most = std::max(most, status.second);
+          maximum = std::max(maximum, status.second);
         }
-        const bool isDifferent = numbers[middle.Status] < most;
+        const bool isDifferent = numbers[center.Status] < maximum;
         ++report.Checks;
-        report.SplitCells += most < 8 ? 1 : 0;
+        report.SplitCells += maximum < 8 ? 1 : 0;
         report.MismatchedCenters += isDifferent ? 1 : 0;
-        if (most < 8 || isDifferent || middle.Status != vtkFlowStatus::REACHED_SURFACE)
+        if (maximum < 8 || isDifferent || center.Status != vtkFlowStatus::REACHED_SURFACE)
         {
           continue;
         }
         ++report.Compared;
         for (std::size_t q = 0; q < 3; ++q)
         {
-          errors[q].push_back(std::abs(means[q] - middle.Values[q]));
+          errors[q].push_back(std::abs(means[q] - center.Values[q]));
         }
       }
     }
@@ -161,8 +161,8 @@ Sampling GetExpected(const Lattice& lattice, const Formula& formula)
     {
       found[q]->Mean += error / static_cast<double>(list.size());
     }
-    const auto place = std::ceil(0.99 * static_cast<double>(list.size()));
-    found[q]->Percentile99 = list[static_cast<std::size_t>(place) - 1];
+    const auto rank = std::ceil(0.99 * static_cast<double>(list.size()));
+    found[q]->Percentile99 = list[static_cast<std::size_t>(rank) - 1];
     found[q]->Largest = list.back();
   }
   return report;
@@ -172,21 +172,22 @@ void CheckReport(const Sampling& found, const Sampling& expected, Check& check)
 {
   check.Equal(found.Checks, expected.Checks, "cells");
   check.Equal(found.SplitCells, expected.SplitCells, "split cells");
-  check.Equal(found.MismatchedCenters, expected.MismatchedCenters, "middles that differ");
-  check.Equal(found.Compared, expected.Compared, "middles with errors");
+  check.Equal(
+    found.MismatchedCenters, expected.MismatchedCenters, "cell centers with another status");
+  check.Equal(found.Compared, expected.Compared, "cell centers with an error");
   const auto compare =
     [&](const Sampling::Error& one, const Sampling::Error& other, const std::string& name)
   {
     check.Near(one.Mean, other.Mean, 1e-3, "mean of " + name, 1e-3);
-    check.Near(one.Percentile99, other.Percentile99, 1e-3, "99 % of " + name, 1e-3);
-    check.Near(one.Largest, other.Largest, 1e-3, "largest of " + name, 1e-3);
+    check.Near(one.Percentile99, other.Percentile99, 1e-3, "99th percentile of " + name, 1e-3);
+    check.Near(one.Largest, other.Largest, 1e-3, "maximum of " + name, 1e-3);
   };
   compare(found.U, expected.U, "u");
   compare(found.V, expected.V, "v");
   compare(found.Time, expected.Time, "time");
 }
 
-/// Straight flow has no error between samples.
+/// Uniform flow has no error between samples.
 void TestUniform(Check& check)
 {
   for (const auto& grid : MakeFlowGrids())
@@ -199,92 +200,96 @@ void TestUniform(Check& check)
     filter->Update();
     const Sampling found = ReadReport(filter->GetReport());
     check.Equal(found.Checks, 8 * 7 * 6, "cells");
-    check.Equal(found.Compared, found.Checks, "all reach the plane");
+    check.Equal(found.Compared, found.Checks, "all centers reach the plane");
     check.Equal(found.SplitCells + found.MismatchedCenters, 0, "borders");
     check.That(
-      std::max({ found.U.Largest, found.V.Largest, found.Time.Largest }) < 1e-9, "no errors");
-    check.Near(filter->GetReport()->GetNumber("Samples"), 9 * 8 * 7, 0.0,
-      "samples alone are counted as such");
+      std::max({ found.U.Largest, found.V.Largest, found.Time.Largest }) < 1e-9, "errors are 0");
+    check.Equal(
+      filter->GetReport()->GetCount("Samples"), 9 * 8 * 7, "only samples are counted as samples");
   }
   check.SetContext("");
 }
 
-/// A turn around the line x = 0, y = -1 towards the plane x = 0; where it would be met above the
-/// field the field is left.
-Vector Turn(const Vector& x)
+/// A rotation around the line x = 0, y = -1 toward the plane x = 0. Streamlines that would reach it
+/// above the field leave the field.
+Vector Rotation(const Vector& x)
 {
   return { { x[1] + 1.0, -x[0], 0.0 } };
 }
-End FollowTurn(const Vector& x)
+End FollowRotation(const Vector& x)
 {
   End end;
   const double radius = std::hypot(x[0], x[1] + 1.0);
   end.Values = { { (radius - 1.0) / 4.0, x[2] / 4.0, std::atan2(x[0], x[1] + 1.0) } };
   end.Status = radius > 5.0 ? vtkFlowStatus::LEFT_DOMAIN : end.Status;
-  for (const double place : x)
+  for (const double rank : x)
   {
-    end.Status = place < 0.0 || place > 4.0 ? vtkFlowStatus::OUTSIDE : end.Status;
+    end.Status = rank < 0.0 || rank > 4.0 ? vtkFlowStatus::OUTSIDE : end.Status;
   }
   return end;
 }
 
-/// The numbers of a turn by formula, on all grids; borders of the field and of what is reached.
-void TestTurn(Check& check)
+/// Compares the report with the formula for all grids, with and without boundaries of the field and
+/// of the reached region.
+void TestRotation(Check& check)
 {
-  const Lattice lattices[] = { { { { 15, 14, 4 } }, { { 0.11, 3.87, 0.13, 3.91, 0.1, 3.9 } } },
+  const SampleGrid sampleGrids[] = { { { { 15, 14, 4 } },
+                                       { { 0.11, 3.87, 0.13, 3.91, 0.1, 3.9 } } },
     { { { 15, 14, 7 } }, { { -0.53, 4.41, -0.67, 4.37, -0.71, 4.43 } } } };
   for (const auto& grid : MakeFlowGrids())
   {
-    AddVectors(grid.second, Turn);
-    for (const Lattice& lattice : lattices)
+    AddVectors(grid.second, Rotation);
+    for (const SampleGrid& samples : sampleGrids)
     {
-      check.SetContext("turn, " + grid.first + ", from " + std::to_string(lattice.Bounds[0]));
-      const auto filter = NewFilter(grid.second, MakeFlowPlane(0.0), lattice);
+      check.SetContext("rotation, " + grid.first + ", from " + std::to_string(samples.Bounds[0]));
+      const auto filter = NewFilter(grid.second, MakeFlowPlane(0.0), samples);
       filter->Update();
-      const Sampling expected = GetExpected(lattice, FollowTurn);
+      const Sampling expected = GetExpected(samples, FollowRotation);
       check.That(expected.SplitCells > 40 && expected.Compared > 300 &&
           expected.Compared < expected.Checks &&
-          (lattice.Bounds[0] > 0.0 || expected.MismatchedCenters > 3),
-        "a case of all");
+          (samples.Bounds[0] > 0.0 || expected.MismatchedCenters > 3),
+        "every case occurs");
       CheckReport(ReadReport(filter->GetReport()), expected, check);
     }
   }
   check.SetContext("");
 }
 
-/// Errors fall by four for half the distance, and those of a thousand cells are like those of all.
+/// Errors decrease by a factor of four if the spacing is halved. Errors of 1,000 checked cells are
+/// similar to the errors of all cells.
 void TestOrder(Check& check)
 {
   const auto grid = MakeFlowGrids()[2].second;
-  AddVectors(grid, Turn);
+  AddVectors(grid, Rotation);
   Sampling before;
   for (const int points : { 11, 21, 41 })
   {
-    const Lattice lattice{ { { points, points, points } }, { { 0.3, 2.7, 0.2, 2.4, 0.5, 3.5 } } };
-    const auto filter = NewFilter(grid, MakeFlowPlane(0.0), lattice, 1000);
+    const SampleGrid samples{ { { points, points, points } },
+      { { 0.3, 2.7, 0.2, 2.4, 0.5, 3.5 } } };
+    const auto filter = NewFilter(grid, MakeFlowPlane(0.0), samples, 1000);
     filter->Update();
     const Sampling found = ReadReport(filter->GetReport());
-    const Sampling all = GetExpected(lattice, FollowTurn);
+    const Sampling all = GetExpected(samples, FollowRotation);
     check.SetContext(std::to_string(points) + " points");
-    check.Equal(found.Checks, 1000, "a thousand cells");
+    check.Equal(found.Checks, 1000, "1,000 checked cells");
     check.Near(found.U.Mean, all.U.Mean, 0.05, "mean of u");
     check.Near(found.Time.Mean, all.Time.Mean, 0.05, "mean of time");
     check.That(
       found.Time.Largest <= all.Time.Largest + 1e-4 && found.Time.Largest >= 0.8 * all.Time.Largest,
-      "largest of time");
+      "maximum of time");
     if (before.Checks > 0)
     {
       check.Near(std::log2(before.U.Mean / found.U.Mean), 2.0, 0.05, "order of u");
       check.Near(std::log2(before.Time.Mean / found.Time.Mean), 2.0, 0.05, "order of time");
-      check.Near(
-        std::log2(before.Time.Percentile99 / found.Time.Percentile99), 2.0, 0.1, "order of 99 %");
+      check.Near(std::log2(before.Time.Percentile99 / found.Time.Percentile99), 2.0, 0.1,
+        "order of the 99th percentile");
     }
     before = found;
   }
   check.SetContext("");
 }
 
-/// Around a cylinder all four sides are alike, though the seam of u lies on one.
+/// All four sides around a cylinder have equal errors, although one contains the seam of u.
 void TestSeam(Check& check)
 {
   const auto field = MakeFlowImage(5,
@@ -295,24 +300,24 @@ void TestSeam(Check& check)
   cylinder->SetPoint1(2.0, 2.0, -1.0);
   cylinder->SetPoint2(2.0, 2.0, 5.0);
   cylinder->SetRadius(0.3);
-  const Lattice sides[] = { { { { 6, 14, 4 } }, { { 2.8, 3.9, 0.7, 3.3, 1, 3 } } },
+  const SampleGrid sides[] = { { { { 6, 14, 4 } }, { { 2.8, 3.9, 0.7, 3.3, 1, 3 } } },
     { { { 14, 6, 4 } }, { { 0.7, 3.3, 2.8, 3.9, 1, 3 } } },
     { { { 6, 14, 4 } }, { { 0.1, 1.2, 0.7, 3.3, 1, 3 } } },
     { { { 14, 6, 4 } }, { { 0.7, 3.3, 0.1, 1.2, 1, 3 } } } };
   Sampling first;
-  for (const Lattice& side : sides)
+  for (const SampleGrid& side : sides)
   {
     const auto filter = NewFilter(field, cylinder, side);
     filter->Update();
     const Sampling found = ReadReport(filter->GetReport());
     check.Equal(found.Compared, 5 * 13 * 3, "all reach the cylinder");
-    check.That(found.U.Largest > 1e-5 && found.U.Largest < 0.02, "largest of u");
+    check.That(found.U.Largest > 1e-5 && found.U.Largest < 0.02, "maximum of u");
     first = first.Checks > 0 ? first : found;
     CheckReport(found, first, check);
   }
 }
 
-/// Where streamlines come round to their surface again, cells that lie across it are split.
+/// Where streamlines return to their surface, cells across the surface are split.
 void TestJump(Check& check)
 {
   const auto field = MakeFlowImage(5,
@@ -329,23 +334,23 @@ void TestJump(Check& check)
   const Sampling found = ReadReport(filter->GetReport());
   check.Equal(found.Checks, 7 * 11 * 4, "cells");
   check.Equal(found.SplitCells, 7 * 4, "a layer of split cells");
-  check.Equal(found.Compared, 7 * 10 * 4, "all others");
-  check.That(found.Time.Largest < 0.02, "no jump is an error");
+  check.Equal(found.Compared, 7 * 10 * 4, "all other cells");
+  check.That(found.Time.Largest < 0.02, "a jump is not an error");
 }
 
-/// The bytes of threads; arrays and defaults; where nothing is compared.
+/// Tests threads, arrays, defaults, and samples that are not checked.
 void TestRuns(Check& check)
 {
   const auto grid = MakeFlowGrids()[2].second;
-  AddVectors(grid, Turn);
-  const Lattice lattice{ { { 15, 14, 13 } }, { { 0.11, 3.87, 0.13, 3.91, 0.1, 3.9 } } };
+  AddVectors(grid, Rotation);
+  const SampleGrid samples{ { { 15, 14, 13 } }, { { 0.11, 3.87, 0.13, 3.91, 0.1, 3.9 } } };
   std::string before;
   for (const int threads : { 1, 3 })
   {
     vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads },
       [&]
       {
-        const auto filter = NewFilter(grid, MakeFlowPlane(0.0), lattice, 500);
+        const auto filter = NewFilter(grid, MakeFlowPlane(0.0), samples, 500);
         filter->Update();
         vtkFieldData* data = filter->GetOutputDataObject(0)->GetFieldData();
         vtkDataArray* errors = data->GetArray(vtkFlowStatus::SamplingErrorsArray());
@@ -353,7 +358,7 @@ void TestRuns(Check& check)
         check.That(before.empty() ||
             before.compare(
               0, before.size(), static_cast<const char*>(errors->GetVoidPointer(0)), 72) == 0,
-          "the bytes of threads");
+          "the errors are bit-identical");
         before.assign(static_cast<const char*>(errors->GetVoidPointer(0)), 72);
         check.That(errors->GetComponent(0, 0) == report.U.Mean &&
             errors->GetComponent(1, 1) == report.V.Percentile99 &&
@@ -361,7 +366,7 @@ void TestRuns(Check& check)
           "errors in the array");
         check.Equal(static_cast<int>(
                       data->GetArray(vtkFlowStatus::SamplingChecksArray())->GetComponent(0, 3)),
-          report.Compared, "numbers in the array");
+          report.Compared, "number of compared cells in the array");
         CheckPrinted(Print(filter),
           { "SamplingChecks: 500\n", "SamplingCompared: " + std::to_string(report.Compared) + "\n",
             "SamplingErrorTime: " },
@@ -377,25 +382,25 @@ void TestRuns(Check& check)
     const bool hasArray = filter->GetOutputDataObject(0)->GetFieldData()->HasArray(
       vtkFlowStatus::SamplingErrorsArray());
     const bool hasReport = filter->GetReport()->GetNumber("SamplingChecks") > 0;
-    check.Equal(hasArray, hasReport, "arrays and the report");
+    check.Equal(hasArray, hasReport, "the array exists if the report has checks");
     return hasReport;
   };
-  auto filter = NewFilter(grid, MakeFlowPlane(0.0), lattice, 500);
-  check.That(isChecked(filter), "an image");
+  auto filter = NewFilter(grid, MakeFlowPlane(0.0), samples, 500);
+  check.That(isChecked(filter), "samples of an image");
   filter->SetSamplingChecks(0);
-  check.That(!isChecked(filter), "none when off");
+  check.That(!isChecked(filter), "no checks if off");
   filter->SetSamplingChecks(500);
   filter->SetRefinementLevels(1);
-  check.That(!isChecked(filter), "none of cells that are refined");
+  check.That(!isChecked(filter), "no checks with refinement");
   filter->SetRefinementLevels(0);
   filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
-  check.That(!isChecked(filter), "none of the field's points");
+  check.That(!isChecked(filter), "no checks at the field's points");
   filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_AUTOMATIC);
-  check.That(!isChecked(filter), "none of a small field's points");
+  check.That(!isChecked(filter), "no checks at the points of a small field");
   const auto large = MakeStructuredGrid({ { 4, 4, 1400 } });
-  AddVectors(large, Turn);
+  AddVectors(large, Rotation);
   filter->SetInputDataObject(large);
-  check.That(isChecked(filter), "fewer samples than a large field has points");
+  check.That(isChecked(filter), "checks if the samples are fewer than the field's points");
 }
 
 }
@@ -404,7 +409,7 @@ int TestSamplingReport(int, char*[])
 {
   Check check;
   TestUniform(check);
-  TestTurn(check);
+  TestRotation(check);
   TestOrder(check);
   TestSeam(check);
   TestJump(check);

@@ -10,7 +10,7 @@
 #include <functional>
 
 /**
- * An analytic flow on a structured grid, of any part alone.
+ * An analytic flow on a structured grid, for any requested extent.
  */
 class CurvedGridSource : public vtkStructuredGridAlgorithm
 {
@@ -18,11 +18,11 @@ public:
   static CurvedGridSource* New();
   vtkTypeMacro(CurvedGridSource, vtkStructuredGridAlgorithm);
 
-  /// Computes the position of a point from its indices in parts of the whole, 0 to 1.
+  /// Computes the position of a point from its indices, which are scaled to the range 0 to 1 over
+  /// the whole extent.
   using Shape = std::function<void(const double part[3], double x[3])>;
-  ///@{
-  /// Around an axis, closed on itself with angles that are the same but for rounding; with the
-  /// innermost points all on the axis; and a box that is bent.
+  /// @{ A closed ring around an axis whose first and last angles differ by rounding errors, a ring
+  /// with its innermost points on the axis, and a bent box.
   static void Ring(const double part[3], double x[3]);
   static void Pole(const double part[3], double x[3]);
   static void Bow(const double part[3], double x[3]);

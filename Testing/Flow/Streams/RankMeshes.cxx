@@ -30,7 +30,7 @@
 
 namespace
 {
-/// A source of pieces.
+/// A source that produces pieces.
 template <typename Algorithm>
 class PieceAlgorithm : public Algorithm
 {
@@ -132,7 +132,7 @@ void RankMeshes::Shuffle(vtkUnstructuredGrid* mesh)
   std::vector<vtkIdType> order(static_cast<std::size_t>(mesh->GetNumberOfCells()));
   std::iota(order.begin(), order.end(), 0);
   std::mt19937 random(1);
-  // std::shuffle may differ between libraries.
+  // std::shuffle may differ between standard libraries.
   for (std::size_t i = order.size(); i > 1; --i)
   {
     std::swap(order[i - 1], order[random() % i]);
@@ -173,7 +173,7 @@ void RankMeshes::Hide(vtkUnstructuredGrid* mesh)
 vtkAlgorithm* RankMeshes::MakeSource(vtkUnstructuredGrid* mesh)
 {
   reference::PieceSource* source = reference::PieceSource::New();
-  source->SetWhole(mesh);
+  source->SetFullData(mesh);
   return source;
 }
 

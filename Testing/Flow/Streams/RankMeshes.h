@@ -14,36 +14,37 @@ class vtkAlgorithm;
 class vtkUnstructuredGrid;
 
 /**
- * Analytic flows on unstructured grids, of which sources give pieces.
+ * Analytic flows on unstructured grids, and sources that divide the grids into pieces.
  */
 namespace RankMeshes
 {
-/// Returns a mesh of boxes filled with cells, formed as a curved grid is, with a field of
-/// vtkAnalyticFlowSource and coordinates of a type.
+/// Returns a mesh with the shape of a curved grid, whose hexahedral cells are split into cells of
+/// the given kind. \a field is a field of vtkAnalyticFlowSource and \a type the VTK type of the
+/// point coordinates.
 vtkSmartPointer<vtkUnstructuredGrid> Make(reference::MeshKind kind, const std::array<int, 3>& cells,
   CurvedGridSource::Shape shape, int field, int type = VTK_DOUBLE);
 
-/// Puts the cells in a random order, so that pieces lie within each other.
+/// Shuffles the cells, so that pieces are interleaved.
 void Shuffle(vtkUnstructuredGrid* mesh);
 
 /// Hides some cells and some points.
 void Hide(vtkUnstructuredGrid* mesh);
 
-/// Returns a source of the mesh, which gives its cells in pieces, and ghost cells around them where
-/// they are asked for.
+/// Returns a source that divides the mesh into pieces and adds ghost cells if requested.
 vtkAlgorithm* MakeSource(vtkUnstructuredGrid* mesh);
 
-/// Returns a piece, with ghost cells around it, as that source gives it.
+/// Returns a piece with ghost cells, equal to the output of MakeSource(mesh).
 vtkSmartPointer<vtkUnstructuredGrid> MakePiece(
   vtkUnstructuredGrid* mesh, int piece, int pieces, int ghostLevels);
 
-/// A function that gives a piece of several; one piece is the whole.
+/// A function that returns a piece. A single piece is the full mesh.
 using GetPiece = std::function<vtkSmartPointer<vtkUnstructuredGrid>(int piece, int pieces)>;
-/// Returns a source of whatever pieces.
+/// Returns a source of the given pieces.
 vtkAlgorithm* MakeSource(const GetPiece& getPiece);
 
-/// Returns a source of blocks, each a part of the mesh with vectors of its own, and a flat one:
-/// piece after piece has as many. \a hasOwnArrays: those of the first half have an array more.
+/// Returns a source of blocks, each with a part of the mesh and separate vectors, and an empty
+/// block. Blocks are assigned to pieces in equal numbers. If \a hasOwnArrays is true, blocks of the
+/// first half have an additional array.
 vtkAlgorithm* MakeBlockSource(vtkUnstructuredGrid* mesh, int blocks, bool hasOwnArrays = false);
 }
 

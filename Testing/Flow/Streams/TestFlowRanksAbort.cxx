@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Implicit flow of a field in parts is aborted in one process: it ends in all, none has an answer,
-// and once the abort is taken back all have what they would have had.
+// Implicit flow of a distributed field is aborted in one process: all processes stop without
+// results. After the flag is cleared, all have the complete results.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 
@@ -24,7 +24,7 @@ namespace
 
 using namespace reference;
 
-/// The advection times of this process's samples; none where there is no output.
+/// Returns the advection times of this process's samples, or an empty vector without output.
 std::vector<double> GetTimes(vtkImplicitFlowField* filter)
 {
   vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
@@ -41,7 +41,7 @@ void TestAbort(Check& check, vtkMultiProcessController* controller, int aborting
 {
   const int rank = controller->GetLocalProcessId();
   check.SetContext("process " + std::to_string(rank) + ", aborted in " + std::to_string(aborting) +
-    " from " + std::to_string(at) + " of the progress on");
+    " from " + std::to_string(at) + " of the progress");
   vtkNew<vtkAnalyticFlowSource> source;
   source->SetField(vtkAnalyticFlowSource::TORNADO);
   source->SetDimensions(25, 25, 25);
@@ -56,12 +56,13 @@ void TestAbort(Check& check, vtkMultiProcessController* controller, int aborting
   };
   const auto update = [&](vtkImplicitFlowField* filter)
   { filter->UpdatePiece(rank, controller->GetNumberOfProcesses(), 0); };
-  vtkNew<vtkImplicitFlowField> whole;
-  set(whole);
-  update(whole);
-  check.That(whole->GetReport()->GetText("WholeFieldReason").empty(), "the field is in parts");
-  const std::vector<double> expected = GetTimes(whole);
-  check.That(!expected.empty(), "there are answers");
+  vtkNew<vtkImplicitFlowField> complete;
+  set(complete);
+  update(complete);
+  check.That(
+    complete->GetReport()->GetText("WholeFieldReason").empty(), "the field is distributed");
+  const std::vector<double> expected = GetTimes(complete);
+  check.That(!expected.empty(), "there are results");
 
   vtkNew<vtkImplicitFlowField> filter;
   set(filter);
@@ -69,11 +70,12 @@ void TestAbort(Check& check, vtkMultiProcessController* controller, int aborting
   watch.AbortAt = rank == aborting ? at : 2.0;
   const unsigned long tag = Observe(filter, watch);
   update(filter);
-  check.Equal(static_cast<long long>(GetTimes(filter).size()), 0, "answers after the abort");
+  check.Equal(
+    static_cast<long long>(GetTimes(filter).size()), 0, "number of results after the abort");
   filter->RemoveObserver(tag);
   filter->SetAbortExecute(0);
   update(filter);
-  check.That(GetTimes(filter) == expected, "the answers once the abort is taken back");
+  check.That(GetTimes(filter) == expected, "results after the flag is cleared");
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rectangle where flow enters: across the axis and at the end that the flow enters by, as wide
-// as it, on every kind of grid; where streamlines go forward where it leaves.
+// vtkTerminationInflow: the rectangle is perpendicular to the main axis of the flow, at the end
+// where the flow enters, and as wide as the inflow, on every kind of grid. For forward streamlines
+// it is where the flow leaves.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -24,19 +25,19 @@ namespace
 
 using namespace reference;
 
-/// Half of one of 32 slabs over 0 ... 4.
+/// Half the width of one of 32 slabs over [0, 4].
 constexpr double Inside = 4.0 / 64.0;
 
-void CheckRectangle(vtkTerminationInflow* surface, int axis, double place, const double low[3],
+void CheckRectangle(vtkTerminationInflow* surface, int axis, double position, const double low[3],
   const double high[3], Check& check)
 {
-  check.That(surface->Update().empty(), "the rectangle is right");
+  check.That(surface->Update().empty(), "the rectangle is valid");
   double bounds[6];
   surface->GetBounds(bounds);
   for (int i = 0; i < 3; ++i)
   {
-    check.Near(bounds[2 * i], i == axis ? place : low[i], 1e-9, "lower bound", 1.0);
-    check.Near(bounds[2 * i + 1], i == axis ? place : high[i], 1e-9, "upper bound", 1.0);
+    check.Near(bounds[2 * i], i == axis ? position : low[i], 1e-9, "lower bound", 1.0);
+    check.Near(bounds[2 * i + 1], i == axis ? position : high[i], 1e-9, "upper bound", 1.0);
   }
   const double* origin = surface->GetOrigin();
   const double* point1 = surface->GetPoint1();
@@ -45,7 +46,7 @@ void CheckRectangle(vtkTerminationInflow* surface, int axis, double place, const
     point1[next] - origin[next], high[next] - low[next], 1e-9, "u along the next axis", 1.0);
 }
 
-/// Uniform flow along each axis and against it.
+/// Uniform flow in both directions of each axis.
 void TestUniform(Check& check)
 {
   const double low[3] = { 0.0, 0.0, 0.0 };
@@ -65,15 +66,17 @@ void TestUniform(Check& check)
           return v;
         });
       vtkNew<vtkTerminationInflow> surface;
-      check.That(surface->PlaceIn(grid.second, vectors, true).empty(), "there is a place");
+      check.That(
+        surface->InitializeFromField(grid.second, vectors, true).empty(), "the rectangle is found");
       CheckRectangle(surface, axis, sense > 0.0 ? Inside : 4.0 - Inside, low, high, check);
-      check.That(surface->PlaceIn(grid.second, vectors, false).empty(), "there is a place forward");
+      check.That(surface->InitializeFromField(grid.second, vectors, false).empty(),
+        "the rectangle is found for forward streamlines");
       CheckRectangle(surface, axis, sense > 0.0 ? 4.0 - Inside : Inside, low, high, check);
     }
   }
 }
 
-/// A jet through a part of the inlet, a widening flow, and the size of the rectangle.
+/// A jet through a part of the inlet, a flow whose rate increases, and the size of the rectangle.
 void TestParts(Check& check)
 {
   check.SetContext("jet");
@@ -82,54 +85,54 @@ void TestParts(Check& check)
       return Vector{ { 0.0, 0.0, x[0] <= 2.0 ? 1.0 : 0.0 } };
     });
   vtkNew<vtkTerminationInflow> surface;
-  surface->PlaceIn(image, image->GetPointData()->GetVectors(), true);
-  // The cells from 2 to 2.5 have flow at one side.
+  surface->InitializeFromField(image, image->GetPointData()->GetVectors(), true);
+  // The cells from 2 to 2.5 have flow on one side.
   const double low[3] = { 0.0, 0.0, 0.0 };
   const double high[3] = { 2.5, 4.0, 4.0 };
   CheckRectangle(surface, 2, Inside, low, high, check);
   surface->SetSize(0.5);
-  surface->PlaceIn(image, image->GetPointData()->GetVectors(), true);
+  surface->InitializeFromField(image, image->GetPointData()->GetVectors(), true);
   const double halfLow[3] = { 0.625, 1.0, 0.0 };
   const double halfHigh[3] = { 1.875, 3.0, 4.0 };
   CheckRectangle(surface, 2, Inside, halfLow, halfHigh, check);
-  check.SetContext("little flow at first");
-  // A tenth of the flow before x = 2, linear in the cell between.
+  check.SetContext("little flow at the inlet");
+  // The speed is a tenth before x = 2 and linear in the next cell.
   const auto widening = MakeFlowImage(33,
     [](const Vector& x) {
       return Vector{ { x[0] < 2.0 ? 0.1 : 1.0, 0.0, 0.0 } };
     });
   surface->SetSize(1.0);
-  surface->PlaceIn(widening, widening->GetPointData()->GetVectors(), true);
+  surface->InitializeFromField(widening, widening->GetPointData()->GetVectors(), true);
   double bounds[6];
   surface->GetBounds(bounds);
-  check.That(bounds[0] > 1.8 && bounds[0] < 2.1, "it is where much flows");
+  check.That(bounds[0] > 1.8 && bounds[0] < 2.1, "the rectangle is where the flow rate is high");
 }
 
-/// What has no place, and values that are not finite.
+/// Fields without inflow and with non-finite values.
 void TestBad(Check& check)
 {
   check.SetContext("bad fields");
   const auto still = MakeFlowImage(5, [](const Vector&) { return Vector{}; });
   vtkNew<vtkTerminationInflow> surface;
-  check.Contains(
-    surface->PlaceIn(still, still->GetPointData()->GetVectors(), true), "no flow in the field");
+  check.Contains(surface->InitializeFromField(still, still->GetPointData()->GetVectors(), true),
+    "field has no flow");
   const double notANumber = std::numeric_limits<double>::quiet_NaN();
   const auto holes = MakeFlowImage(9,
     [notANumber](const Vector& x) {
       return Vector{ { x[1] > 3.6 ? notANumber : 1.0, 0.0, 0.0 } };
     });
-  check.That(
-    surface->PlaceIn(holes, holes->GetPointData()->GetVectors(), true).empty(), "NaN is left out");
+  check.That(surface->InitializeFromField(holes, holes->GetPointData()->GetVectors(), true).empty(),
+    "NaN is ignored");
   const double low[3] = { 0.0, 0.0, 0.0 };
   const double high[3] = { 0.0, 3.5, 4.0 };
   CheckRectangle(surface, 0, Inside, low, high, check);
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputDataObject(still);
   filter->AddTerminationSurface(surface);
-  check.Contains(MessagesOf(filter), "no flow in the field");
+  check.Contains(MessagesOf(filter), "field has no flow");
 }
 
-/// The filter places it, follows the direction and the field, and executes once for each.
+/// The filter positions the surface by direction and field, in a single execution for each change.
 void TestFilter(Check& check)
 {
   check.SetContext("filter");
@@ -144,20 +147,20 @@ void TestFilter(Check& check)
     filter->Update();
     const vtkIdType executions = filter->GetReport()->GetNumber("Executions");
     filter->Update();
-    check.Near(
-      filter->GetReport()->GetNumber("Executions"), executions, 0.0, "nothing has changed");
+    check.Equal(filter->GetReport()->GetCount("Executions"), executions, "no further execution");
     vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
     const bool isBackward = direction == vtkImplicitFlowField::BACKWARD;
     for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
     {
-      const double way =
+      const double distance =
         isBackward ? output->GetPoint(p)[0] - Inside : 4.0 - Inside - output->GetPoint(p)[0];
       const double status = output->GetPointData()->GetArray("FlowStatus")->GetComponent(p, 0);
-      check.That((status == vtkFlowStatus::REACHED_SURFACE) == (way > 0.0), "who reaches it");
-      if (way > 0.0)
+      check.That((status == vtkFlowStatus::REACHED_SURFACE) == (distance > 0.0),
+        "samples that reach the surface");
+      if (distance > 0.0)
       {
-        check.Near(output->GetPointData()->GetArray("AdvectionTime")->GetComponent(p, 0), 2.0 * way,
-          1e-9, "the time", 1.0);
+        check.Near(output->GetPointData()->GetArray("AdvectionTime")->GetComponent(p, 0),
+          2.0 * distance, 1e-9, "advection time", 1.0);
       }
     }
   }

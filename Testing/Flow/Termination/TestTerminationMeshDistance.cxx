@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The signed distance of meshes against all triangles and the winding number: sharp edges, tips,
-// concave solids, closed grids; seams, open borders and jumps; all scales.
+// The signed distance of meshes compared with the distance to all triangles and the winding number:
+// sharp edges, tips, concave solids, closed grids, seams, open boundaries and discontinuities, at
+// all scales.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Flow/ReferenceTermination.h"
@@ -42,26 +43,26 @@ void CheckClosed(const TexturedMesh& unit, const SurfaceScale& scale, bool isPer
   vtkNew<vtkTerminationMesh> surface;
   surface->SetMesh(mesh.MakeData());
   surface->SetPeriodicU(isPeriodic);
-  const std::string wrong = surface->Update();
-  check.That(wrong.empty(), "nothing is wrong: " + wrong);
-  check.Equal(surface->GetNumberOfBorderEdges(), 0, "border edges");
+  const std::string error = surface->Update();
+  check.That(error.empty(), "no error: " + error);
+  check.Equal(surface->GetNumberOfBorderEdges(), 0, "number of boundary edges");
   check.Equal(surface->GetNumberOfBranchingEdges(), 0, "branching edges");
   check.Equal(
     surface->GetNumberOfTriangles(), static_cast<long long>(mesh.Triangles.size()), "triangles");
-  std::vector<Vector> places = HardPlaces(mesh);
+  std::vector<Vector> positions = DifficultPositions(mesh);
   const std::vector<Vector> more = PointsAround(scale, 1000, 2);
-  places.insert(places.end(), more.begin(), more.end());
-  // No more than the time allows, for the winding number is that of all triangles.
-  const std::size_t stride = 1 + places.size() * mesh.Triangles.size() / 1500000;
+  positions.insert(positions.end(), more.begin(), more.end());
+  // Limits the number of points, because the winding number visits all triangles.
+  const std::size_t stride = 1 + positions.size() * mesh.Triangles.size() / 1500000;
   int inside = 0;
-  for (std::size_t i = 0; i < places.size(); i += stride)
+  for (std::size_t i = 0; i < positions.size(); i += stride)
   {
-    const Vector& x = places[i];
+    const Vector& x = positions[i];
     const double distance = DistanceOf(surface, x);
     const double expected = NearestDistance(mesh, x);
     check.Near(std::abs(distance), expected, 30.0 * scale.Rounding, "distance", scale.Size);
     const double winding = WindingNumber(mesh, x);
-    // On the surface itself either sign is right.
+    // On the surface, both signs are valid.
     if (expected > 100.0 * scale.Rounding * scale.Size)
     {
       check.That((distance < 0.0) == (winding > 0.5),
@@ -70,7 +71,7 @@ void CheckClosed(const TexturedMesh& unit, const SurfaceScale& scale, bool isPer
       inside += distance < 0.0 ? 1 : 0;
     }
   }
-  check.That(inside >= 10, "there are points inside: " + std::to_string(inside));
+  check.That(inside >= 10, "some points are inside: " + std::to_string(inside));
   CheckLipschitz(surface, scale, name, check);
   double bounds[6];
   surface->GetBounds(bounds);
@@ -84,7 +85,7 @@ void CheckClosed(const TexturedMesh& unit, const SurfaceScale& scale, bool isPer
   }
 }
 
-// Normals of faces are the gradient of the distance; of vertices of a sphere, nearly radial.
+// Face normals equal the gradient of the distance. Vertex normals of a sphere are nearly radial.
 void CheckNormalsOfMesh(Check& check)
 {
   check.SetContext("normals");
@@ -95,25 +96,25 @@ void CheckNormalsOfMesh(Check& check)
   for (std::size_t i = 0; i < mesh.Triangles.size(); i += 5)
   {
     const auto& t = mesh.Triangles[i];
-    Vector middle = mesh.Points[t[0]] + mesh.Points[t[1]] + mesh.Points[t[2]];
-    middle *= 1.0 / 3.0;
+    Vector center = mesh.Points[t[0]] + mesh.Points[t[1]] + mesh.Points[t[2]];
+    center *= 1.0 / 3.0;
     Vector normal;
-    surface->EvaluateNormal(middle.data(), normal.data());
+    surface->EvaluateNormal(center.data(), normal.data());
     for (int axis = 0; axis < 3; ++axis)
     {
       Vector step = { { 0.0, 0.0, 0.0 } };
       step[axis] = 1e-6;
       const double slope =
-        (DistanceOf(surface, middle + step) - DistanceOf(surface, middle - step)) / 2e-6;
+        (DistanceOf(surface, center + step) - DistanceOf(surface, center - step)) / 2e-6;
       check.Near(slope, normal[axis], 1e-6, "gradient", 1.0);
     }
     const Vector& corner = mesh.Points[t[0]];
     surface->EvaluateNormal(corner.data(), normal.data());
-    check.Near(Dot(normal, corner) / 0.7, 1.0, 0.01, "the normal of a vertex of a sphere");
+    check.Near(Dot(normal, corner) / 0.7, 1.0, 0.01, "vertex normal of a sphere");
   }
 }
 
-// Meshes of finer and finer grids come to the sphere's distance with the square of the spacing.
+// With refined meshes, the distance converges to the sphere's distance with second order.
 void CheckConvergence(Check& check)
 {
   check.SetContext("convergence");
@@ -129,7 +130,7 @@ void CheckConvergence(Check& check)
       error = std::max(error, std::abs(DistanceOf(surface, x) - (GetNorm(x) - 0.7)));
     }
     check.That(before == 0.0 || (error < before / 3.5 && error > before / 4.5),
-      "the error goes from " + std::to_string(before) + " to " + std::to_string(error));
+      "the error decreases from " + std::to_string(before) + " to " + std::to_string(error));
     before = error;
   }
 }
@@ -143,8 +144,8 @@ void CheckOpen(const SurfaceScale& scale, Check& check)
     }).Placed(scale);
   vtkNew<vtkTerminationMesh> surface;
   surface->SetMesh(mesh.MakeData());
-  check.That(surface->Update().empty(), "nothing is wrong");
-  check.Equal(surface->GetNumberOfBorderEdges(), 22, "border edges");
+  check.That(surface->Update().empty(), "no error");
+  check.Equal(surface->GetNumberOfBorderEdges(), 22, "number of boundary edges");
   for (const Vector& x : PointsAround(scale, 1000, 6))
   {
     const Vector p = x - scale.Center;
@@ -157,7 +158,7 @@ void CheckOpen(const SurfaceScale& scale, Check& check)
     foot[2] = scale.Center[2];
     check.That(surface->IsOn(foot.data()) == (beyond == 0.0), "IsOn");
   }
-  // Near the borders.
+  // Points close to the boundary edges.
   for (double step : { -1e-6, 0.0, 1e-6 })
   {
     for (int side = 0; side < 4; ++side)
@@ -165,19 +166,19 @@ void CheckOpen(const SurfaceScale& scale, Check& check)
       Vector x = scale.Center;
       x[side / 2] += (side % 2 ? 1.0 : -1.0) * (0.5 + step) * scale.Size;
       x[1 - side / 2] += 0.123 * scale.Size;
-      check.That(surface->IsOn(x.data()) == (step <= 0.0), "IsOn next to a border");
+      check.That(surface->IsOn(x.data()) == (step <= 0.0), "IsOn close to a boundary edge");
     }
   }
 }
 
-// The normal and the sign at a tip do not depend on how its faces are cut.
+// Normal and sign at a tip do not depend on the triangulation of its faces.
 void CheckFan(Check& check)
 {
   check.SetContext("fan");
   const TexturedMesh whole =
     MakeSolid({ { { 0, 0, 1 } }, { { -0.3, -0.3, 0 } }, { { 0.3, -0.3, 0 } }, { { 0, 0.3, 0 } } },
       { { { 0, 1, 2 } }, { { 0, 2, 3 } }, { { 0, 3, 1 } }, { { 1, 3, 2 } } });
-  // The first face in pieces that all meet in the tip, and so is the bottom.
+  // The first face and the bottom are split into pieces that meet at the tip.
   const int pieces = 30;
   std::vector<Vector> points = whole.Points;
   std::vector<std::array<int, 3>> triangles = { { { 0, 2, 3 } }, { { 0, 3, 1 } } };
@@ -199,23 +200,23 @@ void CheckFan(Check& check)
   surfaces[1]->SetMesh(cut.MakeData());
   for (auto& surface : surfaces)
   {
-    check.That(surface->Update().empty(), "nothing is wrong");
-    check.Equal(surface->GetNumberOfBorderEdges(), 0, "border edges");
+    check.That(surface->Update().empty(), "no error");
+    check.Equal(surface->GetNumberOfBorderEdges(), 0, "number of boundary edges");
   }
   for (const Vector& point : whole.Points)
   {
     Vector normals[2];
     surfaces[0]->EvaluateNormal(point.data(), normals[0].data());
     surfaces[1]->EvaluateNormal(point.data(), normals[1].data());
-    check.Near(GetNorm(normals[0] - normals[1]), 0.0, 1e-6, "the normal of a corner", 1.0);
+    check.Near(GetNorm(normals[0] - normals[1]), 0.0, 1e-6, "normal at a vertex", 1.0);
   }
-  for (const Vector& x : HardPlaces(whole))
+  for (const Vector& x : DifficultPositions(whole))
   {
     check.Near(DistanceOf(surfaces[1], x), DistanceOf(surfaces[0], x), 1e-12, "the distance", 1.0);
   }
 }
 
-// Two sheets that face the same way: the sign jumps between them, where nothing is on the surface.
+// Two sheets with the same orientation: the sign changes between them, where there is no surface.
 void CheckSheets(Check& check)
 {
   check.SetContext("sheets");
@@ -226,13 +227,13 @@ void CheckSheets(Check& check)
   mesh.Triangles = { { { 0, 1, 2 } }, { { 3, 4, 5 } } };
   vtkNew<vtkTerminationMesh> surface;
   surface->SetMesh(mesh.MakeData());
-  check.That(surface->Update().empty(), "nothing is wrong");
+  check.That(surface->Update().empty(), "no error");
   const Vector below = { { 0.2, 0.2, 0.499 } };
   const Vector above = { { 0.2, 0.2, 0.501 } };
   const Vector between = { { 0.2, 0.2, 0.5 } };
   check.That(
-    DistanceOf(surface, below) > 0.0 && DistanceOf(surface, above) < 0.0, "the sign jumps");
-  check.That(!surface->IsOn(between.data()), "nothing is at the jump");
+    DistanceOf(surface, below) > 0.0 && DistanceOf(surface, above) < 0.0, "the sign changes");
+  check.That(!surface->IsOn(between.data()), "the discontinuity is not on the surface");
   const Vector on = { { 0.2, 0.2, 1.0 + 1e-10 } };
   check.That(surface->IsOn(on.data()), "a sheet is on the surface");
 }

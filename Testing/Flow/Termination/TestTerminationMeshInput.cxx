@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Meshes that are turned wrongly, doubled, degenerate or of one side, and what cannot be used.
+// Meshes with inconsistent orientation, duplicate points, degenerate triangles or one-sided
+// surfaces, and invalid meshes.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceTermination.h"
 #include "Support/Flow/ReferenceTerminationMesh.h"
@@ -31,21 +32,21 @@ Vector OnSphere(double u, double v)
     -0.7 * std::cos(Pi * v) } };
 }
 
-// Distances are those of the mesh as it was.
+// Checks that distances equal the distances of the original mesh.
 void CheckSame(const TexturedMesh& changed, const TexturedMesh& mesh, const std::string& name,
   Check& check, int degenerate = 0)
 {
   check.SetContext(name);
   vtkNew<vtkTerminationMesh> surface;
   surface->SetMesh(changed.MakeData());
-  const std::string wrong = surface->Update();
-  check.That(wrong.empty(), "nothing is wrong: " + wrong);
+  const std::string error = surface->Update();
+  check.That(error.empty(), "no error: " + error);
   check.Equal(surface->GetNumberOfDegenerateTriangles(), degenerate, "degenerate triangles");
-  check.Equal(surface->GetNumberOfBorderEdges(), 0, "border edges");
-  std::vector<Vector> places = HardPlaces(mesh);
+  check.Equal(surface->GetNumberOfBorderEdges(), 0, "number of boundary edges");
+  std::vector<Vector> positions = DifficultPositions(mesh);
   const std::vector<Vector> more = PointsAround(SurfaceScale(), 300, 8);
-  places.insert(places.end(), more.begin(), more.end());
-  for (const Vector& x : places)
+  positions.insert(positions.end(), more.begin(), more.end());
+  for (const Vector& x : positions)
   {
     const double sign = WindingNumber(mesh, x) > 0.5 ? -1.0 : 1.0;
     check.Near(DistanceOf(surface, x), sign * NearestDistance(mesh, x), 1e-8, "distance", 1.0);
@@ -60,13 +61,13 @@ void CheckOrientation(Check& check)
   {
     std::swap(turned.Triangles[i][1], turned.Triangles[i][2]);
   }
-  CheckSame(turned, star, "all inward", check);
+  CheckSame(turned, star, "all triangles inverted", check);
   for (std::size_t i = 0; i < turned.Triangles.size(); i += 3)
   {
     std::swap(turned.Triangles[i][0], turned.Triangles[i][2]);
   }
-  CheckSame(turned, star, "some inward", check);
-  // Two solids, of which one is turned.
+  CheckSame(turned, star, "some triangles inverted", check);
+  // Two solids, one of them inverted.
   TexturedMesh pair = star.Placed({ 0.3, { { -0.5, 0.0, 0.0 } } });
   const TexturedMesh other = star.Placed({ 0.3, { { 0.5, 0.1, 0.0 } } });
   const int first = static_cast<int>(pair.Points.size());
@@ -84,7 +85,7 @@ void CheckOrientation(Check& check)
   CheckSame(turnedPair, pair, "two solids", check);
 }
 
-// An open mesh keeps the side that most of its triangles have, and their texture.
+// An open mesh keeps the orientation of most of its triangles, and their texture coordinates.
 void CheckOpenOrientation(Check& check)
 {
   check.SetContext("open mesh");
@@ -103,17 +104,17 @@ void CheckOpenOrientation(Check& check)
     }
     vtkNew<vtkTerminationMesh> surface;
     surface->SetMesh(mesh.MakeData());
-    check.That(surface->Update().empty(), "nothing is wrong");
-    for (const auto& place : mesh.Texture)
+    check.That(surface->Update().empty(), "no error");
+    for (const auto& position : mesh.Texture)
     {
-      const Vector x = { { place[0], place[1], 0.1 } };
+      const Vector x = { { position[0], position[1], 0.1 } };
       check.Near(DistanceOf(surface, x), isDown ? -0.1 : 0.1, 1e-12, "side");
       double uv[2];
       surface->EvaluateParameters(x.data(), uv);
-      check.Near(uv[0], place[0], 1e-12, "u", 1.0);
-      check.Near(uv[1], place[1], 1e-12, "v", 1.0);
+      check.Near(uv[0], position[0], 1e-12, "u", 1.0);
+      check.Near(uv[1], position[1], 1e-12, "v", 1.0);
     }
-    // The borders are where they were.
+    // The boundary edges are unchanged.
     for (double along : { 0.1, 0.3, 0.6, 0.9 })
     {
       for (double across : { -1e-7, 1e-7 })
@@ -122,7 +123,7 @@ void CheckOpenOrientation(Check& check)
           { { across, along, 0.0 } }, { { 1.0 - across, along, 0.0 } } };
         for (const Vector& x : borders)
         {
-          check.That(surface->IsOn(x.data()) == (across > 0.0), "a border");
+          check.That(surface->IsOn(x.data()) == (across > 0.0), "boundary edge");
         }
       }
     }
@@ -132,31 +133,32 @@ void CheckOpenOrientation(Check& check)
 void CheckDoubledPoints(Check& check)
 {
   const TexturedMesh star = MakeStar();
-  TexturedMesh apart;
+  TexturedMesh separate;
   for (const auto& triangle : star.Triangles)
   {
-    const int first = static_cast<int>(apart.Points.size());
+    const int first = static_cast<int>(separate.Points.size());
     for (int corner : triangle)
     {
-      // Apart by less than the tolerance, on either side of zero and of any grid.
-      const double shift = (static_cast<double>(apart.Points.size() % 7) - 3.0) * 1e-10;
-      apart.Points.push_back(star.Points[corner] + Vector{ { shift, -shift, 0.5 * shift } });
-      apart.Texture.push_back({ { 0.5, 0.01 * static_cast<double>(first) } });
+      // The distance is below the tolerance. Points lie on both sides of zero and of any hash grid
+      // plane.
+      const double shift = (static_cast<double>(separate.Points.size() % 7) - 3.0) * 1e-10;
+      separate.Points.push_back(star.Points[corner] + Vector{ { shift, -shift, 0.5 * shift } });
+      separate.Texture.push_back({ { 0.5, 0.01 * static_cast<double>(first) } });
     }
-    apart.Triangles.push_back({ { first, first + 1, first + 2 } });
+    separate.Triangles.push_back({ { first, first + 1, first + 2 } });
   }
-  CheckSame(apart, star, "each triangle with its own points", check);
-  // Points that are further apart are not one.
+  CheckSame(separate, star, "separate points for each triangle", check);
+  // Points at a larger distance are not merged.
   check.SetContext("tolerance");
   vtkNew<vtkTerminationMesh> surface;
-  surface->SetMesh(apart.MakeData());
+  surface->SetMesh(separate.MakeData());
   surface->SetTolerance(1e-14);
   surface->Update();
-  check.That(surface->GetNumberOfBorderEdges() > 30, "a small tolerance leaves borders");
+  check.That(surface->GetNumberOfBorderEdges() > 30, "a small tolerance leaves boundary edges");
   surface->SetTolerance(-1.0);
-  check.Near(surface->GetTolerance(), 1e-15, 0.0, "the tolerance is clamped below");
+  check.Near(surface->GetTolerance(), 1e-15, 0.0, "the tolerance is clamped to its minimum");
   surface->SetTolerance(7.0);
-  check.Near(surface->GetTolerance(), 0.1, 0.0, "the tolerance is clamped above");
+  check.Near(surface->GetTolerance(), 0.1, 0.0, "the tolerance is clamped to its maximum");
   surface->SetTolerance(NotANumber);
   check.Near(surface->GetTolerance(), 0.1, 0.0, "NaN is ignored");
 }
@@ -166,7 +168,7 @@ void CheckDegenerate(Check& check)
   const TexturedMesh star = MakeStar();
   TexturedMesh degenerate = star;
   const int first = static_cast<int>(star.Points.size());
-  // On a line, in a point, the same corner twice.
+  // Three points on a line, a triangle of one point, and a repeated point.
   for (double along : { -2.0, 0.0, 1.0 })
   {
     degenerate.Points.push_back({ { 0.01 * along, 0.02 * along, 0.03 * along } });
@@ -178,7 +180,7 @@ void CheckDegenerate(Check& check)
   CheckSame(degenerate, star, "degenerate triangles", check, 3);
 }
 
-// Three triangles at an edge: told, and the distance is right all the same.
+// Three triangles at an edge are reported, and the distance is still correct.
 void CheckBranching(Check& check)
 {
   check.SetContext("branching");
@@ -187,9 +189,9 @@ void CheckBranching(Check& check)
     { { { 0, 1, 2 } }, { { 0, 1, 3 } }, { { 1, 0, 4 } } });
   vtkNew<vtkTerminationMesh> surface;
   surface->SetMesh(mesh.MakeData());
-  check.That(surface->Update().empty(), "nothing is wrong");
+  check.That(surface->Update().empty(), "no error");
   check.Equal(surface->GetNumberOfBranchingEdges(), 1, "branching edges");
-  check.Equal(surface->GetNumberOfBorderEdges(), 6, "border edges");
+  check.Equal(surface->GetNumberOfBorderEdges(), 6, "number of boundary edges");
   for (const Vector& x : PointsAround(SurfaceScale(), 300, 8))
   {
     check.Near(std::abs(DistanceOf(surface, x)), NearestDistance(mesh, x), 1e-12, "distance", 1.0);
@@ -202,10 +204,10 @@ void CheckMessage(vtkPolyData* data, const std::string& expected, Check& check)
   surface->SetMesh(MakeTetrahedron().MakeData());
   surface->Update();
   surface->SetMesh(data);
-  const std::string wrong = surface->Update();
-  check.Contains(wrong, expected);
-  check.That(!surface->Update().empty(), "it is wrong again");
-  // Nothing is left of the mesh before, and nothing crashes.
+  const std::string error = surface->Update();
+  check.Contains(error, expected);
+  check.That(!surface->Update().empty(), "the error is repeated");
+  // The previous mesh is cleared, and evaluation does not crash.
   const Vector x = { { 0.0, 0.0, 0.0 } };
   Vector y;
   double uv[2] = { 0.5, 0.5 };
@@ -217,8 +219,8 @@ void CheckMessage(vtkPolyData* data, const std::string& expected, Check& check)
   surface->EvaluateParameters(x.data(), uv);
   surface->EvaluateNormal(x.data(), y.data());
   surface->SetMesh(MakeTetrahedron().MakeData());
-  check.That(surface->Update().empty(), "a good mesh is good again");
-  check.That(DistanceOf(surface, x) < 0.0, "and has its distance");
+  check.That(surface->Update().empty(), "a valid mesh is accepted again");
+  check.That(DistanceOf(surface, x) < 0.0, "distance to the valid mesh");
 }
 
 void CheckMessages(Check& check)
@@ -259,13 +261,13 @@ void CheckMessages(Check& check)
   cells->InsertNextCell({ 0, 1, 2 });
   cells->InsertNextCell({ 0, 1, 4 });
   data->SetPolys(cells);
-  CheckMessage(data, "cell 1 of the mesh has point 4, which is not there", check);
+  CheckMessage(data, "cell 1 of the mesh has point 4, which does not exist", check);
   data = mesh.MakeData();
   data->SetPolys(vtkNew<vtkCellArray>());
   CheckMessage(data, "no triangle with an area", check);
   TexturedMesh flat = mesh;
   flat.Points.assign(4, { { 1.0, 2.0, 3.0 } });
-  CheckMessage(flat.MakeData(), "all its points are in one place", check);
+  CheckMessage(flat.MakeData(), "all its points coincide", check);
   flat.Points = { { { 0, 0, 0 } }, { { 1, 1, 1 } }, { { 2, 2, 2 } }, { { 3, 3, 3 } } };
   CheckMessage(flat.MakeData(), "no triangle with an area", check);
   // A Moebius strip.
@@ -276,17 +278,17 @@ void CheckMessages(Check& check)
       return Vector{ { radius * std::cos(2.0 * Pi * u), radius * std::sin(2.0 * Pi * u),
         (v - 0.5) * 0.4 * std::sin(Pi * u) } };
     });
-  CheckMessage(strip.MakeData(), "one side only", check);
-  // Points that no cell uses may be anything.
+  CheckMessage(strip.MakeData(), "the mesh is one-sided", check);
+  // Unused points may have any coordinates.
   data = mesh.MakeData();
   data->GetPoints()->InsertNextPoint(NotANumber, 0.0, 0.0);
   data->GetPointData()->GetTCoords()->InsertNextTuple2(NotANumber, 0.0);
   vtkNew<vtkTerminationMesh> surface;
   surface->SetMesh(data);
-  check.That(surface->Update().empty(), "a point that is not in use is not looked at");
+  check.That(surface->Update().empty(), "unused points are ignored");
 }
 
-// Update sees changes of the mesh, and leaves the mesh as it was.
+// Update detects changes of the mesh and does not modify the mesh.
 void CheckChanges(Check& check)
 {
   check.SetContext("changes");
@@ -299,7 +301,7 @@ void CheckChanges(Check& check)
   const Vector x = { { 0.0, 0.0, 2.0 } };
   const double before = DistanceOf(surface, x);
   check.That(surface->Update().empty(), "again");
-  check.That(data->GetMTime() == time, "the mesh is not changed");
+  check.That(data->GetMTime() == time, "the mesh is not modified");
   for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
   {
     double p[3];
@@ -309,7 +311,7 @@ void CheckChanges(Check& check)
   data->GetPoints()->Modified();
   data->Modified();
   surface->Update();
-  check.Near(DistanceOf(surface, x), before - 1.0, 1e-12, "the mesh that was moved");
+  check.Near(DistanceOf(surface, x), before - 1.0, 1e-12, "distance to the moved mesh");
 }
 
 }

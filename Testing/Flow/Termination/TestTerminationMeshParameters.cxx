@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Texture coordinates of meshes as parameters: of a point and back, over seams with and without
-// points on both sides, with gaps; strips and polygons; IsOn of a half cylinder.
+// Texture coordinates of meshes as parameters: conversion from points and back, seams with and
+// without duplicate points, gaps, strips and polygons, and IsOn of a half cylinder.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Flow/ReferenceTermination.h"
@@ -25,11 +25,11 @@ Vector OnCylinder(double u, double v)
   return { { 0.5 * std::cos(2.0 * Pi * u), 0.5 * std::sin(2.0 * Pi * u), v - 0.5 } };
 }
 
-// Where u = 0 is when the seam lies inside of triangles, in turns.
+// Offset of u = 0 from the points if the seam is inside triangles, in full rotations.
 const double Shift = 0.02;
 
-// The grid's points without those at u = 1; triangles at the seam lead back to u = 0, which lies
-// \a shift before their corners.
+// Removes the grid's points at u = 1, so that triangles at the seam use the points at u = 0. Adds
+// \a shift to u.
 TexturedMesh WithoutSeam(const TexturedMesh& mesh, int columns, double shift = 0.0)
 {
   TexturedMesh merged;
@@ -59,12 +59,12 @@ void CheckCylinder(const TexturedMesh& mesh, int columns, double shift, const Su
   vtkNew<vtkTerminationMesh> surface;
   surface->SetMesh(mesh.Placed(scale).MakeData());
   surface->PeriodicUOn();
-  const std::string wrong = surface->Update();
-  check.That(wrong.empty(), "nothing is wrong: " + wrong);
-  check.Equal(surface->GetNumberOfBorderEdges(), 2 * columns, "border edges: the ends only");
+  const std::string error = surface->Update();
+  check.That(error.empty(), "no error: " + error);
+  check.Equal(surface->GetNumberOfBorderEdges(), 2 * columns, "boundary edges only at the ends");
   check.That(surface->IsPeriodic(0) && !surface->IsPeriodic(1), "u is periodic");
   CheckRoundTrip(surface, scale, 300, name, check);
-  // The parameters are those of the cylinder, to the chord's error.
+  // The parameters equal the cylinder's parameters up to the chord error.
   Random random(9);
   for (int i = 0; i < 500; ++i)
   {
@@ -75,28 +75,28 @@ void CheckCylinder(const TexturedMesh& mesh, int columns, double shift, const Su
     surface->EvaluateParameters(x.data(), uv);
     check.Near(uv[0] - u - std::round(uv[0] - u), 0.0, 2e-4, "u", 1.0);
     check.Near(uv[1], v, 1e-6, "v", 1.0);
-    check.That(uv[0] >= 0.0 && uv[0] < 1.0, "u is from 0 to below 1");
+    check.That(uv[0] >= 0.0 && uv[0] < 1.0, "u is at least 0 and below 1");
     const double distance = DistanceOf(surface, x) / scale.Size;
-    check.That(distance >= -1e-6 && distance < 0.01, "the mesh is inside of the cylinder");
+    check.That(distance >= -1e-6 && distance < 0.01, "the mesh is inside the cylinder");
     const double lifted[2] = { u - std::floor(u), v };
     Vector y;
-    check.That(surface->EvaluatePoint(0, lifted, y.data()), "there is a point");
-    check.That(GetNorm(y - x) < 0.01 * scale.Size, "and it is near");
+    check.That(surface->EvaluatePoint(0, lifted, y.data()), "the point exists");
+    check.That(GetNorm(y - x) < 0.01 * scale.Size, "the point is close to the position");
   }
   for (double v : { -1e-5, 0.0, 1.0, 1.0 + 1e-5 })
   {
-    // A corner of the mesh, which is on the cylinder.
+    // A vertex of the mesh, which lies on the cylinder.
     const Vector x = scale.Center + scale.Size * OnCylinder(2.0 / columns, v);
     check.That(surface->IsOn(x.data()) == (v == 0.0 || v == 1.0), "the ends");
   }
 }
 
-// One texture in two patches with a gap between.
+// Two texture patches with a gap in between.
 void CheckGap(Check& check)
 {
   check.SetContext("gap");
   TexturedMesh mesh = MakeGridMesh(3, 1, [](double u, double v) { return Vector{ { u, v, 0 } }; });
-  // Without the middle column.
+  // Removes the center column.
   mesh.Triangles.erase(mesh.Triangles.begin() + 2, mesh.Triangles.begin() + 4);
   vtkNew<vtkTerminationMesh> surface;
   surface->SetMesh(mesh.MakeData());
@@ -105,22 +105,25 @@ void CheckGap(Check& check)
   {
     const double uv[2] = { u, 0.4 };
     Vector x;
-    const bool isThere = u < 1.0 / 3.0 || u > 2.0 / 3.0;
-    check.That(surface->EvaluatePoint(0, uv, x.data()) == isThere, "points but in the gap");
-    const Vector place = { { u, 0.4, 0.0 } };
-    check.That(surface->IsOn(place.data()) == isThere, "on the surface but in the gap");
+    const bool exists = u < 1.0 / 3.0 || u > 2.0 / 3.0;
+    check.That(surface->EvaluatePoint(0, uv, x.data()) == exists, "points exist outside the gap");
+    const Vector position = { { u, 0.4, 0.0 } };
+    check.That(
+      surface->IsOn(position.data()) == exists, "positions outside the gap are on the surface");
   }
   for (const auto& outside : { std::array<double, 2>{ { 1.1, 0.5 } },
          std::array<double, 2>{ { 0.1, -0.1 } }, std::array<double, 2>{ { NAN, 0.5 } } })
   {
     Vector x;
-    check.That(!surface->EvaluatePoint(0, outside.data(), x.data()), "no point outside");
-    check.That(!surface->EvaluatePoint(1, mesh.Texture[0].data(), x.data()), "no other part");
+    check.That(
+      !surface->EvaluatePoint(0, outside.data(), x.data()), "no point outside the texture");
+    check.That(
+      !surface->EvaluatePoint(1, mesh.Texture[0].data(), x.data()), "no point of another part");
   }
 }
 
-// Without PeriodicU a triangle over the seam of a texture is one that has all of it.
-void CheckPeriodicMatters(Check& check)
+// Without PeriodicU, a triangle across a texture seam spans the entire range of u.
+void CheckPeriodicU(Check& check)
 {
   check.SetContext("periodic");
   const TexturedMesh mesh = WithoutSeam(MakeGridMesh(20, 4, OnCylinder), 20);
@@ -130,14 +133,14 @@ void CheckPeriodicMatters(Check& check)
   const Vector x = OnCylinder(0.975, 0.3);
   double uv[2];
   surface->EvaluateParameters(x.data(), uv);
-  check.That(uv[0] > 0.1 && uv[0] < 0.9, "not periodic: the texture runs back");
+  check.That(uv[0] > 0.1 && uv[0] < 0.9, "not periodic: u decreases across the seam");
   surface->PeriodicUOn();
   surface->Update();
   surface->EvaluateParameters(x.data(), uv);
-  check.Near(uv[0], 0.975, 1e-3, "periodic: it goes on");
+  check.Near(uv[0], 0.975, 1e-3, "periodic: u continues across the seam");
 }
 
-// v goes around, u does not.
+// v is periodic, u is not.
 void CheckPeriodicV(Check& check)
 {
   check.SetContext("periodic v");
@@ -149,12 +152,12 @@ void CheckPeriodicV(Check& check)
   vtkNew<vtkTerminationMesh> surface;
   surface->SetMesh(mesh.MakeData());
   surface->PeriodicVOn();
-  check.That(surface->Update().empty(), "nothing is wrong");
+  check.That(surface->Update().empty(), "no error");
   check.That(!surface->IsPeriodic(0) && surface->IsPeriodic(1), "v is periodic");
   CheckRoundTrip(surface, SurfaceScale(), 300, "periodic v", check);
 }
 
-// The same plane of a strip, of polygons (one of them concave) and of triangles.
+// The same plane as a strip, as polygons (one of them concave) and as triangles.
 void CheckCells(Check& check)
 {
   check.SetContext("cells");
@@ -169,8 +172,8 @@ void CheckCells(Check& check)
   {
     vtkNew<vtkTerminationMesh> surface;
     surface->SetMesh(data);
-    const std::string wrong = surface->Update();
-    check.That(wrong.empty(), name + ": nothing is wrong " + wrong);
+    const std::string error = surface->Update();
+    check.That(error.empty(), name + ": no error " + error);
     check.Equal(surface->GetNumberOfTriangles(), triangles, name + ": triangles");
     CheckRoundTrip(surface, SurfaceScale(), 300, name, check);
   };
@@ -203,14 +206,14 @@ int TestTerminationMeshParameters(int, char*[])
   const TexturedMesh mesh = MakeGridMesh(columns, 6, OnCylinder);
   for (const SurfaceScale& scale : MakeSurfaceScales())
   {
-    CheckCylinder(mesh, columns, 0.0, scale, "points on both sides of the seam", check);
+    CheckCylinder(mesh, columns, 0.0, scale, "duplicate points at the seam", check);
     CheckCylinder(
       WithoutSeam(mesh, columns), columns, 0.0, scale, "triangles that end at the seam", check);
     CheckCylinder(
       WithoutSeam(mesh, columns, Shift), columns, Shift, scale, "triangles over the seam", check);
   }
   CheckGap(check);
-  CheckPeriodicMatters(check);
+  CheckPeriodicU(check);
   CheckPeriodicV(check);
   CheckCells(check);
   return check.Result();

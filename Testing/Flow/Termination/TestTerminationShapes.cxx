@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Plane, sphere, cylinder and box against formulas and samples, at all scales and far from the
-// origin; where they end, where their parameters go around.
+// Plane, sphere, cylinder and box compared with formulas and samples, at all scales and far from
+// the origin. Also tests boundaries and periodic parameters.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceTermination.h"
 
@@ -47,12 +47,12 @@ void CheckPlane(const SurfaceScale& scale, Check& check)
   plane->SetOrigin(origin.data());
   plane->SetPoint1(point1.data());
   plane->SetPoint2(point2.data());
-  check.That(plane->Update().empty(), "plane: nothing is wrong");
+  check.That(plane->Update().empty(), "plane: no error");
   const Vector cross = Cross(edges[0], edges[1]);
   const Vector normal = 1.0 / GetNorm(cross) * cross;
   const auto distance = [&normal, &origin](const Vector& x) { return Dot(normal, x - origin); };
   CheckAll(plane, scale, distance, "plane", check);
-  // In and out of the rectangle, near its borders and above it.
+  // Points inside and outside the rectangle, close to its boundary edges and above it.
   for (double side : { -1e-6, 0.0, 1.0, 1.0 + 1e-6 })
   {
     for (double height : { 0.0, 0.01 })
@@ -62,8 +62,8 @@ void CheckPlane(const SurfaceScale& scale, Check& check)
       const Vector lifted = origin + height * scale.Size * normal;
       const Vector acrossU = lifted + reach * edges[0] + 0.5 * scale.Size * edges[1];
       const Vector acrossV = lifted + reach * edges[1] + 0.5 * scale.Size * edges[0];
-      check.That(plane->IsOn(acrossU.data()) == isOn, "plane: border of u");
-      check.That(plane->IsOn(acrossV.data()) == isOn, "plane: border of v");
+      check.That(plane->IsOn(acrossU.data()) == isOn, "plane: boundary of u");
+      check.That(plane->IsOn(acrossV.data()) == isOn, "plane: boundary of v");
       double uv[2];
       plane->EvaluateParameters(acrossU.data(), uv);
       check.That(uv[0] >= 0.0 && uv[0] <= 1.0, "plane: u is clamped");
@@ -72,8 +72,8 @@ void CheckPlane(const SurfaceScale& scale, Check& check)
   plane->UnboundedOn();
   const double beyond[2] = { -3.5, 7.25 };
   Vector x;
-  check.That(plane->EvaluatePoint(0, beyond, x.data()), "unbounded plane: there is a point");
-  check.That(plane->IsOn(x.data()), "unbounded plane: a point far away is on it");
+  check.That(plane->EvaluatePoint(0, beyond, x.data()), "unbounded plane: the point exists");
+  check.That(plane->IsOn(x.data()), "unbounded plane: a distant point is on the plane");
   double again[2];
   plane->EvaluateParameters(x.data(), again);
   check.Near(again[0], beyond[0], 1e3 * scale.Rounding, "unbounded plane: u");
@@ -92,12 +92,12 @@ void CheckSphere(const SurfaceScale& scale, Check& check)
     sphere->SetCenter(scale.Center.data());
     sphere->SetRadius(0.7 * scale.Size);
     sphere->SetAxis(axis.data());
-    check.That(sphere->Update().empty(), "sphere: nothing is wrong");
+    check.That(sphere->Update().empty(), "sphere: no error");
     CheckAll(
       sphere, scale,
       [&scale](const Vector& x) { return GetNorm(x - scale.Center) - 0.7 * scale.Size; }, "sphere",
       check);
-    // The poles, and counterclockwise around the axis from the one.
+    // The poles, and u counterclockwise around the axis.
     const double reach = 0.7 * scale.Size / GetNorm(axis);
     for (double v : { 0.0, 1.0 })
     {
@@ -107,31 +107,32 @@ void CheckSphere(const SurfaceScale& scale, Check& check)
     }
     const Vector first = PointOf(sphere, 0, 0.1, 0.5) - scale.Center;
     const Vector second = PointOf(sphere, 0, 0.2, 0.5) - scale.Center;
-    const Vector turn = Cross(first, second);
-    check.Near(Dot(turn, axis) / (GetNorm(axis) * 0.49 * scale.Size * scale.Size),
-      std::sin(0.2 * Pi), 1e-5, "sphere: a tenth of a turn");
+    const Vector rotation = Cross(first, second);
+    check.Near(Dot(rotation, axis) / (GetNorm(axis) * 0.49 * scale.Size * scale.Size),
+      std::sin(0.2 * Pi), 1e-5, "sphere: a tenth of a rotation");
   }
 }
 
-// The seam of u of part 0 at any v: next to it u is near 0 and 1, and 0 and 1 are the same place.
+// Checks the seam of u of part 0: u is close to 0 and 1 on its sides, and u = 0 and u = 1 are the
+// same position.
 void CheckSeam(const vtkTerminationSurface* surface, const SurfaceScale& scale,
   const std::string& name, Check& check)
 {
   for (double v : { 0.2, 0.7 })
   {
-    const Vector place = PointOf(surface, 0, 0.0, v);
-    check.Near(GetNorm(place - PointOf(surface, 0, 1.0, v)), 0.0, scale.Rounding,
+    const Vector position = PointOf(surface, 0, 0.0, v);
+    check.Near(GetNorm(position - PointOf(surface, 0, 1.0, v)), 0.0, scale.Rounding,
       name + ": both sides of the seam", scale.Size);
     double low[2];
     double high[2];
     surface->EvaluateParameters(PointOf(surface, 0, 1e-4, v).data(), low);
     surface->EvaluateParameters(PointOf(surface, 0, -1e-4, v).data(), high);
-    check.Near(low[0], 1e-4, 1e-5, name + ": beyond the seam", 1.0);
+    check.Near(low[0], 1e-4, 1e-5, name + ": after the seam", 1.0);
     check.Near(high[0], 1.0 - 1e-4, 1e-5, name + ": before the seam", 1.0);
   }
 }
 
-// Where u rounds to 1 it is 0: the seam is one place.
+// If u is rounded to 1, it is set to 0, so that the seam has a single value.
 void CheckRoundingAtSeam(Check& check)
 {
   vtkNew<vtkTerminationSphere> sphere;
@@ -141,7 +142,7 @@ void CheckRoundingAtSeam(Check& check)
   for (vtkTerminationSurface* surface :
     { static_cast<vtkTerminationSurface*>(sphere), static_cast<vtkTerminationSurface*>(cylinder) })
   {
-    check.That(surface->Update().empty(), "rounding at the seam: nothing is wrong");
+    check.That(surface->Update().empty(), "rounding at the seam: no error");
     const double x[3] = { 0.5, -1e-300, 0.0 };
     double uv[2];
     surface->EvaluateParameters(x, uv);
@@ -161,7 +162,7 @@ void CheckCylinder(const SurfaceScale& scale, Check& check)
   cylinder->SetPoint1(point1.data());
   cylinder->SetPoint2(point2.data());
   cylinder->SetRadius(radius * scale.Size);
-  check.That(cylinder->Update().empty(), "cylinder: nothing is wrong");
+  check.That(cylinder->Update().empty(), "cylinder: no error");
   const auto wall = [&](const Vector& x)
   { return GetNorm(Cross(x - scale.Center, axis)) - radius * scale.Size; };
   const auto end = [&](const Vector& x)
@@ -195,14 +196,14 @@ void CheckCylinder(const SurfaceScale& scale, Check& check)
   for (int cap = 0; cap < 2; ++cap)
   {
     check.Near(GetNorm(PointOf(cylinder, 1 + cap, 0.5, 0.5) - caps[cap]), 0.0, 2.0 * scale.Rounding,
-      "capped cylinder: the middle of a cap", scale.Size);
-    // The angle of wall and cap is the same.
-    const Vector rim = PointOf(cylinder, 0, 0.25, cap);
-    check.Near(GetNorm(PointOf(cylinder, 1 + cap, 0.5, 1.0) - rim), 0.0, 2.0 * scale.Rounding,
-      "capped cylinder: a quarter of a turn", scale.Size);
+      "capped cylinder: center of a cap", scale.Size);
+    // The angle in a cap's disk equals the angle on the wall: (0.5, 1) is a quarter of a rotation.
+    const Vector edge = PointOf(cylinder, 0, 0.25, cap);
+    check.Near(GetNorm(PointOf(cylinder, 1 + cap, 0.5, 1.0) - edge), 0.0, 2.0 * scale.Rounding,
+      "capped cylinder: a quarter of a rotation", scale.Size);
     const double corner[2] = { 0.05, 0.05 };
     Vector x;
-    check.That(!cylinder->EvaluatePoint(1 + cap, corner, x.data()), "no point beyond a disc");
+    check.That(!cylinder->EvaluatePoint(1 + cap, corner, x.data()), "no point outside a disk");
   }
 }
 
@@ -217,7 +218,7 @@ void CheckBox(const SurfaceScale& scale, Check& check)
   }
   vtkNew<vtkTerminationBox> box;
   box->SetBounds(bounds);
-  check.That(box->Update().empty(), "box: nothing is wrong");
+  check.That(box->Update().empty(), "box: no error");
   CheckAll(
     box, scale,
     [&](const Vector& x)
@@ -240,14 +241,14 @@ void CheckBox(const SurfaceScale& scale, Check& check)
     const int u = axis == 0 ? 1 : 0;
     const int v = axis == 2 ? 1 : 2;
     const Vector x = PointOf(box, part, 0.25, 0.75);
-    check.Near(x[axis], bounds[part], 1e-15, "box: the face's plane");
+    check.Near(x[axis], bounds[part], 1e-15, "box: plane of the face");
     check.Near(x[u] - scale.Center[u], -0.5 * half[u] * scale.Size, 10.0 * scale.Rounding, "box: u",
       scale.Size);
     check.Near(x[v] - scale.Center[v], 0.5 * half[v] * scale.Size, 10.0 * scale.Rounding, "box: v",
       scale.Size);
     Vector normal;
     box->EvaluateNormal(x.data(), normal.data());
-    check.Near(normal[axis], part % 2 == 0 ? -1.0 : 1.0, 0.0, "box: outward");
+    check.Near(normal[axis], part % 2 == 0 ? -1.0 : 1.0, 0.0, "box: normals point outward");
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What Update says of settings that cannot be used; ids, bounds and what is printed.
+// Errors that Update reports for invalid settings, ids, bounds, and PrintSelf.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Flow/ReferenceTermination.h"
@@ -30,7 +30,7 @@ void CheckMessage(vtkTerminationSurface* surface, const std::string& expected, C
 {
   const std::string wrong = surface->Update();
   check.Contains(wrong, expected);
-  // Nothing crashes.
+  // Evaluation of an invalid surface does not crash.
   const Vector x = { { 0.1, 0.2, 0.3 } };
   Vector y;
   double uv[2] = { 0.3, 0.7 };
@@ -54,16 +54,16 @@ void CheckMessages(Check& check)
     CheckMessage(plane, "corner of the plane is not finite", check);
     vtkNew<vtkTerminationSphere> sphere;
     sphere->SetRadius(bad);
-    CheckMessage(sphere, "radius is not finite and above 0", check);
+    CheckMessage(sphere, "radius must be finite and greater than 0", check);
     sphere->SetRadius(1.0);
     sphere->SetCenter(0.0, bad, 0.0);
-    CheckMessage(sphere, "centre is not finite", check);
+    CheckMessage(sphere, "center is not finite", check);
     sphere->SetCenter(0.0, 0.0, 0.0);
     sphere->SetAxis(0.0, 0.0, bad);
     CheckMessage(sphere, "axis is not finite", check);
     vtkNew<vtkTerminationCylinder> cylinder;
     cylinder->SetRadius(bad);
-    CheckMessage(cylinder, "radius is not finite and above 0", check);
+    CheckMessage(cylinder, "radius must be finite and greater than 0", check);
     cylinder->SetPoint2(bad, 0.0, 0.0);
     CheckMessage(cylinder, "end of the cylinder's axis is not finite", check);
     vtkNew<vtkTerminationBox> box;
@@ -81,17 +81,17 @@ void CheckMessages(Check& check)
   CheckMessage(plane, "edges are parallel", check);
   plane->SetPoint2(-2.0, -4.0, -6.001);
   CheckMessage(plane, "", check);
-  check.That(plane->Update().empty(), "nearly parallel edges are no error");
+  check.That(plane->Update().empty(), "almost parallel edges are not an error");
   vtkNew<vtkTerminationSphere> sphere;
   sphere->SetAxis(0.0, 0.0, 0.0);
   CheckMessage(sphere, "axis is not finite or has no length", check);
   for (double radius : { 0.0, -0.5 })
   {
     sphere->SetRadius(radius);
-    CheckMessage(sphere, "radius is not finite and above 0", check);
+    CheckMessage(sphere, "radius must be finite and greater than 0", check);
     vtkNew<vtkTerminationCylinder> cylinder;
     cylinder->SetRadius(radius);
-    CheckMessage(cylinder, "radius is not finite and above 0", check);
+    CheckMessage(cylinder, "radius must be finite and greater than 0", check);
   }
   vtkNew<vtkTerminationCylinder> cylinder;
   cylinder->SetPoint1(cylinder->GetPoint2());
@@ -103,7 +103,7 @@ void CheckMessages(Check& check)
   CheckMessage(box, "lower bound of x is not below its upper", check);
 }
 
-// What a surface says of itself before Update is what it says after.
+// The results before the first Update equal the results after it.
 void CheckDefaults(vtkTerminationSurface* surface, Check& check)
 {
   check.SetContext(surface->GetClassName());
@@ -112,27 +112,28 @@ void CheckDefaults(vtkTerminationSurface* surface, Check& check)
   Vector before;
   Vector after;
   const double distance = DistanceOf(surface, x);
-  check.That(surface->EvaluatePoint(0, uv, before.data()), "there is a point before Update");
-  check.That(surface->Update().empty(), "the defaults are good");
-  check.That(surface->EvaluatePoint(0, uv, after.data()), "there is a point after Update");
-  check.That(before == after && distance == DistanceOf(surface, x), "they are the same");
+  check.That(surface->EvaluatePoint(0, uv, before.data()), "EvaluatePoint succeeds before Update");
+  check.That(surface->Update().empty(), "the defaults are valid");
+  check.That(surface->EvaluatePoint(0, uv, after.data()), "EvaluatePoint succeeds after Update");
+  check.That(before == after && distance == DistanceOf(surface, x), "both points are equal");
   check.Equal(surface->GetId(), -1, "id");
   surface->SetId(-7);
-  check.Equal(surface->GetId(), -1, "id, clamped");
+  check.Equal(surface->GetId(), -1, "the id is clamped");
   surface->SetId(2000000000);
-  check.Equal(surface->GetId(), 1000000000, "id, clamped");
+  check.Equal(surface->GetId(), 1000000000, "the id is clamped");
   for (const auto& outside :
     { std::array<double, 2>{ { 0.5, 1.1 } }, std::array<double, 2>{ { 0.5, -0.1 } },
       std::array<double, 2>{ { 0.5, NotANumber } }, std::array<double, 2>{ { Infinity, 0.5 } } })
   {
-    check.That(!surface->EvaluatePoint(0, outside.data(), after.data()), "no point beyond");
+    check.That(!surface->EvaluatePoint(0, outside.data(), after.data()),
+      "no point outside the parameter range");
   }
   check.That(!surface->EvaluatePoint(surface->GetNumberOfParts(), uv, after.data()) &&
       !surface->EvaluatePoint(-1, uv, after.data()),
-    "no point of a part that is not there");
+    "no point of a part that does not exist");
 }
 
-// Bounds against many points.
+// Compares the bounds with many points.
 void CheckBounds(Check& check)
 {
   check.SetContext("bounds");

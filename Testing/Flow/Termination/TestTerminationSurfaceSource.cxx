@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Surfaces drawn: points on them with their parameters and normals, areas and rims against
-// formulas, triangles turned outward, ids; gaps, messages, progress, threads.
+// vtkTerminationSurfaceSource: points on the surface with parameters and normals, areas and
+// boundaries compared with formulas, outward triangles, ids, gaps, messages, progress and threads.
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
@@ -40,7 +40,7 @@ Vector PointOf(vtkPolyData* data, vtkIdType id)
   return x;
 }
 
-// Every part's area, and that all is where it should be.
+// Checks the area of every part, and points, parameters and normals.
 void CheckSurface(vtkTerminationSurface* surface, int resolution,
   const std::map<int, double>& areas, double tolerance, const std::string& name, Check& check)
 {
@@ -50,24 +50,24 @@ void CheckSurface(vtkTerminationSurface* surface, int resolution,
   source->SetResolutionU(resolution);
   source->SetResolutionV(resolution);
   const std::string messages = MessagesOf(source);
-  check.That(messages.empty(), "no message: " + messages);
+  check.That(messages.empty(), "no messages: " + messages);
   vtkPolyData* output = source->GetOutput();
   vtkDataArray* texture = output->GetPointData()->GetTCoords();
   vtkDataArray* normals = output->GetPointData()->GetNormals();
   vtkDataArray* ids = output->GetCellData()->GetArray("TerminationId");
-  check.That(texture && normals && ids, "the arrays are there");
+  check.That(texture && normals && ids, "the arrays exist");
   if (!texture || !normals || !ids)
   {
     return;
   }
-  check.That(std::string(texture->GetName()) == "TerminationUV", "the name of the parameters");
+  check.That(std::string(texture->GetName()) == "TerminationUV", "name of the parameters");
   check.That(std::string(normals->GetName()) == "Normals", "the name of the normals");
   std::map<int, double> found;
   vtkNew<vtkIdList> cell;
   for (vtkIdType i = 0; i < output->GetNumberOfCells(); ++i)
   {
     output->GetCellPoints(i, cell);
-    check.Equal(cell->GetNumberOfIds(), 3, "a triangle");
+    check.Equal(cell->GetNumberOfIds(), 3, "the cell is a triangle");
     const int id = static_cast<int>(ids->GetTuple1(i));
     Vector corners[3];
     Vector mean = { { 0.0, 0.0, 0.0 } };
@@ -75,7 +75,7 @@ void CheckSurface(vtkTerminationSurface* surface, int resolution,
     {
       const vtkIdType point = cell->GetId(k);
       corners[k] = PointOf(output, point);
-      check.Near(DistanceOf(surface, corners[k]), 0.0, 1e-12, "on the surface", 1.0);
+      check.Near(DistanceOf(surface, corners[k]), 0.0, 1e-12, "the point is on the surface", 1.0);
       const double* uv = texture->GetTuple(point);
       Vector again;
       check.That(surface->EvaluatePoint(id - surface->GetId(), uv, again.data()) &&
@@ -87,9 +87,9 @@ void CheckSurface(vtkTerminationSurface* surface, int resolution,
       mean += normal;
     }
     const Vector cross = Cross(corners[1] - corners[0], corners[2] - corners[0]);
-    // Specks at a rim may lie in the rim's plane.
+    // Tiny triangles at a boundary may lie in the boundary's plane.
     check.That(GetNorm(cross) < 1e-6 || Dot(cross, mean) > 0.9 * GetNorm(cross) * GetNorm(mean),
-      "triangles and normals face the same way");
+      "triangles and normals have the same orientation");
     found[id] += 0.5 * GetNorm(cross);
   }
   check.Equal(static_cast<long long>(found.size()), static_cast<long long>(areas.size()), "parts");
@@ -117,7 +117,7 @@ void CheckShapes(Check& check)
   source->SetSurface(sphere);
   source->Update();
   check.Equal(source->GetOutput()->GetNumberOfCells(), 2 * 32 * 31,
-    "triangles of a sphere, those at the poles left out that have no area");
+    "triangles of a sphere, without the degenerate triangles at the poles");
   vtkNew<vtkTerminationBox> box;
   box->SetId(10);
   box->SetBounds(0.0, 1.0, 0.0, 2.0, 0.0, 3.0);
@@ -139,7 +139,7 @@ void CheckShapes(Check& check)
   tube->CappedOn();
   const double half = 2.0 * Pi * 0.25;
   CheckSurface(tube, 40, { { 0, 2.0 * Pi }, { 1, half }, { 2, half } }, 0.005, "tube", check);
-  // A disc as a mesh whose texture is a diamond.
+  // A mesh of a disk with a diamond as texture.
   TexturedMesh diamond;
   diamond.Points = { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { -1, 0, 0 } }, { { 0, -1, 0 } } };
   diamond.Texture = { { { 1.0, 0.5 } }, { { 0.5, 1.0 } }, { { 0.0, 0.5 } }, { { 0.5, 0.0 } } };
@@ -160,16 +160,16 @@ void CheckErrors(Check& check)
   for (double radius : { -1.0, std::numeric_limits<double>::quiet_NaN() })
   {
     sphere->SetRadius(radius);
-    check.Contains(MessagesOf(source), "radius is not finite and above 0");
-    check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "empty output");
+    check.Contains(MessagesOf(source), "radius must be finite and greater than 0");
+    check.Equal(source->GetOutput()->GetNumberOfPoints(), 0, "the output is empty");
   }
   sphere->SetRadius(1.0);
-  check.That(MessagesOf(source).empty(), "a good radius");
-  check.That(source->GetOutput()->GetNumberOfCells() > 1000, "the surface's change is seen");
+  check.That(MessagesOf(source).empty(), "a valid radius");
+  check.That(source->GetOutput()->GetNumberOfCells() > 1000, "a modified surface is detected");
   source->SetResolutionU(0);
-  check.Equal(source->GetResolutionU(), 1, "clamped below");
+  check.Equal(source->GetResolutionU(), 1, "clamped to the minimum");
   source->SetResolutionV(20000);
-  check.Equal(source->GetResolutionV(), 10000, "clamped above");
+  check.Equal(source->GetResolutionV(), 10000, "clamped to the maximum");
   CheckPrinted(Print(source), { "Surface: ", "ResolutionU: 1", "ResolutionV: 10000" }, check);
 }
 
@@ -181,13 +181,13 @@ void CheckReport(Check& check)
   source->SetSurface(sphere);
   source->Update();
   vtkInterlumeReport* report = source->GetReport();
-  check.Near(report->GetNumber("Parts"), 1, 0.0, "parts of a sphere");
-  check.Near(report->GetNumber("Points"), 33 * 33, 0.0, "points of a sphere");
-  check.Near(report->GetNumber("BorderPoints"), 0, 0.0, "a sphere has no border");
-  check.Near(report->GetNumber("Triangles"), 2 * 32 * 31, 0.0, "triangles of a sphere");
-  check.Near(report->GetNumber("FlatTriangles"), 2 * 32, 0.0, "flat triangles at two poles");
+  check.Equal(report->GetCount("Parts"), 1, "parts of a sphere");
+  check.Equal(report->GetCount("Points"), 33 * 33, "points of a sphere");
+  check.Equal(report->GetCount("BorderPoints"), 0, "a sphere has no boundary");
+  check.Equal(report->GetCount("Triangles"), 2 * 32 * 31, "triangles of a sphere");
+  check.Equal(report->GetCount("FlatTriangles"), 2 * 32, "degenerate triangles at two poles");
   CheckPrinted(Print(source), { "Report:", "  Parts: 1", "  FlatTriangles: 64" }, check);
-  // A diamond |2 u - 1| + |2 v - 1| <= 1 as texture, which no node of an odd grid lies on.
+  // The diamond |2 u - 1| + |2 v - 1| <= 1 as texture. No node of an odd grid lies on its boundary.
   TexturedMesh diamond;
   diamond.Points = { { { 1, 0, 0 } }, { { 0, 1, 0 } }, { { -1, 0, 0 } }, { { 0, -1, 0 } } };
   diamond.Texture = { { { 1.0, 0.5 } }, { { 0.5, 1.0 } }, { { 0.0, 0.5 } }, { { 0.5, 0.0 } } };
@@ -211,16 +211,15 @@ void CheckReport(Check& check)
       crossings += j < n && isInside(i, j) != isInside(i, j + 1) ? 1 : 0;
     }
   }
-  check.Near(
-    report->GetNumber("BorderPoints"), crossings, 0.0, "points on the border of a diamond");
-  check.Near(report->GetNumber("Points"), inside + crossings, 0.0, "points of a diamond");
-  check.Near(report->GetNumber("Triangles"), source->GetOutput()->GetNumberOfCells(), 0.0,
+  check.Equal(report->GetCount("BorderPoints"), crossings, "points on the boundary of a diamond");
+  check.Equal(report->GetCount("Points"), inside + crossings, "points of a diamond");
+  check.Equal(report->GetCount("Triangles"), source->GetOutput()->GetNumberOfCells(),
     "triangles of a diamond");
   source->SetSurface(nullptr);
   check.That(!MessagesOf(source).empty(), "no surface");
-  check.Near(
-    report->GetNumber("Parts") + report->GetNumber("Points") + report->GetNumber("Triangles"), 0,
-    0.0, "nothing after an error");
+  check.Equal(
+    report->GetCount("Parts") + report->GetCount("Points") + report->GetCount("Triangles"), 0,
+    "no output after an error");
 }
 
 void CheckProgressOfSource(Check& check)
@@ -262,7 +261,7 @@ void CheckThreadsOfSource(Check& check)
       output->GetCellPoints(i, cell);
       found.insert(found.end(), cell->begin(), cell->end());
     }
-    check.That(found.size() > 10000, "there is output");
+    check.That(found.size() > 10000, "the output is not empty");
     return found;
   };
   CheckSame("threads", sample, check);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Evaluation by many threads at once gives what one thread gives, to the bit.
+// Parallel evaluation is bit-identical to serial evaluation.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceTermination.h"
 #include "Support/Flow/ReferenceTerminationMesh.h"
@@ -21,35 +21,35 @@ namespace
 
 using namespace reference;
 
-// All that a surface says of a point.
-using Answer = std::array<double, 11>;
+// All results of evaluating a point.
+using Evaluation = std::array<double, 11>;
 
-Answer AnswerOf(const vtkTerminationSurface* surface, const Vector& x)
+Evaluation Evaluate(const vtkTerminationSurface* surface, const Vector& x)
 {
-  Answer answer{};
-  answer[0] = DistanceOf(surface, x);
-  answer[1] = surface->IsOn(x.data()) ? 1.0 : 0.0;
+  Evaluation result{};
+  result[0] = DistanceOf(surface, x);
+  result[1] = surface->IsOn(x.data()) ? 1.0 : 0.0;
   const int part = surface->EvaluatePart(x.data());
-  answer[2] = part;
-  surface->EvaluateParameters(x.data(), &answer[3]);
-  surface->EvaluateNormal(x.data(), &answer[5]);
-  surface->EvaluatePoint(part, &answer[3], &answer[8]);
-  return answer;
+  result[2] = part;
+  surface->EvaluateParameters(x.data(), &result[3]);
+  surface->EvaluateNormal(x.data(), &result[5]);
+  surface->EvaluatePoint(part, &result[3], &result[8]);
+  return result;
 }
 
 void CheckSurface(vtkTerminationSurface* surface, const std::string& name, Check& check)
 {
   check.SetContext(name);
-  check.That(surface->Update().empty(), "nothing is wrong");
+  check.That(surface->Update().empty(), "no error");
   const std::vector<Vector> points = PointsAround(SurfaceScale(), 3000, 31);
-  std::vector<Answer> expected;
+  std::vector<Evaluation> expected;
   expected.reserve(points.size());
   for (const Vector& x : points)
   {
-    expected.push_back(AnswerOf(surface, x));
+    expected.push_back(Evaluate(surface, x));
   }
   const int number = 8;
-  std::vector<std::vector<Answer>> found(number, std::vector<Answer>(points.size()));
+  std::vector<std::vector<Evaluation>> found(number, std::vector<Evaluation>(points.size()));
   std::vector<std::thread> threads;
   threads.reserve(number);
   for (int t = 0; t < number; ++t)
@@ -59,9 +59,9 @@ void CheckSurface(vtkTerminationSurface* surface, const std::string& name, Check
       {
         for (std::size_t i = 0; i < points.size(); ++i)
         {
-          // Each begins elsewhere.
+          // Each thread starts at a different point.
           const std::size_t k = (i + 377 * static_cast<std::size_t>(t)) % points.size();
-          found[t][k] = AnswerOf(surface, points[k]);
+          found[t][k] = Evaluate(surface, points[k]);
         }
       });
   }
@@ -69,9 +69,9 @@ void CheckSurface(vtkTerminationSurface* surface, const std::string& name, Check
   {
     thread.join();
   }
-  for (const auto& answers : found)
+  for (const auto& evaluations : found)
   {
-    check.That(answers == expected, "what one thread gives");
+    check.That(evaluations == expected, "parallel and serial results are equal");
   }
 }
 
@@ -100,13 +100,13 @@ int TestTerminationSurfaceThreads(int, char*[])
       return Vector{ { u - 0.5, v - 0.5, 0.2 * std::sin(9.0 * u * v) } };
     }).MakeData());
   CheckSurface(mesh, "mesh", check);
-  // Two of the same mesh are the same.
+  // Two surfaces of the same mesh yield equal results.
   vtkNew<vtkTerminationMesh> again;
   again->SetMesh(mesh->GetMesh());
   again->Update();
   for (const Vector& x : PointsAround(SurfaceScale(), 500, 3))
   {
-    check.That(AnswerOf(mesh, x) == AnswerOf(again, x), "the same mesh again");
+    check.That(Evaluate(mesh, x) == Evaluate(again, x), "a second surface of the same mesh");
   }
   return check.Result();
 }

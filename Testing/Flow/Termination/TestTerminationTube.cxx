@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tubes around straight, bent, knotted and closed lines: distance, angle and length without jumps,
-// round ends, messages.
+// Tubes around straight, curved, knotted and closed lines: distance, continuous angle and length,
+// round ends, and messages.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Flow/ReferenceTermination.h"
@@ -28,7 +28,7 @@ Vector OnHelix(double t)
   return { { 0.5 * std::cos(4.0 * t), 0.5 * std::sin(4.0 * t), t - 0.5 } };
 }
 
-// A closed line that is in no plane, so that its frame is turned after one round.
+// A closed nonplanar line, whose frame is rotated after one circuit.
 Vector OnRing(double t)
 {
   const double angle = 2.0 * Pi * t;
@@ -37,12 +37,12 @@ Vector OnRing(double t)
 }
 
 std::vector<Vector> MakeLine(
-  const std::function<Vector(double)>& place, int segments, bool isClosed)
+  const std::function<Vector(double)>& position, int segments, bool isClosed)
 {
   std::vector<Vector> line;
   for (int i = 0; i <= segments; ++i)
   {
-    line.push_back(place(isClosed && i == segments ? 0.0 : static_cast<double>(i) / segments));
+    line.push_back(position(isClosed && i == segments ? 0.0 : static_cast<double>(i) / segments));
   }
   return line;
 }
@@ -69,7 +69,7 @@ void SetPoints(vtkTerminationTube* tube, const std::vector<Vector>& line)
   }
 }
 
-// Walks on the tube in small steps of parameters and of places: neither jumps.
+// Walks along the tube in small steps of parameters and of positions. Both are continuous.
 void CheckContinuity(vtkTerminationTube* tube, const SurfaceScale& scale, double radius,
   const std::string& name, Check& check)
 {
@@ -87,8 +87,8 @@ void CheckContinuity(vtkTerminationTube* tube, const SurfaceScale& scale, double
     for (int i = 1; i <= steps; ++i)
     {
       const Vector x = pointAt(u, static_cast<double>(i) / steps);
-      // Between bends the places come close on the inside and go apart on the outside.
-      check.That(GetNorm(x - before) < 0.02 * scale.Size, name + ": no jump along");
+      // At bends, positions are closer on the inside and farther on the outside.
+      check.That(GetNorm(x - before) < 0.02 * scale.Size, name + ": continuous along the tube");
       before = x;
     }
   }
@@ -104,8 +104,8 @@ void CheckContinuity(vtkTerminationTube* tube, const SurfaceScale& scale, double
     tube->EvaluateParameters(y.data(), b);
     const double du = a[0] - b[0] - std::round(a[0] - b[0]);
     const double dv = tube->IsPeriodic(1) ? a[1] - b[1] - std::round(a[1] - b[1]) : a[1] - b[1];
-    check.Near(du, 0.0, 1e-5 / (2.0 * Pi * radius) * 4.0, name + ": u next to a place", 1.0);
-    check.Near(dv, 0.0, 2e-4, name + ": v next to a place", 1.0);
+    check.Near(du, 0.0, 1e-5 / (2.0 * Pi * radius) * 4.0, name + ": u is continuous", 1.0);
+    check.Near(dv, 0.0, 2e-4, name + ": v is continuous", 1.0);
   }
 }
 
@@ -123,7 +123,7 @@ void CheckTube(const std::vector<Vector>& unit, double radius, const SurfaceScal
   SetPoints(tube, line);
   tube->SetRadius(radius * scale.Size);
   const std::string wrong = tube->Update();
-  check.That(wrong.empty(), "nothing is wrong: " + wrong);
+  check.That(wrong.empty(), "no error: " + wrong);
   const bool isClosed = line.front() == line.back();
   check.That(tube->IsPeriodic(0) && tube->IsPeriodic(1) == isClosed, "periodic");
   const auto distance = [&](const Vector& x)
@@ -139,7 +139,7 @@ void CheckTube(const std::vector<Vector>& unit, double radius, const SurfaceScal
     check.Equal(tube->GetNumberOfParts(), 1, "a closed tube has no ends");
     return;
   }
-  // In front of and behind the ends.
+  // Points slightly before and past each end.
   for (int end = 0; end < 2; ++end)
   {
     const Vector& tip = end ? line.back() : line.front();
@@ -148,38 +148,38 @@ void CheckTube(const std::vector<Vector>& unit, double radius, const SurfaceScal
     {
       Vector x;
       const double uv[2] = { 0.3, end ? 1.0 : 0.0 };
-      check.That(tube->EvaluatePoint(0, uv, x.data()), "there is a rim");
-      check.That(tube->IsOn(x.data()), "the rim is on the surface");
+      check.That(tube->EvaluatePoint(0, uv, x.data()), "a point on the boundary edge exists");
+      check.That(tube->IsOn(x.data()), "the boundary edge is on the surface");
       x += step * inward;
       check.That(tube->IsOn(x.data()) == (step > 0.0), "the ends are open");
     }
   }
   tube->CappedOn();
-  check.Equal(tube->GetNumberOfParts(), 3, "parts with ends");
+  check.Equal(tube->GetNumberOfParts(), 3, "number of parts with ends");
   CheckRoundTrip(tube, scale, 700, name + " with ends", check);
   CheckNormals(tube, scale, name + " with ends", check);
   CheckSamples(tube, scale, 80, 0.1 * scale.Size, name + " with ends", check);
   check.That(!tube->IsPeriodic(0, 1) && !tube->IsPeriodic(0, 2), "ends are not periodic");
-  // The rim of an end is that of the tube, the middle its tip.
+  // The boundary of an end equals the boundary of the tube. Its center is the tip.
   for (int end = 0; end < 2; ++end)
   {
-    const double middle[2] = { 0.5, 0.5 };
+    const double center[2] = { 0.5, 0.5 };
     const double quarter[2] = { 0.5, 1.0 };
     const double rim[2] = { 0.25, static_cast<double>(end) };
     Vector a;
     Vector b;
     const Vector& tip = end ? line.back() : line.front();
     const Vector outward = tip - (end ? line[line.size() - 2] : line[1]);
-    tube->EvaluatePoint(1 + end, middle, a.data());
+    tube->EvaluatePoint(1 + end, center, a.data());
     b = tip + radius * scale.Size / GetNorm(outward) * outward;
-    check.Near(GetNorm(a - b), 0.0, 5.0 * scale.Rounding, "the tip of an end", scale.Size);
+    check.Near(GetNorm(a - b), 0.0, 5.0 * scale.Rounding, "tip of an end", scale.Size);
     tube->EvaluatePoint(1 + end, quarter, a.data());
     tube->EvaluatePoint(0, rim, b.data());
-    check.Near(GetNorm(a - b), 0.0, 5.0 * scale.Rounding, "the rim of an end", scale.Size);
+    check.Near(GetNorm(a - b), 0.0, 5.0 * scale.Rounding, "boundary of an end", scale.Size);
   }
 }
 
-// A straight tube is a cylinder, whatever points are on its line.
+// A straight tube is a cylinder, regardless of the points on its line.
 void CheckStraight(Check& check)
 {
   check.SetContext("straight");
@@ -192,7 +192,7 @@ void CheckStraight(Check& check)
     tube->AddPoint(x[0], x[1], x[2]);
   }
   tube->SetRadius(0.25);
-  check.That(tube->Update().empty(), "nothing is wrong");
+  check.That(tube->Update().empty(), "no error");
   vtkNew<vtkTerminationCylinder> cylinder;
   const Vector end = start + way;
   cylinder->SetPoint1(start.data());
@@ -207,7 +207,7 @@ void CheckStraight(Check& check)
     Vector y;
     tube->EvaluatePoint(0, uv, x.data());
     cylinder->EvaluatePoint(0, uv, y.data());
-    check.Near(GetNorm(x - y), 0.0, 1e-13, "the point of the cylinder", 1.0);
+    check.Near(GetNorm(x - y), 0.0, 1e-13, "point of the cylinder", 1.0);
   }
 }
 
@@ -233,18 +233,18 @@ void CheckData(Check& check)
   data->SetLines(lines);
   vtkNew<vtkTerminationTube> tube;
   tube->SetLine(data);
-  check.That(tube->Update().empty(), "nothing is wrong");
+  check.That(tube->Update().empty(), "no error");
   for (const Vector& x : PointsAround(SurfaceScale(), 300, 5))
   {
     double a[2];
     double b[2];
     tube->EvaluateParameters(x.data(), a);
     expected->EvaluateParameters(x.data(), b);
-    check.That(a[0] == b[0] && a[1] == b[1], "the parameters of the same points");
+    check.That(a[0] == b[0] && a[1] == b[1], "parameters of the same points");
   }
   const vtkMTimeType before = tube->GetMTime();
   data->Modified();
-  check.That(tube->GetMTime() > before, "the dataset's change is seen");
+  check.That(tube->GetMTime() > before, "a modified dataset is detected");
   const auto expectMessage = [&](const std::string& text)
   {
     const std::string wrong = tube->Update();
@@ -255,10 +255,10 @@ void CheckData(Check& check)
   expectMessage("has 2 lines, not one");
   data->SetLines(vtkNew<vtkCellArray>());
   expectMessage("has 0 lines, not one");
-  vtkNew<vtkCellArray> wrongLine;
-  wrongLine->InsertNextCell({ 0, 99 });
-  data->SetLines(wrongLine);
-  expectMessage("has point 99, which is not there");
+  vtkNew<vtkCellArray> invalidLine;
+  invalidLine->InsertNextCell({ 0, 99 });
+  data->SetLines(invalidLine);
+  expectMessage("has point 99, which does not exist");
 }
 
 void CheckMessages(Check& check)
@@ -266,9 +266,9 @@ void CheckMessages(Check& check)
   check.SetContext("messages");
   const double notANumber = std::numeric_limits<double>::quiet_NaN();
   const std::pair<std::vector<Vector>, std::string> cases[] = {
-    { {}, "fewer than two points" },
-    { { { { 1, 2, 3 } } }, "fewer than two points" },
-    { { { { 1, 2, 3 } }, { { 1, 2, 3 } } }, "fewer than two points" },
+    { {}, "fewer than two distinct points" },
+    { { { { 1, 2, 3 } } }, "fewer than two distinct points" },
+    { { { { 1, 2, 3 } }, { { 1, 2, 3 } } }, "fewer than two distinct points" },
     { { { { 1, 2, 3 } }, { { 1, notANumber, 3 } } }, "point 1 of the tube's line is not finite" },
     { { { { 0, 0, 0 } }, { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 0.5, 0, 0 } } },
       "turns back on itself at point 2" },
@@ -301,7 +301,7 @@ void CheckMessages(Check& check)
   Vector point = { { 7.0, 7.0, 7.0 } };
   tube->GetPoint(2, point.data());
   tube->GetPoint(-1, point.data());
-  check.Near(point[0], 7.0, 0.0, "there is no such point");
+  check.Near(point[0], 7.0, 0.0, "the line has no such point");
   tube->GetPoint(1, point.data());
   check.Near(point[0], 1.0, 0.0, "the second point");
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Zeros of random cells against Newton's method from many places; two in a cell; the sum of indices
-// in random fields; cells of very different lengths.
+// Zeros of random cells compared with Newton's method from many start points, two zeros in a cell,
+// the sum of indices in random fields, and cells with very different sizes.
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -29,7 +29,7 @@ namespace
 using namespace reference;
 using Type = vtkFlowCriticalPoints;
 
-// One cell of a type, its points moved by up to \a shake.
+// Returns a cell of a type with points displaced by up to \a shake.
 vtkSmartPointer<vtkUnstructuredGrid> MakeCell(int type, double shake, Random& random)
 {
   const std::vector<FlowVector> box = { { { 0, 0, 0 } }, { { 1, 0, 0 } }, { { 1, 1, 0 } },
@@ -72,7 +72,7 @@ double GetExcess(int type, const double p[3])
   return type == VTK_TETRA ? std::max(excess, p[0] + p[1] + p[2] - 1.0) : excess;
 }
 
-// Newton's method with VTK's shape functions from a lattice of places.
+// Newton's method with VTK's shape functions from a grid of start points.
 std::vector<FlowVector> SearchZeros(vtkCell* cell, vtkDataArray* vectors, bool& isClear)
 {
   std::vector<FlowVector> zeros;
@@ -100,7 +100,7 @@ std::vector<FlowVector> SearchZeros(vtkCell* cell, vtkDataArray* vectors, bool& 
       evaluate(p, value);
       for (int j = 0; j < 3; ++j)
       {
-        // Linear in each parameter: the difference is the derivative.
+        // The field is linear in each parameter, so that the difference is the derivative.
         double ahead[3];
         double behind[3];
         double q[3] = { p[0], p[1], p[2] };
@@ -129,7 +129,7 @@ std::vector<FlowVector> SearchZeros(vtkCell* cell, vtkDataArray* vectors, bool& 
     {
       continue;
     }
-    // What is on the outside or double is not to be decided.
+    // Zeros on the cell boundary and multiple zeros are ambiguous.
     isClear = isClear && std::abs(GetExcess(cell->GetCellType(), p)) > 1e-7;
     const auto isSame = [&p](const FlowVector& other) { return Distance(other.data(), p) < 1e-6; };
     if (GetExcess(cell->GetCellType(), p) < 0.0 && std::none_of(zeros.begin(), zeros.end(), isSame))
@@ -151,7 +151,7 @@ void CheckRandomCells(Check& check)
     for (int n = 0; n < 1200; ++n)
     {
       auto mesh = MakeCell(type, type == VTK_VOXEL ? 0.0 : 0.1, random);
-      // A part of a random field of one sign has no zeros at all.
+      // Many random fields have a component with a constant sign and no zeros.
       SetVelocity(mesh, [&random](const FlowVector&) { return random.GetPoint(1.0); });
       vtkCell* cell = mesh->GetCell(0);
       bool isClear = true;
@@ -206,14 +206,15 @@ void CheckRandomCells(Check& check)
     }
     check.SetContext(name);
     check.That(total > 20, "there are zeros: " + std::to_string(total));
-    check.That(several > 0 || type == VTK_TETRA, "several in a cell: " + std::to_string(several));
+    check.That(
+      several > 0 || type == VTK_TETRA, "cells with several zeros: " + std::to_string(several));
   }
 }
 
-// (r - a)(s - b), (s - c)(t - d), (t - e)(r - f) vanish at (a, c, e) and (f, b, d) alone.
+// (r - a)(s - b), (s - c)(t - d), (t - e)(r - f) are all 0 only at (a, c, e) and (f, b, d).
 void CheckKnownPairs(Check& check)
 {
-  check.SetContext("two in a cell");
+  check.SetContext("two zeros in a cell");
   Random random(31);
   const auto pick = [&random]() { return random.Get(0.02, 0.98); };
   for (int n = 0; n < 100; ++n)
@@ -236,24 +237,25 @@ void CheckKnownPairs(Check& check)
     const CriticalPoints result(image);
     check.Equal(result.GetNumber(), 2, "critical points");
     const FlowVector expected[2] = { { { a, c, e } }, { { f, b, d } } };
-    for (const FlowVector& place : expected)
+    for (const FlowVector& position : expected)
     {
       double nearest = 1.0;
       for (vtkIdType i = 0; i < result.GetNumber(); ++i)
       {
-        nearest = std::min(nearest, Distance(result.GetPosition(i).data(), place.data()));
+        nearest = std::min(nearest, Distance(result.GetPosition(i).data(), position.data()));
       }
       check.Near(nearest, 0.0, 1e-10, "position", 1.0);
     }
   }
-  // One on the faces of the parts that the cell is split into.
+  // One zero lies on a face between the parts into which the cell is subdivided.
   for (int n = 0; n < 300; ++n)
   {
     const double half = n % 3 == 0 ? 0.5 : 0.25 * (1 + n % 3);
     const double b = 0.5 + random.Get(0.1, 0.4);
     const double d = 0.5 - random.Get(0.1, 0.4);
     const double f = random.Get(0.8, 0.98);
-    check.SetContext("two in a cell, one at " + std::to_string(half) + ", " + std::to_string(n));
+    check.SetContext(
+      "two zeros in a cell, one at " + std::to_string(half) + ", " + std::to_string(n));
     auto image = MakeImage({ 1, 1, 1 });
     image->SetOrigin(0.0, 0.0, 0.0);
     image->SetSpacing(1.0, 1.0, 1.0);
@@ -280,15 +282,16 @@ void CheckKnownPairs(Check& check)
     check.Equal(result.GetNumber(), 1, "critical points");
     for (vtkIdType i = 0; i < result.GetNumber(); ++i)
     {
-      const FlowVector place = { { a, a, a } };
-      check.Near(Distance(result.GetPosition(i).data(), place.data()), 0.0, 1e-6, "position", 1.0);
+      const FlowVector position = { { a, a, a } };
+      check.Near(
+        Distance(result.GetPosition(i).data(), position.data()), 0.0, 1e-6, "position", 1.0);
       check.Equal(result.GetType(i), Type::DEGENERATE, "type");
     }
   }
 }
 
-// Outward on the outside, at random inside: the signs of det J sum up to 1, whatever is in between
-// (Poincare and Hopf). One that is missing or counted twice is seen.
+// Outward on the boundary, random inside: by Poincare and Hopf, the signs of det J sum up to 1 for
+// any inner values. The sum detects missing and duplicate zeros.
 void CheckIndices(Check& check)
 {
   Random random(41);
@@ -317,22 +320,22 @@ void CheckIndices(Check& check)
         sum += Determinant(jacobian) > 0.0 ? 1 : -1;
       }
       check.Equal(sum, 1, "sum of indices");
-      check.Near(
-        generic.Filter->GetReport()->GetNumber("DegenerateCells"), 0, 0.0, "degenerate cells");
-      // Zeros at points of the mesh, of which no two have a cell in common.
-      const FlowVector places[3] = { { { 1, 1, 1 } }, { { 3, 2, 1 } }, { { 2, 3, 3 } } };
-      for (FlowVector place : places)
+      check.Equal(generic.Filter->GetReport()->GetCount("DegenerateCells"), 0, "degenerate cells");
+      // Zeros at mesh points without common cells.
+      const FlowVector positions[3] = { { { 1, 1, 1 } }, { { 3, 2, 1 } }, { { 2, 3, 3 } } };
+      for (FlowVector position : positions)
       {
-        mesh->GetPointData()->GetVectors()->SetTuple3(mesh->FindPoint(place.data()), 0.0, 0.0, 0.0);
+        mesh->GetPointData()->GetVectors()->SetTuple3(
+          mesh->FindPoint(position.data()), 0.0, 0.0, 0.0);
       }
       mesh->Modified();
       const CriticalPoints atPoints(mesh);
-      for (const FlowVector& place : places)
+      for (const FlowVector& position : positions)
       {
         int found = 0;
         for (vtkIdType i = 0; i < atPoints.GetNumber(); ++i)
         {
-          found += Distance(atPoints.GetPosition(i).data(), place.data()) < 1e-9 ? 1 : 0;
+          found += Distance(atPoints.GetPosition(i).data(), position.data()) < 1e-9 ? 1 : 0;
         }
         check.Equal(found, 1, "zeros at a point of the mesh");
       }
@@ -341,15 +344,16 @@ void CheckIndices(Check& check)
   }
 }
 
-// The cube root of the volume: of parts of a unit box, of those in other axes, and of frusta.
+// CellLength is the cube root of the cell volume: cells that divide a unit box, inverted cells, and
+// frusta.
 void CheckLengths(Check& check)
 {
   const std::pair<MeshKind, double> volumes[] = { { MeshKind::Hexahedra, 1.0 },
     { MeshKind::Voxels, 1.0 }, { MeshKind::Wedges, 0.5 }, { MeshKind::Pyramids, 1.0 / 6.0 },
     { MeshKind::Tetrahedra6, 1.0 / 6.0 }, { MeshKind::Tetrahedra12, 1.0 / 12.0 } };
-  const auto expect = [&check](vtkDataSet* data, const FlowVector& place, double volume)
+  const auto expect = [&check](vtkDataSet* data, const FlowVector& position, double volume)
   {
-    SetVelocity(data, LinearField(GenericMatrix, place));
+    SetVelocity(data, LinearField(GenericMatrix, position));
     const CriticalPoints result(data);
     if (check.Equal(result.GetNumber(), 1, "critical points"))
     {
@@ -361,8 +365,8 @@ void CheckLengths(Check& check)
   {
     check.SetContext("volume, " + GetName(one.first));
     auto mesh = MakeMesh(one.first, { 3, 4, 2 });
-    expect(mesh, ZeroPlaces[0], one.second);
-    expect(InvertCells(mesh), ZeroPlaces[0], one.second);
+    expect(mesh, ZeroPositions[0], one.second);
+    expect(InvertCells(mesh), ZeroPositions[0], one.second);
   }
   for (const int type : { VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID })
   {

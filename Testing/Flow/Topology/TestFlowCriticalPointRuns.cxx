@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Zeros that are not isolated; blanked cells and NaN; threads, progress, abort, errors.
+// Critical points in degenerate, blanked and non-finite cells. Also tests threads, progress, abort
+// and errors.
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
@@ -29,11 +30,11 @@ using namespace reference;
 
 void CheckLeftOut(Check& check)
 {
-  check.SetContext("left out");
+  check.SetContext("skipped cells");
   const auto make = []()
   {
     auto mesh = MakeMesh(MeshKind::Hexahedra, { 3, 4, 2 });
-    SetVelocity(mesh, LinearField(GenericMatrix, ZeroPlaces[0]));
+    SetVelocity(mesh, LinearField(GenericMatrix, ZeroPositions[0]));
     return mesh;
   };
   const CriticalPoints whole(make());
@@ -43,11 +44,11 @@ void CheckLeftOut(Check& check)
   {
     auto mesh = make();
     mesh->AllocateCellGhostArray()->SetValue(cell, mark);
-    check.Equal(CriticalPoints(mesh).GetNumber(), 0, "in a cell that is left out");
+    check.Equal(CriticalPoints(mesh).GetNumber(), 0, "in a blanked cell");
     mesh->GetCellGhostArray()->SetValue(cell, 0);
     mesh->GetCellGhostArray()->SetValue(cell + 1, mark);
     mesh->Modified();
-    check.Equal(CriticalPoints(mesh).GetNumber(), 1, "beside one");
+    check.Equal(CriticalPoints(mesh).GetNumber(), 1, "next to a blanked cell");
   }
   auto mesh = make();
   vtkIdType corner = mesh->GetCell(cell)->GetPointId(3);
@@ -76,7 +77,7 @@ void CheckLeftOut(Check& check)
     check.That(MessagesOf(filter).empty(), "no error");
     check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "in a cell with a hidden point");
   }
-  check.SetContext("left out");
+  check.SetContext("skipped cells");
   for (const double value : { std::nan(""), HUGE_VAL })
   {
     mesh = make();
@@ -85,22 +86,22 @@ void CheckLeftOut(Check& check)
     vtkNew<vtkIdList> cells;
     mesh->GetPointCells(corner, cells);
     const CriticalPoints result(mesh);
-    check.Equal(result.GetNumber(), 0, "in a cell that is not finite");
-    check.Near(result.Filter->GetReport()->GetNumber("NonFiniteCells"), cells->GetNumberOfIds(),
-      0.0, "cells with such");
+    check.Equal(result.GetNumber(), 0, "in a non-finite cell");
+    check.Equal(result.Filter->GetReport()->GetCount("NonFiniteCells"), cells->GetNumberOfIds(),
+      "number of non-finite cells");
   }
   check.SetContext("an empty cell");
   mesh = make();
-  // In the last cell, whose points a reader might still hold.
+  // The zero is in the last cell, whose points may still be cached.
   SetVelocity(mesh, LinearField(GenericMatrix, { { 2.3, 3.4, 1.6 } }));
   mesh->InsertNextCell(VTK_EMPTY_CELL, 0, &corner);
   check.Equal(CriticalPoints(mesh).GetNumber(), 1, "critical points");
-  check.SetContext("left out");
+  check.SetContext("skipped cells");
   mesh = make();
   SetVelocity(mesh, [](const FlowVector&) { return FlowVector{}; });
   const CriticalPoints zero(mesh);
-  check.Equal(zero.GetNumber(), 0, "in a field that is 0");
-  check.Near(zero.Filter->GetReport()->GetNumber("ZeroCells"), 24, 0.0, "cells that are 0");
+  check.Equal(zero.GetNumber(), 0, "in a zero field");
+  check.Equal(zero.Filter->GetReport()->GetCount("ZeroCells"), 24, "number of zero cells");
   CheckPrinted(Print(const_cast<vtkFlowCriticalPoints*>(zero.Filter.GetPointer())),
     { "ZeroCells: 24", "DegenerateCells: 0", "NonFiniteCells: 0" }, check);
 }
@@ -173,7 +174,7 @@ void CheckErrors(Check& check)
   CheckError(other, "Cell 0 is a vtkPolyhedron", check);
   vtkNew<vtkUnstructuredGrid> empty;
   other->SetInputData(empty);
-  check.That(MessagesOf(other).empty(), "nothing in an empty grid is no error");
+  check.That(MessagesOf(other).empty(), "an empty grid is not an error");
 }
 
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Straight, tilted and curved axes on all kinds of grids, exact or to second order; several
-// vortices, the seed, the frame of reference, breaks; no vortex; planes; threads, progress, abort,
-// errors.
+// Straight, tilted and curved axes on all kinds of grids, found exactly or with second-order
+// errors. Also tests several vortices, the seed, the frame of reference, interrupted axes, fields
+// without vortices, planes, threads, progress, abort and errors.
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 #include "Support/Arrays/ReferenceVector.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -34,18 +34,18 @@ using namespace reference;
 
 constexpr double Pi = 3.14159265358979323846;
 
-// A place of an axis by z.
+// Position on an axis as a function of z.
 using Curve = std::function<FlowVector(double)>;
 
-// A vortex whose velocity across z is 0 on a curve, with a swirl that fades outward.
+// Returns a vortex with zero in-plane velocity on a curve and a swirl that decays outward.
 FlowFunction MakeVortex(const Curve& curve, double swirl, double radius)
 {
   return [=](const FlowVector& x)
   {
     const FlowVector axis = curve(x[2]);
     const double d[2] = { x[0] - axis[0], x[1] - axis[1] };
-    const double turn = swirl * std::exp(-(d[0] * d[0] + d[1] * d[1]) / (radius * radius));
-    return FlowVector{ { -turn * d[1] - 0.1 * d[0], turn * d[0] - 0.1 * d[1], 0.3 } };
+    const double rotation = swirl * std::exp(-(d[0] * d[0] + d[1] * d[1]) / (radius * radius));
+    return FlowVector{ { -rotation * d[1] - 0.1 * d[0], rotation * d[0] - 0.1 * d[1], 0.3 } };
   };
 }
 
@@ -58,7 +58,7 @@ vtkSmartPointer<vtkImageData> MakeCube(int cells)
   return image;
 }
 
-// A filter that may find nothing.
+// Returns a filter that may have an empty result.
 vtkSmartPointer<vtkVortexAxis> MakeFilter()
 {
   auto filter = vtkSmartPointer<vtkVortexAxis>::New();
@@ -73,7 +73,7 @@ vtkPolyData* Run(vtkVortexAxis* filter, vtkDataSet* data)
   return filter->GetOutput();
 }
 
-// The farthest distance from a curve along its planes.
+// Returns the maximum in-plane distance from a curve.
 double GetError(vtkPolyData* output, const Curve& curve)
 {
   double largest = 0.0;
@@ -109,11 +109,11 @@ void CheckLine(vtkPolyData* output, vtkIdType points, Check& check)
     double b[3];
     output->GetPoint(i - 1, a);
     output->GetPoint(i, b);
-    check.That(a[2] < b[2], "places by height");
+    check.That(a[2] < b[2], "points are ordered by height");
   }
 }
 
-// A linear vortex about a line that leans is found to rounding, on any grid.
+// The tilted axis of a linear vortex is found up to rounding error on any grid.
 void CheckLinear(Check& check)
 {
   const FlowVector direction = { { 0.2, -0.3, 1.0 } };
@@ -126,7 +126,7 @@ void CheckLinear(Check& check)
     const double d[2] = { x[0] - axis[0], x[1] - axis[1] };
     return FlowVector{ { 0.4 * d[0] - 3.0 * d[1], 2.0 * d[0] - 0.2 * d[1], 0.7 + x[2] } };
   };
-  // Of [[0.4, -3], [2, -0.2]].
+  // Imaginary part of the eigenvalues of [[0.4, -3], [2, -0.2]].
   const double swirl = std::sqrt(6.0 - 0.09);
   for (const MeshKind kind : { MeshKind::Hexahedra, MeshKind::Voxels, MeshKind::Wedges,
          MeshKind::Pyramids, MeshKind::Tetrahedra5, MeshKind::Tetrahedra6, MeshKind::Tetrahedra12 })
@@ -143,7 +143,7 @@ void CheckLinear(Check& check)
       {
         check.Equal(output->GetNumberOfPoints(), 1, "places");
         check.Equal(output->GetNumberOfVerts(), 1, "vertices");
-        check.Near(output->GetPoint(0)[2], 1.0, 1e-15, "the plane in the middle");
+        check.Near(output->GetPoint(0)[2], 1.0, 1e-15, "the center plane");
       }
       else
       {
@@ -180,15 +180,16 @@ void CheckLinear(Check& check)
     check.Near(GetError(output, axis), 0.0, 1e-12, "distance from the axis", 1.0);
     for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
     {
-      check.Near(output->GetPoint(i)[2], 2.1 + 0.7 * i, 1e-13, "a layer of points");
+      check.Near(output->GetPoint(i)[2], 2.1 + 0.7 * i, 1e-13, "one layer of points");
     }
   }
 }
 
-// Layers at uneven distances, and layers whose coordinates along the axis differ by roundings.
+// Layers with nonuniform spacing, and layers whose coordinates along the axis differ by rounding
+// errors.
 void CheckLayers(Check& check)
 {
-  check.SetContext("uneven layers");
+  check.SetContext("nonuniform layers");
   vtkNew<vtkRectilinearGrid> grid;
   grid->SetDimensions(4, 4, 5);
   vtkNew<vtkDoubleArray> across;
@@ -215,7 +216,7 @@ void CheckLayers(Check& check)
     check.Near(output->GetPoint(i)[2], layers[4 - i], 1e-15, "the layer", 1.0);
   }
 
-  check.SetContext("turned layers");
+  check.SetContext("rotated layers");
   auto image = MakeImage({ 9, 8, 11 });
   const double third = 1.0 / 3.0;
   image->SetDirectionMatrix(
@@ -223,21 +224,21 @@ void CheckLayers(Check& check)
   image->SetOrigin(117.3, -211.9, 301.7);
   const FlowVector axis = { { 2 * third, -third, 2 * third } };
   filter->SetAxis(axis.data());
-  for (int place = 0; place < 30; ++place)
+  for (int position = 0; position < 30; ++position)
   {
     FlowVector center;
-    image->GetPoint(1 + place % 7 + 10 * (1 + place / 7), center.data());
+    image->GetPoint(1 + position % 7 + 10 * (1 + position / 7), center.data());
     SetVelocity(image,
       [&](const FlowVector& x)
       {
         return Multiply(CrossMatrix(axis),
-          { { x[0] - center[0] - 0.001 * place, x[1] - center[1], x[2] - center[2] } });
+          { { x[0] - center[0] - 0.001 * position, x[1] - center[1], x[2] - center[2] } });
       });
     for (const LatticeForm& form : FormsOf(image))
     {
       filter->SetNumberOfPlanes(form.Data->IsA("vtkUnstructuredGrid") ? 12 : 0);
       output = Run(filter, form.Data);
-      check.Equal(output->GetNumberOfPoints(), 12, "one for each layer of the " + form.Name);
+      check.Equal(output->GetNumberOfPoints(), 12, "one point per layer of the " + form.Name);
       check.Equal(output->GetNumberOfLines(), 1, "lines");
     }
   }
@@ -270,11 +271,11 @@ void CheckDirections(Check& check)
       const double length = GetNorm(scaled);
       const FlowVector unit = (1.0 / length) * scaled;
       check.That(output->GetNumberOfPoints() >= 12 && output->GetNumberOfPoints() <= 21,
-        "places: " + std::to_string(output->GetNumberOfPoints()));
+        "points: " + std::to_string(output->GetNumberOfPoints()));
       check.Equal(output->GetNumberOfLines(), 1, "lines");
       if (length == 1.0)
       {
-        check.Equal(output->GetNumberOfPoints(), 21, "one for each layer");
+        check.Equal(output->GetNumberOfPoints(), 21, "one point per layer");
       }
       for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
       {
@@ -312,7 +313,7 @@ void CheckOrder(Check& check)
     for (const int cells : { 16, 32, 64 })
     {
       auto image = MakeCube(cells);
-      // The swirl is not even about the axis, or errors would cancel.
+      // The swirl is not symmetric around the axis, because symmetric errors would cancel.
       const FlowFunction vortex = MakeVortex(curve.second, 2.0, 0.6);
       SetVelocity(image,
         [&](const FlowVector& x)
@@ -331,7 +332,7 @@ void CheckOrder(Check& check)
       check.Near(GetLargest(output, "AxialVelocity"), 0.3, 1e-13, "axial velocity");
     }
     check.That(errors[2] < errors[0] / 8.0,
-      "of second order: " + std::to_string(errors[0]) + " " + std::to_string(errors[1]) + " " +
+      "second order: " + std::to_string(errors[0]) + " " + std::to_string(errors[1]) + " " +
         std::to_string(errors[2]));
   }
 
@@ -349,7 +350,8 @@ void CheckOrder(Check& check)
     return FlowVector{ { 0.1 * z + 0.1 * bend, 0.05 * z - 0.05 * bend, 0.0 } };
   };
   check.Near(GetError(output, eye), 0.0, 0.003, "distance from the eye", 1.0);
-  // The sinking air in the eye goes along the axis, which leans: a little beside it the sum is 0.
+  // The sinking air in the eye flows along the tilted axis. The total velocity is 0 slightly next
+  // to the axis.
   source->SetUpdraft(0.3);
   source->Update();
   output = Run(filter, source->GetOutput());
@@ -366,11 +368,11 @@ void CheckChoice(Check& check)
     [&](const FlowVector& x)
     { return MakeVortex(x[0] < 0.0 ? strong : weak, x[0] < 0.0 ? 3.0 : -1.0, 0.15)(x); });
   const auto filter = MakeFilter();
-  check.SetContext("the strongest");
+  check.SetContext("the strongest vortex");
   vtkPolyData* output = Run(filter, image);
   CheckLine(output, 33, check);
   check.Near(GetError(output, strong), 0.0, 0.01, "distance", 1.0);
-  check.SetContext("the one nearest to the seed");
+  check.SetContext("the vortex closest to the seed");
   filter->UseSeedOn();
   filter->SetSeed(0.3, 0.2, 7.0);
   output = Run(filter, image);
@@ -379,12 +381,12 @@ void CheckChoice(Check& check)
   filter->SetSeed(-0.1, 0.0, -0.5);
   output = Run(filter, image);
   check.Near(GetError(output, strong), 0.0, 0.01, "distance", 1.0);
-  check.SetContext("none is strong enough");
+  check.SetContext("no vortex is strong enough");
   filter->SetMinimumSwirlStrength(10.0);
   output = Run(filter, image);
   check.Equal(output->GetNumberOfPoints(), 0, "places");
 
-  check.SetContext("two of the same sense");
+  check.SetContext("two vortices with the same rotation");
   const Curve other = [](double z) { return FlowVector{ { 0.1, 0.1 * z, 0.0 } }; };
   SetVelocity(image,
     [&](const FlowVector& x) { return MakeVortex(x[0] < -0.2 ? strong : other, 1.0, 0.15)(x); });
@@ -407,11 +409,11 @@ void CheckChoice(Check& check)
       const FlowVector v = MakeVortex(still, 1.0, 5.0)(x);
       return FlowVector{ { v[0] + 4.0, v[1] - 3.0, v[2] + 2.0 } };
     });
-  const auto travelling = MakeFilter();
-  output = Run(travelling, image);
-  check.Equal(output->GetNumberOfPoints(), 0, "places where nothing is subtracted");
-  travelling->SetFrameVelocity(4.0, -3.0, 2.0);
-  output = Run(travelling, image);
+  const auto traveling = MakeFilter();
+  output = Run(traveling, image);
+  check.Equal(output->GetNumberOfPoints(), 0, "points without a frame velocity");
+  traveling->SetFrameVelocity(4.0, -3.0, 2.0);
+  output = Run(traveling, image);
   CheckLine(output, 33, check);
   check.Near(GetError(output, still), 0.0, 0.001, "distance", 1.0);
   check.Near(GetLargest(output, "AxialVelocity"), 0.3, 1e-12, "axial velocity");
@@ -419,7 +421,7 @@ void CheckChoice(Check& check)
 
 void CheckBreaks(Check& check)
 {
-  // Without a vortex in the layers -0.3 < z < 0.2, and turning the other way above 0.7.
+  // No vortex in the layers -0.3 < z < 0.2, and the opposite rotation above 0.7.
   const Curve axis = [](double z) { return FlowVector{ { 0.03, 0.1 * z, 0.0 } }; };
   auto image = MakeCube(20);
   SetVelocity(image,
@@ -437,20 +439,20 @@ void CheckBreaks(Check& check)
   check.Near(GetError(output, axis), 0.0, 1e-3, "distance", 1.0);
   vtkNew<vtkIdList> ids;
   output->GetLines()->GetCellAtId(0, ids);
-  check.Equal(ids->GetNumberOfIds(), 7, "places of the lower line");
+  check.Equal(ids->GetNumberOfIds(), 7, "points of the lower line");
 
-  // Which way it turns is told by the swirl, though the flow goes apart faster.
+  // The swirl determines the rotation, even if the divergence is larger.
   check.SetContext("senses");
   SetVelocity(image,
     [&](const FlowVector& x)
     {
-      const double turn = x[2] > 0.25 ? -1.0 : 1.1;
-      return FlowVector{ { 5.0 * x[0] - turn * x[1], turn * x[0] + 5.0 * x[1], 1.0 } };
+      const double rotation = x[2] > 0.25 ? -1.0 : 1.1;
+      return FlowVector{ { 5.0 * x[0] - rotation * x[1], rotation * x[0] + 5.0 * x[1], 1.0 } };
     });
   output = Run(filter, image);
-  check.Equal(output->GetNumberOfPoints(), 13, "places up to where it turns the other way");
+  check.Equal(output->GetNumberOfPoints(), 13, "points below the change of rotation");
 
-  // An axis that jumps aside farther than the search goes.
+  // An axis with a lateral jump beyond the search radius.
   check.SetContext("a jump");
   const Curve jump = [](double z) { return FlowVector{ { z < 0.05 ? -0.4 : 0.5, 0.01, 0.0 } }; };
   SetVelocity(
@@ -464,7 +466,7 @@ void CheckBreaks(Check& check)
   CheckLine(output, 21, check);
   near->SetSearchRadius(0.16);
   output = Run(near, image);
-  check.Equal(output->GetNumberOfLines(), 2, "found again, six planes on");
+  check.Equal(output->GetNumberOfLines(), 2, "found again after six planes");
   check.Equal(output->GetNumberOfPoints(), 11 + 5, "places");
 }
 
@@ -476,7 +478,7 @@ void CheckNone(Check& check)
          vtkAnalyticFlowSource::NODE, vtkAnalyticFlowSource::COUPLED_CHARGE,
          vtkAnalyticFlowSource::SHEAR, vtkAnalyticFlowSource::SPHERE })
   {
-    check.SetContext(std::string("none: ") + vtkAnalyticFlowSource::GetFieldName(field));
+    check.SetContext(std::string("no vortex: ") + vtkAnalyticFlowSource::GetFieldName(field));
     source->SetField(field);
     for (const FlowVector& axis : { FlowVector{ { 0.0, 0.0, 1.0 } }, { { 1.0, 0.0, 0.0 } } })
     {
@@ -490,7 +492,7 @@ void CheckNone(Check& check)
       check.Equal(filter->GetOutput()->GetNumberOfCells(), 0, "cells");
     }
   }
-  check.SetContext("none: along an oblique axis");
+  check.SetContext("no vortex along an oblique axis");
   source->SetField(vtkAnalyticFlowSource::UNIFORM);
   source->SetVelocity(0.3, -0.7, 0.9);
   source->Update();
@@ -517,7 +519,7 @@ void CheckExecution(Check& check)
   {
     filter->Modified();
     const std::string bytes = update();
-    check.That(!bytes.empty(), "there is an axis");
+    check.That(!bytes.empty(), "an axis is found");
     return bytes;
   };
   CheckSame("execution", find, check);
@@ -533,7 +535,7 @@ void CheckErrors(Check& check)
   CheckError(filter, "The field has no active point vectors", check);
   SetVelocity(image, MakeVortex([](double) { return FlowVector{}; }, 1.0, 5.0));
   filter->SetAxis(0.0, 0.0, 0.0);
-  CheckError(filter, "Axis 0 0 0 is no direction", check);
+  CheckError(filter, "Axis 0 0 0 has length 0", check);
   filter->SetAxis(0.0, std::nan(""), 1.0);
   CheckError(filter, "Axis 0 nan 1 is not finite", check);
   filter->SetAxis(0.0, 0.0, 2.0);
@@ -552,7 +554,7 @@ void CheckErrors(Check& check)
     filter, "The field has no three-dimensional cells. Flow in a plane needs two layers", check);
   vtkNew<vtkUnstructuredGrid> empty;
   filter->SetInputData(empty);
-  check.That(MessagesOf(filter).empty(), "nothing in an empty grid is no error");
+  check.That(MessagesOf(filter).empty(), "an empty grid is not an error");
   filter->SetNumberOfPlanes(-1);
   filter->SetSearchRadius(-1.0);
   filter->SetMinimumSwirlStrength(-1.0);

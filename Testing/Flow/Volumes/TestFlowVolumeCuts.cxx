@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells that a termination surface passes through, cut there: what a flow volume has beside planes,
-// spheres and in balls against formulas, of streamlines that end there and of those that come back,
-// with times and parameters up to the surface, fitting to the cells beside them.
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+// Flow volume cells cut at termination surfaces: volumes next to planes and spheres compared with
+// formulas, for streamlines that end at the surface and for streamlines that return. Times and
+// parameters extend up to the surface, and cut cells match adjacent cells.
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceThreads.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -44,7 +44,7 @@ struct Case
   bool IsForward = false;
 };
 
-/// The implicit flow field of 33 samples along each axis of [-1,1]^3.
+/// Returns the implicit flow field with 33 samples along each axis of [-1,1]^3.
 vtkSmartPointer<vtkDataSet> MakeSamples(const Case& one, int points = 33)
 {
   auto image = MakeFlowImage({ { points, points, points } }, { { -1, 1, -1, 1, -1, 1 } });
@@ -81,7 +81,7 @@ void TestVolumes(Check& check)
 {
   constexpr double radius = 0.27;
   const double ball = 4.0 / 3.0 * Pi * std::pow(radius, 3);
-  const auto isInBall = [](const double* x)
+  const auto isInSphere = [](const double* x)
   { return std::sqrt(vtkMath::Distance2BetweenPoints(x, Center.data())) < radius; };
   const auto everywhere = [](const double*) { return true; };
   struct
@@ -92,8 +92,8 @@ void TestVolumes(Check& check)
     double Exact;
   } const cases[] = {
     { "plane between layers", { Along, MakeWidePlane(0.53), false }, everywhere, 4 * 0.47 },
-    { "ball of outward flow", { Outward, MakeSphere(radius), true }, everywhere, ball },
-    { "ball in uniform flow", { Along, MakeSphere(radius), false }, isInBall, ball },
+    { "sphere of outward flow", { Outward, MakeSphere(radius), true }, everywhere, ball },
+    { "sphere in uniform flow", { Along, MakeSphere(radius), false }, isInSphere, ball },
     { "sphere of a source", { Outward, MakeSphere(radius), false }, everywhere, 8 - ball },
   };
   for (const auto& one : cases)
@@ -108,7 +108,7 @@ void TestVolumes(Check& check)
   }
 }
 
-/// Refinement is for what no surface is the reason of.
+/// Cells that only a surface separates are not refined.
 void TestRefinement(Check& check)
 {
   check.SetContext("refinement");
@@ -119,24 +119,25 @@ void TestRefinement(Check& check)
   field->AddTerminationSurface(MakeWidePlane(0.1));
   field->SetRefinementLevels(1);
   field->Update();
-  check.Near(field->GetReport()->GetNumber("RefinedCells", 0), 0, 0.0, "cells beside a plane");
+  check.Equal(field->GetReport()->GetCount("RefinedCells", 0), 0, "cells next to a plane");
   field->RemoveAllTerminationSurfaces();
   field->AddTerminationSurface(MakeSphere(0.6));
   field->Update();
   const vtkIdType refined = field->GetReport()->GetNumber("RefinedCells", 0);
-  check.That(refined > 50 && refined < 200, "the wake's side: " + std::to_string(refined));
+  check.That(
+    refined > 50 && refined < 200, "cells at the boundary of the wake: " + std::to_string(refined));
 }
 
-/// Parameters and times up to a plane that flow meets at an angle, with intervals of both: they fit
-/// face to face, also where cut cells meet others, and end at the plane.
+/// Parameters and times up to an oblique plane, with intervals of both. Tetrahedra match at faces,
+/// also between cut cells and other cells, and end at the plane.
 void TestOblique(Check& check)
 {
   check.SetContext("oblique");
-  constexpr double place = -0.47;
+  constexpr double position = -0.47;
   const auto samples = MakeSamples({ [](const Vector&) {
                                       return Vector{ { 1, 0.3, 0.2 } };
                                     },
-                                     MakeWidePlane(place), false },
+                                     MakeWidePlane(position), false },
     12);
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputData(samples);
@@ -151,13 +152,13 @@ void TestOblique(Check& check)
   volume->GenerateStreamSurfacesOn();
   volume->GenerateTimeSurfacesOn();
   volume->Update();
-  check.That(volume->GetReport()->GetNumber("CellsCut") > 50, "cells are cut");
+  check.That(volume->GetReport()->GetNumber("CellsCut") > 50, "some cells are cut");
   for (int port = 0; port < 3; ++port)
   {
     vtkUnstructuredGrid* mesh =
       vtkUnstructuredGrid::SafeDownCast(volume->GetOutputDataObject(port));
-    check.That(mesh->GetNumberOfCells() > 0, "there is output");
-    check.That(mesh->GetFieldData()->GetArray("BeyondSampleId") == nullptr, "of the samples alone");
+    check.That(mesh->GetNumberOfCells() > 0, "the output is not empty");
+    check.That(mesh->GetFieldData()->GetArray("BeyondSampleId") == nullptr, "number of samples");
   }
   vtkUnstructuredGrid* mesh = volume->GetOutput();
   vtkPointData* data = mesh->GetPointData();
@@ -186,9 +187,9 @@ void TestOblique(Check& check)
       mesh->GetPoint(p, x);
       range[0] = std::min(range[0], x[0]);
       range[1] = std::max(range[1], x[0]);
-      const double time = x[0] - place;
+      const double time = x[0] - position;
       check.Near(data->GetArray("AdvectionTime")->GetComponent(p, 0), time, 1e-6, "time", 1.0);
-      // At the sides streamlines leave before they come back to the plane.
+      // Near the sides, streamlines leave before they return to the plane.
       if (std::max(std::abs(x[1]), std::abs(x[2])) < 0.8)
       {
         check.Near(data->GetArray("TerminationUV")->GetComponent(p, 0),
@@ -198,8 +199,8 @@ void TestOblique(Check& check)
       }
     }
   }
-  check.Near(range[0], place, 1e-9, "up to the plane");
-  check.Near(range[1], place + 1.2, 1e-6, "to the time");
+  check.Near(range[0], position, 1e-9, "the volume extends to the plane");
+  check.Near(range[1], position + 1.2, 1e-6, "the volume extends to the time limit");
   const auto isAt = [&](const std::array<vtkIdType, 3>& face, auto&& value, double level)
   {
     return std::all_of(
@@ -207,25 +208,27 @@ void TestOblique(Check& check)
   };
   for (const auto& face : faces)
   {
-    const auto place3 = [&](int axis)
+    const auto position3 = [&](int axis)
     { return [mesh, axis](vtkIdType p) { return mesh->GetPoint(p)[axis]; }; };
     const auto inflow = [&](vtkIdType p) { return data->GetArray("Inflow")->GetComponent(p, 0); };
-    // The separatrix of what comes in by the side is a staircase of the samples' layers.
+    // The separatrix of streamlines through the sides follows the layers of samples.
     const auto layer = [&](vtkIdType p)
     { return std::remainder(mesh->GetPoint(p)[2] + 1.0, 2.0 / 11.0); };
     const auto layerY = [&](vtkIdType p)
     { return std::remainder(mesh->GetPoint(p)[1] + 1.0, 2.0 / 11.0); };
     const auto layerX = [&](vtkIdType p)
     { return std::remainder(mesh->GetPoint(p)[0] + 1.0, 2.0 / 11.0); };
-    const bool isEnd = isAt(face.first, place3(0), place) ||
-      isAt(face.first, place3(0), place + 1.2) || isAt(face.first, inflow, -0.7) ||
+    const bool isEnd = isAt(face.first, position3(0), position) ||
+      isAt(face.first, position3(0), position + 1.2) || isAt(face.first, inflow, -0.7) ||
       isAt(face.first, inflow, 0.6) || isAt(face.first, layer, 0.0) ||
       isAt(face.first, layerY, 0.0) || isAt(face.first, layerX, 0.0);
-    check.That(face.second == 2 || isEnd, "a face that two share, or one at an end");
+    check.That(
+      face.second == 2 || isEnd, "a face is shared by two tetrahedra or lies on a boundary");
   }
 }
 
-/// Flow that comes round again: time from 0 on one side of the half-plane to a turn on the other.
+/// Rotating flow: time increases from 0 on one side of the half-plane to a full rotation on the
+/// other.
 void TestReturning(Check& check)
 {
   check.SetContext("returning");
@@ -235,8 +238,8 @@ void TestReturning(Check& check)
   plane->SetPoint2(0, 0, 2);
   const auto rotation = [](const Vector& x) { return Vector{ { -x[1], x[0], 0.0 } }; };
   const auto samples = MakeSamples({ rotation, plane, false }, 16);
-  const auto whole = ExtractFlow(samples);
-  vtkUnstructuredGrid* mesh = whole;
+  const auto full = ExtractFlow(samples);
+  vtkUnstructuredGrid* mesh = full;
   double times[2] = { 10.0, -1.0 };
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {
@@ -247,14 +250,14 @@ void TestReturning(Check& check)
     times[0] = std::min(times[0], time);
     times[1] = std::max(times[1], time);
   }
-  check.Near(times[0], 0.0, 1e-12, "from the surface", 1.0);
-  check.Near(times[1], 2.0 * Pi, 1e-5, "to the surface", 1.0);
+  check.Near(times[0], 0.0, 1e-12, "minimum time at the surface", 1.0);
+  check.Near(times[1], 2.0 * Pi, 1e-5, "maximum time at the surface", 1.0);
   const auto isRight = [](const double* x)
   { return x[0] > 0.2 && x[0] < 0.8 && std::abs(x[1]) < 0.4; };
-  check.Near(MeasureVolumeIn(whole, isRight), 2.0 * 0.6 * 0.8, 0.1, "no gap beside it");
+  check.Near(MeasureVolumeIn(full, isRight), 2.0 * 0.6 * 0.8, 0.1, "no gap next to the surface");
   check.That(
-    MeasureVolumeIn(ExtractUncutFlow(samples), isRight) < 0.9 * MeasureVolumeIn(whole, isRight),
-    "as there was");
+    MeasureVolumeIn(ExtractUncutFlow(samples), isRight) < 0.9 * MeasureVolumeIn(full, isRight),
+    "a gap without cutting");
 }
 
 void TestThreads(Check& check)

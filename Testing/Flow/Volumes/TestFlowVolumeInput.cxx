@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a flow volume is given and gives: errors, arrays and their types, settings, progress and
-// abort, and the same bytes for any number of threads.
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+// Input and output of flow volumes: errors, arrays and their types, settings, progress and abort,
+// and bit-identical output for any number of threads.
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -68,10 +68,10 @@ void CheckErrors(Check& check)
       [](vtkFlowVolume*, vtkImageData* d) { d->GetPointData()->RemoveArray("TerminationId"); } },
     { "\"TerminationUV\"",
       [](vtkFlowVolume*, vtkImageData* d) { d->GetPointData()->RemoveArray("TerminationUV"); } },
-    { "The input has no point array \"AdvectionTime\". It is no implicit flow field.",
+    { "The input has no point array \"AdvectionTime\". Pass the output of vtkImplicitFlowField.",
       [](vtkFlowVolume*, vtkImageData* d) { d->GetPointData()->RemoveArray("AdvectionTime"); } },
-    { "Array \"Inflow\" has 3 components; 1 is needed. Intervals and stream surfaces need that of "
-      "vtkInflowMapping",
+    { "Array \"Inflow\" has 3 components; 1 is needed. Intervals and stream surfaces need the "
+      "Inflow of vtkInflowMapping",
       [](vtkFlowVolume*, vtkImageData* d)
       {
         vtkNew<vtkDoubleArray> wide;
@@ -126,27 +126,28 @@ void CheckErrors(Check& check)
     volume->SetNumberOfStreamSurfaces(0);
     volume->SetNumberOfTimeSurfaces(0);
     SetAll(volume);
-    check.That(MessagesOf(volume).empty(), "mended, it works");
+    check.That(MessagesOf(volume).empty(), "output after the correction");
   }
   check.SetContext("settings");
   vtkNew<vtkFlowVolume> volume;
   ExpectWarnings(volume);
   check.Contains(ErrorsOf(volume, [&]() { volume->SetStreamSurface(-1, 0.5); }), "-1");
   check.Contains(ErrorsOf(volume, [&]() { volume->SetInterval(10000, 0.0, 1.0); }),
-    "Interval index 10000 is not in 0 to 9999.");
-  check.Near(volume->GetStreamSurface(3), 0.0, 0.0, "none there", 1.0);
+    "Interval index 10000 is not in the range 0 to 9999.");
+  check.Near(volume->GetStreamSurface(3), 0.0, 0.0, "intervals that do not exist", 1.0);
   volume->SetTimeSurface(2, 0.5);
   check.Equal(volume->GetNumberOfTimeSurfaces(), 3, "surfaces are added");
   check.Near(volume->GetTimeSurface(2), 0.5, 0.0, "a time");
   const vtkMTimeType before = volume->GetMTime();
   volume->SetTimeSurface(2, 0.5);
-  check.Equal(static_cast<long long>(volume->GetMTime() - before), 0, "nothing has changed");
+  check.Equal(static_cast<long long>(volume->GetMTime() - before), 0,
+    "setting the same values does not modify the filter");
   SetAll(volume);
   CheckPrinted(Print(volume),
     { "0.3 to 0.6", "TimeRange: 0.1 to 0.6", "StreamSurfaces: 0.45", "TimeSurfaces: 0.35 0 0.5",
       "CellsOnSeams: 0", "TimePasses: 0" },
     check);
-  // Nothing in, nothing out; and cells of fewer dimensions.
+  // Empty inputs, and lower-dimensional cells.
   for (int thickness : { 0, 1 })
   {
     auto flat = MakeFlowImage({ { 5, 5, 2 } }, { { -1, 1, -1, 1, 0, 1 } });
@@ -209,11 +210,11 @@ void CheckArrays(Check& check)
     for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
     {
       check.Near(data->GetArray("Heat")->GetComponent(p, 0), output->GetPoint(p)[0], 1e-6,
-        "an array of the input", 1.0);
+        "array of the input", 1.0);
     }
   }
   vtkDataArray* zones = volume->GetOutput()->GetCellData()->GetArray("Zone");
-  check.That(zones && zones->GetRange()[1] > 100, "a cell array of the input");
+  check.That(zones && zones->GetRange()[1] > 100, "cell array of the input");
   vtkDataArray* inflow = volume->GetOutput(1)->GetCellData()->GetArray("Inflow");
   vtkDataArray* ids = volume->GetOutput(1)->GetCellData()->GetArray("StreamSurfaceId");
   const double values[4] = { 0.3, 0.45, 0.6, 0.8 };
@@ -224,11 +225,11 @@ void CheckArrays(Check& check)
     ++met[id];
     check.Near(inflow->GetComponent(c, 0), values[id], 0.0, "Inflow of a triangle");
   }
-  check.That(met[0] && met[1] && met[2] && met[3], "all stream surfaces are there");
+  check.That(met[0] && met[1] && met[2] && met[3], "number of stream surfaces");
   check.That(input->GetPointData()->HasArray("FlowStatus") &&
       !input->GetCellData()->HasArray("vtkGhostType"),
-    "the input is as it was");
-  // Arrays of other types, as a reader may give them.
+    "the input is unchanged");
+  // Arrays of other types, as readers may create them.
   check.SetContext("other types");
   auto other = MakeInput();
   for (const char* name : { "FlowStatus", "TerminationId", "TerminationUV", "AdvectionTime" })
@@ -242,7 +243,7 @@ void CheckArrays(Check& check)
   volume->SetInputData(other);
   volume->Update();
   check.Near(static_cast<double>(volume->GetOutput()->GetNumberOfCells()),
-    static_cast<double>(expected), 0.01, "as many cells");
+    static_cast<double>(expected), 0.01, "the number of cells is the same");
 }
 
 void CheckRuns(Check& check)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The mesh of a flow volume: tetrahedra fit face to face, intervals in Inflow and time fill it
-// without gap or overlap, stream and time surfaces are faces of it, each once and whole, and face
-// against the gradient, as normals do.
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+// The mesh of a flow volume: tetrahedra match at faces, intervals of Inflow and time fill it
+// without gap or overlap, and stream and time surfaces consist of faces of the tetrahedra, each
+// face once. Triangles and normals point against the gradient.
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceMesh.h"
@@ -29,7 +29,7 @@ namespace
 
 using namespace reference;
 
-// All tetrahedra of a grid, of any interval.
+// Returns the tetrahedra of all intervals of a grid.
 std::vector<Tetrahedron> AllTetrahedra(vtkUnstructuredGrid* grid)
 {
   std::vector<Tetrahedron> tetrahedra;
@@ -42,7 +42,7 @@ std::vector<Tetrahedron> AllTetrahedra(vtkUnstructuredGrid* grid)
   return tetrahedra;
 }
 
-// A field that bends, on an image or on tetrahedra.
+// Returns a curved field on an image or on tetrahedra.
 vtkSmartPointer<vtkDataSet> MakeField(bool isTetrahedral)
 {
   constexpr int cells = 12;
@@ -57,7 +57,7 @@ vtkSmartPointer<vtkDataSet> MakeField(bool isTetrahedral)
       MakeFlowImage({ { cells + 1, cells + 1, cells + 1 } }, { { 0, cells, 0, cells, 0, cells } });
   }
   AddFlow(data,
-    [](const double* at) -> FlowAnswer
+    [](const double* at) -> FlowResult
     {
       const double x[3] = { at[0] / cells, at[1] / cells, at[2] / cells };
       return { 0, 0, x[1] + 0.2 * std::sin(5.0 * x[0]), x[2] + 0.1 * x[0] * x[0],
@@ -96,14 +96,15 @@ void Set(vtkFlowVolume* volume, const Levels& levels)
   }
 }
 
-// All surfaces, ascending, each once.
+// Returns the sorted distinct values.
 std::vector<double> Sorted(std::vector<double> values)
 {
   const std::set<double> each(values.begin(), values.end());
   return std::vector<double>(each.begin(), each.end());
 }
 
-// Triangles are faces of tetrahedra, each once, at their value, and facing lower ones.
+// Checks that each triangle is a face of a tetrahedron, occurs once, has the value of its surface,
+// and is oriented to lower values.
 void CheckSurface(vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* surface, const char* function,
   const char* idArray, const std::vector<double>& values, bool hasFlatCells, Check& check)
 {
@@ -122,7 +123,7 @@ void CheckSurface(vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* surface, const
   vtkDataArray* f = mesh->GetPointData()->GetArray(function);
   vtkDataArray* ids = surface->GetCellData()->GetArray(idArray);
   vtkDataArray* normals = surface->GetPointData()->GetNormals();
-  check.That(normals && normals->GetName() == std::string("Normals"), "there are normals");
+  check.That(normals && normals->GetName() == std::string("Normals"), "the normals exist");
   std::set<std::array<vtkIdType, 3>> met;
   const std::vector<Triangle> triangles = TrianglesOf(surface);
   check.That(!triangles.empty(), "there are triangles");
@@ -130,7 +131,7 @@ void CheckSurface(vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* surface, const
   {
     std::array<vtkIdType, 3> face = triangles[t];
     std::sort(face.begin(), face.end());
-    check.That(met.insert(face).second, "a triangle is there once");
+    check.That(met.insert(face).second, "no triangle is repeated");
     const auto found = opposite.find(face);
     if (!check.That(found != opposite.end(), "a triangle is a face of a tetrahedron"))
     {
@@ -155,13 +156,13 @@ void CheckSurface(vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* surface, const
     }
     for (const vtkIdType other : found->second)
     {
-      // The side of a tetrahedron with greater values is behind.
+      // The tetrahedron with larger values is behind the triangle.
       mesh->GetPoint(other, x[3]);
       double way[3];
       vtkMath::Subtract(x[3], x[0], way);
       const double side = vtkMath::Dot(way, normal);
       const double difference = f->GetComponent(other, 0) - value;
-      check.That(side * difference <= 1e-15, "a triangle faces lower values");
+      check.That(side * difference <= 1e-15, "the triangle is oriented to lower values");
     }
     for (int c = 0; c < 3; ++c)
     {
@@ -169,7 +170,7 @@ void CheckSurface(vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* surface, const
       normals->GetTuple(triangles[t][c], n);
       check.Near(vtkMath::Norm(n), 1.0, 1e-6, "length of a normal");
       check.That(hasFlatCells || vtkMath::Dot(n, normal) > 0.5 * area || area < 1e-3,
-        "a normal is on its side");
+        "the normal points to the side of the triangle");
     }
   }
 }
@@ -194,14 +195,15 @@ void CheckLevels(const Levels& levels, bool isTetrahedral, const std::string& na
     Set(volume, levels);
     volume->Update();
     vtkUnstructuredGrid* mesh = volume->GetOutput();
-    // Faces have at most two tetrahedra, of opposite sides; but flat cells, which are left where
-    // values are equal to bounds and where a thin interval bends in a cell, have none.
+    // Faces have at most two tetrahedra, on opposite sides. Degenerate cells may remain at values
+    // equal to bounds, and where a thin interval is curved inside a cell. They have no face
+    // neighbors.
     for (const FaceUse& face : CountUses(FacesOf(AllTetrahedra(mesh))))
     {
       check.That(
-        face.Total() <= 2 && (hasFlatCells || face.Net() == 0 || face.Total() == 1), "faces fit");
+        face.Total() <= 2 && (hasFlatCells || face.Net() == 0 || face.Total() == 1), "faces match");
     }
-    // Each cell is within its intervals.
+    // Values in a cell are within the intervals that its ids name.
     const std::vector<double> times = [&]()
     {
       std::vector<double> all = levels.TimeSurfaces;
@@ -240,24 +242,24 @@ void CheckLevels(const Levels& levels, bool isTetrahedral, const std::string& na
                    [&](double value) { return value > lowest + 1e-12 && value < highest - 1e-12; }),
         "no cell on both sides of a stream surface");
     }
-    // Volumes of time intervals add up to what one without further surfaces has.
-    vtkNew<vtkFlowVolume> whole;
-    whole->SetInputConnection(mapping->GetOutputPort());
-    whole->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-    Set(whole, levels);
-    whole->SetNumberOfTimeSurfaces(0);
-    whole->SetNumberOfStreamSurfaces(0);
-    whole->Update();
-    const double expected = MeasureVolume(whole->GetOutput());
-    check.That(expected > 0.5, "there is a volume");
-    check.Near(MeasureVolume(mesh), expected, isTetrahedral ? 1e-12 : 0.005, "sum of all parts");
+    // Volumes of time intervals sum up to the volume without time surfaces.
+    vtkNew<vtkFlowVolume> full;
+    full->SetInputConnection(mapping->GetOutputPort());
+    full->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+    Set(full, levels);
+    full->SetNumberOfTimeSurfaces(0);
+    full->SetNumberOfStreamSurfaces(0);
+    full->Update();
+    const double expected = MeasureVolume(full->GetOutput());
+    check.That(expected > 0.5, "the volume is positive");
+    check.Near(MeasureVolume(mesh), expected, isTetrahedral ? 1e-12 : 0.005, "sum of all volumes");
     double sum = 0.0;
     for (std::size_t i = 0; i + 1 < times.size(); ++i)
     {
       sum += MeasureVolume(mesh, "TimeIntervalId", static_cast<int>(i));
     }
     check.Near(sum, MeasureVolume(mesh), 1e-12, "sum of time intervals");
-    // Parts of stream surfaces in all times are the surfaces.
+    // Stream surfaces of all time intervals sum up to the full surfaces.
     const double clipped = MeasureArea(volume->GetOutput(1));
     volume->SetTimeRange(0.0, levels.Start);
     volume->Update();
@@ -269,7 +271,7 @@ void CheckLevels(const Levels& levels, bool isTetrahedral, const std::string& na
     volume->SetNumberOfTimeSurfaces(0);
     volume->Update();
     check.Near(clipped + before + after, MeasureArea(volume->GetOutput(1)), 1e-9,
-      "parts of stream surfaces");
+      "sum of the stream surfaces");
     Set(volume, levels);
     volume->Update();
     if (!isStepped)
@@ -282,7 +284,7 @@ void CheckLevels(const Levels& levels, bool isTetrahedral, const std::string& na
   }
 }
 
-// Normals against gradients of known functions.
+// Normals compared with gradients of known functions.
 void CheckNormals(Check& check)
 {
   check.SetContext("normals");
@@ -312,7 +314,7 @@ void CheckNormals(Check& check)
         surface->GetPoint(p, x);
         surface->GetPointData()->GetNormals()->GetTuple(p, n);
         const double flat = std::hypot(x[0], x[1]);
-        // Time grows outward; -v grows towards the pole.
+        // Time increases outward, -v increases toward the pole.
         double expected[3] = { -x[0], -x[1], -x[2] };
         if (port == 1)
         {
@@ -324,7 +326,8 @@ void CheckNormals(Check& check)
         worst = std::min(worst, vtkMath::Dot(n, expected));
       }
     }
-    check.That(worst > std::cos(0.12), "the worst is off by " + std::to_string(std::acos(worst)));
+    check.That(
+      worst > std::cos(0.12), "maximum error of a normal: " + std::to_string(std::acos(worst)));
   }
 }
 
@@ -341,7 +344,7 @@ int TestFlowVolumeMesh(int, char*[])
     CheckLevels({ { { { 0.25, 0.5 } }, { { 0.5, 0.75 } }, { { 0.875, 1.0 } } },
                   { 0.625, 0.375, 0.8 }, 0.25, 1.1, { 0.75 } },
       isTetrahedral, grid + "several intervals", check);
-    // Thinner than a cell: no point of the grid is inside.
+    // Thinner than a cell: the interval contains no grid point.
     CheckLevels({ { { { 0.4, 0.402 } } }, { 0.401 }, 0.3, 0.9, { 0.5 } }, isTetrahedral,
       grid + "a thin interval", check);
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flow volumes behind obstacles that are hidden points, hidden cells or vectors that are no
-// numbers: the volume that uniform flow reaches past the obstacle, against lines through the hidden
-// cells, on images and other grids, with one obstacle, two, and one at the end of the field.
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+// Flow volumes behind obstacles, given as hidden points, hidden cells or NaN vectors: the volume of
+// a uniform flow past an obstacle compared with lines through hidden cells, on images and other
+// grids, with one obstacle, two obstacles, and an obstacle at the end of the field.
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
@@ -41,9 +41,9 @@ namespace
 
 using namespace reference;
 
-constexpr double Place = -0.97;
+constexpr double SurfaceX = -0.97;
 
-enum Ways
+enum Paths
 {
   HiddenPoints,
   HiddenCells,
@@ -54,24 +54,24 @@ struct Case
 {
   const char* Name;
   Vector Direction;
-  /// The points of the field along each axis.
+  /// Number of points of the field along each axis.
   int Points;
   std::vector<std::pair<Vector, double>> Balls;
-  Ways Way = HiddenPoints;
-  /// The grid, as FormsOf() names it.
+  Paths Path = HiddenPoints;
+  /// Name of the grid in FormsOf().
   std::string Form = "image";
-  /// The levels of refinement.
+  /// Number of refinement levels.
   int Levels = 0;
   int Samples = 17;
 };
 
-bool IsInBall(const Case& one, const Vector& x)
+bool IsInSphere(const Case& one, const Vector& x)
 {
   return std::any_of(one.Balls.begin(), one.Balls.end(),
     [&x](const auto& ball) { return GetNorm(x - ball.first) < ball.second; });
 }
 
-/// The cells of the field with an obstacle's point.
+/// Cells of the field that use a point of the obstacle.
 class Obstacle
 {
 public:
@@ -83,7 +83,7 @@ public:
     {
       const Vector x{ { -1.0 + 2.0 * i / this->Cells, -1.0 + 2.0 * j / this->Cells,
         -1.0 + 2.0 * k / this->Cells } };
-      for (int corner = 0; IsInBall(one, x) && corner < 8; ++corner)
+      for (int corner = 0; IsInSphere(one, x) && corner < 8; ++corner)
       {
         this->Hide(i - (corner & 1), j - (corner >> 1 & 1), k - (corner >> 2 & 1));
       }
@@ -95,11 +95,11 @@ public:
     return this->IsHidden[static_cast<std::size_t>((i * this->Cells + j) * this->Cells + k)];
   }
 
-  /// Returns whether the line from \a x against the direction reaches the plane without a hidden
-  /// cell, and within the field.
+  /// Returns whether the line from \a x against \a direction reaches the plane within the field
+  /// without crossing a hidden cell.
   bool Reaches(const Vector& x, const Vector& direction) const
   {
-    const double time = (x[0] - Place) / direction[0];
+    const double time = (x[0] - SurfaceX) / direction[0];
     const auto steps = static_cast<int>(std::ceil(5.0 * this->Cells * time));
     for (int step = 0; step <= steps; ++step)
     {
@@ -134,47 +134,47 @@ private:
   std::vector<bool> IsHidden;
 };
 
-/// The volume between two places along x from which lines reach the plane: the share of places, one
-/// in each of many boxes.
+/// Returns the volume between two positions along x from which lines reach the plane. Uses one
+/// random position in each of many boxes.
 double MeasureLines(const Case& one, double low = -1.0, double high = 1.0)
 {
   const Obstacle obstacle(one);
-  const std::vector<Vector> places = MakeRandomPlaces(40, 5);
+  const std::vector<Vector> positions = MakeRandomPositions(40, 5);
   int reached = 0;
-  for (Vector x : places)
+  for (Vector x : positions)
   {
     x[0] = low + 0.5 * (x[0] + 1.0) * (high - low);
     reached += obstacle.Reaches(x, one.Direction) ? 1 : 0;
   }
-  return 4.0 * (high - low) * reached / static_cast<double>(places.size());
+  return 4.0 * (high - low) * reached / static_cast<double>(positions.size());
 }
 
-/// The field, with its obstacle.
+/// Returns the field with its obstacle.
 vtkSmartPointer<vtkDataSet> MakeField(const Case& one)
 {
   auto image =
     MakeFlowImage({ { one.Points, one.Points, one.Points } }, { { -1, 1, -1, 1, -1, 1 } });
   vtkDataArray* vectors = AddVectors(image, [&one](const Vector&) { return one.Direction; });
   vtkUnsignedCharArray* ghosts =
-    one.Way == HiddenPoints ? image->AllocatePointGhostArray() : nullptr;
+    one.Path == HiddenPoints ? image->AllocatePointGhostArray() : nullptr;
   for (vtkIdType p = 0; p < image->GetNumberOfPoints(); ++p)
   {
     Vector x;
     image->GetPoint(p, x.data());
-    if (!IsInBall(one, x))
+    if (!IsInSphere(one, x))
     {
       continue;
     }
-    if (one.Way == HiddenPoints)
+    if (one.Path == HiddenPoints)
     {
       ghosts->SetValue(p, vtkDataSetAttributes::HIDDENPOINT);
     }
-    else if (one.Way == NotFinite)
+    else if (one.Path == NotFinite)
     {
       vectors->SetTuple3(p, std::numeric_limits<double>::quiet_NaN(), 1.0, 1.0);
     }
   }
-  if (one.Way == HiddenCells)
+  if (one.Path == HiddenCells)
   {
     ghosts = image->AllocateCellGhostArray();
     const Obstacle obstacle(one);
@@ -194,11 +194,11 @@ vtkSmartPointer<vtkDataSet> MakeField(const Case& one)
     ->Data;
 }
 
-/// The implicit flow field of samples along each axis.
+/// Returns the implicit flow field of samples along each axis.
 vtkSmartPointer<vtkDataSet> MakeSamples(const Case& one)
 {
   vtkNew<vtkImplicitFlowField> field;
-  if (one.Way == NotFinite)
+  if (one.Path == NotFinite)
   {
     ExpectWarnings(field);
   }
@@ -209,7 +209,7 @@ vtkSmartPointer<vtkDataSet> MakeSamples(const Case& one)
   field->SetSampleDimensions(one.Samples, one.Samples, one.Samples);
   field->SetSamplingChecks(0);
   field->SetRefinementLevels(one.Levels);
-  field->AddTerminationSurface(MakeWidePlane(Place));
+  field->AddTerminationSurface(MakeWidePlane(SurfaceX));
   field->Update();
   return vtkDataSet::SafeDownCast(field->GetOutputDataObject(0));
 }
@@ -228,13 +228,13 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractTubes(vtkDataSet* samples)
   return volume->GetOutput();
 }
 
-/// Returns the volume of tetrahedra, and checks that no face has more than two, and that each pair
-/// is on two sides of its face.
+/// Returns the volume of tetrahedra. Checks that each face has at most two tetrahedra, on opposite
+/// sides.
 double Measure(vtkUnstructuredGrid* mesh, Check& check)
 {
   const TetrahedraReport report = Inspect(mesh);
-  check.Equal(report.FacesTooOften, 0, "faces of more than two");
-  check.Equal(report.FacesTurned, 0, "tetrahedra that are turned over");
+  check.Equal(report.FacesTooOften, 0, "faces with more than two tetrahedra");
+  check.Equal(report.FacesTurned, 0, "pairs of tetrahedra on the same side of a face");
   return MeasureVolume(mesh);
 }
 
@@ -249,11 +249,11 @@ void TestVolumes(Check& check)
     { "along x, samples of the field", along, 33, { ball }, HiddenPoints, "image", 0, 33 },
     { "oblique, a finer field", oblique, 65, { ball }, HiddenPoints, "image", 0, 33 },
     { "oblique, samples of the field", oblique, 17, { ball } },
-    { "oblique, a field that fits no samples", oblique, 26, { ball } },
+    { "oblique, a field whose points differ from the samples", oblique, 26, { ball } },
     { "two obstacles", oblique, 33, { ball, small } },
     { "an obstacle at the end of the field", oblique, 33, { atEnd } },
     { "hidden cells", oblique, 33, { ball }, HiddenCells },
-    { "vectors that are no numbers", oblique, 33, { ball }, NotFinite },
+    { "NaN vectors", oblique, 33, { ball }, NotFinite },
     { "structured grid", oblique, 17, { ball }, HiddenPoints, "structured" },
     { "structured grid with hidden cells", oblique, 17, { ball }, HiddenCells, "structured" },
     { "unstructured grid", oblique, 17, { ball }, HiddenPoints, GetName(MeshKind::Hexahedra) },
@@ -269,12 +269,12 @@ void TestVolumes(Check& check)
     std::cout << one.Name << ": " << exact << ", " << 100.0 * (before / exact - 1.0)
               << " % before, " << 100.0 * (found / exact - 1.0) << " %\n";
     check.Near(found, exact, one.Samples == 33 ? 0.005 : 0.03, "volume");
-    check.That(before < 0.97 * exact, "cells that would be missing");
+    check.That(before < 0.97 * exact, "cells that would be omitted");
   }
 }
 
-/// The front of an obstacle in the layer of cells that share corners with those that the plane
-/// passes through.
+/// The front of an obstacle is in the layer of cells next to the cells that the plane passes
+/// through.
 void TestAtPlane(Check& check)
 {
   check.SetContext("an obstacle at the plane");
@@ -287,13 +287,13 @@ void TestAtPlane(Check& check)
   const double found =
     MeasureVolumeIn(mesh, [&](const double* x) { return x[0] > low && x[0] < high; });
   const double exact = MeasureLines(one, low, high);
-  std::cout << "at the plane: " << exact << ", " << 100.0 * (found / exact - 1.0) << " %\n";
+  std::cout << "volume at the plane: " << exact << ", " << 100.0 * (found / exact - 1.0) << " %\n";
   check.Near(found, exact, 0.02, "volume");
 }
 
-/// Values in cut cells are those of the lines, as the field is linear, also with intervals. Next to
-/// the boundary they are off by the width of the bisection, a 64th of a cell, or a little more
-/// where the distances of a cell's corners do not fit all its edges.
+/// Values in cut cells are exact because the field is linear, also with intervals. Close to the
+/// boundary the error is up to the width of the bisection, a 64th of a cell, and slightly more if
+/// the distances of a cell's points are inconsistent.
 void TestValues(Check& check)
 {
   check.SetContext("values");
@@ -308,11 +308,11 @@ void TestValues(Check& check)
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {
     const double* x = mesh->GetPoint(p);
-    const double time = x[0] - Place;
+    const double time = x[0] - SurfaceX;
     const double inflow = x[1] - one.Direction[1] * time;
     largest[0] =
       std::max(largest[0], std::abs(data->GetArray("AdvectionTime")->GetComponent(p, 0) - time));
-    // On the plane values are those of a corner where streamlines leave the field.
+    // On the plane, values come from a point where streamlines leave the field.
     if (time > 0.0)
     {
       largest[1] =
@@ -323,14 +323,14 @@ void TestValues(Check& check)
   check.Near(largest[1], 0.0, 0.1 * cell, "inflow", 1.0);
 }
 
-/// Without an obstacle nothing is located, and nothing else is cut than before.
+/// Without an obstacle, no boundary is located, and the cuts are unchanged.
 void TestWithout(Check& check)
 {
   check.SetContext("without an obstacle");
   const auto samples = MakeSamples({ "", { { 1.0, 0.3, 0.2 } }, 31, {} });
   double range[2];
   samples->GetFieldData()->GetArray("BeyondSampleSurface")->GetRange(range);
-  check.That(range[0] >= -1, "no samples beside a boundary");
+  check.That(range[0] >= -1, "no samples next to a boundary");
 }
 
 void TestThreads(Check& check)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A flow volume does what is asked of it and no more: no extraction by what cuts nothing, none
-// again of what has not changed, and no surfaces, normals or copies of points that nobody wants.
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+// A flow volume only does what is requested: no passes for bounds outside the data, no repeated
+// passes for unchanged settings, and no surfaces, normals or copies of points that are not
+// requested.
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 
@@ -18,7 +19,7 @@ namespace
 
 using namespace reference;
 
-// What an update of the volume costs: preparations, passes by Inflow and time, cuts, normals.
+// Cost of an update: preparations, passes for Inflow and time, cuts, and normals.
 struct Costs
 {
   int Preparations;
@@ -45,16 +46,14 @@ public:
     this->Expect.SetContext(name);
     this->Volume->Update();
     vtkInterlumeReport* report = this->Volume->GetReport();
-    this->Expect.Near(report->GetNumber("Preparations"), costs.Preparations, 0.0, "preparations");
-    this->Expect.Near(
-      report->GetNumber("InflowPasses"), costs.InflowPasses, 0.0, "passes by Inflow");
-    this->Expect.Near(report->GetNumber("TimePasses"), costs.TimePasses, 0.0, "passes by time");
-    this->Expect.Near(
-      report->GetNumber("SurfaceCuts"), costs.SurfaceCuts, 0.0, "cuts of stream surfaces");
-    this->Expect.Near(
-      report->GetNumber("NormalPasses"), costs.NormalPasses, 0.0, "passes for normals");
-    this->Expect.Near(report->GetNumber("PointsOnSeams"), 0, 0.0, "points on seams");
-    this->Expect.That(this->Volume->GetOutput()->GetNumberOfCells() > 0, "there is output");
+    this->Expect.Equal(report->GetCount("Preparations"), costs.Preparations, "preparations");
+    this->Expect.Equal(report->GetCount("InflowPasses"), costs.InflowPasses, "passes by Inflow");
+    this->Expect.Equal(report->GetCount("TimePasses"), costs.TimePasses, "passes by time");
+    this->Expect.Equal(
+      report->GetCount("SurfaceCuts"), costs.SurfaceCuts, "cuts of stream surfaces");
+    this->Expect.Equal(report->GetCount("NormalPasses"), costs.NormalPasses, "passes for normals");
+    this->Expect.Equal(report->GetCount("PointsOnSeams"), 0, "points on seams");
+    this->Expect.That(this->Volume->GetOutput()->GetNumberOfCells() > 0, "the output is not empty");
   }
 
   void CountCells(bool hasStream, bool hasTime)
@@ -78,11 +77,11 @@ int TestFlowVolumePay(int, char*[])
   Watch watch(check);
   vtkFlowVolume* volume = watch.Volume;
   ExpectWarnings(volume);
-  watch.Update("nothing set: tetrahedra only", { 1, 0, 1, 0, 0 });
+  watch.Update("no settings: only tetrahedra", { 1, 0, 1, 0, 0 });
   volume->GenerateStreamSurfacesOn();
   volume->GenerateTimeSurfacesOn();
   volume->GenerateNormalsOn();
-  watch.Update("surfaces, but none set", { 0, 0, 0, 0, 0 });
+  watch.Update("surfaces on, but no values", { 0, 0, 0, 0, 0 });
   watch.CountCells(false, false);
   volume->SetInterval(0, 0.2, 0.7);
   watch.Update("an interval", { 0, 1, 0, 0, 1 });
@@ -90,14 +89,14 @@ int TestFlowVolumePay(int, char*[])
   volume->SetTimeRange(0.0, 100.0);
   volume->SetTimeRange(-5.0, VTK_DOUBLE_MAX);
   volume->SetTimeSurface(0, -1.0);
-  watch.Update("times that cut nothing", { 0, 0, 0, 0, 1 });
+  watch.Update("time bounds outside the data", { 0, 0, 0, 0, 1 });
   volume->SetTimeSurface(0, 0.5);
   watch.Update("a time surface", { 0, 0, 1, 1, 2 });
   watch.CountCells(true, true);
   volume->SetTimeRange(0.0, 0.6);
   watch.Update("a time range", { 0, 0, 1, 1, 2 });
   volume->SetNumberOfTimeSurfaces(0);
-  watch.Update("the range only", { 0, 0, 1, 1, 2 });
+  watch.Update("only the time range", { 0, 0, 1, 1, 2 });
   volume->SetTimeRange(0.0, 0.7);
   watch.Update("growing", { 0, 0, 1, 1, 2 });
   volume->GenerateNormalsOff();
@@ -118,9 +117,9 @@ int TestFlowVolumePay(int, char*[])
   volume->SetNumberOfStreamSurfaces(0);
   watch.Update("no intervals", { 0, 0, 1, 0, 0 });
   volume->Modified();
-  watch.Update("nothing has changed", { 0, 0, 0, 0, 0 });
+  watch.Update("no change", { 0, 0, 0, 0, 0 });
 
-  // A volume of times alone does not need the mapping.
+  // A volume with only time bounds does not require the mapping.
   check.SetContext("without a mapping");
   vtkNew<vtkFlowVolume> times;
   times->SetInputConnection(watch.Mapping->GetInputConnection(0, 0));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flow that comes round to its termination surface again: on which side samples lie and how they
-// leave, which cells a flow volume leaves out for it and which not, and the limit of time jumps.
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+// Flow that returns to its termination surface: on which side samples lie and how streamlines
+// leave, which cells a flow volume omits, and the limit of time jumps.
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -36,7 +36,7 @@ namespace
 
 using namespace reference;
 
-constexpr double Turn = 6.283185307179586;
+constexpr double FullTurn = 6.283185307179586;
 
 Vector Rotation(const Vector& x)
 {
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkTerminationPlane> MakePlane(
   return plane;
 }
 
-/// y = 0, x > 0, the normal along y.
+/// The half-plane y = 0, x > 0 with normal along y.
 vtkSmartPointer<vtkTerminationPlane> MakeHalfPlane()
 {
   return MakePlane(0, 0, -1, { { 0, 0, 3 } }, { { 3, 0, 0 } });
@@ -78,9 +78,9 @@ int GetSide(vtkDataSet* data, vtkIdType id)
   return static_cast<int>(data->GetPointData()->GetArray("TerminationSide")->GetComponent(id, 0));
 }
 
-/// Cells all of whose corners reached one id and for which \a isLeftOut(points) says so.
+/// Counts cells whose points all reached one id and for which \a isOmitted(points) is true.
 vtkIdType CountCells(
-  vtkDataSet* data, const std::function<bool(const std::vector<Vector>&)>& isLeftOut)
+  vtkDataSet* data, const std::function<bool(const std::vector<Vector>&)>& isOmitted)
 {
   vtkDataArray* ids = data->GetPointData()->GetArray("TerminationId");
   vtkIdType count = 0;
@@ -99,14 +99,14 @@ vtkIdType CountCells(
         points.push_back(x);
       }
     }
-    count += static_cast<vtkIdType>(points.size()) == corners->GetNumberOfIds() && isLeftOut(points)
+    count += static_cast<vtkIdType>(points.size()) == corners->GetNumberOfIds() && isOmitted(points)
       ? 1
       : 0;
   }
   return count;
 }
 
-/// Tetrahedra with corners on both sides of a level of a function.
+/// Counts tetrahedra with points on both sides of an isovalue of a function.
 vtkIdType CountAcross(
   vtkUnstructuredGrid* mesh, const std::function<double(const double*)>& function, double tolerance)
 {
@@ -128,13 +128,14 @@ vtkIdType CountAcross(
   return count;
 }
 
-/// The signed distance from the half-plane, without sign beyond its rim.
+/// Returns the signed distance from the half-plane, or 0 outside its boundary edge.
 double GetHalfPlane(const double* x)
 {
   return x[0] > 0.0 ? x[1] : 0.0;
 }
 
-/// In a rotation of unit angular speed the path of a far side is its time multiplied by the radius.
+/// In a rotation with unit angular speed, the arc length of a far side is the time multiplied by
+/// the radius.
 void CheckFarSides(vtkDataSet* samples, Check& check)
 {
   vtkFieldData* data = samples->GetFieldData();
@@ -142,7 +143,7 @@ void CheckFarSides(vtkDataSet* samples, Check& check)
   vtkDataArray* positions = data->GetArray("BeyondSamplePosition");
   vtkDataArray* times = data->GetArray("BeyondAdvectionTime");
   vtkDataArray* lengths = data->GetArray("BeyondArcLength");
-  vtkIdType whole = 0;
+  vtkIdType fullTurns = 0;
   for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
   {
     if (ids->GetComponent(i, 0) < 0.0)
@@ -152,9 +153,9 @@ void CheckFarSides(vtkDataSet* samples, Check& check)
     const double radius = std::hypot(positions->GetComponent(i, 0), positions->GetComponent(i, 1));
     const double time = times->GetComponent(i, 0);
     check.Near(lengths->GetComponent(i, 0), radius * time, 1e-5, "arc length of a far side", 1e-3);
-    whole += time > 0.9 * Turn ? 1 : 0;
+    fullTurns += time > 0.9 * FullTurn ? 1 : 0;
   }
-  check.That(whole > 0, "there are far sides that a whole turn leads to");
+  check.That(fullTurns > 0, "some far sides are reached after a full rotation");
 }
 
 void TestRotation(Check& check)
@@ -173,9 +174,10 @@ void TestRotation(Check& check)
       field->Update();
       vtkDataSet* samples = vtkDataSet::SafeDownCast(field->GetOutput());
       CheckFarSides(samples, check);
-      // How streamlines leave the upper side: there, backward they start at the surface.
-      const int upper = isForward ? vtkFlowStatus::AWAY : vtkFlowStatus::TOWARDS;
-      const int lower = isForward ? vtkFlowStatus::TOWARDS : vtkFlowStatus::AWAY;
+      // On the upper side of the surface, forward streamlines lead away from it, and backward
+      // streamlines lead toward it.
+      const int upper = isForward ? vtkFlowStatus::AWAY : vtkFlowStatus::TOWARD;
+      const int lower = isForward ? vtkFlowStatus::TOWARD : vtkFlowStatus::AWAY;
       const double size = 2.0 / (points - 1);
       vtkIdType sided = 0;
       for (vtkIdType id = 0; id < samples->GetNumberOfPoints(); ++id)
@@ -191,25 +193,28 @@ void TestRotation(Check& check)
         }
         else if (!isNear && x[0] < 0.9 && std::abs(x[0]) > 1e-9)
         {
-          check.Near(side, 0.0, 0.0, "no side", 1.0);
+          check.Near(side, 0.0, 0.0, "samples away from the surface have no side", 1.0);
         }
       }
-      check.That(sided > 0, "there are sides");
+      check.That(sided > 0, "some samples have a side");
       vtkNew<vtkFlowVolume> volume;
       ExpectWarnings(volume);
       volume->SetInputData(samples);
       volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
       volume->Update();
-      check.Equal(CountAcross(volume->GetOutput(), GetHalfPlane, 1e-9), 0, "no cell crosses");
-      check.That(!volume->GetOutput()->GetPointData()->HasArray("TerminationSide"), "no side");
+      check.Equal(
+        CountAcross(volume->GetOutput(), GetHalfPlane, 1e-9), 0, "no cell crosses the surface");
+      check.That(!volume->GetOutput()->GetPointData()->HasArray("TerminationSide"),
+        "TerminationSide is not passed");
       vtkUnstructuredGrid* mesh = volume->GetOutput();
       for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
       {
         double x[3];
         mesh->GetPoint(id, x);
         const double angle = std::atan2(x[1], x[0]);
-        const double turned = isForward ? -angle : angle;
-        check.Near(std::remainder(GetTime(mesh, id) - turned, Turn), 0.0, 1e-5, "time", 1.0);
+        const double signedAngle = isForward ? -angle : angle;
+        check.Near(
+          std::remainder(GetTime(mesh, id) - signedAngle, FullTurn), 0.0, 1e-5, "time", 1.0);
       }
       const vtkIdType expected = CountCells(samples,
         [&](const std::vector<Vector>& corners)
@@ -223,44 +228,44 @@ void TestRotation(Check& check)
             highest = std::max(highest, std::abs(x[1]) < 1e-9 ? 0.0 : x[1]);
             right = std::max(right, x[0]);
           }
-          // A cell that ends at the rim touches the surface.
+          // A cell that ends at the boundary edge touches the surface.
           return right > -1e-9 &&
             (isForward ? lowest <= 0.0 && highest > 0.0 : lowest < 0.0 && highest >= 0.0);
         });
-      check.Near(
-        volume->GetReport()->GetNumber("CellsAcrossSurfaces"), expected, 0.0, "cells across");
-      check.That(expected >= 20, "there are some");
-      check.Near(volume->GetReport()->GetNumber("CellsWithTimeJumps"), 0, 0.0, "no limit");
-      // Without what is beyond the surface cells are left out there.
+      check.Equal(
+        volume->GetReport()->GetCount("CellsAcrossSurfaces"), expected, "cells across the surface");
+      check.That(expected >= 20, "some cells are across the surface");
+      check.Equal(volume->GetReport()->GetCount("CellsWithTimeJumps"), 0, "no limit of time jumps");
+      // Without the far-side arrays, cells across the surface are omitted.
       vtkSmartPointer<vtkDataSet> bare = vtk::TakeSmartPointer(samples->NewInstance());
       bare->ShallowCopy(samples);
       bare->GetFieldData()->RemoveArray("BeyondSampleId");
       volume->SetInputData(bare);
       volume->Update();
-      check.Near(volume->GetReport()->GetNumber("CellsAcrossSurfaces"), expected, 0.0,
-        "cells across, left out");
-      check.Near(volume->GetReport()->GetNumber("CellsCut"), 0, 0.0, "none is cut");
+      check.Equal(volume->GetReport()->GetCount("CellsAcrossSurfaces"), expected,
+        "cells across the surface, omitted");
+      check.Equal(volume->GetReport()->GetCount("CellsCut"), 0, "no cell is cut");
       const vtkIdType before = volume->GetOutput()->GetNumberOfCells();
-      // Without the sides it is as it was.
+      // Without TerminationSide, cells across the surface are not detected.
       bare->GetPointData()->RemoveArray("TerminationSide");
       bare->Modified();
       volume->Update();
-      check.Near(
-        volume->GetReport()->GetNumber("CellsAcrossSurfaces"), 0, 0.0, "none without sides");
-      check.That(volume->GetOutput()->GetNumberOfCells() > before, "more cells then");
-      // And the limit of time finds the same.
-      volume->SetMaximumTimeJump(0.9 * Turn);
+      check.Equal(
+        volume->GetReport()->GetCount("CellsAcrossSurfaces"), 0, "no cells across the surface");
+      check.That(volume->GetOutput()->GetNumberOfCells() > before, "more cells");
+      // The limit on time jumps skips some or all of these cells instead.
+      volume->SetMaximumTimeJump(0.9 * FullTurn);
       volume->Update();
       const vtkIdType jumps = volume->GetReport()->GetNumber("CellsWithTimeJumps");
       check.That(jumps > 0 && jumps <= expected, "time jumps");
       volume->SetMaximumTimeJump(1e-300);
       volume->Update();
-      check.Equal(volume->GetOutput()->GetNumberOfCells(), 0, "all times differ in a cell");
+      check.Equal(volume->GetOutput()->GetNumberOfCells(), 0, "times differ in all cells");
     }
   }
 }
 
-/// A mesh instead of a plane, one of triangles with a border, and no other surface in between.
+/// A mesh instead of a plane, with triangles and a boundary edge, and no other surface in between.
 void TestMesh(Check& check)
 {
   check.SetContext("mesh");
@@ -286,19 +291,22 @@ void TestMesh(Check& check)
     check.Equal(GetSide(vtkDataSet::SafeDownCast(byMesh->GetOutput()), id),
       GetSide(vtkDataSet::SafeDownCast(byPlane->GetOutput()), id), "the same side");
   }
-  double places[3][3] = { { 1, 5, 0 }, { -1, 5, 0 }, { 1, -2, 2.5 } };
+  double locations[3][3] = { { 1, 5, 0 }, { -1, 5, 0 }, { 1, -2, 2.5 } };
   for (vtkTerminationSurface* surface :
     std::initializer_list<vtkTerminationSurface*>{ mesh, byPlane->GetTerminationSurface(0) })
   {
-    check.That(surface->IsBeside(places[0]), "beside");
-    check.That(!surface->IsBeside(places[1]) && !surface->IsBeside(places[2]), "beyond the rim");
+    check.That(surface->ProjectsOntoSurface(locations[0]), "beside");
+    check.That(
+      !surface->ProjectsOntoSurface(locations[1]) && !surface->ProjectsOntoSurface(locations[2]),
+      "no side outside the boundary edge");
   }
 }
 
-/// Samples between two surfaces of one id are nearer to one or the other, and time goes on there.
+/// Samples between two surfaces with one id have the side of the closer surface, and time continues
+/// there.
 void TestOneId(Check& check)
 {
-  check.SetContext("one id");
+  check.SetContext("two surfaces with one id");
   vtkNew<vtkImplicitFlowField> field;
   field->SetInputData(MakeImage(40, { { 0.05, 2, 0, 1, 0, 1 } },
     [](const Vector&) {
@@ -312,18 +320,18 @@ void TestOneId(Check& check)
   vtkNew<vtkFlowVolume> volume;
   volume->SetInputConnection(field->GetOutputPort());
   volume->Update();
-  // One layer of cells at the second surface; before the first nothing is reached.
-  check.Near(volume->GetReport()->GetNumber("CellsAcrossSurfaces"), 39 * 2, 0.0, "cells");
-  // Points are floats.
+  // One layer of cells at the second surface. No surface is reached before the first.
+  check.Equal(volume->GetReport()->GetCount("CellsAcrossSurfaces"), 39 * 2, "cells");
+  // The tolerance allows for single-precision points.
   check.Equal(CountAcross(
                 volume->GetOutput(), [](const double* x) { return x[0] - 0.93; }, 1e-6),
-    0, "none across");
+    0, "no cell crosses a surface");
   check.That(CountAcross(
                volume->GetOutput(), [](const double* x) { return x[0] - 0.52; }, 1e-6) > 0,
-    "the middle is there");
+    "the center has cells");
 }
 
-/// Time jumps where flow leaves a closed surface that it went through.
+/// Times jump where flow leaves a closed surface that it has crossed.
 void TestSphere(Check& check)
 {
   check.SetContext("sphere");
@@ -348,9 +356,10 @@ void TestSphere(Check& check)
       const auto inside = std::count_if(corners.begin(), corners.end(), isInside);
       return inside > 0 && inside < static_cast<std::ptrdiff_t>(corners.size());
     });
-  check.Near(volume->GetReport()->GetNumber("CellsAcrossSurfaces"), expected, 0.0, "cells across");
-  check.That(expected > 200, "there are some");
-  // To the fourth order of the edges that are cut, with cells of 0.07.
+  check.Equal(
+    volume->GetReport()->GetCount("CellsAcrossSurfaces"), expected, "cells across the surface");
+  check.That(expected > 200, "some cells are across the surface");
+  // Cut edges are accurate to fourth order, for cells of width 0.07.
   check.Equal(CountAcross(volume->GetOutput(), distance, 1e-4), 0, "no cell crosses");
   for (vtkIdType id = 0; id < samples->GetNumberOfPoints(); ++id)
   {
@@ -358,11 +367,11 @@ void TestSphere(Check& check)
     samples->GetPoint(id, x);
     const bool isOfSphere =
       samples->GetPointData()->GetArray("TerminationId")->GetComponent(id, 0) == 0;
-    check.That(GetSide(samples, id) == 0 || isOfSphere, "faces of the domain have no sides");
+    check.That(GetSide(samples, id) == 0 || isOfSphere, "domain faces have no sides");
   }
 }
 
-/// Two blocks with flow away from the plane between them: time is 0 there from both sides.
+/// Two blocks with flow away from the plane between them: time is 0 at the plane on both sides.
 void TestSource(Check& check)
 {
   check.SetContext("source");
@@ -394,7 +403,7 @@ void TestSource(Check& check)
   volume->SetInputConnection(field->GetOutputPort());
   volume->SetTimeRange(0.2, 0.6);
   check.That(MessagesOf(volume).empty(), "no messages");
-  check.Near(volume->GetReport()->GetNumber("CellsAcrossSurfaces"), 0, 0.0, "no cell is left out");
+  check.Equal(volume->GetReport()->GetCount("CellsAcrossSurfaces"), 0, "no cell is omitted");
   check.Near(MeasureVolume(volume->GetOutput()), 0.8, 1e-6, "volume");
   vtkIdType sided = 0;
   vtkDataSet* samples = vtkDataSet::SafeDownCast(field->GetOutput());
@@ -407,7 +416,7 @@ void TestSource(Check& check)
 
 void TestBadArray(Check& check)
 {
-  check.SetContext("wrong array");
+  check.SetContext("array with an invalid number of components");
   auto image = MakeFlowImage({ { 4, 4, 4 } }, { { 0, 1, 0, 1, 0, 1 } });
   AddFlow(image, UniformFlow(1.0), { { { 0, 0, 0 } } });
   vtkNew<vtkFloatArray> sides;

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stream volumes, stream surfaces and time surfaces of flows with known streamlines: volumes,
-// areas and fluxes against formulas, with errors that fall with the square of the spacing, on every
-// kind of grid.
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+// Stream volumes, stream surfaces and time surfaces of flows with known streamlines: volumes, areas
+// and fluxes compared with formulas. Errors converge with second order on every kind of grid.
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceLattice.h"
@@ -24,7 +23,7 @@ using namespace reference;
 
 const double Pi = vtkMath::Pi();
 
-// A flow volume of a mapping of a field.
+// A field, a mapping and a flow volume.
 struct Pipeline
 {
   vtkNew<vtkInflowMapping> Mapping;
@@ -47,7 +46,8 @@ struct Pipeline
   }
 };
 
-// Errors of \a measure at two resolutions: at most \a bound, and four times less at the second.
+// Checks the error of \a measure at two resolutions: at most \a bound, and four times smaller at
+// the second.
 void CheckOrder(const std::function<double(int)>& measure, int resolution, double expected,
   double bound, const std::string& what, Check& check)
 {
@@ -55,12 +55,12 @@ void CheckOrder(const std::function<double(int)>& measure, int resolution, doubl
   const double fine = std::abs(measure(2 * resolution) - expected) / expected;
   check.That(coarse <= bound, what + " error " + std::to_string(coarse));
   check.That(fine <= 0.3 * coarse + 1e-12,
-    what + " falls from " + std::to_string(coarse) + " to " + std::to_string(fine));
+    what + " decreases from " + std::to_string(coarse) + " to " + std::to_string(fine));
 }
 
 vtkSmartPointer<vtkImageData> MakeUniform(int points)
 {
-  // Samples before the plane have no answer.
+  // Samples upstream of the plane have no result.
   auto image = MakeFlowImage(
     { { points + 1, points, points } }, { { -1.0 / (points - 1), 1.0, 0.0, 1.0, 0.0, 1.0 } });
   AddFlow(image, UniformFlow(0.5), { { { 0, 0, 0 } } });
@@ -89,17 +89,17 @@ void CheckUniform(Check& check)
     CheckOrder([&](int n) { return MeasureArea(make(n)->Update(2), "TimeSurfaceId", time); }, 12,
       Pi * radius * radius, 0.03, "time surface", check);
   }
-  // Without the range the volume goes from the plane to the end of the grid.
-  auto whole = make(24);
-  whole->Volume->SetTimeRange(0.0, VTK_DOUBLE_MAX);
-  check.Near(MeasureVolume(whole->Update()), Pi * radius * radius, 0.01, "whole length");
-  // A growing volume.
-  const double perTime = MeasureVolume(whole->Update()) * 0.5;
+  // Without a time range, the volume extends from the plane to the end of the grid.
+  auto full = make(24);
+  full->Volume->SetTimeRange(0.0, VTK_DOUBLE_MAX);
+  check.Near(MeasureVolume(full->Update()), Pi * radius * radius, 0.01, "full length");
+  // The volume grows with the time range.
+  const double perTime = MeasureVolume(full->Update()) * 0.5;
   for (int step = 1; step <= 5; ++step)
   {
-    whole->Volume->SetTimeRange(0.0, 0.37 * step);
-    check.Near(MeasureVolume(whole->Update()), 0.37 * step * perTime, 1e-9, "growth with time");
-    check.Near(whole->Volume->GetReport()->GetNumber("InflowPasses"), 0, 0.0, "no other pass");
+    full->Volume->SetTimeRange(0.0, 0.37 * step);
+    check.Near(MeasureVolume(full->Update()), 0.37 * step * perTime, 1e-9, "growth per time");
+    check.Equal(full->Volume->GetReport()->GetCount("InflowPasses"), 0, "no additional pass");
   }
 }
 
@@ -120,17 +120,18 @@ void CheckForms(Check& check)
     for (int port = 0; port < 3; ++port)
     {
       auto found = GeometricSet(pipeline.Update(port), { ids[port] });
-      check.That(!found.empty(), "there is output");
+      check.That(!found.empty(), "the output is not empty");
       if (expected[port].empty())
       {
         expected[port] = found;
       }
-      check.That(found == expected[port], "port " + std::to_string(port) + " as of the image");
+      check.That(found == expected[port],
+        "port " + std::to_string(port) + " equals the output for the image");
     }
   }
 }
 
-// The cones between two polar angles, in a shell.
+// A spherical shell between two cones of constant polar angle.
 void CheckSphere(Check& check)
 {
   check.SetContext("source and sphere");
@@ -164,7 +165,7 @@ void CheckSphere(Check& check)
     shell->GetReport()->GetNumber("CellsAroundPoles") > 0, "cells around the poles are counted");
 }
 
-// A quarter of a ring, turning.
+// A quarter of a ring in a rotating flow.
 void CheckRotation(Check& check)
 {
   check.SetContext("rotation");
@@ -185,14 +186,14 @@ void CheckRotation(Check& check)
     0.02, "time surface", check);
 }
 
-// Fluxes through the time surfaces of one stream volume are the same, in fields without sources.
+// In fields without divergence, the flux through all time surfaces of a stream volume is the same.
 void CheckFlux(Check& check)
 {
   check.SetContext("flux");
   struct
   {
     const char* Name;
-    AnswerFunction Flow;
+    FlowResultFunction Flow;
     std::function<std::array<double, 3>(const double*)> Field;
     std::array<double, 6> Bounds;
     const char* Formula;
@@ -203,7 +204,7 @@ void CheckFlux(Check& check)
                         },
                         { { -1, 1, 0.2, 1, 0, 1 } }, "u^2+0.3*(v-0.5)^2", 0.03 },
     { "shear",
-      [](const double* x) -> FlowAnswer {
+      [](const double* x) -> FlowResult {
         return { 0, 0, x[1], x[2], x[0] / (1.0 + x[1] + 0.5 * x[2] * x[2]) };
       },
       [](const double* x) {

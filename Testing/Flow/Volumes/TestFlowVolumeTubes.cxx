@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Stream tubes of potential flow around a ball of hidden points, against streamlines from many
-// random places of the same field: below 2 % with as many samples as the field has points, but for
-// tubes narrower than two samples where the flow grazes the ball. There the error is that of
-// interpolation between samples, which falls with their distance.
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+// Stream tubes of potential flow around a sphere of hidden points, compared with streamlines from
+// many random positions. Errors are below 2 % if the number of samples equals the number of points.
+// Tubes narrower than two samples that graze the sphere have larger errors, which are caused by
+// interpolation between samples and decrease with their spacing.
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
 #include "Support/Flow/ReferenceFlowVolume.h"
@@ -36,10 +36,10 @@ using namespace reference;
 constexpr double Radius = 0.43;
 constexpr Vector Center{ { -0.31, 0.02, -0.03 } };
 constexpr int FieldPoints = 33;
-/// The distance from the axis, at the plane where streamlines end.
+/// Distance from the axis at the termination plane.
 constexpr const char* AxisDistance = "sqrt((10*u-5-0.02)^2+(10*v-5+0.03)^2)";
 
-/// Flow along x with speed 1 that a ball deflects.
+/// Flow along x with speed 1, deflected by a sphere.
 Vector GetPotentialFlow(const Vector& x)
 {
   const Vector way = x - Center;
@@ -67,20 +67,20 @@ vtkSmartPointer<vtkImageData> MakeField()
   return image;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> MakePlaces(int boxes)
+vtkSmartPointer<vtkUnstructuredGrid> MakeSampleBoxes(int boxes)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (const Vector& x : MakeRandomPlaces(boxes, 3))
+  for (const Vector& x : MakeRandomPositions(boxes, 3))
   {
     points->InsertNextPoint(x.data());
   }
-  auto places = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  places->SetPoints(points);
-  return places;
+  auto positions = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  positions->SetPoints(points);
+  return positions;
 }
 
-/// The samples of a filter, with the distance from the axis as Inflow.
+/// Returns the samples of a filter, with the distance from the axis as Inflow.
 vtkSmartPointer<vtkDataSet> MapSamples(vtkImplicitFlowField* field)
 {
   field->SetInputData(MakeField());
@@ -95,15 +95,15 @@ vtkSmartPointer<vtkDataSet> MapSamples(vtkImplicitFlowField* field)
 
 using Tube = std::array<double, 2>;
 
-/// The share of places in a tube, as a volume.
-class Places
+/// Random positions. The fraction of them in a tube yields the volume of the tube.
+class SampleBoxes
 {
 public:
-  Places()
+  SampleBoxes()
   {
     vtkNew<vtkImplicitFlowField> field;
     field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
-    field->SetSampleData(MakePlaces(64));
+    field->SetSampleData(MakeSampleBoxes(64));
     this->Samples = MapSamples(field);
   }
 
@@ -138,12 +138,12 @@ public:
     this->Volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   }
 
-  /// Returns the error of a tube's volume, relative to that of the places.
-  double GetError(const Tube& tube, const Places& places)
+  /// Returns the relative error of a tube's volume.
+  double GetError(const Tube& tube, const SampleBoxes& positions)
   {
     this->Volume->SetInterval(0, tube[0], tube[1]);
     this->Volume->Update();
-    const double exact = places.Measure(tube);
+    const double exact = positions.Measure(tube);
     const double error = MeasureVolume(this->Volume->GetOutput()) / exact - 1.0;
     std::cout << "  [" << tube[0] << ", " << tube[1] << "] of " << exact << ": " << 100.0 * error
               << " %\n";
@@ -159,10 +159,10 @@ private:
 int TestFlowVolumeTubes(int, char*[])
 {
   Check check;
-  const Places places;
+  const SampleBoxes positions;
   const Tube all{ { 0.0, 2.0 } };
   const Tube behind{ { 0.0, 0.6 } };
-  // As wide as 1.6 cells of 33 samples, where the flow grazes the ball.
+  // A tube that grazes the sphere, as wide as 1.6 cells between 33 samples per axis.
   const Tube grazing{ { 0.25, 0.35 } };
   const struct
   {
@@ -183,15 +183,15 @@ int TestFlowVolumeTubes(int, char*[])
     std::cout << one.Name << "\n";
     check.SetContext(one.Name);
     Tubes tubes(one.Samples, one.Levels);
-    check.Near(tubes.GetError(all, places), 0.0, one.OfAll, "all", 1.0);
-    check.Near(tubes.GetError(behind, places), 0.0, one.OfBehind, "behind the ball", 1.0);
-    errors.push_back(std::abs(tubes.GetError(grazing, places)));
+    check.Near(tubes.GetError(all, positions), 0.0, one.OfAll, "all", 1.0);
+    check.Near(tubes.GetError(behind, positions), 0.0, one.OfBehind, "behind the sphere", 1.0);
+    errors.push_back(std::abs(tubes.GetError(grazing, positions)));
     check.Near(errors.back(), 0.0, one.OfGrazing, "a narrow tube", 1.0);
   }
   check.SetContext("order");
   const double order = std::log2(errors[0] / errors[1]);
-  std::cout << "order in the distance of samples: " << order << "\n";
-  check.That(order > 1.5, "the error of a narrow tube falls with the samples' distance");
-  check.That(errors[2] < 0.5 * errors[0], "and by refinement");
+  std::cout << "order of convergence with the sample spacing: " << order << "\n";
+  check.That(order > 1.5, "the error of a narrow tube decreases with the sample spacing");
+  check.That(errors[2] < 0.5 * errors[0], "the error decreases with refinement");
   return check.Result();
 }

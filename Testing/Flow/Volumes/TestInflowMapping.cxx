@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scalar on termination surfaces at every sample: formulas, rings and images against their
-// definitions, NaN where there is none, what is periodic, wrong settings, and threads.
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+// A scalar on termination surfaces at every sample: formulas, rings and images compared with their
+// definitions, NaN without a value, periodicity, invalid settings, and threads.
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
@@ -32,19 +32,20 @@ using namespace reference;
 
 const double TwoPi = 2.0 * vtkMath::Pi();
 
-// Samples above 0 reach a surface, of one id or another by their place in a row.
+// Samples with x above 0 reach a surface. The id alternates along a row.
 vtkSmartPointer<vtkImageData> MakeSamples()
 {
   auto image = MakeFlowImage({ { 13, 9, 5 } }, { { -0.2, 1.2, -0.1, 1.3, -1.0, 2.0 } });
   AddFlow(image,
-    [](const double* x) -> FlowAnswer {
+    [](const double* x) -> FlowResult {
       return { x[2] < 0.0 ? 3 : 0, x[0] < 0.4 || x[0] > 1.1 ? 0 : 7, x[0], x[1], 1.0 };
     },
     { { { 0, 1, 0 } }, { { 7, 0, 0 } } });
   return image;
 }
 
-// Calls check with the id, u and v of each sample that reached, and its Inflow; NaN elsewhere.
+// Compares Inflow at each sample that reached a surface with expected(id, u, v). At other samples,
+// Inflow must be NaN.
 template <typename Function>
 void CheckValues(
   vtkInflowMapping* mapping, const std::string& name, Check& check, const Function& expected)
@@ -56,7 +57,7 @@ void CheckValues(
   vtkPointData* data = mapping->GetOutput()->GetPointData();
   vtkDataArray* inflow = data->GetArray("Inflow");
   if (!check.That(
-        inflow != nullptr && inflow->GetNumberOfTuples() == 13 * 9 * 5, "there is Inflow"))
+        inflow != nullptr && inflow->GetNumberOfTuples() == 13 * 9 * 5, "the array Inflow exists"))
   {
     return;
   }
@@ -70,7 +71,7 @@ void CheckValues(
     const double found = inflow->GetComponent(p, 0);
     if (std::isnan(value))
     {
-      check.That(std::isnan(found), "NaN where there is no value");
+      check.That(std::isnan(found), "NaN for samples without a value");
     }
     else
     {
@@ -95,12 +96,12 @@ void CheckFormulas(Check& check)
   CheckValues(mapping, "all", check,
     [](int id, double u, double v) { return (id ? u : Around(u)) + 2.0 * v + 10.0 * id; });
   mapping->SetFormula(7, "ln(v)");
-  CheckValues(mapping, "one of its own", check,
+  CheckValues(mapping, "a specific mapping for one id", check,
     [](int id, double u, double v) {
       return id == 0 ? Around(u) + 2.0 * v : v > 0 ? std::log(v) : std::nan("");
     });
   mapping->RemoveMapping(vtkInflowMapping::ALL);
-  CheckValues(mapping, "only one", check,
+  CheckValues(mapping, "a mapping for only one id", check,
     [](int id, double, double v) { return id == 0 || v <= 0 ? std::nan("") : std::log(v); });
   mapping->RemoveAllMappings();
   CheckValues(mapping, "none", check, [](int, double, double) { return std::nan(""); });
@@ -133,7 +134,7 @@ void CheckRings(Check& check)
     });
 }
 
-vtkSmartPointer<vtkImageData> MakePicture(const std::array<int, 3>& size, int components)
+vtkSmartPointer<vtkImageData> MakeTexture(const std::array<int, 3>& size, int components)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(size[0], size[1], size[2]);
@@ -149,7 +150,7 @@ vtkSmartPointer<vtkImageData> MakePicture(const std::array<int, 3>& size, int co
   return image;
 }
 
-// Bilinear interpolation by four weights.
+// Bilinear interpolation with four weights.
 double Bilinear(vtkImageData* image, int nu, int nv, double u, double v)
 {
   const double x = std::max(0.0, std::min(u, 1.0)) * (nu - 1);
@@ -183,7 +184,7 @@ void CheckImages(Check& check)
   {
     for (int components : { 1, 3, 4 })
     {
-      auto image = MakePicture(one.Size, components);
+      auto image = MakeTexture(one.Size, components);
       vtkNew<vtkInflowMapping> mapping;
       ExpectWarnings(mapping);
       mapping->SetImage(vtkInflowMapping::ALL, image);
@@ -192,8 +193,8 @@ void CheckImages(Check& check)
         { return Bilinear(image, one.NumberOfU, one.NumberOfV, id ? u : Around(u), v); });
     }
   }
-  check.SetContext("a changed image");
-  auto image = MakePicture({ { 2, 1, 1 } }, 1);
+  check.SetContext("a modified image");
+  auto image = MakeTexture({ { 2, 1, 1 } }, 1);
   vtkNew<vtkInflowMapping> mapping;
   ExpectWarnings(mapping);
   mapping->SetImage(3, image);
@@ -204,7 +205,8 @@ void CheckImages(Check& check)
   check.Near(mapping->Evaluate(3, 1.0, 0.0), 5.0, 1e-15, "after");
 }
 
-// What InflowPeriodic tells of id 0, whose u and v are periodic by \a isPeriodic.
+// Returns InflowPeriodic of id 0 for an input in which \a isPeriodic specifies whether u and v are
+// periodic.
 std::array<int, 2> GetPeriodic(vtkInflowMapping* mapping, std::array<int, 2> isPeriodic)
 {
   auto image = MakeFlowImage({ { 2, 2, 2 } }, { { 0, 1, 0, 1, 0, 1 } });
@@ -232,8 +234,8 @@ void CheckPeriodic(Check& check)
     check.SetContext(formula);
     mapping->SetFormula(vtkInflowMapping::ALL, formula);
     const auto found = GetPeriodic(mapping, isPeriodic);
-    check.Equal(found[0], u, "over the seam of u");
-    check.Equal(found[1], v, "over the seam of v");
+    check.Equal(found[0], u, "across the seam of u");
+    check.Equal(found[1], v, "across the seam of v");
   };
   expect("u", both, 0, 1);
   expect("v", both, 1, 0);
@@ -246,8 +248,8 @@ void CheckPeriodic(Check& check)
   expect("1/u", both, 0, 1);
   check.SetContext("rings");
   mapping->AddRing(vtkInflowMapping::ALL, 0.9, 0.5, 0.2, 0.1);
-  check.That(GetPeriodic(mapping, both) == both, "rings go around");
-  mapping->SetImage(vtkInflowMapping::ALL, MakePicture({ { 3, 3, 1 } }, 1));
+  check.That(GetPeriodic(mapping, both) == both, "rings are periodic");
+  mapping->SetImage(vtkInflowMapping::ALL, MakeTexture({ { 3, 3, 1 } }, 1));
   check.That(GetPeriodic(mapping, both) == std::array<int, 2>{ { 0, 0 } }, "an image");
 }
 
@@ -274,14 +276,14 @@ void CheckErrors(Check& check)
   mapping->SetInputData(MakeSamples());
   mapping->SetFormula(4, "u + w");
   CheckError(mapping, "'w'", check);
-  check.That(std::isnan(mapping->Evaluate(0, 0.5, 0.5)), "NaN with a wrong formula");
+  check.That(std::isnan(mapping->Evaluate(0, 0.5, 0.5)), "NaN for an invalid formula");
   mapping->SetFormula(4, "u +");
   CheckError(mapping, "formula", check);
   mapping->SetFormula(4, "u*iHat");
   CheckError(mapping, "vector", check);
   mapping->SetFormula(4, "");
   CheckError(mapping, "empty", check);
-  mapping->SetImage(4, MakePicture({ { 2, 3, 4 } }, 1));
+  mapping->SetImage(4, MakeTexture({ { 2, 3, 4 } }, 1));
   CheckError(mapping, "2 x 3 x 4", check);
   vtkNew<vtkImageData> empty;
   mapping->SetImage(4, empty);
@@ -289,7 +291,7 @@ void CheckErrors(Check& check)
   empty->SetDimensions(2, 2, 1);
   CheckError(mapping, "The image has no active point scalars.", check);
   mapping->RemoveMapping(4);
-  check.That(MessagesOf(mapping).empty(), "nothing wrong is left");
+  check.That(MessagesOf(mapping).empty(), "no error after the correction");
 
   const vtkMTimeType before = mapping->GetMTime();
   check.Contains(ErrorsOf(mapping, [&]() { mapping->AddRing(0, 0.5, 0.5, 0.1, 0.0); }), "width 0");
@@ -299,18 +301,19 @@ void CheckErrors(Check& check)
   {
     check.Contains(
       ErrorsOf(mapping, [&]() { mapping->AddRing(0, ring[0], ring[1], ring[2], ring[3]); }),
-      "A ring of id");
+      "The ring with id");
   }
   check.Contains(ErrorsOf(mapping, [&]() { mapping->SetFormula(-2, "u"); }), "-2");
-  check.Equal(mapping->GetKind(0), vtkInflowMapping::NONE, "nothing was set");
+  check.Equal(mapping->GetKind(0), vtkInflowMapping::NONE, "the invalid setting is ignored");
   mapping->SetFormula(vtkInflowMapping::ALL, "u");
-  check.Equal(static_cast<long long>(mapping->GetMTime() - before), 0, "nothing has changed");
+  check.Equal(static_cast<long long>(mapping->GetMTime() - before), 0,
+    "setting the same values does not modify the mapping");
   check.That(mapping->GetFormula(vtkInflowMapping::ALL) == std::string("u"), "GetFormula");
   mapping->AddRing(2, 0.5, 0.5, 0.1, 1.0);
   mapping->SetFormula(3, "v");
   CheckPrinted(Print(mapping), { "all: formula u", "2: rings 1", "3: formula v" }, check);
   mapping->SetFormula(3, nullptr);
-  check.Equal(mapping->GetKind(3), vtkInflowMapping::NONE, "null removes");
+  check.Equal(mapping->GetKind(3), vtkInflowMapping::NONE, "null removes the mapping");
 }
 
 void CheckRuns(Check& check)
@@ -353,7 +356,7 @@ void CheckRuns(Check& check)
 int TestInflowMapping(int, char*[])
 {
   Check check;
-  // Samples of several ids in a thread's range.
+  // Samples with several ids in a thread's range.
   vtkSMPTools::SetBackend("Sequential");
   CheckFormulas(check);
   CheckRings(check);

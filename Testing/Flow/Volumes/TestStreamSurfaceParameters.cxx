@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Texture coordinates of stream surfaces: lengths along inflow contours against formulas, closed,
-// open and several of them, over seams; triangles never run back; start points, scales and errors.
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+// Texture coordinates of stream surfaces: lengths along inflow contours compared with formulas, for
+// closed, open and multiple contours, and across seams. Triangles never span the wrap-around. Also
+// tests start points, scales and errors.
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -106,7 +107,7 @@ vtkSmartPointer<vtkImageData> MakeCylinderFlow(int points = 30)
   return image;
 }
 
-// Calls visit with s, t, the contour and the position of the corners of each triangle.
+// A corner of a triangle, with its texture coordinates, contour, input point and position.
 struct Corner
 {
   double S;
@@ -138,8 +139,8 @@ void ForEachTriangle(vtkPolyData* output, const std::function<void(const Corner*
   }
 }
 
-// No triangle is long in s; its corners are of one contour; t is the time, and the points and
-// arrays of the input are where they were.
+// Checks triangles: their extent in s is limited, their corners belong to one contour, t is the
+// time, and points and arrays of the input are unchanged.
 void CheckTriangles(Pipeline& pipeline, double longest, Check& check)
 {
   vtkPolyData* output = pipeline.Update();
@@ -157,12 +158,12 @@ void CheckTriangles(Pipeline& pipeline, double longest, Check& check)
         "a triangle is " + std::to_string(ends.second - ends.first) + " long");
       check.That(corners[0].Contour >= 0 && corners[0].Contour == corners[1].Contour &&
           corners[0].Contour == corners[2].Contour,
-        "a triangle has one contour");
+        "a triangle belongs to one contour");
       for (int c = 0; c < 3; ++c)
       {
         double x[3];
         input->GetPoint(corners[c].Source, x);
-        check.That(std::equal(x, x + 3, corners[c].X), "points are where they were");
+        check.That(std::equal(x, x + 3, corners[c].X), "points are unchanged");
         check.Near(corners[c].T,
           input->GetPointData()->GetArray("AdvectionTime")->GetComponent(corners[c].Source, 0), 0.0,
           "t", 1.0);
@@ -176,11 +177,11 @@ void CheckTriangles(Pipeline& pipeline, double longest, Check& check)
   for (vtkIdType p = 0; p < output->GetNumberOfPoints(); ++p)
   {
     const double s = output->GetPointData()->GetTCoords()->GetComponent(p, 0);
-    check.That(s >= 0.0, "s is not below 0");
+    check.That(s >= 0.0, "s is not negative");
   }
 }
 
-// s of a circle against the angle: the differences of s over r and the angle are one constant.
+// s of a circle compared with the angle: s / r minus the angle is constant.
 void CheckCircle(Pipeline& pipeline, double radius,
   const std::function<double(const double*)>& angle, double sign, double tolerance, Check& check)
 {
@@ -194,13 +195,14 @@ void CheckCircle(Pipeline& pipeline, double radius,
         const double difference = sign * corners[c].S / radius - angle(corners[c].X);
         offset = isFirst ? difference : offset;
         isFirst = false;
-        const double turns = (difference - offset) / (2.0 * Pi);
-        check.Near(2.0 * Pi * (turns - std::round(turns)), 0.0, tolerance, "s along a circle", 1.0);
+        const double rotations = (difference - offset) / (2.0 * Pi);
+        check.Near(
+          2.0 * Pi * (rotations - std::round(rotations)), 0.0, tolerance, "s along a circle", 1.0);
       }
     });
 }
 
-// Half the length of an ellipse by Simpson's rule.
+// Half the circumference of an ellipse by Simpson's rule.
 double GetEllipseLength(double a, double b)
 {
   constexpr int steps = 2000;
@@ -217,23 +219,23 @@ double GetEllipseLength(double a, double b)
 void CheckPlane(Check& check)
 {
   vtkNew<Plane> plane;
-  // A rectangle twice as long as wide: the circle of parameters is an ellipse.
+  // A rectangle twice as long as wide: the circle in parameters is an ellipse.
   vtkNew<Plane> longPlane;
   longPlane->SetSize(2.0, 1.0);
   check.SetContext("circle");
   Pipeline circle(MakePlaneFlow(), "(u-0.5)^2+(v-0.5)^2", { 0.09 }, plane);
   check.Equal(circle.GetNumberOfContours(), 1, "contours");
-  check.Equal(circle.GetNumberOfClosedContours(), 1, "closed ones");
+  check.Equal(circle.GetNumberOfClosedContours(), 1, "closed contours");
   check.Near(circle.GetLength(0), 2.0 * Pi * 0.3, 1e-4, "length");
   CheckTriangles(circle, 0.15, check);
-  // Higher values are outside: on the left, when it turns clockwise.
+  // Higher values are outside: on the left for a clockwise contour.
   const auto angle = [](const double* x) { return std::atan2(x[2] - 0.5, x[1] - 0.5); };
   CheckCircle(circle, 0.3, angle, -1.0, 2e-3, check);
   check.That(
     circle.Update()->GetNumberOfPoints() > circle.Volume->GetOutput(1)->GetNumberOfPoints(),
     "points at the start are copied");
   circle.Parameters->SetResolution(512);
-  check.Near(circle.GetLength(0), 2.0 * Pi * 0.3, 1e-5, "length, finer");
+  check.Near(circle.GetLength(0), 2.0 * Pi * 0.3, 1e-5, "length with higher resolution");
   circle.Parameters->SetResolution(256);
 
   check.SetContext("start point");
@@ -244,12 +246,12 @@ void CheckPlane(Check& check)
     {
       for (int c = 0; c < 3; ++c)
       {
-        // Clockwise from the top; copies are a turn on.
-        double turns = 0.25 - angle(corners[c].X) / (2.0 * Pi);
-        turns -= std::floor(turns);
+        // Clockwise from the top. Copies are one rotation ahead.
+        double rotations = 0.25 - angle(corners[c].X) / (2.0 * Pi);
+        rotations -= std::floor(rotations);
         const double found = corners[c].S / circle.GetLength(0);
-        check.Near(found - turns, std::round(found - turns), 5e-4, "s from the start", 1.0);
-        check.That(found < 1.1, "at most a triangle beyond the end");
+        check.Near(found - rotations, std::round(found - rotations), 5e-4, "s from the start", 1.0);
+        check.That(found < 1.1, "s exceeds the length by at most a triangle");
       }
     });
 
@@ -260,17 +262,17 @@ void CheckPlane(Check& check)
   const double most = circle.Update()->GetPointData()->GetTCoords()->GetRange(0)[1];
   check.That(most > 2.0 && most < 2.2, "two textures around");
   check.Near(circle.Update()->GetPointData()->GetTCoords()->GetRange(1)[1], 6.0, 1e-6, "t");
-  check.Near(circle.GetLength(0), length, 1e-15, "lengths are not scaled");
+  check.Near(circle.GetLength(0), length, 1e-15, "lengths without scaling");
 
   check.SetContext("ellipse");
   Pipeline ellipse(MakePlaneFlow(), "(u-0.5)^2+(v-0.5)^2", { 0.09 }, longPlane);
   check.Near(ellipse.GetLength(0), GetEllipseLength(0.6, 0.3), 1e-4, "length");
   CheckTriangles(ellipse, 0.3, check);
 
-  check.SetContext("open lines");
+  check.SetContext("open contours");
   Pipeline lines(MakePlaneFlow(), "u+0.5*v", { 0.3, 0.8, 1.2 }, plane);
   check.Equal(lines.GetNumberOfContours(), 3, "contours");
-  check.Equal(lines.GetNumberOfClosedContours(), 0, "none is closed");
+  check.Equal(lines.GetNumberOfClosedContours(), 0, "no contour is closed");
   check.Near(lines.GetLength(0), 0.3 * std::sqrt(5.0), 1e-9, "corner to corner");
   check.Near(lines.GetLength(1), std::sqrt(1.25), 1e-9, "side to side");
   check.Near(lines.GetLength(2), 0.3 * std::sqrt(5.0), 1e-9, "the other corner");
@@ -285,7 +287,7 @@ void CheckPlane(Check& check)
         for (int c = 0; c < 3; ++c)
         {
           const double v = corners[c].X[2];
-          // The last line does not come to 0, the first not to 1.
+          // The last contour ends before v = 0, the first before v = 1.
           const double first = corners[c].Contour == 0 ? 0.6 : 1.0;
           const double last = corners[c].Contour == 2 ? 0.4 : 0.0;
           check.Near(corners[c].S, std::sqrt(1.25) * (end == 0.0 ? v - last : first - v), 1e-6,
@@ -298,12 +300,12 @@ void CheckPlane(Check& check)
   check.Near(
     parabola.GetLength(0), 0.5 * std::sqrt(5.0) + 0.25 * std::asinh(2.0), 1e-4, "parabola");
 
-  check.SetContext("several of one value");
+  check.SetContext("several contours of one value");
   Pipeline several(
     MakePlaneFlow(40), "min((u-0.27)^2+(v-0.27)^2,(u-0.72)^2+(v-0.7)^2)", { 0.04 }, plane);
   check.Equal(several.GetNumberOfClosedContours(), 2, "two circles");
   check.Near(several.GetLength(0), 2.0 * Pi * 0.2, 1e-4, "one");
-  check.Near(several.GetLength(1), 2.0 * Pi * 0.2, 1e-4, "the other");
+  check.Near(several.GetLength(1), 2.0 * Pi * 0.2, 1e-4, "the other circle");
   CheckTriangles(several, 0.15, check);
   std::set<int> met;
   ForEachTriangle(several.Update(),
@@ -311,18 +313,18 @@ void CheckPlane(Check& check)
     {
       met.insert(corners[0].Contour);
       const bool isFirst = corners[0].X[1] + corners[0].X[2] < 0.985;
-      check.That((corners[0].Contour == 0) == isFirst, "the circle that a triangle is on");
+      check.That((corners[0].Contour == 0) == isFirst, "the circle of the triangle");
     });
-  check.Equal(static_cast<long long>(met.size()), 2, "both are met");
+  check.Equal(static_cast<long long>(met.size()), 2, "both circles have triangles");
 
-  // In the square around the saddle branches pass each other by.
+  // In the square around the saddle, the branches pass each other.
   for (double value : { 0.0004, -0.0004 })
   {
     check.SetContext("saddle, " + std::to_string(value));
     Pipeline saddle(MakePlaneFlow(), "(u-0.5)*(v-0.5)", { value }, plane);
     saddle.Parameters->SetResolution(17);
     check.Equal(saddle.GetNumberOfContours(), 2, "two branches");
-    check.Near(saddle.GetLength(0), saddle.GetLength(1), 1e-6, "as long");
+    check.Near(saddle.GetLength(0), saddle.GetLength(1), 1e-6, "equal lengths");
     // The contours of the arms: right, top, left, bottom.
     std::array<std::set<int>, 4> arms;
     ForEachTriangle(saddle.Update(),
@@ -340,7 +342,7 @@ void CheckPlane(Check& check)
     check.That(arms[first].size() == 1 && arms[first] == arms[first + 1], "one branch");
     check.That(arms[first + 2].size() == 1 && arms[first + 2] == arms[(first + 3) % 4] &&
         arms[first + 2] != arms[first],
-      "the other");
+      "the other branch");
   }
 }
 
@@ -351,16 +353,16 @@ void CheckCylinder(Check& check)
   check.SetContext("around a cylinder");
   Pipeline around(MakeCylinderFlow(), "v", { 0.37 }, cylinder);
   check.Equal(around.GetNumberOfContours(), 1, "contours");
-  check.Equal(around.GetNumberOfClosedContours(), 1, "it is closed");
+  check.Equal(around.GetNumberOfClosedContours(), 1, "the contour is closed");
   check.Near(around.GetLength(0), 2.0 * Pi * 0.4, 1e-4, "length");
   CheckTriangles(around, 0.2, check);
   const auto angle = [](const double* x) { return std::atan2(x[1], x[0]); };
   CheckCircle(around, 0.4, angle, 1.0, 0.02, check);
 
   check.SetContext("a wave around a cylinder");
-  // Steepest at the seam.
+  // The wave is steepest at the seam.
   Pipeline wave(MakeCylinderFlow(), "v+0.1*sin(6.283185307179586*u)", { 0.5 }, cylinder);
-  // Length by the angle: along the circle, up and down.
+  // Length as a function of the angle along the wave.
   std::vector<double> lengths{ 0.0 };
   constexpr int steps = 20000;
   for (int i = 0; i < steps; ++i)
@@ -374,9 +376,9 @@ void CheckCylinder(Check& check)
     wave, lengths.back() / (2.0 * Pi),
     [&](const double* x)
     {
-      double turns = std::atan2(x[1], x[0]) / (2.0 * Pi);
-      turns -= std::floor(turns);
-      return 2.0 * Pi * lengths[static_cast<std::size_t>(turns * steps)] / lengths.back();
+      double rotations = std::atan2(x[1], x[0]) / (2.0 * Pi);
+      rotations -= std::floor(rotations);
+      return 2.0 * Pi * lengths[static_cast<std::size_t>(rotations * steps)] / lengths.back();
     },
     1.0, 0.02, check);
 
@@ -384,25 +386,26 @@ void CheckCylinder(Check& check)
   Pipeline across(MakeCylinderFlow(40), "4*(1-cos(6.283185307179586*u))/39.4784176+(v-0.5)^2*0.7",
     { 0.01 }, cylinder);
   check.Equal(across.GetNumberOfClosedContours(), 1, "one closed contour");
-  check.Equal(across.GetNumberOfContours(), 1, "and no other");
+  check.Equal(across.GetNumberOfContours(), 1, "no other contour");
   CheckTriangles(across, 0.3, check);
-  // The same, turned away from the seam.
+  // The same wave, rotated away from the seam.
   Pipeline away(MakeCylinderFlow(40),
     "4*(1-cos(6.283185307179586*(u-0.5)))/39.4784176+(v-0.5)^2*0.7", { 0.01 }, cylinder);
-  check.Near(across.GetLength(0), away.GetLength(0), 1e-6, "as long as elsewhere");
+  check.Near(across.GetLength(0), away.GetLength(0), 1e-6,
+    "the length equals the length at another seam position");
 
   check.SetContext("a spiral");
   Pipeline spiral(MakeCylinderFlow(), "u", { 0.25 }, cylinder);
-  check.Equal(spiral.GetNumberOfContours(), 1, "a line");
-  check.Near(spiral.GetLength(0), 1.0, 1e-9, "as high as the cylinder");
+  check.Equal(spiral.GetNumberOfContours(), 1, "an axial line");
+  check.Near(spiral.GetLength(0), 1.0, 1e-9, "the length equals the height of the cylinder");
   CheckTriangles(spiral, 0.2, check);
 
   check.SetContext("gaps");
   cylinder->SetGap(0.25, 0.5);
   Pipeline gap(MakeCylinderFlow(), "v", { 0.37 }, cylinder);
-  check.Equal(gap.GetNumberOfContours(), 1, "one arc is left");
-  check.Equal(gap.GetNumberOfClosedContours(), 0, "it is open");
-  check.Near(gap.GetLength(0), 1.5 * Pi * 0.4, 0.01, "length of the rest");
+  check.Equal(gap.GetNumberOfContours(), 1, "one arc remains");
+  check.Equal(gap.GetNumberOfClosedContours(), 0, "the arc is open");
+  check.Near(gap.GetLength(0), 1.5 * Pi * 0.4, 0.01, "length of the arc");
 }
 
 void CheckParts(Check& check)
@@ -410,7 +413,7 @@ void CheckParts(Check& check)
   check.SetContext("several surfaces");
   auto image = MakeFlowImage({ { 20, 20, 20 } }, { { -1, 1, 0, 1, 0, 1 } });
   AddFlow(image,
-    [](const double* x) -> FlowAnswer {
+    [](const double* x) -> FlowResult {
       return { 0, x[0] < 0.0 ? 4 : 9, x[1], x[2], std::abs(x[0]) };
     },
     { { { 4, 0, 0 } }, { { 9, 0, 0 } } });
@@ -432,8 +435,9 @@ void CheckParts(Check& check)
     { check.That((corners[0].Contour < 2) == (corners[0].X[0] < 0.0), "contour of the surface"); });
 }
 
-// The s of triangles of one point each that are far from the contour of a value.
-std::vector<double> GetFar(vtkUnstructuredGrid* mesh, const AnswerFunction& flow,
+// Returns s, divided by the contour length, for triangles far from the contour. All three corners
+// of a triangle are the same point.
+std::vector<double> GetFar(vtkUnstructuredGrid* mesh, const FlowResultFunction& flow,
   const FlowSurface& periodic, const char* formula, double value, vtkTerminationSurface* surface,
   const std::array<double, 3>& start)
 {
@@ -461,12 +465,12 @@ std::vector<double> GetFar(vtkUnstructuredGrid* mesh, const AnswerFunction& flow
   return found;
 }
 
-// Places far from their contour: the nearest on a circle is at the same angle.
+// Points far from their contour: the closest point on a circular contour has the same angle.
 void CheckFar(Check& check)
 {
   check.SetContext("far from the contour");
   vtkNew<Plane> plane;
-  // At a spiral of parameters.
+  // Points on a spiral in parameter space.
   MeshBuilder builder;
   constexpr int number = 300;
   for (int i = 0; i < number; ++i)
@@ -480,12 +484,13 @@ void CheckFar(Check& check)
     "(u-0.5)^2+(v-0.5)^2", 0.09, plane, { { 0.0, 0.8, 0.5 } });
   for (int i = 0; i < number; ++i)
   {
-    const double turns = found[i] + i / (2.0 * Pi);
-    check.Near(turns, std::round(turns), 2e-3, "the nearest place", 1.0);
+    const double rotations = found[i] + i / (2.0 * Pi);
+    check.Near(rotations, std::round(rotations), 2e-3, "s at the closest position", 1.0);
   }
 }
 
-// The same over a seam: the nearest of many points of a wave around a cylinder.
+// Points far from a wave around a cylinder, also across the seam: s of the closest of many points
+// on the wave.
 void CheckFarAround(Check& check)
 {
   check.SetContext("far from a contour around a cylinder");
@@ -494,9 +499,9 @@ void CheckFarAround(Check& check)
   constexpr int number = 60;
   for (int i = 0; i < number; ++i)
   {
-    const double turns = 0.37 * i - std::floor(0.37 * i);
+    const double rotations = 0.37 * i - std::floor(0.37 * i);
     const vtkIdType p = builder.AddPoint(
-      std::cos(2.0 * Pi * turns), std::sin(2.0 * Pi * turns), 0.3 + 0.4 * i / number);
+      std::cos(2.0 * Pi * rotations), std::sin(2.0 * Pi * rotations), 0.3 + 0.4 * i / number);
     builder.AddCell(VTK_TRIANGLE, { p, p, p });
   }
   auto mesh = builder.GetMesh();
@@ -518,8 +523,8 @@ void CheckFarAround(Check& check)
       nearest = distance < least ? length : nearest;
       least = std::min(least, distance);
     }
-    const double turns = found[i] - nearest / length;
-    check.Near(turns, std::round(turns), 3e-3, "the nearest place", 1.0);
+    const double rotations = found[i] - nearest / length;
+    check.Near(rotations, std::round(rotations), 3e-3, "s at the closest position", 1.0);
   }
 }
 
@@ -556,7 +561,7 @@ void CheckErrors(Check& check)
     { "no termination surface with id 0",
       [](vtkStreamSurfaceParameters* f, vtkUnstructuredGrid*)
       { f->RemoveAllTerminationSurfaces(); } },
-    { "no size",
+    { "sizes must be positive",
       [&](vtkStreamSurfaceParameters*, vtkUnstructuredGrid*) { plane->SetSize(0.0, 0.0); } },
     { "\"AdvectionTime\"",
       [](vtkStreamSurfaceParameters*, vtkUnstructuredGrid* d)
@@ -594,26 +599,26 @@ void CheckErrors(Check& check)
   plane->SetSize(1.0, 1.0);
   Pipeline pipeline(MakePlaneFlow(8), "u", { 0.4 });
   pipeline.Parameters->AddTerminationSurface(nullptr);
-  check.Equal(pipeline.Parameters->GetNumberOfTerminationSurfaces(), 0, "null is no surface");
+  check.Equal(pipeline.Parameters->GetNumberOfTerminationSurfaces(), 0, "null is rejected");
   pipeline.Parameters->AddTerminationSurface(plane, 0);
   check.That(pipeline.Parameters->GetTerminationSurface(0) == plane.Get(), "GetTerminationSurface");
   check.That(pipeline.Parameters->GetTerminationSurface(1) == nullptr, "none");
   check.Near(pipeline.GetLength(0), 1.0, 1e-9, "length");
   plane->SetSize(1.0, 2.0);
-  check.Near(pipeline.GetLength(0), 2.0, 1e-9, "a changed surface counts");
+  check.Near(pipeline.GetLength(0), 2.0, 1e-9, "a modified surface causes an execution");
   CheckPrinted(Print(pipeline.Parameters), { "Mapping: set", "Resolution: 256" }, check);
   ProgressWatch watch;
   Observe(pipeline.Parameters, watch);
   pipeline.Parameters->Modified();
   pipeline.Update();
   CheckGrowth(watch, 3, check);
-  // A contour smaller than a square is not found.
+  // A contour smaller than a cell of the contour grid is not found.
   check.SetContext("no contour");
   Pipeline small(MakePlaneFlow(41), "(u-0.525)^2+(v-0.525)^2", { 0.0002 }, plane);
   small.Parameters->SetResolution(4);
   check.Equal(small.GetNumberOfContours(), 0, "none");
   ForEachTriangle(small.Update(),
-    [&](const Corner* corners) { check.Equal(corners[0].Contour, -1, "the id of none"); });
+    [&](const Corner* corners) { check.Equal(corners[0].Contour, -1, "id without a contour"); });
 }
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Uses the installed package: a shell of the wavelet has tetrahedra, and so has a meshed sphere,
-// which needs the installed program that runs TetGen.
+// Uses the installed package to extract an interval of the wavelet and to mesh a sphere, which
+// needs the installed TetGen program.
 #include "vtkIntervalVolume.h"
 #include "vtkNew.h"
 #include "vtkRTAnalyticSource.h"
@@ -29,7 +29,7 @@ int main()
   mesher->SetInputConnection(sphere->GetOutputPort());
   mesher->Update();
   const vtkIdType meshed = mesher->GetOutput()->GetNumberOfCells();
-  std::cout << meshed << " tetrahedra of a sphere\n";
+  std::cout << meshed << " tetrahedra in the sphere\n";
   if (meshed == 0)
   {
     return EXIT_FAILURE;

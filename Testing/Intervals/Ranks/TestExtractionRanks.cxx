@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extraction of grids that processes have in pieces, under MPI: the simplices of all processes
-// together are those of one process with all of the grid, to the last bit of their coordinates.
+// Distributed extraction under MPI: the simplices of all processes together equal the simplices of
+// a single process, with bit-identical coordinates.
 #include "Support/Inputs/DataFiles.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -39,18 +39,18 @@ namespace
 
 using namespace reference;
 
-/// A dataset with the values that it is asked for.
+/// A dataset, the scalar array and the values to extract.
 struct Case
 {
   std::string Name;
   vtkSmartPointer<vtkDataSet> Data;
   double Low;
-  double Middle;
+  double Center;
   double High;
   double Change;
 };
 
-/// The points first ... last along each axis of a grid with rows.
+/// Returns the points \a first to \a last along each axis of a structured dataset.
 vtkSmartPointer<vtkDataSet> ReadPart(
   const std::string& name, const char* array, int first = 0, int last = 0)
 {
@@ -68,7 +68,7 @@ vtkSmartPointer<vtkDataSet> ReadPart(
   return data;
 }
 
-/// Bytes as short integers, which have room for what time adds.
+/// Converts bytes to short integers, whose range allows for the values added per time step.
 vtkSmartPointer<vtkDataSet> MakeImage()
 {
   vtkSmartPointer<vtkDataSet> image = ReadPart("neghip.vti", "SLCImage", 20, 32);
@@ -78,7 +78,7 @@ vtkSmartPointer<vtkDataSet> MakeImage()
   return image;
 }
 
-/// Few whole numbers on planes that come closer and closer, so that bounds are met everywhere.
+/// Small integers on planes whose spacing decreases, so that bounds equal scalars in many cells.
 vtkSmartPointer<vtkDataSet> MakeRectilinear()
 {
   auto grid = vtkSmartPointer<vtkRectilinearGrid>::New();
@@ -99,7 +99,7 @@ vtkSmartPointer<vtkDataSet> MakeRectilinear()
   return grid;
 }
 
-/// Cells of all kinds, polyhedra among them, scaled so that coordinates are rounded.
+/// Cells of all types including polyhedra, scaled so that coordinates are rounded.
 vtkSmartPointer<vtkDataSet> MakeMixed(MeshKind kind)
 {
   const vtkSmartPointer<vtkUnstructuredGrid> mesh = MakeMesh(kind, { { 3, 3, 3 } }, 3);
@@ -117,7 +117,7 @@ vtkSmartPointer<vtkDataSet> MakeMixed(MeshKind kind)
 std::vector<Case> MakeCases()
 {
   return {
-    { "image of whole numbers", MakeImage(), 20, 60, 120, 10 },
+    { "image of integers", MakeImage(), 20, 60, 120, 10 },
     { "rectilinear grid with many equal values", MakeRectilinear(), 1, 2, 3, 1 },
     { "structured grid", ReadPart("bluntfin.vts", "Density", 0, 12), 0.9, 1.6, 1.9, 0.125 },
     { "unstructured grid", ReadPart("disk_out_ref.vtu", "Temp"), 450, 500, 550, 5 },
@@ -126,7 +126,7 @@ std::vector<Case> MakeCases()
   };
 }
 
-/// What is compared: an output of a filter, with the arrays that belong to a simplex.
+/// An output of a filter and the arrays to compare per simplex.
 struct Extraction
 {
   std::string Name;
@@ -142,45 +142,45 @@ std::vector<Extraction> MakeExtractions(const Case& test)
   const auto makeSource = [&test](int steps)
   {
     auto source = vtkSmartPointer<PieceSource>::New();
-    source->SetWhole(test.Data);
+    source->SetFullData(test.Data);
     source->SetNumberOfTimeSteps(steps);
     source->SetChange(test.Change);
     return source;
   };
   vtkNew<vtkIntervalVolume> volume;
   volume->SetInputConnection(makeSource(1)->GetOutputPort());
-  volume->SetInterval(0, test.Low, test.Middle);
-  volume->SetInterval(1, test.Middle, test.High);
+  volume->SetInterval(0, test.Low, test.Center);
+  volume->SetInterval(1, test.Center, test.High);
   volume->GenerateBoundariesOn();
-  vtkNew<vtkIntervalVolume> whole;
-  whole->SetInputConnection(makeSource(1)->GetOutputPort());
-  whole->SetInterval(0, test.Low, test.Middle);
-  whole->SetInterval(1, test.Middle, test.High);
-  whole->GenerateBoundariesOn();
-  whole->KeepWholeCellsOn();
+  vtkNew<vtkIntervalVolume> single;
+  single->SetInputConnection(makeSource(1)->GetOutputPort());
+  single->SetInterval(0, test.Low, test.Center);
+  single->SetInterval(1, test.Center, test.High);
+  single->GenerateBoundariesOn();
+  single->KeepInteriorCellsOn();
   vtkNew<vtkIsotableContour> contour;
   contour->SetInputConnection(makeSource(1)->GetOutputPort());
   contour->SetValue(0, test.Low);
-  contour->SetValue(1, test.Middle);
+  contour->SetValue(1, test.Center);
   vtkNew<vtkTimeVaryingIntervalVolume> inTime;
   inTime->SetInputConnection(makeSource(3)->GetOutputPort());
-  inTime->SetInterval(0, test.Low, test.Middle);
-  inTime->SetInterval(1, test.Middle, test.High);
+  inTime->SetInterval(0, test.Low, test.Center);
+  inTime->SetInterval(1, test.Center, test.High);
   inTime->GenerateSimplicesOn();
   inTime->SetGenerateBoundaries(true);
   volume->ReportBalanceOn();
-  whole->ReportBalanceOn();
+  single->ReportBalanceOn();
   contour->ReportBalanceOn();
   inTime->ReportBalanceOn();
   vtkInterlumeReport* const ofVolume = volume->GetReport();
-  vtkInterlumeReport* const ofWhole = whole->GetReport();
+  vtkInterlumeReport* const ofFull = single->GetReport();
   vtkInterlumeReport* const ofContour = contour->GetReport();
   vtkInterlumeReport* const ofTime = inTime->GetReport();
   return {
     { "tetrahedra", volume.Get(), ofVolume, 0, { "IntervalId" }, "" },
     { "boundary triangles", volume.Get(), ofVolume, 1, { "IntervalId", "BoundarySide" }, "" },
-    { "whole cells", whole.Get(), ofWhole, 0, { "IntervalId" }, "" },
-    { "boundary triangles of whole cells", whole.Get(), ofWhole, 1,
+    { "interior cells", single.Get(), ofFull, 0, { "IntervalId" }, "" },
+    { "boundary triangles of interior cells", single.Get(), ofFull, 1,
       { "IntervalId", "BoundarySide" }, "" },
     { "contours", contour.Get(), ofContour, 0, { "ContourId" }, "" },
     { "tetrahedra in time", inTime.Get(), ofTime, 0, { "IntervalId", "SimplexClass", "TimeSlab" },
@@ -190,7 +190,7 @@ std::vector<Extraction> MakeExtractions(const Case& test)
   };
 }
 
-/// Numbers of a set one after the other, each simplex begun by how many it has.
+/// Concatenates the coordinates and values of all simplices, each preceded by their number.
 std::vector<double> Flatten(const std::vector<GeometricSimplex>& set)
 {
   std::vector<double> numbers;
@@ -202,7 +202,7 @@ std::vector<double> Flatten(const std::vector<GeometricSimplex>& set)
   return numbers;
 }
 
-/// The simplices of all processes in the first one, sorted.
+/// Collects the sorted simplices of all processes in process 0.
 std::vector<GeometricSimplex> Gather(
   vtkMultiProcessController* controller, const std::vector<GeometricSimplex>& own)
 {
@@ -242,7 +242,7 @@ std::vector<double> CellsPerProcess(const Extraction& extraction)
   return cells;
 }
 
-/// What the processes said of their work is what each has done, and the same in all of them.
+/// Checks that the reported number of cells per process is correct and is equal in all processes.
 void TestBalance(Check& check, vtkMultiProcessController* controller, const Extraction& extraction,
   const std::string& context)
 {
@@ -253,9 +253,9 @@ void TestBalance(Check& check, vtkMultiProcessController* controller, const Extr
   check.SetContext(context + ", balance");
   if (ranks == 1)
   {
-    check.That(cells.empty(), "one process says nothing");
-    check.That(!fields->HasArray("LoadBalance"), "nor does its output");
-    check.Near(report->GetNumber("Balance"), 0.0, 0.0, "nothing is known");
+    check.That(cells.empty(), "one process does not report cells per process");
+    check.That(!fields->HasArray("LoadBalance"), "the output has no load balance array");
+    check.Near(report->GetNumber("Balance"), 0.0, 0.0, "the balance is 0");
     return;
   }
   check.Equal(static_cast<long long>(cells.size()), ranks, "processes");
@@ -264,27 +264,29 @@ void TestBalance(Check& check, vtkMultiProcessController* controller, const Extr
     return;
   }
   check.Near(cells[static_cast<std::size_t>(controller->GetLocalProcessId())],
-    report->GetNumber("CellsWithOutput"), 0.0, "the own cells");
+    report->GetNumber("CellsWithOutput"), 0.0, "cells of this process");
   std::vector<double> largest(cells.size());
   std::vector<double> smallest(cells.size());
   controller->AllReduce(cells.data(), largest.data(), ranks, vtkCommunicator::MAX_OP);
   controller->AllReduce(cells.data(), smallest.data(), ranks, vtkCommunicator::MIN_OP);
-  check.That(largest == cells && smallest == cells, "the same in all processes");
+  check.That(largest == cells && smallest == cells, "all processes have the same values");
   const double sum = std::accumulate(cells.begin(), cells.end(), 0.0);
-  const double most = *std::max_element(cells.begin(), cells.end());
-  check.Near(
-    report->GetNumber("Balance"), sum > 0.0 ? most * ranks / sum : 0.0, 0.0, "most over mean");
+  const double largestNumber = *std::max_element(cells.begin(), cells.end());
+  check.Near(report->GetNumber("Balance"), sum > 0.0 ? largestNumber * ranks / sum : 0.0, 0.0,
+    "the balance is the maximum over the mean");
   vtkDataArray* shown = fields->GetArray("CellsOfProcesses");
   vtkDataArray* balance = fields->GetArray("LoadBalance");
-  check.That(shown && shown->GetNumberOfValues() == ranks && balance, "the output tells it");
+  check.That(shown && shown->GetNumberOfValues() == ranks && balance,
+    "the output has the load balance arrays");
   if (shown && balance)
   {
-    check.Near(shown->GetComponent(ranks - 1, 0), cells.back(), 0.0, "the last");
-    check.Near(balance->GetComponent(0, 0), report->GetNumber("Balance"), 0.0, "the same balance");
+    check.Near(shown->GetComponent(ranks - 1, 0), cells.back(), 0.0, "cells of the last process");
+    check.Near(balance->GetComponent(0, 0), report->GetNumber("Balance"), 0.0,
+      "the array has the reported balance");
   }
 }
 
-/// Neither an error in one process, nor an abort, nor an empty piece keeps the others waiting.
+/// An error in one process, an abort or an empty piece does not block the other processes.
 void TestBalanceOfFailures(Check& check, vtkMultiProcessController* controller, const Case& test)
 {
   const int ranks = controller->GetNumberOfProcesses();
@@ -319,8 +321,8 @@ void TestBalanceOfFailures(Check& check, vtkMultiProcessController* controller, 
         check, controller, extraction, test.Name + ", " + extraction.Name + ", " + failure);
       if (isHere && failure == "error")
       {
-        check.Near(extraction.Report->GetNumber("CellsWithOutput"), 0, 0.0,
-          "cells of the process with an error");
+        check.Equal(
+          extraction.Report->GetCount("CellsWithOutput"), 0, "cells of the process with an error");
       }
     }
   }
@@ -330,9 +332,9 @@ void TestCase(Check& check, vtkMultiProcessController* controller, const Case& t
 {
   const int ranks = controller->GetNumberOfProcesses();
   const int rank = controller->GetLocalProcessId();
-  // Each filter has a source of its own, so that none is asked for other pieces in turn.
+  // Each filter has its own source. A shared source would be updated for different pieces in turn.
   const std::vector<Extraction> pieces = MakeExtractions(test);
-  const std::vector<Extraction> wholes = MakeExtractions(test);
+  const std::vector<Extraction> singles = MakeExtractions(test);
   for (std::size_t number = 0; number < pieces.size(); ++number)
   {
     const std::vector<GeometricSimplex> own = Extract(pieces[number], rank, ranks);
@@ -342,28 +344,28 @@ void TestCase(Check& check, vtkMultiProcessController* controller, const Case& t
     {
       continue;
     }
-    const std::vector<GeometricSimplex> whole = Extract(wholes[number], 0, 1);
+    const std::vector<GeometricSimplex> single = Extract(singles[number], 0, 1);
     const std::vector<double> found = Flatten(all);
-    const std::vector<double> expected = Flatten(whole);
+    const std::vector<double> expected = Flatten(single);
     check.SetContext(
       test.Name + ", " + pieces[number].Name + ", " + std::to_string(ranks) + " processes");
-    check.That(!whole.empty(), "there are simplices");
-    check.That(CellsPerProcess(wholes[number]).empty(), "no balance of the whole");
+    check.That(!single.empty(), "there are simplices");
+    check.That(CellsPerProcess(singles[number]).empty(), "no load balance for a single process");
     if (ranks > 1)
     {
-      // Of a cell that only touches a value in faces between pieces the pieces decide otherwise
-      // whether it counts: up to 74 of 1868 cells were seen.
+      // Cells that touch a value only in faces between pieces may be counted in a different way. Up
+      // to 74 of 1868 cells differed.
       const std::vector<double> cells = CellsPerProcess(pieces[number]);
       check.Near(std::accumulate(cells.begin(), cells.end(), 0.0),
-        wholes[number].Report->GetNumber("CellsWithOutput"), 0.05,
+        singles[number].Report->GetNumber("CellsWithOutput"), 0.05,
         "cells with output of all processes");
     }
-    check.Equal(static_cast<long long>(all.size()), static_cast<long long>(whole.size()),
+    check.Equal(static_cast<long long>(all.size()), static_cast<long long>(single.size()),
       "number of simplices");
     check.That(found.size() == expected.size() &&
         std::memcmp(found.data(), expected.data(), sizeof(double) * found.size()) == 0,
-      "the same bytes");
-    std::cout << test.Name << ", " << pieces[number].Name << ": " << whole.size()
+      "coordinates are bit-identical");
+    std::cout << test.Name << ", " << pieces[number].Name << ": " << single.size()
               << ", the first has " << own.size() << ", balance "
               << pieces[number].Report->GetNumber("Balance") << std::endl;
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ranges of codes around the cells of a row, against a loop over each cell's corners; codes of
-// values, marks of codes and what is finite, against what is asked of each one.
+// SIMD kernels compared with scalar loops: ranges of codes around the cells of a row, codes of
+// values, marks of codes, and tests for finite values.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "Scalars/RowKernels.h"
@@ -22,7 +22,7 @@ using Code = interlume::RowKernels::Code;
 
 constexpr Code Mixed = 65535;
 
-/// Eight rows of codes below \a codes; long runs are of one code in all rows.
+/// Returns eight rows of codes below \a codes. Long runs have one code in all rows.
 std::vector<std::vector<Code>> MakeRows(std::size_t points, unsigned codes, std::mt19937& random)
 {
   std::vector<std::vector<Code>> rows(8, std::vector<Code>(points));
@@ -59,9 +59,9 @@ void CheckRow(int number, unsigned codes, std::mt19937& random, Check& check)
     }
     const auto [low, high] = std::minmax_element(corners.begin(), corners.end());
     const std::string name = "cell " + std::to_string(i) + " of " + std::to_string(number);
-    check.Equal(least[i], *low, name + ": least");
-    check.Equal(greatest[i], *high, name + ": greatest");
-    check.Equal(all[i], *low == *high ? *low : Mixed, name + ": of all");
+    check.Equal(least[i], *low, name + ": minimum");
+    check.Equal(greatest[i], *high, name + ": maximum");
+    check.Equal(all[i], *low == *high ? *low : Mixed, name + ": all cells");
   }
 }
 
@@ -71,7 +71,7 @@ void CheckValues(int number, std::mt19937& random, Check& check)
   using interlume::RowKernels::AreFinite;
   const T infinity = std::numeric_limits<T>::infinity();
   const T lost[] = { std::numeric_limits<T>::quiet_NaN(), infinity, -infinity };
-  // Many of the values are a threshold.
+  // Many of the values equal a threshold.
   const T thresholds[] = { T(3), std::nextafter(T(3), infinity), T(6), T(7) };
   std::vector<T> values(static_cast<std::size_t>(number));
   std::generate(values.begin(), values.end(), [&]() { return static_cast<T>(random() % 10); });
@@ -81,7 +81,8 @@ void CheckValues(int number, std::mt19937& random, Check& check)
   {
     std::vector<T> changed = values;
     changed[static_cast<std::size_t>(i)] = lost[i % 3];
-    check.That(!AreFinite(changed.data(), number), name + ": " + std::to_string(i) + " is not");
+    check.That(
+      !AreFinite(changed.data(), number), name + ": " + std::to_string(i) + " is not finite");
     values[static_cast<std::size_t>(i)] =
       i % 5 == 0 ? lost[i % 3] : values[static_cast<std::size_t>(i)];
   }

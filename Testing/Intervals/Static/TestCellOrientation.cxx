@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sign of a cell in single precision is that of double precision: for each shape, cells of
-// every size, stretched, far from the origin, and nearly or quite flat.
+// The sign of a cell's volume is the same in single and in double precision. Tests all shapes with
+// cells of many sizes: stretched, far from the origin, and nearly or exactly degenerate.
 #include "Grid/CellOrientation.h"
 #include "Support/Checks/ReferenceCheck.h"
 
@@ -68,9 +68,9 @@ void CheckShape(vtkIsotable::Shapes shape, Check& check)
       corners.emplace_back();
       for (int axis = 0; axis < 3; ++axis)
       {
-        const double place = isFlat && axis == 2 ? corner[0] + corner[1] : corner[axis];
+        const double position = isFlat && axis == 2 ? corner[0] + corner[1] : corner[axis];
         corners.back()[axis] =
-          static_cast<float>(origin + stretch[axis] * (place + warp * normal(random)));
+          static_cast<float>(origin + stretch[axis] * (position + warp * normal(random)));
       }
     }
     const int sign = FindSign(shape, corners, VTK_FLOAT);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is said of grids whose cells contradict their arrays, with ids of 32 and of 64 bits: the
-// first cell that is wrong, and nothing of a grid that is whole. Every filter says it, of grids
-// from files too.
+// Errors for grids whose cells contradict their arrays, with 32-bit and 64-bit ids. The error names
+// the first invalid cell; valid grids have no error. Every filter reports the error, also for grids
+// from files.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -36,14 +36,13 @@ namespace
 
 using namespace reference;
 
-// A thousand tetrahedra and as many empty cells or polygons of 3 or 5 points, in turn, of ten
-// points.
+// A thousand tetrahedra of ten points, alternating with empty cells or polygons of 3 or 5 points.
 constexpr int Pairs = 1000;
 constexpr vtkIdType Points = 10;
 
 struct Damage
 {
-  // Which offset, id or type is set, -1 for none, and to what.
+  // Index of the offset, id or type to overwrite (-1 for none) and its new value.
   vtkIdType Offset = -1;
   vtkIdType Id = -1;
   vtkIdType Type = -1;
@@ -98,20 +97,20 @@ template <typename Array>
 void CheckAll(const std::string& name, Check& check)
 {
   constexpr vtkIdType most = std::numeric_limits<typename Array::ValueType>::max();
-  const auto expect = [&](const std::string& what, const Damage& damage, const std::string& said)
+  const auto expect = [&](const std::string& what, const Damage& damage, const std::string& message)
   {
     const std::string found = interlume::GridCheck::FindError(MakeGrid<Array>(damage)).GetMessage();
-    check.That(found == said, name + ", " + what + ": \"" + found + "\"");
+    check.That(found == message, name + ", " + what + ": \"" + found + "\"");
   };
   expect("whole", {}, "");
-  // Cell 4 is the third tetrahedron, with the entries 11 to 15; there are 6,664 in all.
+  // Cell 4 is the third tetrahedron, with the entries 11 to 15 of the 6,664 point ids.
   const std::string tetra = "cell 4 (vtkTetra) has ";
   for (const vtkIdType id : { vtkIdType(-1), Points, most, -most })
   {
-    expect("a point", { -1, 12, -1, id },
+    expect("an invalid point id", { -1, 12, -1, id },
       tetra + "the point " + std::to_string(id) + "; the grid has 10 points");
   }
-  expect("the last point of all", { -1, 6663, -1, Points },
+  expect("an invalid id in the last cell", { -1, 6663, -1, Points },
     "cell 1998 (vtkTetra) has the point 10; the grid has 10 points");
   expect("decreasing", { 5, -1, -1, 10 }, tetra + "the entries 11 to 10 of 6664 point ids");
   expect("negative", { 4, -1, -1, -1 },
@@ -120,16 +119,16 @@ void CheckAll(const std::string& name, Check& check)
   expect("far", { 5, -1, -1, most },
     tetra + "the entries 11 to " + std::to_string(most) + " of 6664 point ids");
   expect("few", { 5, -1, -1, 14 }, tetra + "3 points; 4 are needed");
-  expect("another type", { -1, -1, 4, VTK_HEXAHEDRON },
+  expect("an invalid cell type", { -1, -1, 4, VTK_HEXAHEDRON },
     "cell 4 (vtkHexahedron) has 4 points; 8 are needed");
-  expect("a type of any size", { -1, -1, 4, VTK_POLY_VERTEX }, "");
+  expect("an unknown cell type of any size", { -1, -1, 4, VTK_POLY_VERTEX }, "");
 }
 
-/// A type of cells, and the least number of points that it needs.
+/// A cell type and its minimum number of points.
 struct SizedType
 {
   int Type;
-  int Least;
+  int Minimum;
   std::string Name;
 };
 
@@ -165,7 +164,7 @@ std::vector<SizedType> GetSizedTypes()
     { VTK_BEZIER_HEXAHEDRON, 8, "vtkBezierHexahedron" },
     { VTK_BEZIER_WEDGE, 6, "vtkBezierWedge" },
     { VTK_BEZIER_PYRAMID, 5, unknown },
-    // These have a number of their own.
+    // Types with a fixed minimum.
     { VTK_VERTEX, 1, "vtkVertex" },
     { VTK_TRIANGLE, 3, "vtkTriangle" },
     { VTK_QUADRATIC_HEXAHEDRON, 20, "vtkQuadraticHexahedron" },
@@ -175,7 +174,8 @@ std::vector<SizedType> GetSizedTypes()
   };
 }
 
-/// The corners of a cube, and a hexahedron and a cell of the first points of another type.
+/// Returns a grid with the corners of a cube, a hexahedron, and a cell of another type with the
+/// first \a size points.
 template <typename Array>
 vtkSmartPointer<vtkUnstructuredGrid> MakePair(int type, int size)
 {
@@ -206,8 +206,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePair(int type, int size)
   return grid;
 }
 
-/// What filters of intervals say of a grid.
-std::vector<std::string> Ask(vtkUnstructuredGrid* grid, Check& check)
+/// Returns the messages of the interval filters for a grid.
+std::vector<std::string> CollectMessages(vtkUnstructuredGrid* grid, Check& check)
 {
   vtkNew<vtkIntervalVolume> intervals;
   intervals->SetInputData(grid);
@@ -216,16 +216,16 @@ std::vector<std::string> Ask(vtkUnstructuredGrid* grid, Check& check)
   contour->SetInputData(grid);
   contour->SetValue(0, 0.5);
   const TimeVaryingPipeline pipeline(RepeatGrid(grid, { 0, 1 }), { { { 0.25, 0.75 } } });
-  std::vector<std::string> said;
+  std::vector<std::string> messages;
   for (vtkAlgorithm* filter :
     { static_cast<vtkAlgorithm*>(intervals.Get()), static_cast<vtkAlgorithm*>(contour.Get()),
       static_cast<vtkAlgorithm*>(pipeline.Filter.Get()) })
   {
-    said.push_back(MessagesOf(filter));
+    messages.push_back(MessagesOf(filter));
     check.Equal(
       vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells(), 0, "cells");
   }
-  return said;
+  return messages;
 }
 
 template <typename Array>
@@ -233,36 +233,36 @@ void CheckSizes(const std::string& name, Check& check)
 {
   for (const SizedType& type : GetSizedTypes())
   {
-    for (const int size : std::vector<int>{ 0, 1, type.Least - 1 })
+    for (const int size : std::vector<int>{ 0, 1, type.Minimum - 1 })
     {
-      if (size >= type.Least)
+      if (size >= type.Minimum)
       {
         continue;
       }
       check.SetContext(name + ", " + std::to_string(type.Type) + ", " + std::to_string(size));
       const auto grid = MakePair<Array>(type.Type, size);
       const std::string expected = "ell 1 (" + type.Name + ") has " + std::to_string(size) +
-        (size == 1 ? " point; " : " points; ") + std::to_string(type.Least) +
-        (type.Least == 1 ? " is needed" : " are needed");
+        (size == 1 ? " point; " : " points; ") + std::to_string(type.Minimum) +
+        (type.Minimum == 1 ? " is needed" : " are needed");
       const std::string found = interlume::GridCheck::FindError(grid).GetMessage();
       check.That(found == "c" + expected, found);
-      for (const std::string& said : Ask(grid, check))
+      for (const std::string& message : CollectMessages(grid, check))
       {
-        check.That(said.find("C" + expected) != std::string::npos ||
-            said.find("c" + expected) != std::string::npos,
-          "error: " + said);
+        check.That(message.find("C" + expected) != std::string::npos ||
+            message.find("c" + expected) != std::string::npos,
+          "error: " + message);
       }
     }
     if (type.Type != VTK_POLYHEDRON)
     {
       const interlume::Error error =
-        interlume::GridCheck::FindError(MakePair<Array>(type.Type, type.Least));
-      check.That(!error, "as many as there are corners: " + error.GetMessage());
+        interlume::GridCheck::FindError(MakePair<Array>(type.Type, type.Minimum));
+      check.That(!error, "no error for the minimum number of points: " + error.GetMessage());
     }
   }
 }
 
-/// A writer of slabs says it too, and writes nothing.
+/// vtkTimeSlabWriter reports the error and does not write files.
 void CheckWriter(Check& check)
 {
   check.SetContext("writer of slabs");
@@ -275,13 +275,13 @@ void CheckWriter(Check& check)
   writer->SetFileName((folder / "slabs.vtm").string().c_str());
   vtkNew<vtkTest::ErrorObserver> watch;
   writer->AddObserver(vtkCommand::ErrorEvent, watch);
-  check.That(!writer->Write(), "it fails");
-  const std::string said = watch->GetErrorMessage();
-  check.That(said.find("has 7 points; 8 are needed") != std::string::npos, "error: " + said);
+  check.That(!writer->Write(), "writing fails");
+  const std::string message = watch->GetErrorMessage();
+  check.That(message.find("has 7 points; 8 are needed") != std::string::npos, "error: " + message);
   std::filesystem::remove_all(folder);
 }
 
-/// A file of a tetrahedron and a cell of another type, which has the first points.
+/// Reads a file with a tetrahedron and a cell of another type with the first \a size points.
 vtkSmartPointer<vtkUnstructuredGrid> Read(int type, int size, const std::string& more)
 {
   std::ostringstream text;
@@ -312,7 +312,7 @@ void CheckFiles(Check& check)
   {
     std::string Name;
     vtkSmartPointer<vtkUnstructuredGrid> Grid;
-    std::string Said;
+    std::string Messages;
   } cases[] = {
     { "Lagrange", Read(VTK_LAGRANGE_HEXAHEDRON, 3, ""),
       "ell 1 (vtkLagrangeHexahedron) has 3 points; 8 are needed" },
@@ -323,14 +323,14 @@ void CheckFiles(Check& check)
   for (const auto& one : cases)
   {
     check.SetContext("file, " + one.Name);
-    for (const std::string& said : Ask(one.Grid, check))
+    for (const std::string& message : CollectMessages(one.Grid, check))
     {
-      check.That(said.find(one.Said) != std::string::npos, "error: " + said);
+      check.That(message.find(one.Messages) != std::string::npos, "error: " + message);
     }
   }
 }
 
-/// A polyhedron needs four faces.
+/// A polyhedron has at least four faces.
 void CheckFaces(Check& check)
 {
   const vtkIdType ids[] = { 0, 1, 2, 4 };

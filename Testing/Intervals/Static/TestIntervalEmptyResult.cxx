@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An execution that gives nothing says why, with what the data have: once for a whole composite
-// input, and not for one dataset or piece of several. The scalar is the active one on what is made.
+// An execution with an empty result warns with the reason and the range of the data. A composite
+// input causes one warning if all results are empty. An empty piece among several causes no
+// warning. The extracted scalar is the active array of the output.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -26,7 +27,7 @@ namespace
 
 using namespace reference;
 
-/// Random values f, and p = 10 f, which is active.
+/// Returns a mesh with random values f and with p = 10 f as the active scalars.
 vtkSmartPointer<vtkUnstructuredGrid> MakeInput()
 {
   auto mesh = MakeMesh(MeshKind::Mixed, { 2, 2, 2 });
@@ -61,13 +62,15 @@ int Count(const std::string& text, const std::string& part)
   return number;
 }
 
-void CheckSaid(vtkAlgorithm* filter, const std::vector<std::string>& parts, Check& check)
+void CheckWarnings(vtkAlgorithm* filter, const std::vector<std::string>& parts, Check& check)
 {
-  const std::string said = WarningsOf(filter);
-  check.Equal(Count(said, "The output is empty: "), parts.empty() ? 0 : 1, "warnings: " + said);
+  const std::string warnings = WarningsOf(filter);
+  check.Equal(
+    Count(warnings, "The output is empty: "), parts.empty() ? 0 : 1, "warnings: " + warnings);
   for (const std::string& part : parts)
   {
-    check.That(said.find(part) != std::string::npos, "it says \"" + part + "\": " + said);
+    check.That(warnings.find(part) != std::string::npos,
+      "the warning contains \"" + part + "\": " + warnings);
   }
 }
 
@@ -89,7 +92,7 @@ void CheckReasons(Check& check)
     std::vector<std::string> Parts;
   } cases[] = {
     { "outside", MakeInput(), [](vtkIntervalVolume* filter) { filter->SetInterval(0, 1.5, 2); },
-      { "the interval [1.5, 2]", "\"f\" goes from 0.0592432 to 0.999041" } },
+      { "the interval [1.5, 2]", "\"f\" ranges from 0.0592432 to 0.999041" } },
     { "several", MakeInput(),
       [](vtkIntervalVolume* filter)
       {
@@ -103,14 +106,14 @@ void CheckReasons(Check& check)
     { "a surface", surface, [](vtkIntervalVolume* filter) { filter->SetInterval(0, 0, 1); },
       { "none of the input's 1 cells is three-dimensional" } },
     { "hidden", hidden, [](vtkIntervalVolume* filter) { filter->SetInterval(0, 0, 1); },
-      { "no cell that counts", "hidden" } },
+      { "no cell intersects", "hidden" } },
     { "a criterion", MakeInput(),
       [](vtkIntervalVolume* filter)
       {
         filter->SetInterval(0, 0.5, 1);
         filter->AddCriterion("p", 0, 2);
       },
-      { "the criterion on \"p\" from 0 to 2", "goes from 5 to 9." } },
+      { "the criterion on \"p\" from 0 to 2", "ranges from 5 to 9." } },
     { "enough", MakeInput(), [](vtkIntervalVolume* filter) { filter->SetInterval(0, 0.5, 1); },
       {} },
     { "quiet", MakeInput(), [](vtkIntervalVolume* filter) { filter->WarnOnEmptyOutputOff(); }, {} },
@@ -120,19 +123,19 @@ void CheckReasons(Check& check)
     check.SetContext(one.Name);
     auto filter = MakeFilter<vtkIntervalVolume>(one.Input);
     one.Set(filter);
-    CheckSaid(filter, one.Parts, check);
+    CheckWarnings(filter, one.Parts, check);
   }
   check.SetContext("contour");
   auto contour = MakeFilter<vtkIsotableContour>(MakeInput());
-  CheckSaid(contour, { "no value is set" }, check);
+  CheckWarnings(contour, { "no value is set" }, check);
   contour->SetValue(0, 3);
-  CheckSaid(contour, { "the value 3", "\"f\" goes from 0.0592432 to 0.999041" }, check);
+  CheckWarnings(contour, { "the value 3", "\"f\" ranges from 0.0592432 to 0.999041" }, check);
   contour->SetValue(0, 0.5);
-  CheckSaid(contour, {}, check);
+  CheckWarnings(contour, {}, check);
 }
 
-/// A bound that is a word is an error with that word; one that is a number is taken.
-void CheckWords(Check& check)
+/// A bound that is not a number is an error that quotes the text. A number as text is accepted.
+void CheckTextBounds(Check& check)
 {
   auto filter = MakeFilter<vtkIntervalVolume>(MakeInput());
   filter->SetInterval(0, 0, 1);
@@ -141,9 +144,10 @@ void CheckWords(Check& check)
     check.SetContext(std::string("bound ") + word);
     filter->RemoveAllCriteria();
     filter->AddCriterionAsText("p", "0", word);
-    const std::string said = MessagesOf(filter);
-    check.That(said.find(*word ? std::string("\"") + word + "\"" : "nothing") != std::string::npos,
-      "the error has it: " + said);
+    const std::string warnings = MessagesOf(filter);
+    check.That(
+      warnings.find(*word ? std::string("\"") + word + "\"" : "(empty)") != std::string::npos,
+      "the error quotes the text: " + warnings);
     check.Equal(filter->GetOutput()->GetNumberOfCells(), 0, "cells");
   }
   check.SetContext("numbers as text");
@@ -152,13 +156,13 @@ void CheckWords(Check& check)
   double lower = 0;
   double upper = 0;
   filter->GetCriterionRange(0, lower, upper);
-  check.That(lower == 1.5 && upper == 4, "the bounds are those written");
+  check.That(lower == 1.5 && upper == 4, "the bounds equal the parsed numbers");
   filter->Update();
-  check.That(filter->GetOutput()->GetNumberOfCells() > 0, "there is output");
+  check.That(filter->GetOutput()->GetNumberOfCells() > 0, "the output is not empty");
 }
 
-/// It is said of the whole, not of a part.
-void CheckParts(Check& check)
+/// The warning refers to the entire input, not to a block or a piece.
+void CheckBlocksAndPieces(Check& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
   auto low = MakeInput();
@@ -174,27 +178,27 @@ void CheckParts(Check& check)
   auto filter = MakeFilter<vtkIntervalVolume>(blocks);
   for (const double lower : { 0.25, 5.25 })
   {
-    check.SetContext("one block has it, from " + std::to_string(lower));
+    check.SetContext("one block has output, from " + std::to_string(lower));
     filter->SetInterval(0, lower, lower + 0.25);
-    CheckSaid(filter, {}, check);
+    CheckWarnings(filter, {}, check);
   }
-  check.SetContext("no block has it");
+  check.SetContext("no block has output");
   filter->SetInterval(0, 2, 3);
-  CheckSaid(filter, { "from 0.0592432 to 5.99904" }, check);
-  check.SetContext("no block");
-  CheckSaid(
+  CheckWarnings(filter, { "from 0.0592432 to 5.99904" }, check);
+  check.SetContext("composite input without blocks");
+  CheckWarnings(
     MakeFilter<vtkIntervalVolume>(vtkNew<vtkMultiBlockDataSet>()), { "no interval" }, check);
   check.SetContext("one piece of two");
   auto piece = MakeFilter<vtkIntervalVolume>(MakeInput());
   piece->SetInterval(0, 2, 3);
-  const std::string said = [&piece]()
+  const std::string warnings = [&piece]()
   {
     vtkNew<vtkTest::ErrorObserver> watch;
     piece->AddObserver(vtkCommand::WarningEvent, watch);
     piece->UpdatePiece(1, 2, 0);
     return watch->GetWarningMessage();
   }();
-  check.That(said.empty(), "nothing is said: " + said);
+  check.That(warnings.empty(), "no warning for a piece: " + warnings);
 }
 
 void CheckActive(Check& check)
@@ -214,7 +218,7 @@ void CheckActive(Check& check)
     auto* grid = vtkUnstructuredGrid::SafeDownCast(output);
     check.That(grid->GetNumberOfCells() > 0, "there are cells");
     vtkDataArray* active = grid->GetPointData()->GetScalars();
-    check.That(active && std::string(active->GetName()) == "f", "the scalar chosen is active");
+    check.That(active && std::string(active->GetName()) == "f", "the extracted scalar is active");
   }
 }
 
@@ -224,8 +228,8 @@ int TestIntervalEmptyResult(int, char*[])
 {
   Check check;
   CheckReasons(check);
-  CheckWords(check);
-  CheckParts(check);
+  CheckTextBounds(check);
+  CheckBlocksAndPieces(check);
   CheckActive(check);
   return check.Result();
 }

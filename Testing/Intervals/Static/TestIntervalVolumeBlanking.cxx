@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Ghost, hidden and blanked cells, cells of hidden points, and cells with NaN or infinity are left
-// out and counted; everything else stays.
+// Ghost, hidden and blanked cells, cells of hidden points, and cells with NaN or infinite scalars
+// are skipped and counted. Other cells are unaffected.
 #include "Common/DataDigest.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
@@ -34,7 +34,7 @@ using namespace reference;
 
 constexpr double CellVolume = 0.1 * 0.3 * 0.7;
 constexpr int NumberOfCells = 4 * 4 * 4;
-/// A point inside the lattice of 5 x 5 x 5 points: eight cells use it.
+/// An interior point of the grid with 5 x 5 x 5 points. Eight cells use the point.
 constexpr vtkIdType InnerPoint = 2 + 5 * (2 + 5 * 2);
 
 void SetGhost(vtkDataSetAttributes* attributes, vtkIdType size, vtkIdType at, unsigned char value)
@@ -59,14 +59,13 @@ void CheckLeftOut(vtkDataSet* data, int left, const char* what, Check& check)
   const Extraction extraction = ExtractIntervals(data, { { 0, 1 } });
   check.Near(static_cast<double>(MeasureTetrahedra(extraction.Volume).Sum),
     (NumberOfCells - left) * CellVolume, 1e-12, std::string(what) + ": volume");
-  check.Near(
-    extraction.Report->GetNumber("Cells"), NumberOfCells, 0.0, std::string(what) + ": cells");
+  check.Equal(extraction.Report->GetCount("Cells"), NumberOfCells, std::string(what) + ": cells");
 }
 
 void CheckBlanked(vtkDataSet* data, int left, const char* what, Check& check)
 {
   CheckLeftOut(data, left, what, check);
-  check.Near(ExtractIntervals(data, { { 0, 1 } }).Report->GetNumber("BlankedCells"), left, 0.0,
+  check.Equal(ExtractIntervals(data, { { 0, 1 } }).Report->GetCount("BlankedCells"), left,
     std::string(what) + ": blanked cells of the interval volume");
   check.Near(ExtractContours(data, { 0.5 }).Report->GetNumber("BlankedCells"), left, 0.0,
     std::string(what) + ": blanked cells of the contour");
@@ -93,7 +92,7 @@ void CheckGhosts(size_t form, Check& check)
     CheckBlanked(lattice.Data, 8, "hidden point", check);
   }
   {
-    // A duplicate point is another process's too; its cells are still this one's.
+    // Another process also has a duplicate point, but the cells belong to this process.
     LatticeForm lattice = make();
     SetGhost(lattice.Data->GetPointData(), 125, InnerPoint, vtkDataSetAttributes::DUPLICATEPOINT);
     CheckBlanked(lattice.Data, 0, "duplicate point", check);
@@ -110,10 +109,10 @@ void CheckNonFinite(size_t form, Check& check)
     const LatticeForm lattice = FormsOf(image)[form];
     check.SetContext(lattice.Name + ", " + std::to_string(value));
     CheckLeftOut(lattice.Data, 8, "not finite", check);
-    check.Near(ExtractIntervals(lattice.Data, { { 0, 1 } }).Report->GetNumber("NonFiniteCells"), 8,
-      0.0, "cells of the interval volume that are not finite");
+    check.Equal(ExtractIntervals(lattice.Data, { { 0, 1 } }).Report->GetCount("NonFiniteCells"), 8,
+      "non-finite cells of the interval volume");
     check.Near(ExtractContours(lattice.Data, { 0.5 }).Report->GetNumber("NonFiniteCells"), 8, 0.0,
-      "cells of the contour that are not finite");
+      "non-finite cells of the contour");
   }
 }
 
@@ -133,16 +132,16 @@ void CheckBlankingCalls(Check& check)
   CheckBlanked(structured, 9, "vtkStructuredGrid, cell and point", check);
 }
 
-/// What comes out of a grid, to the last byte, and what the report says of its cells.
-std::string GetDigest(vtkDataSet* data, double unit, bool usesIndex, bool keepsWhole)
+/// Returns a hash of all outputs of a grid and the cell counts of the report.
+std::string GetDigest(vtkDataSet* data, double unit, bool usesIndex, bool keepsInterior)
 {
   vtkNew<vtkIntervalVolume> filter;
   filter->SetInputData(data);
   filter->GenerateBoundariesOn();
-  filter->SetKeepWholeCells(keepsWhole);
+  filter->SetKeepInteriorCells(keepsInterior);
   filter->SetUseValueIndex(usesIndex);
   filter->WarnOnEmptyOutputOff();
-  // The index is built when the intervals change.
+  // The value index is built when the intervals change.
   for (const double upper : { 0.6, 0.8 })
   {
     filter->SetInterval(0, 0.25 * unit, 0.5 * unit);
@@ -172,8 +171,8 @@ std::string GetDigest(vtkDataSet* data, double unit, bool usesIndex, bool keepsW
   return text;
 }
 
-/// Where the cells that count are a box, as in a piece with a layer of ghost cells, the rest of the
-/// grid is not looked at, unless by an index of its values. That gives the same.
+/// If the cells that are not blanked form a box, for example in a piece with a layer of ghost
+/// cells, filters visit only the box unless they use a value index. The results must be the same.
 void CheckBoxes(Check& check)
 {
   constexpr int cells = 6;
@@ -210,15 +209,15 @@ void CheckBoxes(Check& check)
       }
       const auto mark = static_cast<unsigned char>(
         draw(2) == 0 ? vtkDataSetAttributes::DUPLICATECELL : vtkDataSetAttributes::HIDDENCELL);
-      // One more that is blanked within is no box any more.
+      // If an interior cell is blanked too, the remaining cells are not a box.
       const bool isHole = number % 7 == 0 && draw(20) == 0;
       marks->SetValue(c, isWithin && !isHole ? 0 : mark);
     }
-    for (const bool keepsWhole : { false, true })
+    for (const bool keepsInterior : { false, true })
     {
-      check.SetContext("box " + std::to_string(number) + (keepsWhole ? ", whole cells" : ""));
-      const std::string found = GetDigest(image, unit, false, keepsWhole);
-      const std::string expected = GetDigest(image, unit, true, keepsWhole);
+      check.SetContext("box " + std::to_string(number) + (keepsInterior ? ", interior cells" : ""));
+      const std::string found = GetDigest(image, unit, false, keepsInterior);
+      const std::string expected = GetDigest(image, unit, true, keepsInterior);
       check.That(found == expected, found + " for " + expected);
     }
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Cells of every other kind: quadratic ones are taken by their corners with a warning, those of
-// fewer dimensions and of types without a linear counterpart are left out and counted.
+// Other cell types: quadratic cells are treated as linear, with a warning. Lower-dimensional cells
+// and types without a linear counterpart are skipped and counted.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceReport.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -29,7 +29,7 @@ using namespace reference;
 
 const LinearFunction Function = { 0.1, { 0.3, 0.5, 0.7 } };
 
-/// The filters run once over a mesh, with what they warned of.
+/// Results and warnings of both filters for a mesh.
 struct Run
 {
   double Volume;
@@ -64,7 +64,7 @@ Run Execute(vtkDataSet* mesh)
   return run;
 }
 
-/// A mesh of one cell with its points at its parametric coordinates.
+/// Returns a mesh of one cell with its points at its parametric coordinates.
 vtkSmartPointer<vtkUnstructuredGrid> MeshOf(vtkCell* cell)
 {
   MeshBuilder builder;
@@ -80,7 +80,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MeshOf(vtkCell* cell)
   return mesh;
 }
 
-/// The linear cell of the same corners.
+/// Returns the linear cell with the same corners.
 vtkSmartPointer<vtkUnstructuredGrid> CornersOf(vtkUnstructuredGrid* mesh, int type, int corners)
 {
   auto result = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -100,14 +100,15 @@ void CheckQuadratic(vtkCell* cell, int linearType, int corners, Check& check)
   const Run run = Execute(mesh);
   const Run expected = Execute(linear);
   check.That(expected.Volume != 0, "the linear cell has a volume");
-  check.Near(run.Volume, expected.Volume, 1e-14, "volume as of the linear cell");
-  check.Equal(run.Triangles, expected.Triangles, "triangles as of the linear cell");
+  check.Near(run.Volume, expected.Volume, 1e-14, "the volume equals the volume of the linear cell");
+  check.Equal(
+    run.Triangles, expected.Triangles, "the triangles equal the triangles of the linear cell");
   for (int i = 0; i < 2; ++i)
   {
-    check.Near(run.Reports[i]->GetNumber("LinearizedCells"), 1, 0.0, "linearized cells");
+    check.Equal(run.Reports[i]->GetCount("LinearizedCells"), 1, "linearized cells");
     check.That(!run.Warnings[i].empty(), "there is a warning");
-    check.Near(expected.Reports[i]->GetNumber("LinearizedCells"), 0, 0.0,
-      "linearized cells of a linear mesh");
+    check.Equal(
+      expected.Reports[i]->GetCount("LinearizedCells"), 0, "linearized cells of a linear mesh");
     check.That(expected.Warnings[i].empty(), "there is no warning for a linear mesh");
   }
   check.That(run.Errors.empty(), "there is no error");
@@ -115,7 +116,7 @@ void CheckQuadratic(vtkCell* cell, int linearType, int corners, Check& check)
 
 void CheckFlatCells(Check& check)
 {
-  check.SetContext("cells of fewer dimensions");
+  check.SetContext("lower-dimensional cells");
   MeshBuilder builder;
   for (int i = 0; i < 8; ++i)
   {
@@ -140,16 +141,16 @@ void CheckFlatCells(Check& check)
   const std::array<double, 3> size = { 1, 1, 1 };
   check.Near(run.Volume,
     static_cast<double>(BoxVolumeBelow(size, Function, 0.9) - BoxVolumeBelow(size, Function, 0.3)),
-    1e-14, "volume of the voxel among them");
+    1e-14, "volume of the voxel");
   for (const ReportCopy& report : run.Reports)
   {
-    check.Near(report->GetNumber("Cells"), 13, 0.0, "cells");
+    check.Equal(report->GetCount("Cells"), 13, "cells");
     check.That(report->GetNumber("LowerDimensionalCells") >= 11 &&
         report->GetNumber("LowerDimensionalCells") <= 12,
-      "cells of fewer dimensions");
-    check.Near(report->GetNumber("LowerDimensionalCells") + report->GetNumber("UnsupportedCells"),
-      12, 0.0, "the empty cell is one or the other");
-    check.Near(report->GetNumber("CellsWithOutput"), 1, 0.0, "cells with output");
+      "lower-dimensional cells");
+    check.Equal(report->GetCount("LowerDimensionalCells") + report->GetCount("UnsupportedCells"),
+      12, "the empty cell is counted as skipped or as lower-dimensional");
+    check.Equal(report->GetCount("CellsWithOutput"), 1, "cells with output");
   }
   check.That(run.Errors.empty(), "there is no error");
 }
@@ -165,8 +166,8 @@ void CheckPolyData(Check& check)
   check.That(run.Volume == 0 && run.Triangles == 0, "the output is empty");
   for (const ReportCopy& report : run.Reports)
   {
-    check.Near(report->GetNumber("LowerDimensionalCells"), sphere->GetNumberOfCells(), 0.0,
-      "cells left out");
+    check.Equal(
+      report->GetCount("LowerDimensionalCells"), sphere->GetNumberOfCells(), "cells skipped");
   }
   check.That(run.Errors.empty(), "there is no error");
 }
@@ -183,8 +184,9 @@ void CheckExplicitGrid(Check& check)
   AddLinearField(mesh, Function);
   const Run run = Execute(grid);
   const Run expected = Execute(mesh);
-  check.Near(run.Volume, expected.Volume, 1e-14, "volume as of the hexahedron");
-  check.Equal(run.Triangles, expected.Triangles, "triangles as of the hexahedron");
+  check.Near(run.Volume, expected.Volume, 1e-14, "the volume equals the volume of the hexahedron");
+  check.Equal(
+    run.Triangles, expected.Triangles, "the triangles equal the triangles of the hexahedron");
   check.That(expected.Volume > 0 && run.Errors.empty(), "there is no error");
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Composite input gives composite output of the same structure, empty leaves included, with the
-// same simplices as the leaves one by one.
+// Composite input yields composite output with the same structure, including empty leaves. The
+// simplices equal the results of the single leaves.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -93,7 +93,8 @@ void CheckTree(vtkDataObjectTree* input, Check& check)
     {
       return;
     }
-    check.That(std::string(output->GetClassName()) == input->GetClassName(), "of the same class");
+    check.That(std::string(output->GetClassName()) == input->GetClassName(),
+      "the output has the class of the input");
   }
   vtkIdType cells = 0;
   vtkSmartPointer<vtkCompositeDataIterator> leaves;
@@ -129,14 +130,14 @@ void CheckTree(vtkDataObjectTree* input, Check& check)
     }
   }
   check.SetContext(input->GetClassName());
-  check.Near(
-    volume->GetReport()->GetNumber("Cells"), cells, 0.0, "cells of all leaves in the report");
-  check.Near(contour->GetReport()->GetNumber("Cells"), cells, 0.0,
-    "cells of all leaves in the contour's report");
+  check.Equal(
+    volume->GetReport()->GetCount("Cells"), cells, "the report counts the cells of all leaves");
+  check.Equal(contour->GetReport()->GetCount("Cells"), cells,
+    "the contour's report counts the cells of all leaves");
   volume->Modified();
   volume->Update();
-  check.Near(
-    volume->GetReport()->GetNumber("Cells"), cells, 0.0, "cells of the last execution only");
+  check.Equal(volume->GetReport()->GetCount("Cells"), cells,
+    "the report counts the cells of the last execution only");
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Criteria on further arrays: the volume where all hold, for linear functions and for any values on
-// tetrahedra; the order of criteria does not matter; several intervals still tile.
+// Criteria on additional arrays: the volume where all criteria hold, for linear functions and for
+// arbitrary values on tetrahedra. The order of criteria has no effect, and several intervals still
+// tile the domain.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceField.h"
 #include "Support/Meshes/ReferenceGrid.h"
@@ -19,7 +20,7 @@ namespace
 
 using namespace reference;
 
-/// Runs the first range as the interval, the others as criteria.
+/// Extracts the first range as the interval and the other ranges as criteria.
 double ExtractedVolume(vtkUnstructuredGrid* mesh, const std::vector<Range>& ranges, Check& check)
 {
   vtkNew<vtkIntervalVolume> filter;
@@ -32,13 +33,13 @@ double ExtractedVolume(vtkUnstructuredGrid* mesh, const std::vector<Range>& rang
   }
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   filter->Update();
-  check.Near(
-    filter->GetReport()->GetNumber("Passes"), static_cast<long long>(ranges.size()), 0.0, "passes");
+  check.Equal(
+    filter->GetReport()->GetCount("Passes"), static_cast<long long>(ranges.size()), "passes");
   vtkUnstructuredGrid* output = filter->GetOutput();
-  check.That(IsValid(output, VTK_TETRA), "the output is made of tetrahedra");
+  check.That(IsValid(output, VTK_TETRA), "the output consists of tetrahedra");
   if (output->GetNumberOfCells() > 0)
   {
-    check.That(output->GetCellData()->HasArray("IntervalId"), "IntervalId is kept");
+    check.That(output->GetCellData()->HasArray("IntervalId"), "IntervalId is passed");
     for (const Range& range : ranges)
     {
       vtkDataArray* array = output->GetPointData()->GetArray(range.Array);
@@ -86,7 +87,7 @@ void CheckTetrahedra(MeshKind kind, Check& check)
   }
 }
 
-/// Disjoint ranges of one criterion add up to the volume without it, whatever the cells.
+/// Disjoint ranges of a criterion sum up to the volume without the criterion, for any cells.
 void CheckSum(MeshKind kind, Check& check)
 {
   check.SetContext(GetName(kind) + ", sum");
@@ -99,7 +100,7 @@ void CheckSum(MeshKind kind, Check& check)
   {
     sum += ExtractedVolume(mesh, { f, g }, check);
   }
-  check.Near(sum, ExtractedVolume(mesh, { f }, check), 1e-12, "sum of the parts",
+  check.Near(sum, ExtractedVolume(mesh, { f }, check), 1e-12, "sum of the volumes",
     static_cast<double>(MeshVolume(mesh)));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two blocks, each with an order of its own of its points, cut the faces between them alike by
-// global ids of any integer type; ids that cannot be used are an error.
+// Two blocks with different point orders cut their common faces in the same way if they have global
+// ids, of any integer type. Invalid ids are an error.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Intervals/ReferenceExtraction.h"
@@ -26,7 +26,7 @@ using namespace reference;
 constexpr unsigned int Orders = 6;
 const std::vector<Interval> Intervals = { { -1.0, 0.5 } };
 
-/// A kind of cells, and the axis across the face between the blocks.
+/// A cell type, and the axis across the face between the blocks.
 struct Form
 {
   MeshKind Kind;
@@ -48,7 +48,7 @@ vtkSmartPointer<vtkUnstructuredGrid> ExtractInTime(vtkUnstructuredGrid* block)
   return ExtractTimeVarying(RepeatGrid(block, { 0.0, 1.0 }), { Intervals }).Simplices;
 }
 
-/// The number of orders in which the faces differ.
+/// Returns the number of point orders for which the common faces differ.
 int CountDifferent(const Form& form, const IdStorage& ids, const Extract& extract, Check& check)
 {
   int different = 0;
@@ -56,7 +56,7 @@ int CountDifferent(const Form& form, const IdStorage& ids, const Extract& extrac
   {
     const auto blocks = MakeBlocks(form.Kind, form.Axis, seed, ids);
     const auto faces = FacesBetweenBlocks(extract(blocks[0]), form.Axis);
-    check.That(!faces.empty(), "there are faces");
+    check.That(!faces.empty(), "there are common faces");
     different += faces != FacesBetweenBlocks(extract(blocks[1]), form.Axis);
   }
   return different;
@@ -68,11 +68,11 @@ void CheckTypes(const std::string& name, const Extract& extract, Check& check)
   {
     check.SetContext(name + ", " + GetName(form.Kind));
     check.That(CountDifferent(form, { VTK_VOID, false }, extract, check) > 0,
-      "without ids faces differ in some orders");
+      "without ids, faces differ for some point orders");
     for (const IdStorage& ids : AllIdStorages())
     {
       check.Equal(CountDifferent(form, ids, extract, check), 0,
-        "orders that differ with ids of type " + std::to_string(ids.Type) +
+        "point orders with different faces, ids of type " + std::to_string(ids.Type) +
           (ids.IsInColumns ? " in columns" : ""));
     }
   }
@@ -100,13 +100,13 @@ void ExpectError(vtkDataArray* ids, const std::string& part, Check& check)
       std::string(filter->GetClassName()) + " reports: " + message);
     check.Equal(
       vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells(), 0,
-      "and gives no cells");
+      "the output is empty");
   }
 }
 
 void CheckErrors(Check& check)
 {
-  check.SetContext("ids that cannot be used");
+  check.SetContext("invalid ids");
   constexpr vtkIdType points = 18;
   vtkNew<vtkIdTypeArray> shorter;
   shorter->SetNumberOfTuples(points - 1);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same lattice as image, rectilinear, structured and unstructured grid gives the same simplices
-// bit for bit.
+// The same regular grid as image, rectilinear, structured and unstructured grid yields
+// bit-identical simplices.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -33,11 +33,12 @@ void CheckForms(vtkImageData* image, const std::vector<Interval>& intervals,
       volume = tetrahedra;
       surface = triangles;
       contour = contours;
-      check.That(!volume.empty() && !surface.empty() && !contour.empty(), "there is output");
+      check.That(
+        !volume.empty() && !surface.empty() && !contour.empty(), "the output is not empty");
     }
-    check.That(tetrahedra == volume, "the tetrahedra of the image");
-    check.That(triangles == surface, "the boundary triangles of the image");
-    check.That(contours == contour, "the contour triangles of the image");
+    check.That(tetrahedra == volume, "the tetrahedra equal the tetrahedra of the image");
+    check.That(triangles == surface, "the boundary triangles equal the triangles of the image");
+    check.That(contours == contour, "the contour triangles equal the triangles of the image");
   }
 }
 
@@ -61,7 +62,7 @@ int TestIntervalVolumeGrids(int, char*[])
     AddIntegerField(data, 4, 1);
     CheckForms(data, { { 0, 1 }, { 1, 2 }, { 2.5, 3 } }, { 1, 1.5, 3 },
       one.Name + ", integer values", check);
-    // Rows of cells that are inside from one end to the other.
+    // Rows whose cells are all inside the interval.
     const double* center = data->GetCenter();
     AddLinearField(
       data, { 0.55 - 0.01 * center[0] - 0.02 * center[1] - 0.2 * center[2], { 0.01, 0.02, 0.2 } });

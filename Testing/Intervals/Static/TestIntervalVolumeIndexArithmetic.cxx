@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The index arithmetic of the extraction on grids with more than 2^31 points, where 32 bits would
-// wrap.
+// Index arithmetic on grids with more than 2^31 points, where 32-bit indices overflow.
 
 #include "Output/CrossingKey.h"
 #include "vtkIdList.h"
@@ -22,7 +21,7 @@ bool Expect(bool holds, const char* what)
   return holds;
 }
 
-// From point to row and back where the inverse of the row's length rounds down or up.
+// Tests point and row indices for row lengths whose reciprocal is rounded down or up.
 bool TestRows()
 {
   bool holds = true;
@@ -43,13 +42,13 @@ bool TestRows()
   return Expect(holds, "rows of any length");
 }
 
-// The list is as wide as the ids need, and keeps them whole.
+// The id width of the list depends on the largest id, and ids are stored without truncation.
 bool TestSimplexList()
 {
   constexpr vtkIdType most = (vtkIdType(1) << 31) - 1;
-  bool passed = Expect(interlume::SimplexList::AreIdsNarrow(most, most), "the last narrow ids");
-  passed &= Expect(!interlume::SimplexList::AreIdsNarrow(most + 1, 4), "a point id beyond 32 bits");
-  passed &= Expect(!interlume::SimplexList::AreIdsNarrow(4, most + 1), "an offset beyond 32 bits");
+  bool passed = Expect(interlume::SimplexList::AreIdsNarrow(most, most), "the largest 32-bit ids");
+  passed &= Expect(!interlume::SimplexList::AreIdsNarrow(most + 1, 4), "a point id above 32 bits");
+  passed &= Expect(!interlume::SimplexList::AreIdsNarrow(4, most + 1), "an offset above 32 bits");
   for (const vtkIdType points : { vtkIdType(100), vtkIdType(1) << 40 })
   {
     interlume::SimplexList list;
@@ -59,7 +58,7 @@ bool TestSimplexList()
     list.Write(0, simplices, 1, ids, false);
     list.Write(1, simplices + 1, 1, ids, true);
     const vtkSmartPointer<vtkCellArray> cells = list.MakeCells();
-    passed &= Expect(cells->IsStorage64Bit() == (points > most), "the width of the cells");
+    passed &= Expect(cells->IsStorage64Bit() == (points > most), "the id width of the cells");
     vtkNew<vtkIdList> cell;
     cells->GetCellAtId(0, cell);
     passed &= Expect(
@@ -83,7 +82,7 @@ int TestIntervalVolumeIndexArithmetic(int, char*[])
   const vtkIdType k = 2698;
   const vtkIdType row = rows.GetRow(j, k);
   const std::int64_t point = i + 2500LL * (j + 2600LL * k);
-  bool passed = Expect(point > (std::int64_t(1) << 33), "the point is beyond 32 bits");
+  bool passed = Expect(point > (std::int64_t(1) << 33), "the point id exceeds 32 bits");
   passed &= Expect(rows.GetNumberOfRows() == 2600LL * 2700, "number of rows");
   passed &= Expect(rows.GetJ(row) == j && rows.GetK(row) == k, "row to j and k");
   passed &= Expect(rows.GetFirstPoint(row) + i == point, "first point of a row");

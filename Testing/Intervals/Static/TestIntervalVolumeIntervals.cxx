@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several intervals in one pass are the intervals one by one; overlaps, gaps, an interval in
-// another, the same interval twice; values equal to a bound belong to the documented side.
+// Several intervals extracted in one pass equal intervals extracted separately. Tests overlaps,
+// gaps, nested intervals and duplicate intervals. Values equal to a bound belong to the documented
+// side.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -57,7 +58,8 @@ void CheckSeparately(vtkUnstructuredGrid* mesh, Check& check)
     "tetrahedra below all values");
 }
 
-/// A column of three cubes with values 0, 1, 1, 2 along z: the middle one is flat.
+/// Returns a column of three cubes with values 0, 1, 1, 2 along z. The center cube has a constant
+/// value.
 vtkSmartPointer<vtkUnstructuredGrid> MakeColumn()
 {
   auto mesh = MakeMesh(MeshKind::Hexahedra, { 1, 1, 3 });
@@ -75,32 +77,34 @@ void CheckBounds(Check& check)
   auto mesh = MakeColumn();
   auto volume = [&](const std::vector<Interval>& intervals, int i)
   { return static_cast<double>(MeasureInterval(ExtractIntervals(mesh, intervals).Volume, i).Sum); };
-  check.Near(volume({ { 0, 1 } }, 0), 2, 1e-15, "[0,1] alone holds the flat cell");
-  check.Near(volume({ { 1, 2 } }, 0), 2, 1e-15, "[1,2] alone holds the flat cell");
-  check.Near(volume({ { 0, 1 }, { 1, 2 } }, 0), 1, 1e-15, "[0,1] leaves the flat cell to [1,2]");
-  check.Near(volume({ { 0, 1 }, { 1, 2 } }, 1), 2, 1e-15, "[1,2] beside [0,1] holds it");
-  check.Near(volume({ { 1, 2 }, { 0, 1 } }, 1), 1, 1e-15, "in any order");
-  check.Near(volume({ { 1, 1 } }, 0), 1, 1e-15, "[1,1] is the flat cell");
-  check.Near(volume({ { 0, 1 }, { 1, 1 }, { 1, 2 } }, 0), 1, 1e-15, "[0,1] beside [1,1]");
-  check.Near(volume({ { 2, 2 } }, 0), 0, 1e-15, "[2,2] holds nothing", 1);
-  check.Near(volume({ { 0.5, 1.5 } }, 0), 2, 1e-15, "[0.5,1.5] reaches across");
+  check.Near(volume({ { 0, 1 } }, 0), 2, 1e-15, "only [0,1]: it contains the constant cell");
+  check.Near(volume({ { 1, 2 } }, 0), 2, 1e-15, "only [1,2]: it contains the constant cell");
+  check.Near(volume({ { 0, 1 }, { 1, 2 } }, 0), 1, 1e-15,
+    "[0,1] does not contain the constant cell if [1,2] is set");
+  check.Near(volume({ { 0, 1 }, { 1, 2 } }, 1), 2, 1e-15,
+    "[1,2] contains the constant cell if [0,1] is set");
+  check.Near(volume({ { 1, 2 }, { 0, 1 } }, 1), 1, 1e-15, "the order of intervals has no effect");
+  check.Near(volume({ { 1, 1 } }, 0), 1, 1e-15, "[1,1] is the constant cell");
+  check.Near(volume({ { 0, 1 }, { 1, 1 }, { 1, 2 } }, 0), 1, 1e-15, "[0,1] next to [1,1]");
+  check.Near(volume({ { 2, 2 } }, 0), 0, 1e-15, "[2,2] is empty", 1);
+  check.Near(volume({ { 0.5, 1.5 } }, 0), 2, 1e-15, "[0.5,1.5] extends across the constant cell");
 }
 
 void CheckSetters(Check& check)
 {
   vtkNew<vtkIntervalVolume> filter;
-  check.Equal(filter->GetNumberOfIntervals(), 0, "intervals by default");
+  check.Equal(filter->GetNumberOfIntervals(), 0, "default number of intervals");
   filter->SetInterval(1, 3, 4);
   check.Equal(filter->GetNumberOfIntervals(), 2, "intervals after the second is set");
   double lower = 0;
   double upper = 0;
   filter->GetInterval(1, lower, upper);
-  check.That(lower == 3 && upper == 4, "an interval comes back");
+  check.That(lower == 3 && upper == 4, "the interval is stored");
   const vtkMTimeType time = filter->GetMTime();
   filter->SetInterval(1, 3, 4);
-  check.That(filter->GetMTime() == time, "the same interval again does not modify");
+  check.That(filter->GetMTime() == time, "setting the same interval does not modify the filter");
   filter->SetInterval(1, 3, 5);
-  check.That(filter->GetMTime() > time, "another interval modifies");
+  check.That(filter->GetMTime() > time, "setting another interval modifies the filter");
 }
 
 }
@@ -115,7 +119,7 @@ int TestIntervalVolumeIntervals(int, char*[])
     AddRandomField(mesh, 11);
     CheckSeparately(mesh, check);
   }
-  check.SetContext("flat cell");
+  check.SetContext("cell with a constant value");
   CheckBounds(check);
   check.SetContext("setters");
   CheckSetters(check);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Volumes of linear functions of position: the formula for a box, and clipping in long double for
-// everything else, with intervals inside, across and outside the range.
+// Volumes of linear functions: compared with the formula for a box, and with clipping in long
+// double for other meshes. Intervals are inside, across and outside the range.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceMesh.h"
@@ -22,7 +22,7 @@ std::vector<Interval> IntervalsWithin(vtkUnstructuredGrid* mesh)
 {
   double range[2];
   mesh->GetPointData()->GetScalars()->GetRange(range);
-  auto at = [&](double share) { return range[0] + share * (range[1] - range[0]); };
+  auto at = [&](double fraction) { return range[0] + fraction * (range[1] - range[0]); };
   return { { at(0.3), at(0.31) }, { at(0.15), at(0.8) }, { at(-1), at(0.5) }, { at(0.5), at(2) },
     { at(-1), at(2) }, { at(1.5), at(2) }, { at(0.7), at(0.9) } };
 }
@@ -40,7 +40,7 @@ void CheckVolumes(vtkUnstructuredGrid* mesh, Check& check)
     const double expected = static_cast<double>(ClippedVolume(mesh, { range }));
     const std::string name = "volume of interval " + std::to_string(i);
     check.Near(static_cast<double>(measured.Sum), expected, 1e-12, name, scale);
-    // The field is linear, so no piece of a cell is turned inside out.
+    // No tetrahedron is inverted because the field is linear.
     check.Near(
       static_cast<double>(measured.SumOfAbsolute), expected, 1e-12, "unsigned " + name, scale);
   }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is promised where values equal bounds, to the letter: faces match with their orientation,
-// port 1 has what bounds tetrahedra, [a, a] is the cells equal to a throughout, adjacent intervals
-// tile, criteria keep signed volumes. On every volume of 8 bits, and on small whole numbers in
-// every kind of cell.
+// Documented guarantees for values equal to bounds: faces match with opposite orientation, port 1
+// has the boundary of the tetrahedra, [a, a] consists of the cells with constant value a, adjacent
+// intervals tile the domain, and criteria preserve signed volumes. Tested with all 8-bit data files
+// and with small integers in every cell type.
 #include "Support/Inputs/DataFiles.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
@@ -33,13 +33,14 @@ void CheckVolume(const std::string& file, Check& check)
   const std::vector<double> bounds = GetQuantiles(*crop);
   CheckMatchingTiling(crop, bounds, check);
   const double low = bounds[0];
-  const double middle = bounds[1];
+  const double midpoint = bounds[1];
   const double high = bounds.back();
   CheckMatching(crop,
-    { { low, low }, { middle, middle }, { low, middle }, { middle, high }, { low + 0.5, high } },
+    { { low, low }, { midpoint, midpoint }, { low, midpoint }, { midpoint, high },
+      { low + 0.5, high } },
     check);
-  CheckMatching(crop, { { low, middle }, { middle, high }, { middle, middle } }, check,
-    { { crop->GetPointData()->GetScalars()->GetName(), middle, high } });
+  CheckMatching(crop, { { low, midpoint }, { midpoint, high }, { midpoint, midpoint } }, check,
+    { { crop->GetPointData()->GetScalars()->GetName(), midpoint, high } });
 }
 
 void CheckKind(MeshKind kind, Check& check)
@@ -63,13 +64,13 @@ void CheckKind(MeshKind kind, Check& check)
       CheckMatching(
         mesh, { { 0, 0 }, { 1, 1 }, { 0, 1 }, { 1, high }, { 0.5, 1 }, { 0.5, 1.5 } }, check);
       CheckMatching(mesh, { { 0, 1 }, { 1, high } }, check, { { "g", 0.5, 1 } });
-      // Upper bounds at which no other interval begins.
+      // No other interval begins at the upper bounds.
       CheckMatching(mesh, { { 0, 1 }, { 0.5, 2 } }, check);
     }
   }
 }
 
-/// One tetrahedron, the example of a triangle that bounds nothing.
+/// A single tetrahedron with a triangle that does not bound a volume.
 void CheckTetrahedron(Check& check)
 {
   check.SetContext("tetrahedron 1 1 1 0");
@@ -90,21 +91,22 @@ void CheckTetrahedron(Check& check)
   const Extraction found = ExtractIntervals(grid, { { 0, 1 }, { 1, 2 } });
   check.Equal(found.Volume->GetNumberOfCells(), 1, "tetrahedra");
   check.Equal(static_cast<long long>(BoundaryOf(found.Surface, 0, 1).size()), 1,
-    "upper triangles of [0,1], to which 1 does not belong");
-  check.Equal(found.Surface->GetNumberOfCells(), 1, "triangles in all");
+    "upper triangles of [0,1]: 1 does not belong to the interval");
+  check.Equal(found.Surface->GetNumberOfCells(), 1, "total number of triangles");
   const Extraction alone = ExtractIntervals(grid, { { 0, 1 } });
-  check.Equal(alone.Surface->GetNumberOfCells(), 0, "triangles of [0,1] alone, to which 1 belongs");
+  check.Equal(
+    alone.Surface->GetNumberOfCells(), 0, "triangles of only [0,1]: 1 belongs to the interval");
 }
 
-/// A criterion that keeps all keeps the signed volume, of inverted tetrahedra too.
+/// A criterion that all values satisfy preserves the signed volume, also of inverted tetrahedra.
 void CheckCriterion(Check& check)
 {
-  check.SetContext("criterion that keeps all");
-  for (bool isWhole : { false, true })
+  check.SetContext("criterion that all values satisfy");
+  for (bool isInteger : { false, true })
   {
     auto mesh = TurnCells(MakeMesh(MeshKind::Hexahedra, { 8, 8, 8 }), 2);
-    isWhole ? AddIntegerField(mesh, 4, 5) : AddRandomField(mesh, 5);
-    const double upper = isWhole ? 2 : 0.5;
+    isInteger ? AddIntegerField(mesh, 4, 5) : AddRandomField(mesh, 5);
+    const double upper = isInteger ? 2 : 0.5;
     vtkNew<vtkIntervalVolume> filter;
     filter->SetInputData(mesh);
     filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);

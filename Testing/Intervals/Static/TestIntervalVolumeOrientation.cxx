@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How many tetrahedra come out inverted on cells that are not simplices, and how much volume they
-// hold: with random values, the worst case, and with a smooth field. Volumes stay exact.
+// Number and volume of inverted tetrahedra on cells that are not simplices: with random values,
+// which are the worst case, and with a smooth field. The total volume is exact.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -24,7 +24,7 @@ using namespace reference;
 
 struct Inversions
 {
-  double Share;
+  double Fraction;
   double Volume;
 };
 
@@ -47,7 +47,7 @@ void AddSmoothField(vtkUnstructuredGrid* mesh)
   }
 }
 
-/// Expects positive tetrahedra of a volume that does not depend on a reflection of the grid.
+/// Expects positive tetrahedra and a volume that does not depend on a reflection of the grid.
 void CheckReflection(vtkImageData* image, double expected, const std::string& name, Check& check)
 {
   for (const LatticeForm& form : FormsOf(image))
@@ -60,13 +60,14 @@ void CheckReflection(vtkImageData* image, double expected, const std::string& na
   }
 }
 
-/// Axes that fall and direction matrices that reflect leave the volume and the orientation.
+/// Negative spacing and direction matrices with reflections do not change the volume and
+/// orientation.
 void CheckReflections(Check& check)
 {
   const auto original = MakeImage({ 3, 4, 5 });
   AddLinearField(original, { -0.4, { 0.05, 0.11, 0.23 } });
   const double expected = static_cast<double>(ClippedVolume(original, { { "f", 0.3, 0.6 } }));
-  check.That(expected > 0.0, "the interval has a volume");
+  check.That(expected > 0.0, "the volume is positive");
   for (int signs = 0; signs < 8; ++signs)
   {
     vtkNew<vtkImageData> image;
@@ -100,12 +101,12 @@ int TestIntervalVolumeOrientation(int, char*[])
     const Inversions random = Count(mesh, intervals);
     AddSmoothField(mesh);
     const Inversions smooth = Count(mesh, intervals);
-    std::cout << GetName(kind) << ": inverted " << 100 * random.Share << " % holding "
+    std::cout << GetName(kind) << ": inverted " << 100 * random.Fraction << " % with "
               << 100 * random.Volume << " % of the volume with random values, "
-              << 100 * smooth.Share << " % holding " << 100 * smooth.Volume
+              << 100 * smooth.Fraction << " % with " << 100 * smooth.Volume
               << " % with a smooth field\n";
-    check.That(random.Share < 0.005, "fewer than 0.5 % inverted with random values");
-    check.That(smooth.Share < 0.005, "fewer than 0.5 % inverted with a smooth field");
+    check.That(random.Fraction < 0.005, "fewer than 0.5 % inverted with random values");
+    check.That(smooth.Fraction < 0.005, "fewer than 0.5 % inverted with a smooth field");
     check.That(smooth.Volume < 1e-4, "less than 0.01 % of the volume with a smooth field");
   }
   return check.Result();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What an interval volume says of where its points and cells come from: points on the edges named,
-// at the weights told; cells, and boundary triangles, inside the cells named; and no such arrays
-// where they are not asked for.
+// Origin arrays of an interval volume: points lie on the given edges at the given weights, and
+// cells and boundary triangles lie inside the given cells. The arrays are absent by default.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceField.h"
 #include "Support/Meshes/ReferenceLattice.h"
@@ -26,7 +25,8 @@ void CheckPoints(vtkDataSet* input, vtkUnstructuredGrid* output, Check& check)
 {
   vtkDataArray* ends = output->GetPointData()->GetArray("OriginPoints");
   vtkDataArray* weights = output->GetPointData()->GetArray("OriginWeight");
-  if (!check.That(ends && weights && ends->GetNumberOfComponents() == 2, "there are origins"))
+  if (!check.That(
+        ends && weights && ends->GetNumberOfComponents() == 2, "the origin arrays of points exist"))
   {
     return;
   }
@@ -49,15 +49,16 @@ void CheckPoints(vtkDataSet* input, vtkUnstructuredGrid* output, Check& check)
       check.Near(x[axis], a[axis] + weight * (b[axis] - a[axis]), 1e-12, "a coordinate", 1.0);
     }
   }
-  check.That(onEdges > 0 && onEdges < output->GetNumberOfPoints(), "on edges and on points");
+  check.That(
+    onEdges > 0 && onEdges < output->GetNumberOfPoints(), "points on edges and at input points");
 }
 
-// The middle of each cell is in the cell that it comes from.
+// The center of each cell lies in its origin cell.
 void CheckCells(vtkDataSet* input, vtkUnstructuredGrid* output, Check& check)
 {
   vtkDataArray* origins = output->GetCellData()->GetArray("OriginCell");
   if (!check.That(origins && origins->GetNumberOfTuples() == output->GetNumberOfCells(),
-        "there are origins of cells"))
+        "the origin arrays of cells exist"))
   {
     return;
   }
@@ -65,14 +66,14 @@ void CheckCells(vtkDataSet* input, vtkUnstructuredGrid* output, Check& check)
   for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
   {
     output->GetCellPoints(cell, ids);
-    double middle[3] = { 0.0, 0.0, 0.0 };
+    double center[3] = { 0.0, 0.0, 0.0 };
     for (vtkIdType c = 0; c < ids->GetNumberOfIds(); ++c)
     {
       double x[3];
       output->GetPoint(ids->GetId(c), x);
       for (int axis = 0; axis < 3; ++axis)
       {
-        middle[axis] += x[axis] / static_cast<double>(ids->GetNumberOfIds());
+        center[axis] += x[axis] / static_cast<double>(ids->GetNumberOfIds());
       }
     }
     double bounds[6];
@@ -80,8 +81,8 @@ void CheckCells(vtkDataSet* input, vtkUnstructuredGrid* output, Check& check)
     for (int axis = 0; axis < 3; ++axis)
     {
       check.That(
-        middle[axis] >= bounds[2 * axis] - 1e-12 && middle[axis] <= bounds[2 * axis + 1] + 1e-12,
-        "a cell is where it comes from");
+        center[axis] >= bounds[2 * axis] - 1e-12 && center[axis] <= bounds[2 * axis + 1] + 1e-12,
+        "the cell lies in its origin cell");
     }
   }
 }
@@ -104,21 +105,21 @@ int TestIntervalVolumeOrigins(int, char*[])
     volume->SetInterval(1, 0.4, 0.9);
     volume->Update();
     check.That(!volume->GetOutput()->GetPointData()->HasArray("OriginPoints"), "off by default");
-    const double copied = volume->GetReport()->GetNumber("ArraysCopied");
-    const double interpolated = volume->GetReport()->GetNumber("ArraysInterpolated");
-    volume->KeepOriginsOn();
+    const vtkIdType copied = volume->GetReport()->GetCount("ArraysCopied");
+    const vtkIdType interpolated = volume->GetReport()->GetCount("ArraysInterpolated");
+    volume->GenerateOriginArraysOn();
     volume->Update();
     CheckPoints(form.Data, volume->GetOutput(), check);
     CheckCells(form.Data, volume->GetOutput(), check);
     CheckCells(form.Data, volume->GetOutput(1), check);
-    check.Near(volume->GetReport()->GetNumber("ArraysCopied"), copied, 0.0, "arrays copied");
-    check.Near(volume->GetReport()->GetNumber("ArraysInterpolated"), interpolated, 0.0,
-      "arrays interpolated");
+    check.Equal(volume->GetReport()->GetCount("ArraysCopied"), copied, "arrays copied");
+    check.Equal(
+      volume->GetReport()->GetCount("ArraysInterpolated"), interpolated, "arrays interpolated");
     volume->AddCriterion("f", 0.3, 0.8);
     volume->Update();
     check.That(volume->GetOutput()->GetNumberOfCells() > 0 &&
         !volume->GetOutput()->GetPointData()->HasArray("OriginPoints"),
-      "none with criteria");
+      "no origin arrays with criteria");
   }
   return check.Result();
 }

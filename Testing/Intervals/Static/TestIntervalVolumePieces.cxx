@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The pieces of an image asked for through the pipeline give together the simplices of the whole.
+// Together, the pieces of an image that are requested through the pipeline yield the simplices of
+// the full image.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 
@@ -46,7 +47,7 @@ int TestIntervalVolumePieces(int, char*[])
   whole->SetInterval(0, 120, 160);
   whole->SetInterval(1, 160, 210);
   whole->GenerateBoundariesOn();
-  whole->KeepWholeCellsOn();
+  whole->KeepInteriorCellsOn();
   vtkNew<vtkIsotableContour> contour;
   contour->SetInputConnection(source->GetOutputPort());
   contour->SetValue(0, 157);
@@ -56,14 +57,15 @@ int TestIntervalVolumePieces(int, char*[])
   const auto cells = Collect(whole, 0, 1, "IntervalId");
   const auto surface = Collect(contour, 0, 1, "ContourId");
   check.That(!tetrahedra.empty() && !triangles.empty() && !cells.empty() && !surface.empty(),
-    "there is output");
+    "the output is not empty");
   for (int pieces : { 2, 3, 8 })
   {
     check.SetContext(std::to_string(pieces) + " pieces");
     check.That(Collect(volume, 0, pieces, "IntervalId") == tetrahedra, "the tetrahedra");
     check.That(Collect(volume, 1, pieces, "BoundarySide") == triangles, "the boundary triangles");
-    check.That(Collect(whole, 0, pieces, "IntervalId") == cells, "tetrahedra and whole cells");
-    check.That(Collect(whole, 1, pieces, "BoundarySide") == triangles, "the same triangles");
+    check.That(Collect(whole, 0, pieces, "IntervalId") == cells, "tetrahedra and interior cells");
+    check.That(Collect(whole, 1, pieces, "BoundarySide") == triangles,
+      "the boundary triangles with interior cells");
     check.That(Collect(contour, 0, pieces, "ContourId") == surface, "the contour");
   }
   return check.Result();

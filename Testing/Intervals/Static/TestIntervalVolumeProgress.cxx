@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress is told and never runs backwards, an abort leaves a valid output, and PrintSelf prints
+// Progress is reported and never decreases, an abort leaves a valid output, and PrintSelf prints
 // every public value.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -34,8 +34,8 @@ void CheckPrint(Check& check)
   const std::string volumeText = Print(volume);
   CheckPrinted(volumeText, report, check);
   CheckPrinted(volumeText,
-    { "GenerateBoundaries", "KeepWholeCells", "OutputPointsPrecision", "UseValueIndex",
-      "KeepMemory", "1.25", "2.5", "3.125", "4.75", "density", "17.5", "18.25" },
+    { "GenerateBoundaries", "KeepInteriorCells", "OutputPointsPrecision", "UseValueIndex",
+      "ReuseMemory", "1.25", "2.5", "3.125", "4.75", "density", "17.5", "18.25" },
     check);
   vtkNew<vtkIsotableContour> contour;
   contour->SetValue(0, 6.375);
@@ -46,8 +46,8 @@ void CheckPrint(Check& check)
     { "OutputPointsPrecision", "MergePoints", "UseValueIndex", "6.375", "7.625" }, check);
 }
 
-// The datasets of a composite input share the progress, with a pass for a criterion in each, and an
-// abort ends all of them.
+// The datasets of a composite input share the progress range, with one pass per criterion. An abort
+// stops all of them.
 void CheckComposite(vtkImageData* image, Check& check)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
@@ -102,11 +102,11 @@ int TestIntervalVolumeProgress(int, char*[])
   vtkDataSet* const inputsOfHexahedra[] = { image, hexahedra };
   for (vtkDataSet* data : inputsOfHexahedra)
   {
-    // Values at random leave no hexahedron whole.
-    check.SetContext(std::string("with KeepWholeCells, ") + data->GetClassName());
+    // Random values leave no hexahedron interior.
+    check.SetContext(std::string("with KeepInteriorCells, ") + data->GetClassName());
     vtkNew<vtkIntervalVolume> volume;
     volume->SetInterval(0, 0.2, 0.4);
-    volume->KeepWholeCellsOn();
+    volume->KeepInteriorCellsOn();
     CheckProgress(volume, data, VTK_TETRA, check);
   }
   check.SetContext("composite");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reference implementations themselves: the meshes are conforming and fill the volume they
-// should, and clipping agrees with the formula for a box cut by a plane.
+// The reference implementations: the meshes are conforming and have the expected volume, and
+// clipping agrees with the formula for a box cut by a plane.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceBoundary.h"
 #include "Support/Meshes/ReferenceMesh.h"
@@ -28,9 +28,10 @@ int TestIntervalVolumeReference(int, char*[])
                                                       : 12;
     check.Near(static_cast<double>(MeshVolume(mesh)), volume, 1e-14, "volume of the mesh");
     const auto turned = RenumberPoints(TurnCells(mesh, 3), 4);
-    check.Near(static_cast<double>(MeshVolume(turned)), volume, 1e-14, "volume of turned cells");
+    check.Near(
+      static_cast<double>(MeshVolume(turned)), volume, 1e-14, "volume of renumbered cells");
     check.Equal(DomainBoundary(turned).GetNumberOfFaces(), DomainBoundary(mesh).GetNumberOfFaces(),
-      "boundary faces of turned cells");
+      "boundary faces of renumbered cells");
     if (GetName(kind).find("tetrahedra") == 0)
     {
       const TetrahedraVolume measured = MeasureTetrahedra(turned);
@@ -50,7 +51,8 @@ int TestIntervalVolumeReference(int, char*[])
       "clipped volume");
     if (kind != MeshKind::Mixed)
     {
-      // Of the 32 squares on the boundary all are cut in two, or the 12 up and down, or none.
+      // Tetrahedra split all of the 32 boundary squares into two triangles, wedges split the 12
+      // squares at the top and bottom, and other cells split none.
       const bool tetrahedra = GetName(kind).find("tetrahedra") == 0;
       check.Equal(DomainBoundary(mesh).GetNumberOfFaces(),
         tetrahedra                   ? 64

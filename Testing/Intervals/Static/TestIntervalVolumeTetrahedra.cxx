@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// On tetrahedra the region is piecewise linear, so clipping in long double gives its volume for any
-// values, and no tetrahedron may come out inverted.
+// On tetrahedral meshes the region is piecewise linear. Clipping in long double yields the exact
+// volume for any values, and no tetrahedron may be inverted.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceMesh.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same bytes for 1, 2 and 8 threads and every backend.
+// Output is bit-identical for 1, 2 and 8 threads and every backend.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceThreads.h"
 #include "Support/Intervals/ReferenceExtraction.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Adjacent intervals tile the domain where many values equal a bound: edges, faces and whole cells
-// are flat, and simplices collapse.
+// Adjacent intervals tile the domain if many values equal a bound: edges, faces and entire cells
+// have constant values, and simplices are degenerate.
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Intervals/ReferenceTilingCheck.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -25,7 +25,7 @@ namespace
 {
 using namespace reference;
 
-/// The interval [1, 1] of a step has its lower side where the values below are.
+/// The interval [1, 1] of a step function has its lower side at the smaller values.
 void CheckSidesOfZeroWidth(Check& check)
 {
   for (const bool isRising : { true, false })
@@ -41,11 +41,12 @@ void CheckSidesOfZeroWidth(Check& check)
     for (const LatticeForm& form : FormsOf(image))
     {
       check.SetContext(form.Name + (isRising ? ", rising" : ", falling"));
-      // An interval that ends at 1 keeps the cell of 1, which the one of width 0 has too.
+      // An interval that ends at 1 contains the constant cell of value 1, and so does the interval
+      // [1, 1].
       check.Near(static_cast<double>(MeasureTetrahedra(
                    ExtractIntervals(form.Data, { { 0.0, 1.0 }, { 1.0, 1.0 } }).Volume)
                                        .Sum),
-        3.0, 1e-14, "volume beside an interval that ends there");
+        3.0, 1e-14, "total volume with an interval that ends at 1");
       const Extraction extraction = ExtractIntervals(form.Data, { { 1.0, 1.0 } });
       check.Near(
         static_cast<double>(MeasureTetrahedra(extraction.Volume).Sum), 1.0, 1e-14, "volume");
@@ -62,10 +63,10 @@ void CheckSidesOfZeroWidth(Check& check)
   }
 }
 
-/// An output point at a grid point has its values exactly, whatever the points beyond the bound
-/// hold. Along x the scalars are 0, 1, 2 and turned about from row to row, so that cells are cut at
-/// points that equal the bound 1; the other array is NaN where the scalar is 0, and infinite at
-/// some other points.
+/// An output point at a grid point has exactly the values of the grid point, regardless of the
+/// values outside the interval. The scalars 0, 1, 2 along x are shifted from row to row, so that
+/// cells are cut at points that equal the bound 1. The other array is NaN where the scalar is 0,
+/// and infinite at some other points.
 void CheckValuesAtBounds(Check& check)
 {
   check.SetContext("values at grid points");
@@ -104,7 +105,7 @@ void CheckValuesAtBounds(Check& check)
         "value of point " + std::to_string(i));
     }
   }
-  check.That(atGridPoints > 10, "there are such points");
+  check.That(atGridPoints > 10, "there are output points at grid points");
 }
 }
 

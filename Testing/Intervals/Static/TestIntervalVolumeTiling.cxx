@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Adjacent intervals tile the domain: independent random values, so that none equals a bound.
+// Adjacent intervals tile the domain, for independent random values that do not equal a bound.
 #include "Support/Intervals/ReferenceTilingCheck.h"
 #include "Support/Meshes/ReferenceField.h"
 #include "Support/Meshes/ReferenceMesh.h"
@@ -24,13 +24,13 @@ int TestIntervalVolumeTiling(int, char*[])
     for (unsigned int seed = 1; seed <= 3; ++seed)
     {
       auto mesh = MakeMesh(kind, { 3, 3, 3 }, seed);
-      tile(mesh, seed, "as made");
+      tile(mesh, seed, "original");
       tile(TurnCells(mesh, seed), seed, "turned");
       tile(RenumberPoints(mesh, seed), seed, "renumbered");
       if (kind != MeshKind::Voxels)
       {
         tile(MapProjectively(RenumberPoints(TurnCells(mesh, seed), seed), seed), seed,
-          "turned, renumbered and mapped");
+          "rotated, renumbered and mapped");
       }
     }
     Print(counts, GetName(kind));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A filter that is updated again and again, with KeepMemory, has the bytes of a fresh one in every
-// state, whatever changes in between; what others hold of its outputs stays as it is; memory is
-// used again, counted and freed.
+// A filter with ReuseMemory that is updated many times produces the same output as a fresh filter
+// in every state. Outputs held by others remain unchanged, and memory is reused, counted and freed.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -45,12 +44,12 @@ Grids CopyOutputs(vtkIntervalVolume* filter)
   return copies;
 }
 
-/// Smooth data with some noise, as 8-bit integers: many values equal a bound that is whole.
+/// Adds smooth data with noise as 8-bit integers. Many values equal an integer bound.
 void AddBytes(vtkDataSet* data, unsigned int seed)
 {
   std::mt19937 generator(seed);
   const double phase = std::uniform_real_distribution<double>(0, 3)(generator);
-  // Where they are there already, they change in their place.
+  // An existing array is modified in place.
   vtkSmartPointer<vtkUnsignedCharArray> bytes =
     vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetArray("bytes"));
   if (!bytes)
@@ -77,7 +76,7 @@ void AddBytes(vtkDataSet* data, unsigned int seed)
   bytes->Modified();
 }
 
-/// Numbers in the range of the bytes, some of them not finite.
+/// Adds floating-point values in the range of the bytes, some of them not finite.
 void AddNumbers(vtkDataSet* data, unsigned int seed)
 {
   vtkDoubleArray* numbers = AddRandomField(data, seed, "numbers");
@@ -90,7 +89,7 @@ void AddNumbers(vtkDataSet* data, unsigned int seed)
   }
 }
 
-/// The settings of a state, and the filter that goes through all states.
+/// A random sequence of settings and the filter under test.
 class Sequence
 {
 public:
@@ -99,22 +98,22 @@ public:
     , Generator(seed)
     , Errors(check)
   {
-    this->Kept->SetInputDataObject(data);
-    this->Kept->KeepMemoryOn();
-    this->Change(this->Kept);
+    this->Reusing->SetInputDataObject(data);
+    this->Reusing->ReuseMemoryOn();
+    this->Change(this->Reusing);
   }
 
   void Step()
   {
-    this->Take();
-    this->Change(this->Kept);
+    this->ChangeSetting();
+    this->Change(this->Reusing);
     vtkSMPTools::Initialize(std::array<int, 3>{ { 1, 2, 8 } }[this->Roll(3)]);
     if (this->Roll(4) == 0)
     {
       this->Abort();
     }
-    this->Kept->Update();
-    this->Reused += this->Kept->GetReport()->GetNumber("ReusedBytes");
+    this->Reusing->Update();
+    this->Reused += this->Reusing->GetReport()->GetNumber("ReusedBytes");
     vtkNew<vtkIntervalVolume> fresh;
     fresh->SetInputDataObject(this->Data);
     this->Change(fresh);
@@ -122,13 +121,13 @@ public:
     for (int port = 0; port < 2; ++port)
     {
       const std::string difference =
-        FindDifference(vtkUnstructuredGrid::SafeDownCast(this->Kept->GetOutputDataObject(port)),
+        FindDifference(vtkUnstructuredGrid::SafeDownCast(this->Reusing->GetOutputDataObject(port)),
           vtkUnstructuredGrid::SafeDownCast(fresh->GetOutputDataObject(port)));
       this->Errors.That(difference.empty(), difference);
     }
     this->WithOutput += fresh->GetOutput()->GetNumberOfCells() > 0;
-    this->Errors.Near(
-      fresh->GetReport()->GetNumber("ReusedBytes"), 0, 0.0, "bytes used again by a fresh filter");
+    this->Errors.Equal(
+      fresh->GetReport()->GetCount("ReusedBytes"), 0, "bytes reused by a fresh filter");
     this->Hold();
   }
 
@@ -138,8 +137,8 @@ public:
 private:
   int Roll(int number) { return static_cast<int>(this->Generator() % number); }
 
-  /// Changes one thing.
-  void Take()
+  /// Changes one random setting.
+  void ChangeSetting()
   {
     switch (this->Roll(12))
     {
@@ -154,7 +153,7 @@ private:
         this->HasBoundaries = !this->HasBoundaries;
         break;
       case 3:
-        this->HasWhole = !this->HasWhole;
+        this->HasInterior = !this->HasInterior;
         break;
       case 4:
         this->HasOrigins = !this->HasOrigins;
@@ -213,8 +212,8 @@ private:
       filter->SetInterval(1, this->Upper, this->Upper + 10);
     }
     filter->SetGenerateBoundaries(this->HasBoundaries);
-    filter->SetKeepWholeCells(this->HasWhole);
-    filter->SetKeepOrigins(this->HasOrigins);
+    filter->SetKeepInteriorCells(this->HasInterior);
+    filter->SetGenerateOriginArrays(this->HasOrigins);
     filter->SetOutputPointsPrecision(
       this->IsDouble ? vtkAlgorithm::DOUBLE_PRECISION : vtkAlgorithm::DEFAULT_PRECISION);
     filter->SetUseValueIndex(this->HasIndex);
@@ -226,20 +225,21 @@ private:
     filter->WarnOnEmptyOutputOff();
   }
 
-  /// Aborts an execution somewhere.
+  /// Aborts an execution at random progress.
   void Abort()
   {
     ProgressWatch watch;
     watch.AbortAt = 0.1 * this->Roll(9);
-    const unsigned long tag = Observe(this->Kept, watch);
-    this->Kept->Modified();
-    this->Kept->Update();
-    this->Kept->RemoveObserver(tag);
-    this->Kept->SetAbortExecute(0);
-    this->Kept->Modified();
+    const unsigned long tag = Observe(this->Reusing, watch);
+    this->Reusing->Modified();
+    this->Reusing->Update();
+    this->Reusing->RemoveObserver(tag);
+    this->Reusing->SetAbortExecute(0);
+    this->Reusing->Modified();
   }
 
-  /// Holds the outputs for a few states, as filters downstream do, and compares them then.
+  /// Holds the outputs for several states, as downstream filters do, and checks that they are
+  /// unchanged.
   void Hold()
   {
     if (!this->Held.empty() && this->Roll(3) == 0)
@@ -247,18 +247,18 @@ private:
       for (int port = 0; port < 2; ++port)
       {
         this->Errors.That(FindDifference(this->Held[port], this->HeldCopies[port]).empty(),
-          "an output that is held stays");
+          "an output held by others is unchanged");
       }
       this->Held.clear();
       this->HeldCopies.clear();
     }
     if (this->Held.empty() && this->Roll(2) == 0)
     {
-      this->HeldCopies = CopyOutputs(this->Kept);
+      this->HeldCopies = CopyOutputs(this->Reusing);
       for (int port = 0; port < 2; ++port)
       {
         this->Held.push_back(vtkSmartPointer<vtkUnstructuredGrid>::New());
-        this->Held.back()->ShallowCopy(this->Kept->GetOutputDataObject(port));
+        this->Held.back()->ShallowCopy(this->Reusing->GetOutputDataObject(port));
       }
     }
   }
@@ -266,14 +266,14 @@ private:
   vtkDataSet* Data;
   std::mt19937 Generator;
   Check& Errors;
-  vtkNew<vtkIntervalVolume> Kept;
+  vtkNew<vtkIntervalVolume> Reusing;
   Grids Held;
   Grids HeldCopies;
   double Reused = 0.0;
   int WithOutput = 0;
   bool AreBytes = true;
   bool HasBoundaries = false;
-  bool HasWhole = false;
+  bool HasInterior = false;
   bool HasOrigins = false;
   bool IsDouble = false;
   bool HasCriterion = false;
@@ -303,10 +303,10 @@ void CheckSequence(const LatticeForm& form, unsigned int seed, Check& check)
     sequence.Step();
   }
   check.That(sequence.GetStepsWithOutput() > NumberOfSteps / 2, "most states have output");
-  check.That(sequence.GetReused() > 0, "memory is used again");
+  check.That(sequence.GetReused() > 0, "memory is reused");
 }
 
-/// What the report tells of memory.
+/// Memory statistics of the report.
 void CheckCounts(Check& check)
 {
   check.SetContext("counts");
@@ -323,60 +323,63 @@ void CheckCounts(Check& check)
   };
   update(0.2, 0.5);
   check.Near(
-    update(0.21, 0.5)->GetNumber("ReusedBytes"), 0, 0.0, "bytes used again without KeepMemory");
-  check.Near(filter->GetReport()->GetNumber("IdleBytes"), 0, 0.0, "bytes held without KeepMemory");
+    update(0.21, 0.5)->GetNumber("ReusedBytes"), 0, 0.0, "bytes reused without ReuseMemory");
+  check.Equal(filter->GetReport()->GetCount("IdleBytes"), 0, "idle bytes without ReuseMemory");
 
-  filter->KeepMemoryOn();
-  check.Near(update(0.2, 0.5)->GetNumber("ReusedBytes"), 0, 0.0, "bytes used again at first");
-  check.That(filter->GetReport()->GetNumber("IdleBytes") > 0, "working memory is held");
+  filter->ReuseMemoryOn();
+  check.Near(
+    update(0.2, 0.5)->GetNumber("ReusedBytes"), 0, 0.0, "bytes reused by the first execution");
+  check.That(filter->GetReport()->GetNumber("IdleBytes") > 0, "working memory is retained");
   const vtkIdType points = filter->GetOutput()->GetNumberOfPoints();
   const vtkIdType cells = filter->GetOutput()->GetNumberOfCells();
-  // Connectivity, offsets, interval ids; coordinates and the scalar. There is no list of points.
+  // Connectivity, offsets and interval ids of cells, coordinates and scalars of points. There is no
+  // list of points.
   const vtkIdType bytes = cells * (16 + 4 + 4) + points * (12 + 8);
   const double reused = update(0.201, 0.5)->GetNumber("ReusedBytes");
-  std::cout << static_cast<vtkIdType>(reused) << " of at least " << bytes << " bytes used again, "
-            << static_cast<vtkIdType>(filter->GetReport()->GetNumber("IdleBytes")) << " idle\n";
-  check.That(reused > 0.98 * static_cast<double>(bytes), "nearly all is used again");
-  check.That(
-    update(0.202, 0.5)->GetNumber("IdleBytes") < bytes / 2, "what is idle is less than the output");
+  std::cout << static_cast<vtkIdType>(reused) << " of at least " << bytes << " bytes reused, "
+            << filter->GetReport()->GetCount("IdleBytes") << " idle\n";
+  check.That(reused > 0.98 * static_cast<double>(bytes), "almost all memory is reused");
+  check.That(update(0.202, 0.5)->GetNumber("IdleBytes") < bytes / 2,
+    "idle memory is smaller than the output");
 
-  // An output that is held is not used again, and comes back later.
+  // An output held by others is not reused. It is reused after it is released.
   vtkNew<vtkUnstructuredGrid> held;
   held->ShallowCopy(filter->GetOutput());
-  check.That(
-    update(0.203, 0.5)->GetNumber("ReusedBytes") < reused / 2, "what is held is not used again");
+  check.That(update(0.203, 0.5)->GetNumber("ReusedBytes") < reused / 2,
+    "memory held by others is not reused");
   held->Initialize();
   check.That(
-    update(0.204, 0.5)->GetNumber("ReusedBytes") > 0.95 * reused, "what was held is used again");
+    update(0.204, 0.5)->GetNumber("ReusedBytes") > 0.95 * reused, "released memory is reused");
   filter->WarnOnEmptyOutputOff();
   check.That(
-    update(2, 3)->GetNumber("IdleBytes") > bytes / 2, "blocks are kept for one execution more");
-  check.Near(
-    update(2, 4)->GetNumber("IdleBytes"), 0, 0.0, "bytes held after two executions that use none");
+    update(2, 3)->GetNumber("IdleBytes") > bytes / 2, "blocks are retained for one more execution");
+  check.Equal(
+    update(2, 4)->GetCount("IdleBytes"), 0, "idle bytes after two executions without output");
   update(0.2, 0.5);
-  filter->KeepMemoryOff();
-  check.Near(
-    update(0.21, 0.5)->GetNumber("IdleBytes"), 0, 0.0, "bytes held once KeepMemory is off");
+  filter->ReuseMemoryOff();
+  check.Near(update(0.21, 0.5)->GetNumber("IdleBytes"), 0, 0.0,
+    "idle bytes after ReuseMemory is turned off");
 
-  // An array outlives the filter, and may be given other memory.
+  // An array outlives the filter and can be reallocated.
   vtkNew<vtkUnstructuredGrid> last;
   {
     vtkNew<vtkIntervalVolume> gone;
     gone->SetInputDataObject(image);
     gone->SetInterval(0, 0.2, 0.5);
-    gone->KeepMemoryOn();
+    gone->ReuseMemoryOn();
     gone->Update();
     last->ShallowCopy(gone->GetOutput());
   }
-  check.Equal(last->GetNumberOfCells(), cells, "cells of the output of a filter that is gone");
+  check.Equal(last->GetNumberOfCells(), cells, "cells of the output of a deleted filter");
   vtkDataArray* field = last->GetPointData()->GetScalars();
   const double value = field->GetComponent(points - 1, 0);
   field->Resize(2 * points);
-  check.That(field->GetComponent(points - 1, 0) == value, "an array that grows keeps its values");
+  check.That(
+    field->GetComponent(points - 1, 0) == value, "an array that grows preserves its values");
   field->Initialize();
   field->SetNumberOfTuples(points);
   field->Fill(1.0);
-  check.That(field->GetComponent(points - 1, 0) == 1.0, "an array that starts anew has its values");
+  check.That(field->GetComponent(points - 1, 0) == 1.0, "a reinitialized array has its new values");
 }
 
 }

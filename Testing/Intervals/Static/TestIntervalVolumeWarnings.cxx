@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What goes on, but not as it should, is said with the way out: polyhedra that are not seen whole
-// from their middle, and images that single precision collapses.
+// Problems that do not stop the execution are warnings that name a remedy, for example polyhedra
+// that are not visible from their center and images that degenerate in single precision.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceReport.h"
@@ -33,12 +33,12 @@ namespace
 
 using namespace reference;
 
-bool Says(const std::string& text, const std::string& part)
+bool Contains(const std::string& text, const std::string& part)
 {
   return text.find(part) != std::string::npos;
 }
 
-/// A prism over an outline in the plane, counterclockwise, as one polyhedron.
+/// Returns a prism over a counterclockwise polygon as one polyhedron.
 vtkSmartPointer<vtkUnstructuredGrid> MakePrism(const std::vector<std::array<double, 2>>& outline)
 {
   auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
@@ -77,30 +77,34 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePrism(const std::vector<std::array<doub
 
 void CheckConcave(Check& check)
 {
-  // A U of seven squares, and a hexagon.
+  // A U-shaped polygon of seven squares, and a hexagon.
   const auto concave =
     MakePrism({ { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } });
   const auto convex = MakePrism({ { 0, 0 }, { 2, 0 }, { 3, 1 }, { 3, 2 }, { 1, 2 }, { 0, 1 } });
   vtkNew<vtkIntervalVolume> filter;
   filter->SetInterval(0, -1, 1);
   filter->SetInputData(concave);
-  const std::string said = WarningsOf(filter);
-  check.That(Says(said, "1 polyhedra are not seen whole") && Says(said, "convex cells"),
-    "a concave polyhedron is told of: " + said);
-  check.Near(filter->GetReport()->GetNumber("ConcavePolyhedra"), 1, 0.0, "concave polyhedra");
-  check.That(MeasureTetrahedra(filter->GetOutput()).SumOfAbsolute > 7.5, "its parts overlap");
+  const std::string warning = WarningsOf(filter);
+  check.That(Contains(warning, "1 polyhedra cannot be split") && Contains(warning, "convex cells"),
+    "a warning for a concave polyhedron: " + warning);
+  check.Equal(filter->GetReport()->GetCount("ConcavePolyhedra"), 1, "concave polyhedra");
+  check.That(MeasureTetrahedra(filter->GetOutput()).SumOfAbsolute > 7.5,
+    "tetrahedra of a concave polyhedron overlap");
   filter->SetInterval(0, -1, 2);
-  check.That(Says(WarningsOf(filter), "not seen whole"), "and again from the grid that is kept");
+  check.That(
+    Contains(WarningsOf(filter), "cannot be split"), "the warning is repeated for the cached grid");
   filter->SetInputData(convex);
-  check.That(WarningsOf(filter).empty(), "a convex one is not");
-  check.Near(filter->GetReport()->GetNumber("ConcavePolyhedra"), 0, 0.0, "convex polyhedra");
+  check.That(WarningsOf(filter).empty(), "no warning for a convex polyhedron");
+  check.Equal(filter->GetReport()->GetCount("ConcavePolyhedra"), 0,
+    "number of concave polyhedra for a convex polyhedron");
   vtkNew<vtkIsotableContour> contour;
   contour->SetValue(0, 0.5);
   contour->WarnOnEmptyOutputOff();
   contour->SetInputData(concave);
-  check.That(Says(WarningsOf(contour), "not seen whole"), "a contour tells of it");
+  check.That(Contains(WarningsOf(contour), "cannot be split"), "the contour warns too");
   const TimeVaryingPipeline pipeline(RepeatGrid(concave, { 0, 1 }), { { { -1, 1 } } });
-  check.That(Says(WarningsOf(pipeline.Filter), "not seen whole"), "and in time");
+  check.That(
+    Contains(WarningsOf(pipeline.Filter), "cannot be split"), "the time-varying filter warns too");
 }
 
 void CheckFar(Check& check)
@@ -111,19 +115,21 @@ void CheckFar(Check& check)
   vtkNew<vtkIntervalVolume> filter;
   filter->SetInterval(0, 0.25, 0.75);
   filter->SetInputData(image);
-  const auto said = [&](double origin, double spacing, int precision)
+  const auto warning = [&](double origin, double spacing, int precision)
   {
     image->SetOrigin(origin, 0, 0);
     image->SetSpacing(spacing, spacing, spacing);
     filter->SetOutputPointsPrecision(precision);
     return WarningsOf(filter);
   };
-  const std::string far = said(1e9, 1, vtkAlgorithm::DEFAULT_PRECISION);
-  check.That(Says(far, "single precision") && Says(far, "OutputPointsPrecision"),
-    "an image at 1e9 is told of: " + far);
-  check.That(said(1e9, 1, vtkAlgorithm::DOUBLE_PRECISION).empty(), "not in double");
-  check.That(said(1e4, 1, vtkAlgorithm::DEFAULT_PRECISION).empty(), "nor at 1e4");
-  check.That(!said(1e4, 1e-3, vtkAlgorithm::DEFAULT_PRECISION).empty(), "but with small cells");
+  const std::string far = warning(1e9, 1, vtkAlgorithm::DEFAULT_PRECISION);
+  check.That(Contains(far, "single precision") && Contains(far, "OutputPointsPrecision"),
+    "a warning for an image at 1e9: " + far);
+  check.That(
+    warning(1e9, 1, vtkAlgorithm::DOUBLE_PRECISION).empty(), "no warning in double precision");
+  check.That(warning(1e4, 1, vtkAlgorithm::DEFAULT_PRECISION).empty(), "no warning at 1e4");
+  check.That(!warning(1e4, 1e-3, vtkAlgorithm::DEFAULT_PRECISION).empty(),
+    "a warning at 1e4 with small cells");
   vtkNew<vtkRectilinearGrid> grid;
   grid->SetDimensions(4, 4, 4);
   vtkNew<vtkDoubleArray> axis;
@@ -137,19 +143,20 @@ void CheckFar(Check& check)
   AddRandomField(grid, 1);
   filter->SetInputData(grid);
   filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
-  check.That(WarningsOf(filter).empty(), "a grid of doubles keeps them");
+  check.That(WarningsOf(filter).empty(), "no warning for a grid with double coordinates");
   filter->SetOutputPointsPrecision(vtkAlgorithm::SINGLE_PRECISION);
-  check.That(Says(WarningsOf(filter), "single precision"), "unless told otherwise");
+  check.That(Contains(WarningsOf(filter), "single precision"),
+    "a warning for double coordinates with single-precision output");
   image->SetOrigin(1e9, 0, 0);
   image->SetSpacing(1, 1, 1);
   TimeVaryingSettings settings = { { { 0.25, 0.75 } } };
   const TimeVaryingPipeline pipeline(RepeatGrid(image, { 0, 1 }), settings);
   pipeline.Filter->SetOutputPointsPrecision(vtkAlgorithm::DEFAULT_PRECISION);
-  check.That(Says(WarningsOf(pipeline.Filter), "single precision"), "and in time");
+  check.That(
+    Contains(WarningsOf(pipeline.Filter), "single precision"), "the time-varying filter warns too");
 }
 
-/// The warnings of each filter, and the report of the last one, for data whose scalars go from 0
-/// on.
+/// Warnings and reports of every filter, for data whose scalars start at 0.
 struct Warned
 {
   std::vector<std::string> Texts;
@@ -163,7 +170,7 @@ Warned WarnAll(vtkDataObject* data, double upper)
   volume->SetInterval(0, -1.0, upper);
   vtkNew<vtkIntervalVolume> whole;
   whole->SetInterval(0, -1.0, upper);
-  whole->KeepWholeCellsOn();
+  whole->KeepInteriorCellsOn();
   vtkNew<vtkIsotableContour> contour;
   contour->SetValue(0, upper);
   vtkNew<vtkIsotableContour> soup;
@@ -181,7 +188,7 @@ Warned WarnAll(vtkDataObject* data, double upper)
     warned.Texts.push_back(WarningsOf(filter));
     warned.Reports.push_back(filter->GetReport());
   }
-  // The same data at two times.
+  // The same data at two time steps.
   vtkNew<vtkTrivialProducer> producer;
   producer->SetOutput(data);
   const double times[] = { 0.0, 1.0 };
@@ -201,13 +208,13 @@ void ExpectFolded(vtkDataSet* data, vtkIdType folded, const std::string& part,
   for (std::size_t i = 0; i < warned.Texts.size(); ++i)
   {
     const std::string name = what + ", filter " + std::to_string(i);
-    check.Near(warned.Reports[i]->GetNumber("FoldedCells"), folded, 0.0, name);
-    check.That(folded > 0 ? Says(warned.Texts[i], part) : warned.Texts[i].empty(),
+    check.Equal(warned.Reports[i]->GetCount("FoldedCells"), folded, name);
+    check.That(folded > 0 ? Contains(warned.Texts[i], part) : warned.Texts[i].empty(),
       name + ": " + warned.Texts[i]);
   }
 }
 
-/// One cell with its corners in an order, and the scalar x + y + z.
+/// Returns one cell with its points in the given order and the scalar x + y + z.
 vtkSmartPointer<vtkUnstructuredGrid> MakeCell(
   int type, const std::vector<std::array<double, 3>>& corners, const std::vector<vtkIdType>& order)
 {
@@ -226,7 +233,7 @@ void CheckFolded(Check& check)
 {
   const std::vector<std::array<double, 3>> cube = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 },
     { 0, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 }, { 1, 1, 1 }, { 0, 1, 1 } };
-  const std::string part = "1 cells are folded or cross themselves";
+  const std::string part = "1 cells are folded or intersect themselves";
   const auto expect =
     [&](int type, const std::vector<vtkIdType>& order, bool isFolded, const std::string& what)
   { ExpectFolded(MakeCell(type, cube, order), isFolded ? 1 : 0, part, what, check); };
@@ -244,11 +251,11 @@ void CheckFolded(Check& check)
   auto points = cube;
   points[6] = { { 0.7, 0.7, 0.7 } };
   ExpectFolded(MakeCell(VTK_HEXAHEDRON, points, { 0, 1, 2, 3, 4, 5, 6, 7 }), 0, part,
-    "a hexahedron with a corner pushed in a little", check);
+    "a hexahedron with a corner pushed in slightly", check);
   points[6] = { { 0.4, 0.4, 0.4 } };
   ExpectFolded(MakeCell(VTK_HEXAHEDRON, points, { 0, 1, 2, 3, 4, 5, 6, 7 }), 1, part,
     "a hexahedron with a corner pushed through", check);
-  // The same as a structured grid, whose points are in the order of a voxel.
+  // The same cell as a structured grid, whose points are in voxel order.
   vtkNew<vtkStructuredGrid> structured;
   structured->SetDimensions(2, 2, 2);
   vtkNew<vtkPoints> twisted;
@@ -285,18 +292,19 @@ void CheckAxes(Check& check)
     AddLinearField(grid, { 0.0, { 1.0, 0.0, 0.0 } });
     return grid;
   };
-  // A row of cells across the axis has 3 x 2 cells.
+  // A row of cells perpendicular to the axis has 3 x 2 cells.
   ExpectFolded(make({ 0, 1, 3 }), 0, "", "ascending coordinates", check);
   ExpectFolded(make({ 3, 1, 0 }), 0, "", "descending coordinates", check);
-  ExpectFolded(make({ 0, 2, 1, 3 }), 6, "along y turn back or repeat at number 2 (1 after 2)",
-    "coordinates that turn back", check);
-  ExpectFolded(make({ 0, 2, 2, 1, 3 }), 12, "at number 2 (2 after 2)",
+  ExpectFolded(make({ 0, 2, 1, 3 }), 6,
+    "y coordinates are not strictly monotonic at index 2 (1 after 2)", "coordinates that turn back",
+    check);
+  ExpectFolded(make({ 0, 2, 2, 1, 3 }), 12, "at index 2 (2 after 2)",
     "coordinates that repeat and turn back", check);
-  ExpectFolded(make({ 3, 2, 2, 1 }), 6, "at number 2 (2 after 2)",
-    "descending coordinates that repeat", check);
+  ExpectFolded(
+    make({ 3, 2, 2, 1 }), 6, "at index 2 (2 after 2)", "descending coordinates that repeat", check);
 }
 
-/// Cubes of 4 cells from 0 to 4, and of 4 cells from 1 to 3 in the middle.
+/// Two AMR levels: 4 cells per axis from 0 to 4, and 4 cells per axis from 1 to 3 in the center.
 vtkSmartPointer<vtkOverlappingAMR> MakeLevels()
 {
   auto levels = vtkSmartPointer<vtkOverlappingAMR>::New();
@@ -323,8 +331,8 @@ vtkSmartPointer<vtkOverlappingAMR> MakeLevels()
   return levels;
 }
 
-/// Where x is 1.25 the cells of the coarse level from 1 to 2 are cut: four are covered, and of the
-/// others two meet the fine level on each of four sides.
+/// Cuts at x = 1.25 through the coarse cells from 1 to 2. Four cells are covered. Of the other
+/// cells, two adjoin the fine level on each of four sides.
 void CheckLevels(Check& check)
 {
   const auto levels = MakeLevels();
@@ -338,19 +346,18 @@ void CheckLevels(Check& check)
     for (std::size_t i = 0; i < warned.Texts.size(); ++i)
     {
       const std::string name = (isBlanked ? "blanked, filter " : "filter ") + std::to_string(i);
-      check.Near(warned.Reports[i]->GetNumber("CoveredCells"), isBlanked ? 0 : 4, 0.0,
-        name + ": covered cells");
-      check.Near(
-        warned.Reports[i]->GetNumber("LevelFaces"), 8, 0.0, name + ": faces between levels");
-      check.That(Says(warned.Texts[i], "4 cells of AMR levels are not blanked") == !isBlanked &&
-          Says(warned.Texts[i], "meet at 8 faces"),
+      check.Equal(
+        warned.Reports[i]->GetCount("CoveredCells"), isBlanked ? 0 : 4, name + ": covered cells");
+      check.Equal(warned.Reports[i]->GetCount("LevelFaces"), 8, name + ": faces between levels");
+      check.That(Contains(warned.Texts[i], "4 cells of AMR levels are covered by a finer level but not blanked") == !isBlanked &&
+          Contains(warned.Texts[i], "meet at 8 faces"),
         name + ": " + warned.Texts[i]);
     }
   }
-  const Warned elsewhere = WarnAll(levels, 0.25);
-  for (const std::string& text : elsewhere.Texts)
+  const Warned away = WarnAll(levels, 0.25);
+  for (const std::string& text : away.Texts)
   {
-    check.That(text.empty(), "nothing where levels are not met: " + text);
+    check.That(text.empty(), "no warning away from level boundaries: " + text);
   }
 }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The contour at an interval's bound is the interval's boundary, triangle by triangle; several
-// values in one pass are the values one by one.
+// The contour at an interval's bound equals the interval's boundary, triangle by triangle. Several
+// values extracted in one pass yield the same triangles as separate extractions.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceBoundary.h"
@@ -21,7 +21,7 @@ namespace
 
 using namespace reference;
 
-/// The triangles of a set with one value of their last array, without it.
+/// Returns the triangles whose last array has the given value, without that array.
 std::vector<GeometricSimplex> Having(const std::vector<GeometricSimplex>& set, double value)
 {
   std::vector<GeometricSimplex> result;
@@ -35,7 +35,7 @@ std::vector<GeometricSimplex> Having(const std::vector<GeometricSimplex>& set, d
   return result;
 }
 
-/// The net use of each triangle.
+/// Returns the net number of uses of each triangle.
 std::map<GeometricSimplex, double> Net(const std::vector<GeometricSimplex>& set, double sign = 1)
 {
   std::map<GeometricSimplex, double> net;
@@ -58,7 +58,8 @@ void CheckMesh(vtkUnstructuredGrid* mesh, double lower, double upper, bool ties,
   const auto contours =
     GeometricSet(ExtractContours(mesh, { lower, upper }).Surface, { "ContourId" });
   check.That(!Having(contours, 0).empty(), "there is a contour");
-  // In a face of the domain the contour goes on where a cell is equal to the value there only.
+  // In the domain boundary, the contour also contains faces at the isovalue whose cell has other
+  // values elsewhere.
   std::map<GeometricSimplex, double> left = Net(Having(contours, 0));
   for (const auto& triangle : Net(Having(boundary, 0)))
   {
@@ -75,18 +76,18 @@ void CheckMesh(vtkUnstructuredGrid* mesh, double lower, double upper, bool ties,
       }
       return triangle.second == 0 || (ties && domain.Find(points) >= 0);
     });
-  check.That(isSame, "the lower side is the contour");
-  // Where values equal the upper bound they are inside the interval, but above the contour.
+  check.That(isSame, "the lower side equals the contour");
+  // Values equal to the upper bound are inside the interval, but above the contour.
   if (!ties)
   {
-    check.That(Having(boundary, 0) == Having(contours, 0), "no triangle of it is there twice");
+    check.That(Having(boundary, 0) == Having(contours, 0), "no triangle is repeated");
     check.That(Net(Having(boundary, 1)) == Net(Having(contours, 1), -1),
-      "the upper side is the contour with the other side up");
+      "the upper side equals the reversed contour");
   }
   check.That(Having(contours, 0) == GeometricSet(ExtractContours(mesh, { lower }).Surface),
-    "the first contour alone");
+    "the first value in a separate pass");
   check.That(Having(contours, 1) == GeometricSet(ExtractContours(mesh, { upper }).Surface),
-    "the second contour alone");
+    "the second value in a separate pass");
 }
 
 }

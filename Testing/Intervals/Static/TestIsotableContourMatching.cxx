@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is promised of contours where values equal the isovalue: no triangle is there twice or
-// turned over as well, edges match, and the contour bounds the interval above. On every volume of 8
-// bits, and on small whole numbers in every kind of cell.
+// Documented guarantees for contours with values equal to the isovalue: no triangle is repeated or
+// also reversed, edges match, and the contour bounds the interval above it. Tested with all 8-bit
+// data files and with small integers in every cell type.
 #include "Support/Inputs/DataFiles.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
@@ -51,7 +51,7 @@ void CheckKind(MeshKind kind, Check& check)
   }
 }
 
-/// Two voxels with a common face at the value and all else below: there is nothing.
+/// Two voxels with a common face at the isovalue and lower values elsewhere have an empty contour.
 void CheckPlateau(Check& check)
 {
   check.SetContext("plateau");

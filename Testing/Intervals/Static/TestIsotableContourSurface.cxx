@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Isosurfaces are closed inside the domain, two-manifold, turned to lower values and in their
-// place: for random values on every kind of cell, and for the field of a sphere, whose area and
-// volume are known and whose triangles can be counted against another filter's.
+// Isosurfaces are closed inside the domain, two-manifold, oriented to lower values and at the
+// correct position: for random values on every cell type, and for a sphere, whose area and volume
+// are known and whose triangles are compared with another filter.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceBoundary.h"
@@ -46,8 +46,8 @@ void CheckClosed(vtkDataSet* mesh, vtkUnstructuredGrid* surface, Check& check)
       open += boundary.Find(points) < 0 ? 1 : 0;
     }
   }
-  check.Equal(open, 0, "edges open inside the domain");
-  check.Equal(strange, 0, "edges used more than once with one orientation");
+  check.Equal(open, 0, "open edges inside the domain");
+  check.Equal(strange, 0, "edges used more than once with the same orientation");
   check.That(VerticesAreManifold(triangles), "points are manifold");
 }
 
@@ -71,7 +71,7 @@ void CheckRandom(MeshKind kind, Check& check)
   }
 }
 
-/// The corners of a triangle, and its normal of twice its area.
+/// Computes the points of a triangle and a normal whose length is twice the area.
 void FindNormal(
   vtkUnstructuredGrid* surface, const Triangle& triangle, double x[3][3], double normal[3])
 {
@@ -86,8 +86,7 @@ void FindNormal(
   vtkMath::Cross(u, v, normal);
 }
 
-/// A linear function: the surface is its plane, and the triangles' normals are against its
-/// gradient.
+/// A linear function: the surface is the plane, and the normals point against its gradient.
 void CheckPlane(MeshKind kind, Check& check)
 {
   check.SetContext(GetName(kind) + ", plane");
@@ -106,7 +105,8 @@ void CheckPlane(MeshKind kind, Check& check)
     {
       check.Near(function(point), value, 1e-14, "value of the function at a point");
     }
-    check.That(vtkMath::Dot(normal, function.Gradient.data()) < 1e-15, "a normal points down");
+    check.That(
+      vtkMath::Dot(normal, function.Gradient.data()) < 1e-15, "normals point to lower values");
   }
 }
 
@@ -134,7 +134,7 @@ void CheckSphere(Check& check)
   const long long triangles = surface->GetNumberOfCells();
   check.Equal(surface->GetNumberOfPoints() - edges + triangles, 2, "Euler characteristic");
 
-  // Normals point to lower values, so to the centre: the volume inside comes out negative.
+  // Normals point to lower values, toward the center. The enclosed volume is therefore negative.
   double area = 0;
   double volume = 0;
   for (const Triangle& triangle : TrianglesOf(surface))
@@ -148,15 +148,15 @@ void CheckSphere(Check& check)
   check.Near(area, 4 * vtkMath::Pi() * radius * radius, 5e-3, "area");
   check.Near(volume, -4 * vtkMath::Pi() / 3 * radius * radius * radius, 5e-3, "volume");
 
-  vtkNew<vtkFlyingEdges3D> peer;
-  peer->SetInputData(image);
-  peer->SetValue(0, radius);
-  peer->Update();
-  std::cout << triangles << " triangles, vtkFlyingEdges3D " << peer->GetOutput()->GetNumberOfCells()
-            << '\n';
+  vtkNew<vtkFlyingEdges3D> baseline;
+  baseline->SetInputData(image);
+  baseline->SetValue(0, radius);
+  baseline->Update();
+  std::cout << triangles << " triangles, vtkFlyingEdges3D "
+            << baseline->GetOutput()->GetNumberOfCells() << '\n';
   check.Near(static_cast<double>(triangles),
-    static_cast<double>(peer->GetOutput()->GetNumberOfCells()), 0.02, "triangles");
-  check.Equal(surface->GetNumberOfPoints(), peer->GetOutput()->GetNumberOfPoints(), "points");
+    static_cast<double>(baseline->GetOutput()->GetNumberOfCells()), 0.02, "triangles");
+  check.Equal(surface->GetNumberOfPoints(), baseline->GetOutput()->GetNumberOfPoints(), "points");
 }
 
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays that are linear in space and time come out exact, cell arrays are copied, Time is the time
-// of the slice whatever type it had, and 4-simplices read from a file give the same bytes.
+// Arrays that are linear in space and time are reproduced exactly, and cell arrays are copied. Time
+// is the time of the slice for any input type. 4-simplices read from a file yield bit-identical
+// output.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/TimeVarying/ReferenceSimplexGrid.h"
@@ -72,7 +73,7 @@ void CheckTime(vtkUnstructuredGrid* slice, double t, Check& check)
   auto* times = vtkDoubleArray::SafeDownCast(slice->GetPointData()->GetArray("Time"));
   check.That(times && times->GetNumberOfValues() == slice->GetNumberOfPoints() &&
       std::all_of(times->Begin(), times->End(), [t](double time) { return time == t; }),
-    "Time is the time of the slice, as double");
+    "Time is the slice time in double");
   check.That(slice->GetNumberOfCells() > 0, "there are tetrahedra");
 }
 
@@ -85,7 +86,7 @@ void CheckArrays(Check& check)
   auto slice = SliceAt(grid, t);
   CheckTime(slice, t, check);
   vtkPointData* points = slice->GetPointData();
-  check.That(points->GetScalars() == points->GetArray("Time"), "Time stays the active scalars");
+  check.That(points->GetScalars() == points->GetArray("Time"), "Time remains the active scalars");
   check.Equal(points->GetNumberOfArrays(), 2, "point arrays");
   vtkDataArray* linear = points->GetArray("linear");
   double most = 0;
@@ -99,11 +100,11 @@ void CheckArrays(Check& check)
     }
   }
   check.Near(most, 0.0, 1e-14, "error of a linear array", 3.0);
-  check.That(linear->GetComponentName(1) == std::string("second"), "components keep their names");
+  check.That(linear->GetComponentName(1) == std::string("second"), "component names are preserved");
 
   auto* numbers = vtkIdTypeArray::SafeDownCast(slice->GetCellData()->GetArray("number"));
   auto* texts = vtkStringArray::SafeDownCast(slice->GetCellData()->GetAbstractArray("text"));
-  if (!check.That(numbers && texts, "cell arrays keep their types"))
+  if (!check.That(numbers && texts, "cell arrays preserve their types"))
   {
     return;
   }
@@ -121,11 +122,11 @@ void CheckArrays(Check& check)
       inside = inside && bounds[2 * axis] >= (*range.first)[axis] - 1e-12 &&
         bounds[2 * axis + 1] <= (*range.second)[axis] + 1e-12;
     }
-    check.That(inside, "cell values are those of the 4-simplex around the tetrahedron");
+    check.That(inside, "cell values equal the values of the surrounding 4-simplex");
   }
 }
 
-/// Times 0 to 3 in an array of another type give the slice of those in double.
+/// Times 0 to 3 in an array of another type yield the same slice as in double.
 void CheckTimeArray(vtkDataArray* times, const std::string& name, Check& check)
 {
   check.SetContext(name);
@@ -202,7 +203,7 @@ void CheckFile(Check& check)
   {
     auto slice = SliceAt(reader->GetOutput(), t);
     CheckTime(slice, t, check);
-    check.That(slice->GetPointData()->GetArray("global") == nullptr, "global ids are not carried");
+    check.That(slice->GetPointData()->GetArray("global") == nullptr, "global ids are not passed");
     const std::string difference = FindDifference(slice, SliceAt(grid, t));
     check.That(difference.empty(), difference);
   }

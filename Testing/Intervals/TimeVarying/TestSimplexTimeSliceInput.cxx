@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wrong input: an error that says what and where, an empty output, and the filter works once it is
-// right. Ghosts and 4-simplices without a finite time are left out; a time outside, or nothing at
-// all, gives nothing and no error. Composite input gives composite output.
+// Invalid input: an error names the problem and its location, the output is empty, and the filter
+// works again with valid input. Ghosts and 4-simplices with a non-finite time are skipped. A time
+// outside the range or an empty input yields an empty output without an error. Composite input
+// yields composite output.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceVolume.h"
@@ -41,7 +42,7 @@ KuhnOptions MakeOptions()
   return options;
 }
 
-/// What the filter says of an input, errors alone or warnings alone, and the output.
+/// Returns the errors or the warnings of the filter for an input, and the output.
 std::string SliceWatched(vtkSimplexTimeSlice* filter, vtkDataObject* input, double t,
   unsigned long event = vtkCommand::ErrorEvent)
 {
@@ -61,18 +62,18 @@ struct ErrorCase
 {
   const char* Name;
   double Time;
-  std::vector<std::string> Named; ///< what the message has to hold
+  std::vector<std::string> Named; ///< texts that the message must contain
   std::function<void(vtkUnstructuredGrid*)> Break;
 };
 
-/// Puts an array in the place of Time.
+/// Replaces the array Time.
 void SetTimes(vtkUnstructuredGrid* grid, vtkAbstractArray* times)
 {
   times->SetName("Time");
   grid->GetPointData()->AddArray(times);
 }
 
-/// Makes cell 7 one of another type, or one of the first points of its five.
+/// Changes the type of cell 7, or reduces it to the first of its five points.
 void BreakCell(vtkUnstructuredGrid* grid, int type, vtkIdType points)
 {
   vtkNew<vtkUnstructuredGrid> broken;
@@ -132,17 +133,18 @@ void CheckErrors(Check& check)
     auto grid = MakeKuhnGrid(MakeOptions());
     one.Break(grid);
     vtkNew<vtkSimplexTimeSlice> filter;
-    const std::string said = SliceWatched(filter, grid, one.Time);
-    check.That(!said.empty(), "there is an error");
+    const std::string message = SliceWatched(filter, grid, one.Time);
+    check.That(!message.empty(), "there is an error");
     for (const std::string& part : one.Named)
     {
-      check.That(said.find(part) != std::string::npos, "the error names " + part);
+      check.That(message.find(part) != std::string::npos, "the error names " + part);
     }
     check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "points");
     check.Equal(filter->GetOutput()->GetNumberOfCells(), 0, "cells");
     const std::string later = SliceWatched(filter, MakeKuhnGrid(MakeOptions()), 0.5);
-    check.That(later.empty(), "mended, there is no error: " + later);
-    check.That(filter->GetOutput()->GetNumberOfCells() > 0, "mended, it works");
+    check.That(later.empty(), "no error after the correction: " + later);
+    check.That(
+      filter->GetOutput()->GetNumberOfCells() > 0, "the filter works after the correction");
   }
 }
 
@@ -168,18 +170,19 @@ void CheckNothing(Check& check)
   {
     check.SetContext(one.Name);
     vtkNew<vtkSimplexTimeSlice> filter;
-    const std::string said = SliceWatched(filter, one.Input, one.Time, vtkCommand::WarningEvent);
+    const std::string message = SliceWatched(filter, one.Input, one.Time, vtkCommand::WarningEvent);
     for (const std::string& part : one.Named)
     {
-      check.That(said.find(part) != std::string::npos, "the warning has " + part + ": " + said);
+      check.That(
+        message.find(part) != std::string::npos, "the warning has " + part + ": " + message);
     }
     check.Equal(filter->GetOutput()->GetNumberOfPoints(), 0, "points");
     check.Equal(filter->GetOutput()->GetNumberOfCells(), 0, "cells");
   }
 }
 
-/// What is left of a grid without the cells that are not kept.
-Grid Select(vtkUnstructuredGrid* grid, const std::function<bool(vtkIdType)>& isKept)
+/// Returns a grid without the cells that \a isSelected rejects.
+Grid Select(vtkUnstructuredGrid* grid, const std::function<bool(vtkIdType)>& isSelected)
 {
   std::vector<Event> points(grid->GetNumberOfPoints());
   std::vector<SimplexIds> simplices;
@@ -191,7 +194,7 @@ Grid Select(vtkUnstructuredGrid* grid, const std::function<bool(vtkIdType)>& isK
     {
       points[ids[v]] = events[v];
     }
-    if (isKept(cell))
+    if (isSelected(cell))
     {
       simplices.push_back(ids);
     }
@@ -199,14 +202,15 @@ Grid Select(vtkUnstructuredGrid* grid, const std::function<bool(vtkIdType)>& isK
   return MakeSimplexGrid(points, simplices);
 }
 
-/// Slices of a grid are those of another one.
+/// Checks that slices of two grids are equal.
 void CheckSame(vtkUnstructuredGrid* grid, vtkUnstructuredGrid* expected, Check& check)
 {
   for (const double t : { 0.0, 0.4, 1.0 })
   {
     auto slice = SliceAt(expected, t);
     check.That(slice->GetNumberOfCells() > 0, "there are tetrahedra");
-    check.That(FindDifference(SliceAt(grid, t), slice).empty(), "what counts, no more or less");
+    check.That(FindDifference(SliceAt(grid, t), slice).empty(),
+      "the slice contains exactly the expected tetrahedra");
   }
 }
 
@@ -229,7 +233,7 @@ void CheckLeftOut(Check& check)
     vtkDataSetAttributes::HIDDENCELL, vtkDataSetAttributes::REFINEDCELL };
   for (const unsigned char mark : cellMarks)
   {
-    check.SetContext("cells marked " + std::to_string(mark));
+    check.SetContext("cells flagged " + std::to_string(mark));
     auto grid = MakeKuhnGrid(MakeOptions());
     auto expected = Select(grid, [](vtkIdType cell) { return cell % 3 != 0; });
     vtkUnsignedCharArray* ghosts = grid->AllocateCellGhostArray();
@@ -251,7 +255,7 @@ void CheckLeftOut(Check& check)
   CheckSame(grid, expected, check);
 }
 
-/// 4-simplices with equal points, or with no extent in time, have no slice.
+/// 4-simplices with equal points or without an extent in time have an empty slice.
 void CheckDegenerate(Check& check)
 {
   check.SetContext("degenerate");
@@ -277,17 +281,18 @@ void CheckComposite(Check& check)
   blocks->SetBlock(0, leaves[0]);
   blocks->SetBlock(2, leaves[1]);
   vtkNew<vtkSimplexTimeSlice> filter;
-  const std::string said = SliceWatched(filter, blocks, 0.4);
-  check.That(said.empty(), "no error: " + said);
+  const std::string message = SliceWatched(filter, blocks, 0.4);
+  check.That(message.empty(), "no error: " + message);
   auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
-  if (!check.That(output && output->GetNumberOfBlocks() == 3, "the output has the structure"))
+  if (!check.That(
+        output && output->GetNumberOfBlocks() == 3, "the output has the structure of the input"))
   {
     return;
   }
   for (unsigned int i : { 0u, 1u })
   {
     auto* slice = vtkUnstructuredGrid::SafeDownCast(output->GetBlock(2 * i));
-    check.That(slice && FindDifference(slice, SliceAt(leaves[i], 0.4)).empty(), "a leaf's slice");
+    check.That(slice && FindDifference(slice, SliceAt(leaves[i], 0.4)).empty(), "slice of a leaf");
   }
 }
 

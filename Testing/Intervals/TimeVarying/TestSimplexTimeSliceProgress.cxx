@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress is told and never runs backwards, an abort leaves a valid output, and PrintSelf prints
+// Progress is reported and never decreases, an abort leaves a valid output, and PrintSelf prints
 // the time.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -26,7 +26,7 @@ int TestSimplexTimeSliceProgress(int, char*[])
   }
   check.SetContext("print");
   vtkNew<vtkSimplexTimeSlice> filter;
-  check.That(filter->GetTime() == 0.0, "the time is 0 by default");
+  check.That(filter->GetTime() == 0.0, "the default time is 0");
   filter->SetTime(3.125);
   CheckPrinted(Print(filter), { "Time: 3.125" }, check);
   return check.Result();

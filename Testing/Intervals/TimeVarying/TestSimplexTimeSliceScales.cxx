@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Times that are 1e9 or 1e-9 apart, or near 1e9, give the slice that times 1 apart give.
+// Time spacings of 1e9 or 1e-9 and times near 1e9 yield the same slice as a spacing of 1.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceVolume.h"
@@ -22,11 +22,11 @@ struct Scale
   const char* Name;
   double Step;
   double Offset;
-  /// Of the positions, since the times given are rounded.
+  /// Tolerance of the positions, because times are rounded.
   double Tolerance;
 };
 
-/// Times as multiples of 1/8, so that those of the scales that are powers of 2 are exact.
+/// Times are multiples of 1/8, which remain exact for scales that are powers of 2.
 KuhnOptions MakeOptions()
 {
   KuhnOptions options;

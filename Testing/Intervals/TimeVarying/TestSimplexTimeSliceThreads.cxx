@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same bytes for any number of threads, between the levels of a grid and at one of them.
+// Output is bit-identical for any number of threads, between the time levels of a grid and at a
+// level.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceThreads.h"
 #include "Support/TimeVarying/ReferenceSimplexGrid.h"
@@ -12,7 +13,7 @@ int TestSimplexTimeSliceThreads(int, char*[])
   Check check;
   KuhnOptions options;
   options.Cells = { { 16, 12, 12, 2 } };
-  options.IsKept = [](const std::array<int, 4>& cell)
+  options.IsRetained = [](const std::array<int, 4>& cell)
   { return (cell[0] + cell[1] * cell[2] + cell[3]) % 3 != 0; };
   auto grid = MakeKuhnGrid(options);
   CheckThreads(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The slices of a triangulated region of space and time have no cracks and no overlap: at any time,
-// and at the region's own time levels, where each tetrahedron is there once, also beside holes, and
-// where the cell array AtStep tells which there are. Pieces with global ids fit together.
+// Slices of a triangulated region of space-time have no cracks and no overlap at any time. At the
+// region's time levels each tetrahedron occurs exactly once, also next to holes and if the cell
+// array AtStep selects tetrahedra. Pieces with global ids match.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceBoundary.h"
 #include "Support/Meshes/ReferenceGrid.h"
@@ -41,14 +41,14 @@ std::vector<Tetrahedron> TetrahedraOf(vtkUnstructuredGrid* grid)
   return all;
 }
 
-/// The slice fills the unit cube: every face is shared by two tetrahedra, or covers a part of the
-/// cube's boundary once.
+/// Checks that the slice fills the unit cube: every face is shared by two tetrahedra, or covers a
+/// part of the cube's boundary once.
 void CheckFillsCube(vtkUnstructuredGrid* slice, Check& check)
 {
   const TetrahedraVolume volume = MeasureTetrahedra(slice);
   check.Near(static_cast<double>(volume.Sum), 1.0, 1e-13, "volume");
   check.Equal(volume.Inverted, 0, "inverted tetrahedra");
-  check.That(IsValid(slice, VTK_TETRA), "the output is tetrahedra");
+  check.That(IsValid(slice, VTK_TETRA), "the output consists of tetrahedra");
   const DomainBoundary boundary(MakeMesh(MeshKind::Hexahedra, { { 1, 1, 1 } }));
   std::vector<double> covered(boundary.GetNumberOfFaces(), 0.0);
   long long cracks = 0;
@@ -56,7 +56,7 @@ void CheckFillsCube(vtkUnstructuredGrid* slice, Check& check)
   for (const FaceUse& face : CountUses(FacesOf(TetrahedraOf(slice))))
   {
     used.insert(face.Key.begin(), face.Key.end());
-    check.That(face.Plus <= 1 && face.Minus <= 1, "a face is used once from a side");
+    check.That(face.Plus <= 1 && face.Minus <= 1, "a face is used at most once from each side");
     if (face.Net() == 0)
     {
       continue;
@@ -78,13 +78,12 @@ void CheckFillsCube(vtkUnstructuredGrid* slice, Check& check)
       covered[side] += boundary.SignedArea(side, points);
     }
   }
-  check.Equal(cracks, 0, "faces inside that are not matched");
+  check.Equal(cracks, 0, "interior faces that do not match");
   for (const double area : covered)
   {
     check.Near(area, 1.0, 1e-12, "area of a side of the cube");
   }
-  check.Equal(
-    static_cast<long long>(used.size()), slice->GetNumberOfPoints(), "points that are used");
+  check.Equal(static_cast<long long>(used.size()), slice->GetNumberOfPoints(), "points in use");
 }
 
 void CheckRegion(const KuhnOptions& options, const std::vector<double>& times, Check& check)
@@ -98,7 +97,7 @@ void CheckRegion(const KuhnOptions& options, const std::vector<double>& times, C
   }
 }
 
-/// The faces of 4-simplices that lie at a time, each once, as positive tetrahedra.
+/// Returns the faces of 4-simplices at a time, without duplicates, as positive tetrahedra.
 vtkSmartPointer<vtkUnstructuredGrid> FacesAt(vtkUnstructuredGrid* grid, double t)
 {
   std::set<Tetrahedron> faces;
@@ -143,16 +142,17 @@ vtkSmartPointer<vtkUnstructuredGrid> FacesAt(vtkUnstructuredGrid* grid, double t
   return expected;
 }
 
-/// At a level the slice is the faces of both slabs there, each once, whatever is missing.
-void CheckHoles(unsigned int seed, double share, Check& check)
+/// At a time level, the slice consists of the faces of both slabs without duplicates, even if
+/// simplices are missing.
+void CheckHoles(unsigned int seed, double fraction, Check& check)
 {
   std::mt19937 random(seed);
-  std::bernoulli_distribution isKept(share);
+  std::bernoulli_distribution isRetained(fraction);
   KuhnOptions options;
   options.Cells = { { 3, 4, 3, 3 } };
   options.MovedInSpace = 0.15;
   options.Seed = seed;
-  options.IsKept = [&](const std::array<int, 4>&) { return isKept(random); };
+  options.IsRetained = [&](const std::array<int, 4>&) { return isRetained(random); };
   auto grid = MakeKuhnGrid(options);
   for (const double t : { 0.0, 1.0, 2.0, 3.0 })
   {
@@ -160,12 +160,12 @@ void CheckHoles(unsigned int seed, double share, Check& check)
     auto expected = FacesAt(grid, t);
     check.That(expected->GetNumberOfCells() > 0, "there are faces");
     check.That(GeometricSet(SliceAt(grid, t)) == GeometricSet(expected),
-      "the slice is the faces there, each once");
+      "the slice consists of the faces at the level without duplicates");
   }
 }
 
-/// The simplices of a grid whose number leaves a remainder, their points in reverse order, with the
-/// numbers in the whole as global ids.
+/// Returns every \a pieces-th simplex of a grid, starting at \a number. Points are renumbered at
+/// random, and global ids refer to the full grid.
 vtkSmartPointer<vtkUnstructuredGrid> MakePiece(
   vtkUnstructuredGrid* grid, int number, int pieces, std::mt19937& random)
 {
@@ -173,23 +173,23 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePiece(
   vtkNew<vtkIdTypeArray> globalIds;
   globalIds->SetName("global");
   globalIds->SetNumberOfValues(points);
-  std::vector<vtkIdType> places(points);
-  std::iota(places.begin(), places.end(), 0);
-  std::shuffle(places.begin(), places.end(), random);
+  std::vector<vtkIdType> newIds(points);
+  std::iota(newIds.begin(), newIds.end(), 0);
+  std::shuffle(newIds.begin(), newIds.end(), random);
   std::vector<Event> events(points);
   vtkDataArray* times = grid->GetPointData()->GetArray("Time");
   for (vtkIdType point = 0; point < points; ++point)
   {
-    Event& event = events[places[point]];
+    Event& event = events[newIds[point]];
     grid->GetPoint(point, event.data());
     event[3] = times->GetComponent(point, 0);
-    globalIds->SetValue(places[point], point);
+    globalIds->SetValue(newIds[point], point);
   }
   std::vector<SimplexIds> simplices;
   for (vtkIdType cell = number; cell < grid->GetNumberOfCells(); cell += pieces)
   {
     SimplexIds ids = GetSimplexIds(grid, cell);
-    std::transform(ids.begin(), ids.end(), ids.begin(), [&](vtkIdType id) { return places[id]; });
+    std::transform(ids.begin(), ids.end(), ids.begin(), [&](vtkIdType id) { return newIds[id]; });
     simplices.push_back(ids);
   }
   auto piece = MakeSimplexGrid(events, simplices);
@@ -197,8 +197,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePiece(
   return piece;
 }
 
-/// A region with the tetrahedra of a level as cells, some of them twice as faces too, and the rest
-/// of the faces there said to be nothing.
+/// A region with the tetrahedra of a time level as additional cells. Some faces at the level have
+/// the same tetrahedra, and AtStep disables the other faces.
 void CheckAtStep(Check& check)
 {
   using Filter = vtkTimeVaryingIntervalVolume;
@@ -218,7 +218,7 @@ void CheckAtStep(Check& check)
   grid->GetCellData()->AddArray(atStep);
   const auto slice = SliceAt(grid, level);
   const vtkIdType some = slice->GetNumberOfCells();
-  check.That(0 < some && some < faces->GetNumberOfCells(), "some faces count");
+  check.That(0 < some && some < faces->GetNumberOfCells(), "the slice contains some faces");
   check.That(!slice->GetCellData()->HasArray("AtStep"), "a slice has no AtStep");
   for (const Tetrahedron& face : TetrahedraOf(faces))
   {
@@ -227,11 +227,11 @@ void CheckAtStep(Check& check)
     atStep->InsertNextValue(Filter::TETRAHEDRON_AT_STEP);
   }
   check.That(GeometricSet(SliceAt(grid, level)) == GeometricSet(faces),
-    "at the level the tetrahedra, each once");
-  check.That(GeometricSet(SliceAt(grid, 1.4)) == before, "elsewhere the slice is as it was");
+    "the slice at the level consists of the tetrahedra without duplicates");
+  check.That(GeometricSet(SliceAt(grid, 1.4)) == before, "the slice at another time is unchanged");
   grid->GetCellData()->RemoveArray("AtStep");
   check.That(GeometricSet(SliceAt(grid, level)) == GeometricSet(faces),
-    "without the array all faces count, and what lies in the slice gives nothing");
+    "without the array, all faces are used and degenerate cells are ignored");
 }
 
 void CheckPieces(Check& check)
@@ -250,7 +250,8 @@ void CheckPieces(Check& check)
   }
   std::sort(together.begin(), together.end());
   check.SetContext("pieces");
-  check.That(together == GeometricSet(SliceAt(grid, t)), "pieces give the tetrahedra of the whole");
+  check.That(
+    together == GeometricSet(SliceAt(grid, t)), "the pieces yield the tetrahedra of the full grid");
 }
 
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The slice of a random 4-simplex has the volume that its M-spline gives, the orientation of the
-// simplex, and covers the slice once; the integral over time is the hypervolume.
+// The slice of a random 4-simplex has the volume of its M-spline, has the orientation of the
+// simplex, and has no overlap. The integral of the volume over time is the hypervolume.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceVolume.h"
 #include "Support/TimeVarying/ReferenceSimplexGrid.h"
@@ -25,7 +25,7 @@ using Corners = std::array<Position, 4>;
 
 constexpr vtkIdType NumberOfSimplices = 6000;
 
-/// Simplices that share no point, their points numbered at random, with the cell array simplex.
+/// Returns randomly numbered simplices without common points, with the cell array simplex.
 vtkSmartPointer<vtkUnstructuredGrid> MakeRandomSimplices(unsigned int seed)
 {
   std::mt19937 random(seed);
@@ -49,7 +49,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeRandomSimplices(unsigned int seed)
   return grid;
 }
 
-/// The tetrahedra of each simplex.
+/// Groups the tetrahedra by simplex.
 std::vector<std::vector<Corners>> GroupBySimplex(vtkUnstructuredGrid* slice)
 {
   std::vector<std::vector<Corners>> groups(NumberOfSimplices);
@@ -91,7 +91,8 @@ bool Holds(const Corners& corners, const Position& point)
   return true;
 }
 
-/// A random point of the slice: the middle of two points of it, weighted, is one.
+/// Returns a random point of the slice: a random weighted mean of its points on the simplex's
+/// edges.
 Position PickPoint(const SimplexEvents& simplex, double t, std::mt19937& random)
 {
   std::uniform_real_distribution<long double> uniform(0.0L, 1.0L);
@@ -117,7 +118,8 @@ Position PickPoint(const SimplexEvents& simplex, double t, std::mt19937& random)
   return picked;
 }
 
-/// Adds the keys of the cases that were met: a bit for each vertex above, by its id.
+/// Checks the slices at a time. Adds the keys of the cases that occur. Bit i of a key is set if
+/// vertex i is above.
 void CheckSlices(vtkUnstructuredGrid* simplices, double t, std::set<int>& cases, Check& check)
 {
   check.SetContext("t = " + std::to_string(t));
@@ -141,7 +143,7 @@ void CheckSlices(vtkUnstructuredGrid* simplices, double t, std::set<int>& cases,
       check.That(part > -1e-16L, "a tetrahedron has the orientation of its 4-simplex");
       volume += part;
     }
-    // The M-spline's terms cancel where two times are near each other.
+    // The terms of the M-spline cancel if two times are close to each other.
     check.Near(static_cast<double>(volume), static_cast<double>(SliceVolume(simplex, t)), 1e-12,
       "volume of simplex " + std::to_string(s), 1.0);
     if (!groups[s].empty())
@@ -154,7 +156,8 @@ void CheckSlices(vtkUnstructuredGrid* simplices, double t, std::set<int>& cases,
   }
 }
 
-/// Between two times of vertices the volume is a cubic: two Gauss points integrate it exactly.
+/// Between two vertex times the volume is a cubic polynomial. Two Gauss points integrate it
+/// exactly.
 void CheckHypervolume(unsigned int seed, Check& check)
 {
   std::mt19937 random(seed);
@@ -193,7 +196,7 @@ int TestSimplexTimeSliceVolume(int, char*[])
   {
     CheckSlices(MakeRandomSimplices(static_cast<unsigned int>(1000 * t)), t, cases, check);
   }
-  check.Equal(static_cast<long long>(cases.size()), 32, "cases met");
+  check.Equal(static_cast<long long>(cases.size()), 32, "number of cases that occur");
   for (unsigned int seed = 1; seed <= 50; ++seed)
   {
     check.SetContext("seed " + std::to_string(seed));

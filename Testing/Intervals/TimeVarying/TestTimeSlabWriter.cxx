@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Interval volumes of many time steps that are written slab by slab: together the extraction of all
-// steps, in the memory of one slab; stopped, killed and resumed, never with an index of a part.
+// Interval volumes of many time steps that are written slab by slab. Together they equal the
+// extraction of all steps, with the memory use of one slab. The writer may be stopped, killed and
+// resumed, and never writes an index of an incomplete set.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 
@@ -59,7 +60,7 @@ void SetAll(vtkTimeVaryingIntervalVolume* filter, double shift = 0.0)
   filter->SetGenerateBoundaries(true);
 }
 
-/// Appends the cells of a grid, each as the numbers of its corners and its own.
+/// Appends the cells of a grid as text: point coordinates and cell values.
 void AddCells(vtkUnstructuredGrid* grid, std::vector<std::string>& cells)
 {
   vtkNew<vtkIdList> ids;
@@ -109,7 +110,7 @@ std::vector<std::string> ReadCells(const std::string& index, unsigned int slabs,
   return cells;
 }
 
-/// All slabs are what the extraction of all steps is.
+/// The slabs together equal the extraction of all steps.
 void TestUnion(const files::path& folder, Check& check)
 {
   check.SetContext("all slabs");
@@ -120,19 +121,19 @@ void TestUnion(const files::path& folder, Check& check)
   check.Equal(writer->GetNumberOfWrittenSlabs(), NumberOfSteps - 1, "slabs");
   int range[2];
   writer->GetTimeStepRange(range);
-  check.That(range[0] == 0 && range[1] == VTK_INT_MAX, "the steps are those set");
-  vtkNew<vtkTimeVaryingIntervalVolume> whole;
-  SetAll(whole);
-  whole->Update();
+  check.That(range[0] == 0 && range[1] == VTK_INT_MAX, "the range of time steps is unchanged");
+  vtkNew<vtkTimeVaryingIntervalVolume> all;
+  SetAll(all);
+  all->Update();
   const std::string names[] = { "vortex.vtm", "vortex_boundaries.vtm", "vortex_simplices.vtm" };
   for (int port = 0; port < 3; ++port)
   {
     std::vector<std::string> cells;
-    AddCells(vtkUnstructuredGrid::SafeDownCast(whole->GetOutputDataObject(port)), cells);
+    AddCells(vtkUnstructuredGrid::SafeDownCast(all->GetOutputDataObject(port)), cells);
     std::sort(cells.begin(), cells.end());
     check.That(cells.size() > 1000, "cells");
     check.That(ReadCells((folder / names[port]).string(), NumberOfSteps - 1, check) == cells,
-      "the cells of the extraction of all steps in " + names[port]);
+      "the cells equal the extraction of all steps in " + names[port]);
   }
 }
 
@@ -155,7 +156,7 @@ std::map<std::string, std::string> ReadFiles(const files::path& folder)
   return content;
 }
 
-/// Writes again; \a change is made before. Returns the warnings.
+/// Writes again and checks the number of written slabs. Returns the warnings.
 std::string WriteAgain(const files::path& folder, int written, Check& check, double shift = 0.0)
 {
   vtkNew<vtkTimeSlabWriter> writer;
@@ -164,9 +165,8 @@ std::string WriteAgain(const files::path& folder, int written, Check& check, dou
   vtkNew<vtkTest::ErrorObserver> observer;
   writer->AddObserver(vtkCommand::WarningEvent, observer);
   check.That(writer->Write(), "written");
-  check.Equal(writer->GetNumberOfWrittenSlabs(), written, "slabs that are made");
-  check.Equal(
-    writer->GetNumberOfResumedSlabs(), NumberOfSteps - 1 - written, "slabs that were there");
+  check.Equal(writer->GetNumberOfWrittenSlabs(), written, "slabs written");
+  check.Equal(writer->GetNumberOfResumedSlabs(), NumberOfSteps - 1 - written, "slabs reused");
   return observer->GetWarningMessage();
 }
 
@@ -174,31 +174,31 @@ void TestResume(const files::path& folder, Check& check)
 {
   check.SetContext("written again");
   const auto all = ReadFiles(folder);
-  check.That(WriteAgain(folder, 0, check).empty(), "nothing to warn of");
-  check.That(ReadFiles(folder) == all, "the same files");
+  check.That(WriteAgain(folder, 0, check).empty(), "no warnings");
+  check.That(ReadFiles(folder) == all, "the files are unchanged");
 
   check.SetContext("a slab is missing");
   files::remove(folder / "vortex.vtm");
   files::remove(folder / "vortex" / "vortex_simplices_2.vtu");
-  std::ofstream(folder / "vortex" / "vortex_2.vtu.part") << "what a killed one leaves";
-  check.That(WriteAgain(folder, 1, check).empty(), "nothing to warn of");
-  check.That(ReadFiles(folder) == all, "the same files");
+  std::ofstream(folder / "vortex" / "vortex_2.vtu.part") << "incomplete file of a killed process";
+  check.That(WriteAgain(folder, 1, check).empty(), "no warnings");
+  check.That(ReadFiles(folder) == all, "the files are unchanged");
 
   check.SetContext("a slab is truncated");
   const files::path slab = folder / "vortex" / "vortex_1.vtu";
   files::resize_file(slab, files::file_size(slab) / 2);
   std::string warning = WriteAgain(folder, 1, check);
-  check.That(warning.find("written anew: 1.") != std::string::npos &&
+  check.That(warning.find("replaced: 1.") != std::string::npos &&
       warning.find("vortex_1.vtu: it is damaged") != std::string::npos,
     "the file in " + warning);
-  check.That(ReadFiles(folder) == all, "the same files");
+  check.That(ReadFiles(folder) == all, "the files are unchanged");
 
   check.SetContext("other times");
   warning = WriteAgain(folder, NumberOfSteps - 1, check, 0.01);
   check.That(warning.find("these differ: times") != std::string::npos, "times in " + warning);
   check.That(ReadFiles(folder) != all, "other files");
   WriteAgain(folder, NumberOfSteps - 1, check);
-  check.That(ReadFiles(folder) == all, "and back again");
+  check.That(ReadFiles(folder) == all, "the original files again");
 
   check.SetContext("other data");
   vtkNew<vtkTimeSlabWriter> writer;
@@ -209,14 +209,14 @@ void TestResume(const files::path& folder, Check& check)
   vtkNew<vtkTest::ErrorObserver> observer;
   writer->AddObserver(vtkCommand::WarningEvent, observer);
   writer->Write();
-  check.Equal(writer->GetNumberOfResumedSlabs(), 0, "slabs of other data that are taken");
+  check.Equal(writer->GetNumberOfResumedSlabs(), 0, "slabs of other data that are reused");
   warning = observer->GetWarningMessage();
   check.That(
     warning.find("these differ: data at time 0.5") != std::string::npos, "data in " + warning);
   WriteAgain(folder, NumberOfSteps - 1, check);
 }
 
-/// Ends at an event in the middle: the process, or the execution.
+/// Stops the execution at an event halfway: kills the process or aborts the execution.
 struct End
 {
   int Events = 0;
@@ -225,12 +225,12 @@ struct End
   static void Count(vtkObject* caller, unsigned long, void* client, void*)
   {
     auto* end = static_cast<End*>(client);
-    constexpr int middle = 60;
-    if (++end->Events == middle && end->IsKill)
+    constexpr int half = 60;
+    if (++end->Events == half && end->IsKill)
     {
       std::raise(SIGKILL);
     }
-    if (end->Events == middle)
+    if (end->Events == half)
     {
       vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
     }
@@ -251,7 +251,7 @@ bool WriteUntil(const files::path& folder, bool isKill)
   return writer->Write();
 }
 
-/// What is left after a stop has no index, and is taken over.
+/// After a stop there is no index, and the next execution reuses the written slabs.
 void TestStop(const files::path& folder, bool isKill, Check& check)
 {
   check.SetContext(isKill ? "killed" : "aborted");
@@ -259,9 +259,9 @@ void TestStop(const files::path& folder, bool isKill, Check& check)
   files::remove_all(folder / "vortex");
   if (isKill)
   {
-    std::error_code wrong;
-    const files::path program = files::read_symlink("/proc/self/exe", wrong);
-    if (wrong)
+    std::error_code error;
+    const files::path program = files::read_symlink("/proc/self/exe", error);
+    if (error)
     {
       return;
     }
@@ -271,22 +271,23 @@ void TestStop(const files::path& folder, bool isKill, Check& check)
   }
   else
   {
-    check.That(!WriteUntil(folder, false), "not all is written");
+    check.That(!WriteUntil(folder, false), "writing is not complete");
   }
-  check.That(!files::exists(folder / "vortex.vtm"), "there is no index, not even that of before");
+  check.That(
+    !files::exists(folder / "vortex.vtm"), "there is no index, not even the previous index");
   int slabs = 0;
   while (files::exists(folder / "vortex" / ("vortex_simplices_" + std::to_string(slabs) + ".vtu")))
   {
     ++slabs;
   }
-  check.That(slabs > 0 && slabs < NumberOfSteps - 1, "some slabs are there");
+  check.That(slabs > 0 && slabs < NumberOfSteps - 1, "some slabs exist");
   WriteAgain(folder, NumberOfSteps - 1 - slabs, check);
-  check.That(ReadFiles(folder) == all, "the files of a run without a stop");
+  check.That(ReadFiles(folder) == all, "the files equal an uninterrupted run");
 }
 
-/// The most memory that the process has had, in bytes; 0 where that is not told, or where
-/// AddressSanitizer keeps what is freed.
-double GetMostMemory()
+/// Returns the peak memory of the process in bytes. Returns 0 if it is not available, or if
+/// AddressSanitizer retains freed memory.
+double GetPeakMemory()
 {
 #ifdef __SANITIZE_ADDRESS__
   return 0.0;
@@ -307,24 +308,24 @@ void TestMemory(const files::path& folder, Check& check)
 {
   check.SetContext("memory");
   constexpr int points = 40;
-  double most[3];
+  double peak[3];
   for (const int steps : { 5, 21 })
   {
     vtkNew<vtkTimeSlabWriter> writer;
     Set(writer, points, steps);
     writer->SetFileName((folder / "many.vtm").string().c_str());
     check.That(writer->Write(), "written");
-    most[steps == 5 ? 0 : 1] = GetMostMemory();
+    peak[steps == 5 ? 0 : 1] = GetPeakMemory();
     files::remove_all(folder / "many");
   }
-  vtkNew<vtkTimeVaryingIntervalVolume> whole;
-  Set(whole, points, 21);
-  whole->Update();
-  most[2] = GetMostMemory();
-  std::cout << "most memory in MB: 4 slabs " << 1e-6 * most[0] << ", 20 slabs " << 1e-6 * most[1]
-            << ", all 20 at once " << 1e-6 * most[2] << std::endl;
-  check.That(most[1] - most[0] < 0.1 * (most[2] - most[0]) || most[2] == 0.0,
-    "five times as many slabs take no more memory");
+  vtkNew<vtkTimeVaryingIntervalVolume> all;
+  Set(all, points, 21);
+  all->Update();
+  peak[2] = GetPeakMemory();
+  std::cout << "peak memory in MB: 4 slabs " << 1e-6 * peak[0] << ", 20 slabs " << 1e-6 * peak[1]
+            << ", all 20 in one pass " << 1e-6 * peak[2] << std::endl;
+  check.That(peak[1] - peak[0] < 0.1 * (peak[2] - peak[0]) || peak[2] == 0.0,
+    "five times as many slabs do not increase the memory");
 }
 
 void TestErrors(const files::path& folder, Check& check)
@@ -337,10 +338,10 @@ void TestErrors(const files::path& folder, Check& check)
     return writer->Write() ? std::string() : observer->GetErrorMessage();
   };
   vtkNew<vtkTimeSlabWriter> writer;
-  check.That(writer->GetFileName() == nullptr, "no name by default");
-  check.That(write(writer).find("no FileName") != std::string::npos, "no name");
+  check.That(writer->GetFileName() == nullptr, "no file name by default");
+  check.That(write(writer).find("FileName is not set") != std::string::npos, "no name");
   writer->SetFileName((folder / "vortex.vtm").string().c_str());
-  check.That(write(writer).find("no input") != std::string::npos, "no input");
+  check.That(write(writer).find("No input") != std::string::npos, "no input");
   Set(writer, 8, 1);
   check.That(write(writer).find("At least two time steps") != std::string::npos, "one step");
   std::ofstream(folder / "file") << "no folder";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Ghost, hidden and blanked cells, cells of hidden points, and cells with NaN or infinity at a step
-// are left out of the slabs that the step ends and counted; everything else stays.
+// are skipped in the adjacent slabs and counted. Other cells are not affected.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceLattice.h"
 #include "Support/TimeVarying/ReferenceSimplices.h"
@@ -25,7 +25,7 @@ using namespace reference;
 
 constexpr double CellVolume = 0.1 * 0.3 * 0.7;
 constexpr int NumberOfCells = 4 * 4 * 4;
-/// A point inside the lattice of 5 x 5 x 5 points: eight cells use it.
+/// An interior point of the grid with 5 x 5 x 5 points. Eight cells use the point.
 constexpr vtkIdType InnerPoint = 2 + 5 * (2 + 5 * 2);
 const std::vector<double> Times = { 0, 1, 3 };
 
@@ -36,24 +36,25 @@ TimeSteps MakeSteps(const LatticeForm& form)
   return steps;
 }
 
-/// \a left cells of either slab are left out; \a count says which number of the report tells so.
-void CheckLeftOut(const TimeSteps& steps, const std::array<int, 2>& left, const char* count,
+/// Checks that \a skipped cells of each slab are skipped. \a count is the name of the report field
+/// that counts them.
+void CheckSkipped(const TimeSteps& steps, const std::array<int, 2>& skipped, const char* count,
   const std::string& what, Check& check)
 {
   const TimeVaryingExtraction found = ExtractTimeVarying(steps, { { { 0, 1 } } });
   double expected = 0;
   for (int slab = 0; slab < 2; ++slab)
   {
-    const double here = (NumberOfCells - left[slab]) * CellVolume * (Times[slab + 1] - Times[slab]);
+    const double here =
+      (NumberOfCells - skipped[slab]) * CellVolume * (Times[slab + 1] - Times[slab]);
     expected += here;
     check.Near(static_cast<double>(MeasureSimplices(found.Simplices, Any, slab).Sum), here, 1e-12,
       what + ": 4-simplices of slab " + std::to_string(slab));
   }
   check.Near(static_cast<double>(MeasureWeighted(found.Tetrahedra).Sum), expected, 1e-12,
     what + ": tetrahedra");
-  check.Near(
-    found.Report->GetNumber("Cells"), 2 * NumberOfCells, 0.0, what + ": cells of all slabs");
-  check.Near(found.Report->GetNumber(count), left[0] + left[1], 0.0, what + ": cells left out");
+  check.Equal(found.Report->GetCount("Cells"), 2 * NumberOfCells, what + ": cells of all slabs");
+  check.Equal(found.Report->GetCount(count), skipped[0] + skipped[1], what + ": cells skipped");
 }
 
 void SetGhost(const TimeSteps& steps, bool points, vtkIdType at, unsigned char flag)
@@ -74,28 +75,28 @@ void CheckForm(const LatticeForm& form, Check& check)
 {
   check.SetContext(form.Name);
   const char* const blanked = "BlankedCells";
-  CheckLeftOut(MakeSteps(form), { 0, 0 }, blanked, "nothing", check);
+  CheckSkipped(MakeSteps(form), { 0, 0 }, blanked, "nothing", check);
   for (unsigned char flag :
     { vtkDataSetAttributes::DUPLICATECELL, vtkDataSetAttributes::HIDDENCELL })
   {
     const TimeSteps steps = MakeSteps(form);
     SetGhost(steps, false, 21, flag);
-    CheckLeftOut(steps, { 1, 1 }, blanked, "cell flag", check);
+    CheckSkipped(steps, { 1, 1 }, blanked, "cell flag", check);
   }
   TimeSteps steps = MakeSteps(form);
   SetGhost(steps, true, InnerPoint, vtkDataSetAttributes::HIDDENPOINT);
-  CheckLeftOut(steps, { 8, 8 }, blanked, "hidden point", check);
+  CheckSkipped(steps, { 8, 8 }, blanked, "hidden point", check);
   steps = MakeSteps(form);
   SetGhost(steps, true, InnerPoint, vtkDataSetAttributes::DUPLICATEPOINT);
-  CheckLeftOut(steps, { 0, 0 }, blanked, "duplicate point", check);
-  // Blanked at one step only.
+  CheckSkipped(steps, { 0, 0 }, blanked, "duplicate point", check);
+  // Only one step has a hidden cell or point.
   steps = MakeSteps(form);
   SetGhost({ steps[0] }, false, 21, vtkDataSetAttributes::HIDDENCELL);
-  CheckLeftOut(steps, { 1, 0 }, blanked, "hidden at the first step", check);
+  CheckSkipped(steps, { 1, 0 }, blanked, "hidden at the first step", check);
   steps = MakeSteps(form);
   SetGhost({ steps[1] }, true, InnerPoint, vtkDataSetAttributes::HIDDENPOINT);
-  CheckLeftOut(steps, { 8, 8 }, blanked, "hidden point at the middle step", check);
-  const std::array<int, 2> left[] = { { 8, 0 }, { 8, 8 }, { 0, 8 } };
+  CheckSkipped(steps, { 8, 8 }, blanked, "hidden point at the second of three steps", check);
+  const std::array<int, 2> skipped[] = { { 8, 0 }, { 8, 8 }, { 0, 8 } };
   for (double value : { std::numeric_limits<double>::quiet_NaN(),
          std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
   {
@@ -103,7 +104,7 @@ void CheckForm(const LatticeForm& form, Check& check)
     {
       steps = MakeSteps(form);
       GetDataSet(steps[at])->GetPointData()->GetScalars()->SetComponent(InnerPoint, 0, value);
-      CheckLeftOut(steps, left[at], "NonFiniteCells",
+      CheckSkipped(steps, skipped[at], "NonFiniteCells",
         std::to_string(value) + " at step " + std::to_string(at), check);
     }
   }

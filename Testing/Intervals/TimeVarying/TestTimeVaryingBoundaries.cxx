@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The boundaries at the first and last step are the interval volume and its surfaces of that step;
-// each kind is made only when it is asked for.
+// The boundaries at the first and last step equal the interval volume of that step and its
+// surfaces. Each kind of boundary is generated only if requested.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceVolume.h"
@@ -27,56 +27,57 @@ namespace
 using namespace reference;
 
 using Filter = vtkTimeVaryingIntervalVolume;
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 
 const std::vector<Interval> Intervals = { { 0.2, 0.45 }, { 0.45, 0.8 } };
 
-Place PlaceOf(vtkUnstructuredGrid* grid, vtkIdType id)
+Position PositionOf(vtkUnstructuredGrid* grid, vtkIdType id)
 {
-  Place x;
+  Position x;
   grid->GetPoint(id, x.data());
   return x;
 }
 
-/// Cells as the sets of their points' places.
+/// Returns cells as the sets of their point coordinates.
 template <size_t N>
-std::multiset<std::set<Place>> PlacesOf(
+std::multiset<std::set<Position>> PositionsOf(
   vtkUnstructuredGrid* grid, const std::vector<std::array<vtkIdType, N>>& cells)
 {
-  std::multiset<std::set<Place>> places;
+  std::multiset<std::set<Position>> positions;
   for (const auto& cell : cells)
   {
-    std::set<Place> corners;
+    std::set<Position> corners;
     for (vtkIdType id : cell)
     {
-      corners.insert(PlaceOf(grid, id));
+      corners.insert(PositionOf(grid, id));
     }
-    places.insert(corners);
+    positions.insert(corners);
   }
-  return places;
+  return positions;
 }
 
 template <size_t N>
-std::set<Place> PointsOf(
+std::set<Position> PointsOf(
   vtkUnstructuredGrid* grid, const std::vector<std::array<vtkIdType, N>>& cells)
 {
-  std::set<Place> points;
-  for (const auto& corners : PlacesOf(grid, cells))
+  std::set<Position> points;
+  for (const auto& corners : PositionsOf(grid, cells))
   {
     points.insert(corners.begin(), corners.end());
   }
   return points;
 }
 
-/// The vector area of triangles: for surfaces with the same rim, the same however they are cut.
+/// Returns the vector area of triangles. It depends only on the boundary edges of a surface, not on
+/// its triangulation.
 std::array<double, 3> AreaOf(vtkUnstructuredGrid* grid, const std::vector<Triangle>& triangles)
 {
   std::array<double, 3> area{};
   for (const Triangle& t : triangles)
   {
-    const Place a = PlaceOf(grid, t[0]);
-    const Place b = PlaceOf(grid, t[1]);
-    const Place c = PlaceOf(grid, t[2]);
+    const Position a = PositionOf(grid, t[0]);
+    const Position b = PositionOf(grid, t[1]);
+    const Position c = PositionOf(grid, t[2]);
     for (int i = 0; i < 3; ++i)
     {
       const int j = (i + 1) % 3;
@@ -95,8 +96,8 @@ double VolumeOf(vtkUnstructuredGrid* grid, const std::vector<Tetrahedron>& tetra
     std::array<std::array<long double, 3>, 4> x;
     for (int i = 0; i < 4; ++i)
     {
-      const Place place = PlaceOf(grid, t[i]);
-      x[i] = { place[0], place[1], place[2] };
+      const Position position = PositionOf(grid, t[i]);
+      x[i] = { position[0], position[1], position[2] };
     }
     volume += Determinant(x[0], x[1], x[2], x[3]) / 6;
   }
@@ -114,8 +115,8 @@ void CheckEnd(const TimeSteps& steps, const TimeVaryingExtraction& found, int en
     const auto volume = BoundaryCellsOf<4>(found.Boundaries, i, Filter::VOLUME_AT_START + end);
     const auto tetrahedra = TetrahedraOf(expected.Volume, i);
     check.That(!tetrahedra.empty(), name + "there are tetrahedra");
-    check.That(PlacesOf(found.Boundaries, volume) == PlacesOf(expected.Volume, tetrahedra),
-      name + "the tetrahedra of vtkIntervalVolume");
+    check.That(PositionsOf(found.Boundaries, volume) == PositionsOf(expected.Volume, tetrahedra),
+      name + "the tetrahedra equal the output of vtkIntervalVolume");
     check.Near(VolumeOf(found.Boundaries, volume), VolumeOf(expected.Volume, tetrahedra), 1e-13,
       name + "signed volume");
     for (int side = 0; side < 2; ++side)
@@ -125,9 +126,9 @@ void CheckEnd(const TimeSteps& steps, const TimeVaryingExtraction& found, int en
       const auto triangles = BoundaryOf(expected.Surface, i, side);
       const std::string part = name + (side == 0 ? "lower" : "upper") + " surface: ";
       check.That(PointsOf(found.Boundaries, surface) == PointsOf(expected.Surface, triangles),
-        part + "the points of vtkIntervalVolume's");
-      check.That(PlacesOf(found.Boundaries, surface) == PlacesOf(expected.Surface, triangles),
-        part + "the triangles of vtkIntervalVolume");
+        part + "the points equal the output of vtkIntervalVolume");
+      check.That(PositionsOf(found.Boundaries, surface) == PositionsOf(expected.Surface, triangles),
+        part + "the triangles equal the output of vtkIntervalVolume");
       const auto area = AreaOf(found.Boundaries, surface);
       const auto known = AreaOf(expected.Surface, triangles);
       for (int a = 0; a < 3; ++a)
@@ -138,7 +139,7 @@ void CheckEnd(const TimeSteps& steps, const TimeVaryingExtraction& found, int en
   }
 }
 
-/// Each kind alone is the part of all kinds, and nothing else is made.
+/// Each kind generated separately is the corresponding part of all kinds.
 void CheckKinds(const TimeSteps& steps, const TimeVaryingExtraction& all, Check& check)
 {
   for (int kind = 0; kind < Filter::NUMBER_OF_BOUNDARY_KINDS; ++kind)
@@ -152,7 +153,7 @@ void CheckKinds(const TimeSteps& steps, const TimeVaryingExtraction& all, Check&
     Apply(settings, filter);
     filter->SetGenerateBoundary(kind, true);
     filter->Update();
-    const std::string name = "kind " + std::to_string(kind) + " alone: ";
+    const std::string name = "kind " + std::to_string(kind) + " only: ";
     auto* boundary = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(1));
     long long cells = 0;
     for (int i = 0; i < static_cast<int>(Intervals.size()); ++i)
@@ -161,22 +162,22 @@ void CheckKinds(const TimeSteps& steps, const TimeVaryingExtraction& all, Check&
       {
         const auto triangles = BoundaryCellsOf<3>(boundary, i, kind);
         cells += static_cast<long long>(triangles.size());
-        check.That(PlacesOf(boundary, triangles) ==
-            PlacesOf(all.Boundaries, BoundaryCellsOf<3>(all.Boundaries, i, kind)),
-          name + "the triangles of all kinds");
+        check.That(PositionsOf(boundary, triangles) ==
+            PositionsOf(all.Boundaries, BoundaryCellsOf<3>(all.Boundaries, i, kind)),
+          name + "the triangles equal the triangles of all kinds");
       }
       else
       {
         const auto tetrahedra = BoundaryCellsOf<4>(boundary, i, kind);
         cells += static_cast<long long>(tetrahedra.size());
-        check.That(PlacesOf(boundary, tetrahedra) ==
-            PlacesOf(all.Boundaries, BoundaryCellsOf<4>(all.Boundaries, i, kind)),
-          name + "the tetrahedra of all kinds");
+        check.That(PositionsOf(boundary, tetrahedra) ==
+            PositionsOf(all.Boundaries, BoundaryCellsOf<4>(all.Boundaries, i, kind)),
+          name + "the tetrahedra equal the tetrahedra of all kinds");
       }
     }
     check.That(cells > 0, name + "there are cells");
     check.Equal(boundary->GetNumberOfCells(), cells, name + "no cells of other kinds");
-    check.Near(filter->GetReport()->GetNumber("Boundaries", kind), cells, 0.0, name + "reported");
+    check.Equal(filter->GetReport()->GetCount("Boundaries", kind), cells, name + "reported");
     for (int port : { 0, 2 })
     {
       auto* other = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port));
@@ -194,7 +195,7 @@ int TestTimeVaryingBoundaries(int, char*[])
   {
     TimeSteps steps = RepeatGrid(grid.Data, { 1, 1.5, 4 });
     AddRandomTimeField(steps, 6);
-    check.SetContext(grid.Name + ", standing");
+    check.SetContext(grid.Name + ", static");
     const TimeVaryingExtraction found = ExtractTimeVarying(steps, { Intervals });
     CheckEnd(steps, found, 0, check);
     CheckEnd(steps, found, 1, check);
@@ -207,7 +208,7 @@ int TestTimeVaryingBoundaries(int, char*[])
       CheckEnd(steps, moved, 0, check);
       CheckEnd(steps, moved, 1, check);
     }
-    // A range of steps has its own start and end.
+    // A range of steps has a separate start and end.
     check.SetContext(grid.Name + ", the last two steps");
     TimeVaryingSettings settings = { Intervals };
     settings.Steps = { 1, 2 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Composite steps give composite outputs of the same structure, empty leaves included, with the
-// same simplices as the leaves one by one.
+// Composite steps yield composite outputs with the same structure, including empty leaves. The
+// simplices equal the results of the single leaves.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceLattice.h"
@@ -28,7 +28,7 @@ using namespace reference;
 const std::vector<double> Times = { 0, 1, 1.75 };
 const TimeVaryingSettings Settings = { { { 0.3, 0.6 } } };
 
-/// The steps of the leaves; each is put in a tree a time.
+/// Returns the time steps of each leaf. The leaves of a step form a tree.
 std::vector<TimeSteps> MakeLeaves()
 {
   std::vector<TimeSteps> leaves;
@@ -88,14 +88,14 @@ void CheckTree(const Tree& tree, Check& check)
   filter->SetInputConnection(source->GetOutputPort());
   Apply(Settings, filter);
   filter->Update();
-  check.That(source->GetMostAlive() <= 2, "two steps are alive at most");
+  check.That(source->GetMaximumAlive() <= 2, "at most two steps exist at a time");
   vtkDataObjectTree* outputs[3];
   for (int port = 0; port < 3; ++port)
   {
     outputs[port] = vtkDataObjectTree::SafeDownCast(filter->GetOutputDataObject(port));
     if (!check.That(
           outputs[port] && std::string(outputs[port]->GetClassName()) == first->GetClassName(),
-          "the output is composite and of the same class"))
+          "the output is composite and has the class of the input"))
     {
       return;
     }
@@ -134,15 +134,15 @@ void CheckTree(const Tree& tree, Check& check)
   }
   check.SetContext(first->GetClassName());
   check.Equal(compared, 3, "leaves compared");
-  check.Near(filter->GetReport()->GetNumber("Cells"), cells, 0.0,
-    "cells of all leaves and slabs in the report");
+  check.Equal(filter->GetReport()->GetCount("Cells"), cells,
+    "the report counts the cells of all leaves and slabs");
   filter->Modified();
   filter->Update();
-  check.Near(
-    filter->GetReport()->GetNumber("Cells"), cells, 0.0, "cells of the last execution only");
+  check.Equal(filter->GetReport()->GetCount("Cells"), cells,
+    "the report counts the cells of the last execution only");
 }
 
-/// From a grid to a tree and back: the outputs change with the input.
+/// The input changes from a grid to a tree and back, and the output type changes with it.
 void CheckChange(Check& check)
 {
   check.SetContext("grid, tree, grid");
@@ -165,7 +165,7 @@ void CheckChange(Check& check)
     {
       check.That(filter->GetOutputDataObject(port)->IsA(
                    GetDataSet(steps.front()) ? "vtkUnstructuredGrid" : "vtkMultiBlockDataSet"),
-        "output of the input's kind");
+        "the output has the type of the input");
     }
   }
   const std::string difference =

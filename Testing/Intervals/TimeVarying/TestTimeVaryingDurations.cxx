@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sum of DeltaT over the tetrahedra that hold a point of space is the time that the function is
-// in the interval there.
+// The sum of DeltaT over the tetrahedra that contain a point is the time that the function at the
+// point is in the interval.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceMesh.h"
 #include "Support/TimeVarying/ReferenceSimplices.h"
@@ -23,7 +23,8 @@ using namespace reference;
 constexpr int Samples = 40;
 const std::vector<double> Times = { -0.5, 0.25, 1.5 };
 
-/// Points within a tenth of the size of the middle of the domain, where every grid has cells.
+/// Tests points near the center of the domain, within a tenth of its size, where every grid has
+/// cells.
 template <typename Known>
 void CheckDurations(const TimeSteps& steps, const Interval& interval, Known&& known,
   const std::string& name, Check& check)
@@ -33,7 +34,7 @@ void CheckDurations(const TimeSteps& steps, const Interval& interval, Known&& kn
   double box[6];
   GetDataSet(steps.front())->GetBounds(box);
   std::mt19937 random(11);
-  std::uniform_real_distribution<double> share(0.35, 0.65);
+  std::uniform_real_distribution<double> fraction(0.35, 0.65);
   double worst = 0;
   double longest = 0;
   for (int sample = 0; sample < Samples; ++sample)
@@ -41,7 +42,7 @@ void CheckDurations(const TimeSteps& steps, const Interval& interval, Known&& kn
     std::array<double, 3> x;
     for (int a = 0; a < 3; ++a)
     {
-      x[a] = box[2 * a] + share(random) * (box[2 * a + 1] - box[2 * a]);
+      x[a] = box[2 * a] + fraction(random) * (box[2 * a + 1] - box[2 * a]);
     }
     const double expected = static_cast<double>(known(x));
     const double duration = static_cast<double>(DurationAt(found.Tetrahedra, x));
@@ -49,7 +50,7 @@ void CheckDurations(const TimeSteps& steps, const Interval& interval, Known&& kn
     worst = std::max(worst, std::abs(duration - expected));
     longest = std::max(longest, expected);
   }
-  check.That(longest > 0, "the function is in the interval somewhere");
+  check.That(longest > 0, "the function is in the interval at some points");
   std::cout << name << ": largest error of a duration " << worst << '\n';
 }
 
@@ -58,7 +59,7 @@ double Linear(const std::array<double, 3>& x, double time)
   return 0.3 + 0.7 * x[0] - 0.4 * x[1] + 0.9 * x[2] + 0.8 * time;
 }
 
-/// How long a function linear in time is in an interval at a point.
+/// Returns the time that a function linear in time is in an interval at a point.
 double LinearDuration(const std::array<double, 3>& x, const Interval& interval)
 {
   constexpr double rate = 0.8;
@@ -81,9 +82,9 @@ int TestTimeVaryingDurations(int, char*[])
       check);
     AddSpaceTimeField(steps,
       [](const std::array<double, 3>& x, double time, vtkIdType) { return Linear(x, time); });
-    const double* centre = grid.Data->GetCenter();
-    const double middle = Linear({ centre[0], centre[1], centre[2] }, 0.4);
-    const Interval around = { middle - 0.31, middle + 0.27 };
+    const double* center = grid.Data->GetCenter();
+    const double midpoint = Linear({ center[0], center[1], center[2] }, 0.4);
+    const Interval around = { midpoint - 0.31, midpoint + 0.27 };
     CheckDurations(
       steps, around, [&](const std::array<double, 3>& x) { return LinearDuration(x, around); },
       grid.Name + ", linear", check);
@@ -93,7 +94,7 @@ int TestTimeVaryingDurations(int, char*[])
       CheckDurations(
         steps, { 0.4, 0.8 },
         [&](const std::array<double, 3>& x) { return DurationAt(steps, "f", 0.4, 0.8, x); },
-        grid.Name + ", linear in each", check);
+        grid.Name + ", multilinear", check);
     }
   }
   return check.Result();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wrong steps and wrong settings: an error that says what and names the step, outputs that are
-// empty, and the filter works again once they are right.
+// Invalid steps and settings: an error names the problem and the step, outputs are empty, and the
+// filter works again after a correction.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Meshes/ReferenceLattice.h"
@@ -41,7 +41,7 @@ TimeSteps MakeMixed(const std::vector<double>& times = { 0, 1, 2, 3 })
   return MakeSteps(MakeMesh(MeshKind::Mixed, { 2, 2, 2 }), times);
 }
 
-/// Four steps, the one of number 2 replaced.
+/// Returns four steps, of which step 2 is replaced.
 TimeSteps With(vtkDataSet* grid, vtkDataSet* other)
 {
   TimeSteps steps = MakeSteps(grid, { 10, 10.5, 11, 13 });
@@ -53,10 +53,10 @@ struct ErrorCase
 {
   std::string Name;
   TimeSteps Steps;
-  /// What the message has to hold: the step's number or its time, or a value.
+  /// Texts that the message must contain: the step index, its time, or a value.
   std::vector<std::string> Named;
   std::function<void(vtkTimeVaryingIntervalVolume*)> Break = [](vtkTimeVaryingIntervalVolume*) {};
-  bool TellsTimes = true;
+  bool HasTimes = true;
 };
 
 bool IsEmpty(vtkDataObject* data)
@@ -77,15 +77,15 @@ std::vector<ErrorCase> StepCases()
     { "more cells", With(boxes, MakeMesh(MeshKind::Hexahedra, { 3, 2, 2 })), { "step 2" } },
     { "other cells on the same points", With(boxes, TurnCells(boxes, 3)), { "step 2" } },
     { "cells of another type", With(boxes, MakeMesh(MeshKind::Voxels, { 2, 2, 2 })), { "step 2" } },
-    { "points numbered otherwise", With(mixed, RenumberPoints(mixed, 3)), { "step 2" } },
+    { "points with other numbers", With(mixed, RenumberPoints(mixed, 3)), { "step 2" } },
     { "polyhedra with other faces",
       With(MakeMesh(MeshKind::Boxes, { 2, 2, 2 }),
         TurnCells(MakeMesh(MeshKind::Boxes, { 2, 2, 2 }), 5)),
       { "step 2" } },
     { "another type of grid", With(image, boxes), { "step 2" } },
     { "an image of other dimensions", With(image, MakeImage({ 3, 4, 3 })), { "step 2" } },
-    { "the same number of points otherwise", With(MakeImage({ 3, 4, 3 }), MakeImage({ 4, 3, 3 })),
-      { "step 2" } } };
+    { "the same number of points in other dimensions",
+      With(MakeImage({ 3, 4, 3 }), MakeImage({ 4, 3, 3 })), { "step 2" } } };
   {
     ErrorCase missing = { "a step without the array", MakeMixed(), { "\"f\"", "step 2" } };
     GetDataSet(missing.Steps[2])->GetPointData()->RemoveArray("f");
@@ -105,7 +105,7 @@ std::vector<ErrorCase> StepCases()
     cases.push_back(vectors);
   }
   {
-    // Steps are named by their number in the input, not in the range.
+    // Messages name steps by their index in the input, not in the range.
     ErrorCase late = { "more cells, in a range", With(boxes, mixed), { "step 2" } };
     late.Break = [](vtkTimeVaryingIntervalVolume* filter) { filter->SetTimeStepRange(1, 3); };
     cases.push_back(late);
@@ -114,8 +114,8 @@ std::vector<ErrorCase> StepCases()
     cases.push_back(late);
   }
   {
-    ErrorCase none = { "no times at all", MakeMixed(), {} };
-    none.TellsTimes = false;
+    ErrorCase none = { "no times", MakeMixed(), {} };
+    none.HasTimes = false;
     cases.push_back(none);
   }
   return cases;
@@ -131,17 +131,17 @@ std::vector<ErrorCase> SettingCases()
       [](Filter* filter) { filter->SetInterval(0, NaN, 0.5); } },
     { "a bound that is infinite", steps, { "inf" },
       [](Filter* filter) { filter->SetInterval(0, 0.5, Infinity); } },
-    { "an array that is not there", steps, { "nosuch" },
+    { "an array that does not exist", steps, { "nosuch" },
       [](Filter* filter) {
         filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "nosuch");
       } },
     { "a range of one step", steps, { "2 to 2" },
       [](Filter* filter) { filter->SetTimeStepRange(2, 2); } },
-    { "a range that is turned", steps, { "3", "1" },
+    { "a reversed range", steps, { "3", "1" },
       [](Filter* filter) { filter->SetTimeStepRange(3, 1); } },
-    { "a range beyond the steps", steps, { "7" },
+    { "a range outside the steps", steps, { "7" },
       [](Filter* filter) { filter->SetTimeStepRange(7, 9); } },
-    { "no direction", steps, { "direction" },
+    { "a zero direction", steps, { "direction" },
       [](Filter* filter) { filter->SetProjectionDirection(0, 0, 0, 0); } },
     { "a direction that is NaN", steps, { "direction" },
       [](Filter* filter) { filter->SetProjectionDirection(0, NaN, 0, 1); } } };
@@ -152,7 +152,7 @@ void CheckCase(const ErrorCase& one, Check& check)
   check.SetContext(one.Name);
   vtkNew<TemporalGrids> source;
   source->SetSteps(one.Steps);
-  source->SetTellsTimes(one.TellsTimes);
+  source->SetReportsTimes(one.HasTimes);
   vtkNew<vtkTimeVaryingIntervalVolume> filter;
   filter->SetInputConnection(source->GetOutputPort());
   const TimeVaryingSettings settings = { { { 0.25, 0.75 } } };
@@ -162,7 +162,7 @@ void CheckCase(const ErrorCase& one, Check& check)
   check.That(!messages.empty(), "there is an error");
   for (const std::string& part : one.Named)
   {
-    // What comes before is the line of the source and the address of the object.
+    // Skips the source line and the address of the object.
     const size_t words = messages.find("): ");
     check.That(words != std::string::npos && messages.find(part, words) != std::string::npos,
       "the error names " + part + ": " + messages);
@@ -172,19 +172,19 @@ void CheckCase(const ErrorCase& one, Check& check)
     check.That(IsEmpty(filter->GetOutputDataObject(port)), "the output is empty");
   }
   source->SetSteps(MakeMixed());
-  source->SetTellsTimes(true);
+  source->SetReportsTimes(true);
   Apply(settings, filter);
   filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "f");
   const std::string later = MessagesOf(filter);
-  check.That(later.empty(), "mended, there is no error: " + later);
+  check.That(later.empty(), "no error after the correction: " + later);
   for (int port = 0; port < 3; ++port)
   {
     auto* grid = vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port));
-    check.That(grid && grid->GetNumberOfCells() > 0, "mended, there is output");
+    check.That(grid && grid->GetNumberOfCells() > 0, "output after the correction");
   }
 }
 
-/// Nothing to do is no error, but a warning says why.
+/// An empty result is not an error, but a warning states the reason.
 void CheckNothing(Check& check)
 {
   vtkNew<TemporalGrids> source;
@@ -199,8 +199,9 @@ void CheckNothing(Check& check)
     const std::string warning = WarningsOf(filter);
     const std::string expected = settings.Intervals.empty()
       ? "no interval is set"
-      : "the interval [3, 4] at any time; the array \"f\" goes from 0";
-    check.That(warning.find(expected) != std::string::npos, "the warning says it: " + warning);
+      : "the interval [3, 4] at any time; the array \"f\" ranges from 0";
+    check.That(
+      warning.find(expected) != std::string::npos, "the warning states the reason: " + warning);
     for (int port = 0; port < 3; ++port)
     {
       check.That(IsEmpty(filter->GetOutputDataObject(port)), "the output is empty");
@@ -210,11 +211,12 @@ void CheckNothing(Check& check)
   source->SetSteps(MakeSteps(vtkNew<vtkUnstructuredGrid>()));
   Apply({ { { 0.25, 0.75 } } }, filter);
   const std::string warning = WarningsOf(filter);
-  check.That(warning.find("no points") != std::string::npos, "the warning says it: " + warning);
+  check.That(
+    warning.find("no points") != std::string::npos, "the warning states the reason: " + warning);
   check.That(IsEmpty(filter->GetOutputDataObject(0)), "the output is empty");
 }
 
-/// Blocks that change between steps.
+/// Blocks that change between steps are an error.
 void CheckBlocks(Check& check)
 {
   check.SetContext("blocks");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Adjacent intervals fill the domain in space and time without cracks, on every grid, standing and
-// moving, over several slabs: independent random values, so that none equals a bound.
+// Adjacent intervals fill the domain in space and time without cracks, on every grid, static and
+// moving, over several slabs. Independent random values do not equal a bound.
 #include "Support/TimeVarying/ReferenceFilling.h"
 
 #include "vtkDataSet.h"
@@ -28,9 +28,9 @@ int TestTimeVaryingFilling(int, char*[])
       {
         const TimeSteps moving = RepeatGrid(grid.Data, times);
         MoveInside(moving, 0.02 * grid.Data->GetLength(), seed);
-        fill(moving, "points inside moving");
+        fill(moving, "interior points moving");
         MovePoints(moving, Stretch);
-        fill(moving, "stretched and points inside moving");
+        fill(moving, "stretched, and interior points moving");
       }
       Print(counts, grid.Name);
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same lattice as image, rectilinear, structured and unstructured grid gives the same
+// The same regular grid as image, rectilinear, structured and unstructured grid yields the same
 // 4-simplices, tetrahedra and boundaries.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
@@ -16,7 +16,7 @@ namespace
 
 using namespace reference;
 
-/// What each output is made of, whatever its numbers.
+/// The contents of each output, independent of the numbering.
 struct Sets
 {
   std::vector<GeometricSimplex> Tetrahedra;
@@ -45,11 +45,14 @@ void CheckForms(const std::vector<Interval>& intervals, bool integers, Check& ch
       expected = found;
       check.That(
         !expected.Tetrahedra.empty() && !expected.Boundaries.empty() && !expected.Simplices.empty(),
-        "there is output");
+        "the output is not empty");
     }
-    check.That(found.Tetrahedra == expected.Tetrahedra, "the tetrahedra of the image");
-    check.That(found.Boundaries == expected.Boundaries, "the boundaries of the image");
-    check.That(found.Simplices == expected.Simplices, "the 4-simplices of the image");
+    check.That(
+      found.Tetrahedra == expected.Tetrahedra, "the tetrahedra equal the tetrahedra of the image");
+    check.That(
+      found.Boundaries == expected.Boundaries, "the boundaries equal the boundaries of the image");
+    check.That(
+      found.Simplices == expected.Simplices, "the 4-simplices equal the 4-simplices of the image");
   }
 }
 

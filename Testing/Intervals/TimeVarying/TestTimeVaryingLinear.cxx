@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions linear in space and time: the hypervolume is exact on every grid, standing and moving,
-// along every direction of projection. On tetrahedra also functions linear in each.
+// Functions linear in space and time: the hypervolume is exact on every grid, static and moving,
+// for every direction of projection. On tetrahedra, this also holds for functions that are linear
+// in space and in time separately.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/TimeVarying/ReferenceSimplices.h"
 #include "Support/TimeVarying/ReferenceSpaceTime.h"
@@ -25,7 +26,7 @@ const std::vector<double> Times = { -0.5, 0.25, 1.5 };
 const std::vector<std::array<double, 4>> Directions = { { 0, 0, 0, 1 }, { 1, 1, 1, 1 },
   { 1, 0, 0, 0 }, { 0, 0, 0, -2.5 }, { 0.3, -1.7, 0.2, 0.9 }, { 0, 0, 1e-9, 1 } };
 
-/// Interval bounds that cut the range of the function into four parts, the middle two used.
+/// Divides the range of the function into four parts and returns the two inner intervals.
 std::vector<Interval> IntervalsOf(const TimeSteps& steps)
 {
   double range[2] = { 1e300, -1e300 };
@@ -36,7 +37,7 @@ std::vector<Interval> IntervalsOf(const TimeSteps& steps)
     range[0] = std::min(range[0], here[0]);
     range[1] = std::max(range[1], here[1]);
   }
-  const auto at = [&](double share) { return range[0] + share * (range[1] - range[0]); };
+  const auto at = [&](double fraction) { return range[0] + fraction * (range[1] - range[0]); };
   return { { at(0.237), at(0.419) }, { at(0.419), at(0.731) } };
 }
 
@@ -80,13 +81,13 @@ int TestTimeVaryingLinear(int, char*[])
   for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 2, 3, 2 }, 3))
   {
     double worst = 0;
-    check.SetContext(grid.Name + ", standing");
+    check.SetContext(grid.Name + ", static");
     const TimeSteps standing = RepeatGrid(grid.Data, Times);
     AddSpaceTimeField(standing, linear);
     CheckHypervolumes(standing, worst, check);
     if (IsTetrahedral(grid.Data))
     {
-      check.SetContext(grid.Name + ", linear in each");
+      check.SetContext(grid.Name + ", multilinear");
       AddDriftingField(standing, 0.6, 2);
       CheckHypervolumes(standing, worst, check);
     }

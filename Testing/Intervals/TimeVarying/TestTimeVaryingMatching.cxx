@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is promised where values equal bounds, in time and at slices: 4-simplices match with the
-// orientation of their faces over all slabs, boundaries have what bounds them, and the slice at a
-// step is the interval volume of that step, tetrahedron by tetrahedron. Upper bounds are shared, so
-// that a value equal to one is outside, and not shared, so that it is inside.
+// Documented guarantees for values equal to bounds, in time and for slices: 4-simplices match with
+// opposite orientation over all slabs, boundaries are complete, and the slice at a step equals the
+// interval volume of that step, tetrahedron by tetrahedron. Tested with shared upper bounds, where
+// equal values are outside, and with other upper bounds, where they are inside.
 #include "Support/Inputs/DataFiles.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceMatching.h"
@@ -16,7 +16,7 @@ namespace
 
 using namespace reference;
 
-/// Three places of one volume, a voxel apart, as three steps.
+/// Uses three subvolumes of a volume, shifted by one voxel, as three time steps.
 void CheckVolume(const std::string& file, Check& check)
 {
   check.SetContext(file);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A source that writes every step into the same array gives what one with an array a step gives,
-// whether it says that the array has changed or not.
+// A source that writes every step into the same array yields the same output as a source with one
+// array per step, whether the source marks the array as modified or not.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceMesh.h"
@@ -26,7 +26,8 @@ namespace
 
 using namespace reference;
 
-/// Hands out one grid, into which it copies the scalars, and the points, of the step asked for.
+/// Returns the same grid for every step and copies the scalars and points of the requested step
+/// into it.
 class InPlaceSource : public vtkUnstructuredGridAlgorithm
 {
 public:
@@ -34,7 +35,7 @@ public:
   vtkTypeMacro(InPlaceSource, vtkUnstructuredGridAlgorithm);
 
   TimeSteps Steps;
-  bool SaysSo = true;
+  bool MarksModified = true;
   int Requests = 0;
 
 protected:
@@ -70,7 +71,7 @@ protected:
     }
     Overwrite(from->GetPoints()->GetData(), this->Grid->GetPoints()->GetData());
     Overwrite(from->GetPointData()->GetScalars(), this->Grid->GetPointData()->GetScalars());
-    if (this->SaysSo)
+    if (this->MarksModified)
     {
       this->Grid->GetPoints()->GetData()->Modified();
       this->Grid->GetPointData()->GetScalars()->Modified();
@@ -98,13 +99,13 @@ private:
 
 vtkStandardNewMacro(InPlaceSource);
 
-void CheckSource(const TimeSteps& steps, bool saysSo, Check& check)
+void CheckSource(const TimeSteps& steps, bool reportsError, Check& check)
 {
   const TimeVaryingSettings settings = { { { 0.2, 0.7 } } };
   const TimeVaryingExtraction expected = ExtractTimeVarying(steps, settings);
   vtkNew<InPlaceSource> source;
   source->Steps = steps;
-  source->SaysSo = saysSo;
+  source->MarksModified = reportsError;
   vtkNew<vtkTimeVaryingIntervalVolume> filter;
   filter->SetInputConnection(source->GetOutputPort());
   Apply(settings, filter);
@@ -117,10 +118,10 @@ void CheckSource(const TimeSteps& steps, bool saysSo, Check& check)
     check.That(FindDifference(
                  vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port)), known[port])
                  .empty(),
-      "port " + std::to_string(port) + " is that of a source with an array a step");
+      "port " + std::to_string(port) + " equals the output for one array per step");
   }
   check.Equal(source->Requests, static_cast<long long>(steps.size()) + 2,
-    "steps asked for, two of them again");
+    "requested steps, two of them repeatedly");
 }
 
 }
@@ -132,10 +133,10 @@ int TestTimeVaryingOverwritten(int, char*[])
   {
     TimeSteps steps = RepeatGrid(MakeMesh(kind, { 3, 3, 2 }), { 0, 1, 1.5 });
     AddRandomTimeField(steps, 4);
-    for (bool saysSo : { true, false })
+    for (bool reportsError : { true, false })
     {
-      check.SetContext(GetName(kind) + (saysSo ? ", told" : ", not told"));
-      CheckSource(steps, saysSo, check);
+      check.SetContext(GetName(kind) + (reportsError ? ", modified" : ", not modified"));
+      CheckSource(steps, reportsError, check);
     }
     MovePoints(steps, Stretch);
     check.SetContext(GetName(kind) + ", moving");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress is told and never runs backwards, an abort leaves empty outputs, and PrintSelf prints
+// Progress is reported and never decreases, an abort leaves empty outputs, and PrintSelf prints
 // every public value.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -33,11 +33,11 @@ void CheckData(vtkDataSet* data, Check& check)
   Observe(filter, watch);
   filter->Update();
   const vtkIdType cells = filter->GetOutput()->GetNumberOfCells();
-  check.That(cells > 0, "there is output");
+  check.That(cells > 0, "the output is not empty");
   CheckGrowth(watch, steps.size(), check);
   check.That(std::any_of(watch.Progress.begin(), watch.Progress.end(),
                [](double at) { return at > 0.2 && at < 0.8; }),
-    "progress is told on the way");
+    "intermediate progress is reported");
   for (double at : { 0.0, 0.3, 0.6, 0.9 })
   {
     watch = ProgressWatch();
@@ -52,13 +52,14 @@ void CheckData(vtkDataSet* data, Check& check)
       check.Equal(grid->GetNumberOfCells(), 0, "cells when aborted at " + std::to_string(at));
     }
     check.That(at > 0.5 || source->GetRequests().size() < steps.size(),
-      "no more steps are asked for after an abort");
+      "no steps are requested after an abort");
   }
   watch = ProgressWatch();
   filter->SetAbortExecute(0);
   filter->Modified();
   filter->Update();
-  check.Equal(filter->GetOutput()->GetNumberOfCells(), cells, "cells after an abort is taken back");
+  check.Equal(
+    filter->GetOutput()->GetNumberOfCells(), cells, "cells after the abort flag is cleared");
 }
 
 void CheckPrint(Check& check)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The references of the tests of time-varying interval volumes against numbers that are known.
+// The reference implementations for time-varying interval volumes, compared with known numbers.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExact.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -29,19 +29,19 @@ double Near(long double value)
   return static_cast<double>(value);
 }
 
-void CheckShares(Check& check)
+void CheckFractions(Check& check)
 {
-  check.SetContext("shares");
-  check.Near(Near(ShareBelow({ 0, 1 }, 0.25)), 0.25, 1e-18, "segment", 1);
-  check.Near(Near(ShareBelow({ 0, 0, 1 }, 0.25)), 1 - 0.75 * 0.75, 1e-18, "triangle", 1);
-  // The part at one vertex is a smaller copy.
-  check.Near(Near(ShareBelow({ 0, 1, 1, 1, 1 }, 0.5)), 0.0625, 1e-18, "4-simplex, below", 1);
-  check.Near(Near(ShareBelow({ -3, -3, -3, -3, 1 }, 0)), 1 - std::pow(0.25, 4), 1e-18,
+  check.SetContext("fractions");
+  check.Near(Near(FractionBelow({ 0, 1 }, 0.25)), 0.25, 1e-18, "segment", 1);
+  check.Near(Near(FractionBelow({ 0, 0, 1 }, 0.25)), 1 - 0.75 * 0.75, 1e-18, "triangle", 1);
+  // The region at one vertex is a scaled copy of the simplex.
+  check.Near(Near(FractionBelow({ 0, 1, 1, 1, 1 }, 0.5)), 0.0625, 1e-18, "4-simplex, below", 1);
+  check.Near(Near(FractionBelow({ -3, -3, -3, -3, 1 }, 0)), 1 - std::pow(0.25, 4), 1e-18,
     "4-simplex, above", 1);
-  check.Near(Near(ShareBelow({ 1, 1, 1 }, 1)), 1, 0, "constant and equal");
-  check.Near(Near(ShareBelow({ 1, 1, 1 }, 0)), 0, 0, "constant and above", 1);
-  // Four values one apart, one 1e-15 off: the sum of half shares by symmetry.
-  check.Near(Near(ShareBelow({ 0, 1e-15L, 1, 1 }, 0.5)), 0.5, 1e-14, "nearly equal values");
+  check.Near(Near(FractionBelow({ 1, 1, 1 }, 1)), 1, 0, "constant and equal");
+  check.Near(Near(FractionBelow({ 1, 1, 1 }, 0)), 0, 0, "constant and above", 1);
+  // Four values at a distance of 1, one shifted by 1e-15: a half by symmetry.
+  check.Near(Near(FractionBelow({ 0, 1e-15L, 1, 1 }, 0.5)), 0.5, 1e-14, "nearly equal values");
 }
 
 void CheckExact(Check& check)
@@ -50,23 +50,24 @@ void CheckExact(Check& check)
   const Exact tiny = std::ldexp(1, -200);
   const Exact huge = std::ldexp(1, 200);
   check.Equal((huge + tiny - huge).Sign(), 1, "2^200 + 2^-200 - 2^200");
-  check.Equal((huge + tiny - huge - tiny).Sign(), 0, "and less 2^-200");
+  check.Equal((huge + tiny - huge - tiny).Sign(), 0, "minus 2^-200");
   check.Equal(((huge + tiny) * (huge - tiny) - huge * huge + tiny * tiny).Sign(), 0, "(a+b)(a-b)");
-  check.Equal((Exact(0.1) * 10 - 1).Sign(), 1, "0.1 is a little more than a tenth");
+  check.Equal((Exact(0.1) * 10 - 1).Sign(), 1, "0.1 in binary exceeds one tenth");
   const ExactPoint o = { 0, 0, 0 };
   const ExactPoint x = { 1, 0, 0 };
   const ExactPoint y = { 0, 1, 0 };
   const ExactPoint z = { 0, 0, 1 };
   check.Near(Near(ExactDeterminant({ o, x, y, z }).Round()), 1, 0, "unit tetrahedron");
   check.Near(Near(Determinant({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 })), 1, 0,
-    "and the same in long double");
+    "unit tetrahedron in long double");
 }
 
-/// Integral over a time of the volume of { x in a box : linear function <= value }, by Gauss.
+/// Integrates the volume of { x in a box : linear function <= value } over time by Gaussian
+/// quadrature.
 double BoxIntegral(const std::array<double, 3>& size, const LinearFunction& function, double rate,
   double value, double begin, double end)
 {
-  // The volume is piecewise cubic in time: many pieces make it as good as exact.
+  // The volume is piecewise cubic in time. With many intervals the error is negligible.
   constexpr int pieces = 20000;
   const double step = (end - begin) / pieces;
   const double node = 0.5 / std::sqrt(3.0);
@@ -99,7 +100,7 @@ void CheckHypervolumes(Check& check)
       Near(HypervolumeBetween(steps, "f", 0.1, 0.8)), expected, 1e-9, "linear in space and time");
     check.Near(Near(DomainHypervolume(steps)), 12 * 1.25, 1e-15, "domain");
   }
-  // The volume of the stretched box is cubic in time: Simpson's rule is exact.
+  // The volume of the stretched box is cubic in time. Simpson's rule is exact.
   const auto volume = [](double t)
   { return 2 * (1 + 0.31 * t) * 3 * (1 - 0.13 * t) * 2 * (1 + 0.07 * t); };
   check.SetContext("moving");
@@ -116,8 +117,10 @@ void CheckDurations(Check& check)
   const TimeSteps steps = RepeatGrid(MakeMesh(MeshKind::Tetrahedra6, { 2, 2, 2 }), { 0, 1, 3 });
   AddSpaceTimeField(
     steps, [](const std::array<double, 3>& x, double time, vtkIdType) { return x[0] + time; });
-  check.Near(Near(DurationAt(steps, "f", 1, 2.5, { 0.4, 0.7, 1.1 })), 1.5, 1e-15, "all of it");
-  check.Near(Near(DurationAt(steps, "f", 1, 2.5, { 1.6, 0.7, 1.1 })), 0.9, 1e-15, "the end of it");
+  check.Near(Near(DurationAt(steps, "f", 1, 2.5, { 0.4, 0.7, 1.1 })), 1.5, 1e-15,
+    "the entire interval is within the time range");
+  check.Near(Near(DurationAt(steps, "f", 1, 2.5, { 1.6, 0.7, 1.1 })), 0.9, 1e-15,
+    "the end of the interval is within the time range");
   check.Near(Near(DurationAt(steps, "f", 1, 2.5, { 2.6, 0.7, 1.1 })), 0, 0, "outside", 1);
 }
 
@@ -133,8 +136,8 @@ void CheckFaces(Check& check)
     inner += use.Plus == 1 && use.Minus == 1 ? 1 : 0;
     outer += use.Total() == 1 ? 1 : 0;
   }
-  check.Equal(inner, 1, "faces of two 4-simplices that are matched");
-  check.Equal(outer, 8, "faces of two 4-simplices that are not");
+  check.Equal(inner, 1, "matching faces of two 4-simplices");
+  check.Equal(outer, 8, "faces of two 4-simplices that do not match");
   check.Near(Near(SimplexHypervolume({ { { 0, 0, 0, 0 }, { 1, 0, 0, 0 }, { 0, 1, 0, 0 },
                { 0, 0, 1, 0 }, { 0, 0, 0, 1 } } })),
     1.0 / 24, 1e-18, "hypervolume of the unit 4-simplex");
@@ -148,24 +151,25 @@ void CheckSource(Check& check)
     steps, [](const std::array<double, 3>&, double time, vtkIdType) { return 10 * time; });
   vtkNew<TemporalGrids> source;
   source->SetSteps(steps);
-  vtkSmartPointer<vtkDataArray> kept;
+  vtkSmartPointer<vtkDataArray> retained;
   for (double time : { 1.5, 2.5, 0.5 })
   {
     source->UpdateTimeStep(time);
     auto* data = vtkDataSet::SafeDownCast(source->GetOutputDataObject(0));
-    if (!check.That(data && data->GetPointData()->GetScalars(), "there is a step"))
+    if (!check.That(data && data->GetPointData()->GetScalars(), "the step exists"))
     {
       return;
     }
-    check.Near(data->GetPointData()->GetScalars()->GetComponent(0, 0), 10 * time, 0, "its values");
-    if (!kept)
+    check.Near(
+      data->GetPointData()->GetScalars()->GetComponent(0, 0), 10 * time, 0, "values of the step");
+    if (!retained)
     {
-      kept = data->GetPointData()->GetScalars();
+      retained = data->GetPointData()->GetScalars();
     }
   }
   check.That(
-    source->GetRequests() == std::vector<int>({ 1, 2, 0 }), "steps in the order asked for");
-  check.Equal(source->GetMostAlive(), 2, "steps alive, one being kept");
+    source->GetRequests() == std::vector<int>({ 1, 2, 0 }), "steps in the requested order");
+  check.Equal(source->GetMaximumAlive(), 2, "number of existing steps while one is held");
 }
 
 }
@@ -173,7 +177,7 @@ void CheckSource(Check& check)
 int TestTimeVaryingReference(int, char*[])
 {
   Check check;
-  CheckShares(check);
+  CheckFractions(check);
   CheckExact(check);
   CheckHypervolumes(check);
   CheckDurations(check);

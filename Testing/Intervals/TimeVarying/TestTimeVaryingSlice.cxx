@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Slices of the 4-simplices: at a time step the interval volume of that step, whatever values equal
-// bounds; adjacent intervals tile the domain at steps, close to them and between; exact between
-// steps for functions linear in space and time, and of second order in the step for a smooth one.
+// Slices of 4-simplices: a slice at a time step equals the interval volume of the step, even for
+// values equal to bounds. Adjacent intervals tile the domain at steps, close to steps and between
+// steps. Slices are exact for functions linear in space and time, and second order in the time step
+// for a smooth function.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceMesh.h"
@@ -42,11 +43,11 @@ void CheckSteps(const TimeSteps& steps, Check& check)
       GeometricSet(ExtractIntervals(GetDataSet(step), Intervals).Volume, { "IntervalId" });
     check.That(!expected.empty(), "there are tetrahedra");
     check.That(GeometricSet(SliceAt(simplices, step.Time), { "IntervalId" }) == expected,
-      "the tetrahedra of vtkIntervalVolume at time " + std::to_string(step.Time));
+      "the tetrahedra equal the output of vtkIntervalVolume at time " + std::to_string(step.Time));
   }
 }
 
-/// Values equal to bounds, shared or not: the volume of each slice is that of the step.
+/// Values equal to bounds, shared or not: the volume of each slice equals the volume of the step.
 void CheckTies(const TimeSteps& steps, const std::vector<Interval>& intervals, Check& check)
 {
   const auto simplices = SimplicesOf(steps, intervals);
@@ -63,7 +64,7 @@ void CheckTies(const TimeSteps& steps, const std::vector<Interval>& intervals, C
   }
 }
 
-/// Intervals that hold all values tile the domain at any time.
+/// Intervals that cover all values tile the domain at any time.
 void CheckTiling(const TimeSteps& steps, const std::vector<Interval>& intervals, Check& check)
 {
   const auto simplices = SimplicesOf(steps, intervals);
@@ -71,11 +72,11 @@ void CheckTiling(const TimeSteps& steps, const std::vector<Interval>& intervals,
   for (const double time : { 1.0, 1.000001, 1.25, 1.499999, 1.5, 1.500001, 3.999999, 4.0 })
   {
     check.Near(static_cast<double>(MeasureTetrahedra(SliceAt(simplices, time)).Sum) / domain, 1,
-      1e-12, "sum of the volumes over the domain's at time " + std::to_string(time));
+      1e-12, "sum of the volumes relative to the domain at time " + std::to_string(time));
   }
 }
 
-/// \a at gives the grid with its array as it is at a time.
+/// Compares slices with interval volumes of a grid at a time. \a at returns the grid.
 template <typename At>
 void CheckBetween(const std::vector<Interval>& intervals, At&& at, Check& check)
 {
@@ -123,10 +124,10 @@ void CheckGrid(const SpaceTimeGrid& grid, Check& check)
     CheckSteps(steps, check);
   }
   check.SetContext(grid.Name + ", linear");
-  const double* centre = grid.Data->GetCenter();
-  const double middle = Linear({ centre[0], centre[1], centre[2] }, 1.4, 0);
-  const std::vector<Interval> around = { { middle - 1.1, middle - 0.2 },
-    { middle - 0.2, middle + 1.3 } };
+  const double* center = grid.Data->GetCenter();
+  const double midpoint = Linear({ center[0], center[1], center[2] }, 1.4, 0);
+  const std::vector<Interval> around = { { midpoint - 1.1, midpoint - 0.2 },
+    { midpoint - 0.2, midpoint + 1.3 } };
   CheckBetween(
     around,
     [&](const std::vector<double>& times)
@@ -152,7 +153,7 @@ void CheckGrid(const SpaceTimeGrid& grid, Check& check)
   }
   if (IsTetrahedral(grid.Data))
   {
-    check.SetContext(grid.Name + ", linear in each");
+    check.SetContext(grid.Name + ", multilinear");
     CheckBetween(
       { { 0.7, 1.3 }, { 1.3, 1.9 } },
       [&](const std::vector<double>& times)
@@ -165,7 +166,7 @@ void CheckGrid(const SpaceTimeGrid& grid, Check& check)
   }
 }
 
-/// A ball that moves and grows: the volume halfway between two steps.
+/// A sphere that moves and grows: error of the volume between two steps.
 void CheckOrder(Check& check)
 {
   const auto mesh = MakeMesh(MeshKind::Tetrahedra6, { 8, 8, 8 });
@@ -187,14 +188,14 @@ void CheckOrder(Check& check)
   std::vector<double> errors;
   for (double step : { 0.4, 0.2, 0.1, 0.05 })
   {
-    // The mean error over some places of the slab in time.
+    // Mean error over several times in the slab.
     double error = 0;
-    for (double middle : { 0.3, 0.55, 0.8, 1.05 })
+    for (double midpoint : { 0.3, 0.55, 0.8, 1.05 })
     {
       const auto slice =
-        SliceAt(SimplicesOf(at({ middle - step / 2, middle + step / 2 }), shell), middle);
+        SliceAt(SimplicesOf(at({ midpoint - step / 2, midpoint + step / 2 }), shell), midpoint);
       const double known =
-        volume(ExtractIntervals(GetDataSet(at({ middle }).front()), shell).Volume);
+        volume(ExtractIntervals(GetDataSet(at({ midpoint }).front()), shell).Volume);
       error += std::abs(volume(slice) - known) / known / 4;
     }
     errors.push_back(error);

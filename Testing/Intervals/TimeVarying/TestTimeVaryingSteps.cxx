@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Time steps through the pipeline: two are alive at most, each is asked for once, slabs one by one
-// are those of all together, and changes of the steps are seen.
+// Time steps through the pipeline: at most two exist at a time, each is requested once, single
+// slabs equal the slabs of the full range, and modified steps are detected.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceMesh.h"
@@ -31,7 +31,7 @@ using namespace reference;
 const std::vector<Interval> Intervals = { { 0.2, 0.45 }, { 0.45, 0.8 } };
 const std::vector<double> Times = { 0, 0.5, 2, 2.25, 3 };
 
-/// What an output is made of, with the slab that a part begins with added.
+/// Returns the simplices of an output as a set, with the first step of their slab.
 std::vector<GeometricSimplex> SetOf(
   vtkUnstructuredGrid* grid, const char* kind, const char* fourth, int firstSlab)
 {
@@ -44,8 +44,9 @@ std::vector<GeometricSimplex> SetOf(
   return set;
 }
 
-/// Takes the tetrahedra at steps out of what port 2 is made of; two slabs may have the same.
-std::set<GeometricSimplex> TakeOutAtSteps(std::vector<GeometricSimplex>& set)
+/// Removes the tetrahedra at steps from the simplices of port 2. Two slabs may have the same
+/// tetrahedra.
+std::set<GeometricSimplex> RemoveAtSteps(std::vector<GeometricSimplex>& set)
 {
   std::set<GeometricSimplex> atSteps;
   const auto end = std::remove_if(set.begin(), set.end(),
@@ -81,7 +82,7 @@ void CheckSlabs(const SpaceTimeGrid& grid, bool integers, Check& check)
   {
     settings.Steps = { slab, slab + 1 };
     const TimeVaryingExtraction one = ExtractTimeVarying(steps, settings);
-    check.Near(one.Report->GetNumber("TimeSteps"), 2, 0.0, "time steps reported of a slab");
+    check.Equal(one.Report->GetCount("TimeSteps"), 2, "time steps reported for a slab");
     for (const GeometricSimplex& simplex : SetOf(one.Tetrahedra, "SimplexClass", "DeltaT", slab))
     {
       tetrahedra.push_back(simplex);
@@ -92,31 +93,31 @@ void CheckSlabs(const SpaceTimeGrid& grid, bool integers, Check& check)
     }
   }
   std::vector<GeometricSimplex> together = SetOf(all.Simplices, "AtStep", "Time", 0);
-  const auto atSteps = TakeOutAtSteps(simplices);
-  check.That(TakeOutAtSteps(together) == atSteps, "tetrahedra at steps of slabs one by one");
+  const auto atSteps = RemoveAtSteps(simplices);
+  check.That(RemoveAtSteps(together) == atSteps, "tetrahedra at steps of single slabs");
   check.That(atSteps.empty() == !integers, "tetrahedra at steps where values equal bounds");
   std::sort(tetrahedra.begin(), tetrahedra.end());
   std::sort(simplices.begin(), simplices.end());
   check.That(!simplices.empty(), "there are 4-simplices");
-  check.That(SetOf(all.Tetrahedra, "SimplexClass", "DeltaT", 0) == tetrahedra,
-    "tetrahedra of slabs one by one");
-  check.That(together == simplices, "4-simplices of slabs one by one");
-  check.Near(all.Report->GetNumber("TimeSteps"), slabs + 1, 0.0, "time steps reported");
-  check.Near(all.Report->GetNumber("Slabs"), slabs, 0.0, "slabs reported");
-  // Points at the steps between are shared: no two have the same place and time.
+  check.That(
+    SetOf(all.Tetrahedra, "SimplexClass", "DeltaT", 0) == tetrahedra, "tetrahedra of single slabs");
+  check.That(together == simplices, "4-simplices of single slabs");
+  check.Equal(all.Report->GetCount("TimeSteps"), slabs + 1, "time steps reported");
+  check.Equal(all.Report->GetCount("Slabs"), slabs, "slabs reported");
+  // Slabs share points at inner steps: no two points have the same position and time.
   if (!integers)
   {
-    std::set<std::array<double, 4>> places;
+    std::set<std::array<double, 4>> positions;
     vtkDataArray* times = all.Simplices->GetPointData()->GetArray("Time");
     for (vtkIdType i = 0; i < all.Simplices->GetNumberOfPoints(); ++i)
     {
-      std::array<double, 4> place;
-      all.Simplices->GetPoint(i, place.data());
-      place[3] = times->GetComponent(i, 0);
-      places.insert(place);
+      std::array<double, 4> position;
+      all.Simplices->GetPoint(i, position.data());
+      position[3] = times->GetComponent(i, 0);
+      positions.insert(position);
     }
-    check.Equal(static_cast<long long>(places.size()), all.Simplices->GetNumberOfPoints(),
-      "points in a place of their own");
+    check.Equal(static_cast<long long>(positions.size()), all.Simplices->GetNumberOfPoints(),
+      "points with distinct positions and times");
   }
 }
 
@@ -147,28 +148,29 @@ void CheckRequests(Check& check)
   pipeline.Filter->Update();
   std::vector<int> expected(Times.size());
   std::iota(expected.begin(), expected.end(), 0);
-  check.That(pipeline.Source->GetRequests() == expected, "every step is asked for once, in order");
-  check.That(pipeline.Source->GetMostAlive() <= 2,
-    "two steps are alive at most, not " + std::to_string(pipeline.Source->GetMostAlive()));
+  check.That(pipeline.Source->GetRequests() == expected, "every step is requested once, in order");
+  check.That(pipeline.Source->GetMaximumAlive() <= 2,
+    "at most two steps exist at a time: " + std::to_string(pipeline.Source->GetMaximumAlive()));
   const vtkIdType cells = pipeline.GetSimplices()->GetNumberOfCells();
-  check.That(cells > 0, "there is output");
+  check.That(cells > 0, "the output is not empty");
 
   pipeline.Source->ClearRequests();
   pipeline.Filter->Update();
-  check.That(pipeline.Source->GetRequests().empty(), "no step is asked for when nothing changed");
+  check.That(pipeline.Source->GetRequests().empty(), "no step is requested if nothing changed");
 
   pipeline.Filter->SetTimeStepRange(1, 3);
   pipeline.Filter->Update();
   check.That(pipeline.Source->GetRequests() == std::vector<int>({ 1, 2, 3 }),
-    "only the steps of the range are asked for");
-  check.Near(pipeline.Filter->GetReport()->GetNumber("TimeSteps"), 3, 0.0,
-    "time steps of the range reported");
-  check.That(pipeline.GetSimplices()->GetNumberOfCells() < cells, "fewer 4-simplices");
+    "only steps of the range are requested");
+  check.Equal(
+    pipeline.Filter->GetReport()->GetCount("TimeSteps"), 3, "time steps reported for the range");
+  check.That(pipeline.GetSimplices()->GetNumberOfCells() < cells, "fewer 4-simplices for a range");
 
-  // A last step beyond the input's is its last.
+  // A last step after the input's last step is clamped.
   pipeline.Filter->SetTimeStepRange(0, 1000);
   pipeline.Filter->Update();
-  check.Equal(pipeline.GetSimplices()->GetNumberOfCells(), cells, "all 4-simplices again");
+  check.Equal(
+    pipeline.GetSimplices()->GetNumberOfCells(), cells, "all 4-simplices for the full range");
 }
 
 void CheckChanges(Check& check)
@@ -194,7 +196,7 @@ void CheckChanges(Check& check)
   check.That(difference.empty(), "interval changed: " + difference);
 }
 
-/// Slabs of no duration are left out with a warning, those on either side of them stay.
+/// Slabs with zero duration are skipped with a warning. The adjacent slabs are not affected.
 void CheckEqualTimes(Check& check)
 {
   check.SetContext("equal times");
@@ -205,9 +207,8 @@ void CheckEqualTimes(Check& check)
   pipeline.Filter->Update();
   check.That(observer->GetWarning(), "there is a warning");
   check.That(!observer->GetError(), "there is no error: " + observer->GetErrorMessage());
-  check.Near(
-    pipeline.Filter->GetReport()->GetNumber("Slabs"), 2, 0.0, "slabs that are not left out");
-  check.That(pipeline.GetSimplices()->GetNumberOfCells() > 0, "there is output");
+  check.Equal(pipeline.Filter->GetReport()->GetCount("Slabs"), 2, "slabs used");
+  check.That(pipeline.GetSimplices()->GetNumberOfCells() > 0, "the output is not empty");
   std::set<int> slabs;
   vtkDataArray* numbers = pipeline.GetSimplices()->GetCellData()->GetArray("TimeSlab");
   for (vtkIdType i = 0; i < numbers->GetNumberOfTuples(); ++i)
@@ -217,20 +218,20 @@ void CheckEqualTimes(Check& check)
   check.That(slabs == std::set<int>({ 0, 2 }), "slabs are numbered by their first step");
 }
 
-/// Outputs that are not asked for are empty and cost nothing.
-void CheckPayForUse(Check& check)
+/// Outputs that are not requested are empty and cost no time or memory.
+void CheckOutputsOnRequest(Check& check)
 {
-  check.SetContext("pay for use");
+  check.SetContext("outputs on request");
   const TimeSteps steps = MakeSteps({ 0, 1, 2 });
   vtkNew<vtkTimeVaryingIntervalVolume> defaults;
   check.That(defaults->GetGenerateTetrahedra() && !defaults->GetGenerateSimplices(),
-    "tetrahedra only by default");
+    "only tetrahedra by default");
   for (int kind = 0; kind < vtkTimeVaryingIntervalVolume::NUMBER_OF_BOUNDARY_KINDS; ++kind)
   {
-    check.That(!defaults->GetGenerateBoundary(kind), "no boundary by default");
+    check.That(!defaults->GetGenerateBoundary(kind), "no boundaries by default");
   }
-  check.That(
-    !defaults->GetGenerateBoundary(-1) && !defaults->GetGenerateBoundary(8), "kinds that are none");
+  check.That(!defaults->GetGenerateBoundary(-1) && !defaults->GetGenerateBoundary(8),
+    "invalid kinds of boundaries are ignored");
   TimeVaryingSettings settings = { Intervals };
   const TimeVaryingExtraction all = ExtractTimeVarying(steps, settings);
   for (int port = 0; port < 3; ++port)
@@ -266,7 +267,7 @@ void CheckPayForUse(Check& check)
     check.That((sum("Tetrahedra") > 0) == (port == 0), "tetrahedra reported");
     check.That((sum("Boundaries") > 0) == (port == 1), "boundaries reported");
     check.That(one.Report->GetNumber("WorkingBytes") <= all.Report->GetNumber("WorkingBytes"),
-      "no more bytes than for all");
+      "memory does not exceed the memory for all outputs");
   }
   check.That(all.Report->GetNumber("TableLookups") > 0, "lookups in tables reported");
 }
@@ -287,6 +288,6 @@ int TestTimeVaryingSteps(int, char*[])
   CheckRequests(check);
   CheckChanges(check);
   CheckEqualTimes(check);
-  CheckPayForUse(check);
+  CheckOutputsOnRequest(check);
   return check.Result();
 }

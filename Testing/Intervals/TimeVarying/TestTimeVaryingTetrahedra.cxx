@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Every 4-simplex by itself: the tetrahedra it is cut into have its hypervolume, share one thick
-// point, and are as many as its class says. Also the classes that occur along time and across it.
+// Single 4-simplices: their tetrahedra have the hypervolume of the simplex, share one thick point,
+// and are as many as their class requires. Also tests which classes occur for projections along
+// time and in other directions.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/TimeVarying/ReferenceSimplices.h"
 #include "Support/TimeVarying/ReferenceTimeVarying.h"
@@ -37,7 +38,7 @@ struct Counts
   double Error = 0;
 };
 
-/// Hypervolumes from the largest.
+/// Sorts hypervolumes in descending order.
 void Sort(std::vector<long double>& hypervolumes)
 {
   std::sort(hypervolumes.begin(), hypervolumes.end(), std::greater<>());
@@ -69,42 +70,42 @@ void CheckGroups(const TimeVaryingExtraction& found, double size, Counts& counts
     projected.push_back(sum);
   }
   check.Equal(thin, 0, "tetrahedra without exactly one thick point");
-  check.Equal(wrong, 0, "tetrahedra that are not those of one class");
-  std::vector<long double> known;
+  check.Equal(wrong, 0, "tetrahedra that do not match one class");
+  std::vector<long double> expected;
   long long inverted = 0;
   for (const FourSimplex& simplex : FourSimplicesOf(found.Simplices))
   {
-    known.push_back(HypervolumeOf(found.Simplices, simplex));
-    inverted += known.back() < -1e-15L * size ? 1 : 0;
+    expected.push_back(HypervolumeOf(found.Simplices, simplex));
+    inverted += expected.back() < -1e-15L * size ? 1 : 0;
   }
-  check.Near(found.Report->GetNumber("Simplices"), static_cast<long long>(known.size()), 0.0,
+  check.Equal(found.Report->GetCount("Simplices"), static_cast<long long>(expected.size()),
     "4-simplices reported");
-  check.Near(found.Report->GetNumber("Simplices") - found.Report->GetNumber("FlatSimplices"),
-    static_cast<long long>(projected.size()), 0.0, "4-simplices that are not flat reported");
+  check.Equal(found.Report->GetCount("Simplices") - found.Report->GetCount("FlatSimplices"),
+    static_cast<long long>(projected.size()), "non-degenerate 4-simplices reported");
   check.That(
     found.Report->GetNumber("InvertedSimplices") >= inverted, "inverted 4-simplices reported");
   for (size_t i = 0; i < Classes.size(); ++i)
   {
-    check.Near(found.Report->GetNumber("Tetrahedra", static_cast<vtkIdType>(i)),
-      tetrahedra[Classes[i]], 0.0, "tetrahedra reported of class " + std::to_string(Classes[i]));
+    check.Equal(found.Report->GetCount("Tetrahedra", static_cast<vtkIdType>(i)),
+      tetrahedra[Classes[i]], "tetrahedra reported of class " + std::to_string(Classes[i]));
   }
-  counts.Flat += static_cast<long long>(found.Report->GetNumber("FlatSimplices"));
-  // Those left out are flat: the rest have the same hypervolumes, one by one.
-  if (!check.That(projected.size() <= known.size(), "no more groups than 4-simplices"))
+  counts.Flat += found.Report->GetCount("FlatSimplices");
+  // Skipped 4-simplices are degenerate. All other hypervolumes equal those of the projected groups.
+  if (!check.That(projected.size() <= expected.size(), "at most as many groups as 4-simplices"))
   {
     return;
   }
-  projected.resize(known.size(), 0);
+  projected.resize(expected.size(), 0);
   Sort(projected);
-  Sort(known);
+  Sort(expected);
   double worst = 0;
-  for (size_t i = 0; i < known.size(); ++i)
+  for (size_t i = 0; i < expected.size(); ++i)
   {
     worst = std::max(worst,
       static_cast<double>(
-        (std::abs(known[i] - projected[i]) - 1e-12L * std::abs(known[i])) / size));
+        (std::abs(expected[i] - projected[i]) - 1e-12L * std::abs(expected[i])) / size));
   }
-  check.Near(worst, 0, 1e-15, "largest error of a hypervolume beyond 1e-12 of it", 1);
+  check.Near(worst, 0, 1e-15, "relative errors of hypervolumes above 1e-12", 1);
   counts.Error = std::max(counts.Error, worst);
 }
 
@@ -136,7 +137,7 @@ void Print(const Counts& counts, const std::string& name)
   {
     std::cout << " class " << simplexClass << ' ' << count << ',';
   }
-  std::cout << " flat " << counts.Flat << ", error " << counts.Error << '\n';
+  std::cout << " degenerate " << counts.Flat << ", error " << counts.Error << '\n';
 }
 
 }
@@ -150,7 +151,7 @@ int TestTimeVaryingTetrahedra(int, char*[])
   {
     for (const SpaceTimeGrid& grid : AllSpaceTimeGrids(cells, 7))
     {
-      const std::string name = grid.Name + ", " + std::to_string(cells[0]) + " cells an axis";
+      const std::string name = grid.Name + ", " + std::to_string(cells[0]) + " cells per axis";
       check.SetContext(name + ", along time");
       const TimeSteps standing = RepeatGrid(grid.Data, { 0.5, 2 });
       const Counts along = CheckSteps(standing, alongTime, check);
@@ -159,9 +160,9 @@ int TestTimeVaryingTetrahedra(int, char*[])
       {
         check.Equal(along.Simplices.count(Filter::CLASS_2), 0, "kinds of class 2");
       }
-      check.SetContext(name + ", across");
+      check.SetContext(name + ", other direction");
       Counts turned = CheckSteps(standing, across, check);
-      Print(turned, name + ", across");
+      Print(turned, name + ", other direction");
       if (grid.Name == "image" || grid.Name == "rectilinear")
       {
         check.That(turned.Simplices[Filter::CLASS_2] > 0, "class 2 occurs");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values equal to the bounds, whole cells and slabs of them: adjacent intervals still fill the
-// domain in space and time, and each part of it once.
+// Values equal to the bounds, including entire cells and slabs: adjacent intervals fill the domain
+// in space and time without overlap.
 #include "Support/Meshes/ReferenceMesh.h"
 #include "Support/TimeVarying/ReferenceFilling.h"
 #include "Support/TimeVarying/ReferenceSimplices.h"
@@ -14,7 +14,7 @@ namespace
 
 using namespace reference;
 
-/// Every value is 3: the whole domain belongs to the interval that holds it, as in
+/// Every value is 3: the interval that contains 3 contains the entire domain, as in
 /// vtkIntervalVolume.
 void CheckConstant(Check& check)
 {
@@ -36,7 +36,7 @@ void CheckConstant(Check& check)
       const TimeVaryingExtraction found = ExtractTimeVarying(steps, { one.Intervals });
       const auto in = [&](int interval)
       { return static_cast<double>(MeasureWeighted(found.Tetrahedra, interval).SumOfAbsolute); };
-      check.Near(in(one.Holder), 24, 1e-12, "hypervolume of the interval that holds it");
+      check.Near(in(one.Holder), 24, 1e-12, "hypervolume of the interval that contains the value");
       check.Near(in(Any), 24, 1e-12, "hypervolume of all intervals");
       check.Near(static_cast<double>(MeasureSimplices(found.Simplices).Sum), 24, 1e-12,
         "hypervolume of the 4-simplices");

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MergePoints off: the triangles of the shared contour in its order, each with points of its own,
-// with the same coordinates and arrays to the last bit. In every kind of grid and mixture of cells;
-// with ties, NaN, ghost cells, several values, arrays of any kind; for any number of threads.
+// MergePoints off: the triangles equal the triangles of the merged contour in order, with separate
+// points per triangle. Coordinates and arrays are bit-identical. Tests every grid and cell type,
+// ties, NaN, ghost cells, several values, arrays of any type, and any number of threads.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Checks/ReferenceThreads.h"
@@ -53,7 +53,7 @@ Grid Contour(vtkDataSet* data, const std::vector<double>& values, bool mergePoin
   return filter->GetOutput();
 }
 
-/// Whether the tuples of two arrays are equal to the last bit, where NaN is equal to itself.
+/// Returns whether tuples of two arrays are bit-identical. NaN equals itself.
 bool IsSame(vtkAbstractArray* a, vtkIdType inA, vtkAbstractArray* b, vtkIdType inB)
 {
   if (vtkStringArray* strings = vtkStringArray::SafeDownCast(a))
@@ -72,10 +72,10 @@ bool IsSame(vtkAbstractArray* a, vtkIdType inA, vtkAbstractArray* b, vtkIdType i
   return true;
 }
 
-/// Compares all values of two arrays; at(i) is the place in \a shared for i in \a own.
-template <typename Place>
-void CompareArray(vtkAbstractArray* own, vtkAbstractArray* shared, vtkIdType number, Place&& at,
-  const std::string& name, Check& check)
+/// Compares all values of two arrays. at(i) is the index in \a shared for index i in \a own.
+template <typename IndexFunction>
+void CompareArray(vtkAbstractArray* own, vtkAbstractArray* shared, vtkIdType number,
+  IndexFunction&& at, const std::string& name, Check& check)
 {
   if (!check.That(own && shared, "array " + name) ||
     !check.Equal(own->GetDataType(), shared->GetDataType(), "type of " + name) ||
@@ -91,7 +91,8 @@ void CompareArray(vtkAbstractArray* own, vtkAbstractArray* shared, vtkIdType num
   check.Equal(different, 0, "values of " + name + " that differ");
 }
 
-/// Compares a contour without shared points with the shared one. Returns its triangles.
+/// Compares a contour with MergePoints off with the merged contour. Returns the number of
+/// triangles.
 vtkIdType CompareSoup(vtkDataSet* data, const std::vector<double>& values, Check& check,
   int precision = vtkAlgorithm::DEFAULT_PRECISION)
 {
@@ -199,7 +200,7 @@ void CheckGrids(Check& check)
   }
 }
 
-/// Values at random in all cells, then few whole numbers, of which many equal the isovalue.
+/// Random values in all cells, then small integers, many of which equal the isovalue.
 void CheckCells(Check& check)
 {
   for (MeshKind kind : AllMeshKinds())
@@ -214,7 +215,7 @@ void CheckCells(Check& check)
       CompareSoup(mesh, { 0.5 }, check, vtkAlgorithm::SINGLE_PRECISION);
       for (int values : { 2, 3, 7 })
       {
-        check.SetContext(GetName(kind) + ", seed " + std::to_string(seed) + ", whole numbers " +
+        check.SetContext(GetName(kind) + ", seed " + std::to_string(seed) + ", integers " +
           std::to_string(values));
         AddIntegerField(mesh, values, seed);
         CompareSoup(mesh, { 1.0 }, check);
@@ -224,7 +225,7 @@ void CheckCells(Check& check)
   }
 }
 
-/// Points half-way along edges, which are computed from the end whose global id is the lesser.
+/// Points on edges with global ids: interpolation starts at the end with the smaller id.
 void CheckGlobalIds(Check& check)
 {
   check.SetContext("global ids");
@@ -277,13 +278,13 @@ void CheckNothing(Check& check)
   auto mesh = MakeMesh(MeshKind::Mixed, { 2, 2, 2 }, 3);
   AddArrays(mesh, 3);
   AddRandomField(mesh, 3);
-  check.Equal(CompareSoup(mesh, { 5.0 }, check), 0, "triangles beyond the values");
+  check.Equal(CompareSoup(mesh, { 5.0 }, check), 0, "triangles for values outside the range");
   vtkNew<vtkUnstructuredGrid> empty;
-  check.Equal(Contour(empty, { 0.5 }, false)->GetNumberOfCells(), 0, "triangles of no points");
+  check.Equal(Contour(empty, { 0.5 }, false)->GetNumberOfCells(), 0, "triangles without points");
   vtkNew<vtkUnstructuredGrid> points;
   points->SetPoints(mesh->GetPoints());
   points->GetPointData()->ShallowCopy(mesh->GetPointData());
-  check.Equal(CompareSoup(points, { 0.5 }, check), 0, "triangles of no cells");
+  check.Equal(CompareSoup(points, { 0.5 }, check), 0, "triangles without cells");
 }
 
 void CheckRuns(Check& check)
@@ -310,7 +311,7 @@ void CheckRuns(Check& check)
     CheckProgress(contour, data, VTK_TRIANGLE, check);
   }
   vtkNew<vtkIsotableContour> contour;
-  check.That(contour->GetMergePoints(), "points are shared by default");
+  check.That(contour->GetMergePoints(), "points are merged by default");
   CheckPrinted(Print(contour), { "MergePoints: 1" }, check);
 }
 

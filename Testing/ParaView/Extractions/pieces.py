@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Cuts an unstructured grid into pieces, each for one of several processes."""
+"""Partitions an unstructured grid into pieces for several processes."""
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
@@ -31,12 +31,12 @@ def named(array, name):
 
 
 def type_name(values):
-    """Of an array of floats in an XML file."""
+    """Returns the type name of a floating-point array in an XML file."""
     return f"Float{8 * values.itemsize}"
 
 
 def make_piece(grid, array, is_own):
-    """The cells that touch those of the piece, its own and ghosts, with the points they need."""
+    """Returns the cells of a piece with their neighbors as ghost cells, and the points that they use."""
     corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
     offsets = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
     sizes = numpy.diff(offsets)
@@ -48,9 +48,9 @@ def make_piece(grid, array, is_own):
     new_ids = numpy.empty(grid.GetNumberOfPoints(), numpy.int64)
     new_ids[points] = numpy.arange(len(points))
 
-    piece, places, cells = vtkUnstructuredGrid(), vtkPoints(), vtkCellArray()
-    places.SetData(numpy_to_vtk(vtk_to_numpy(grid.GetPoints().GetData())[points], deep=True))
-    piece.SetPoints(places)
+    piece, new_points, cells = vtkUnstructuredGrid(), vtkPoints(), vtkCellArray()
+    new_points.SetData(numpy_to_vtk(vtk_to_numpy(grid.GetPoints().GetData())[points], deep=True))
+    piece.SetPoints(new_points)
     cells.SetData(numpy_to_vtkIdTypeArray(numpy.concatenate([[0], numpy.cumsum(sizes[chosen])]), deep=True),
                   numpy_to_vtkIdTypeArray(new_ids[used], deep=True))
     types = vtk_to_numpy(grid.GetCellTypesArray())[chosen]
@@ -66,17 +66,17 @@ def make_piece(grid, array, is_own):
 
 
 def write_pieces(grid, array, count, path):
-    """Cuts a grid into slabs of equally many cells along x and writes them as a .pvtu file and its
-    pieces, so that each of as many processes reads one; `path` is without extension. A piece has the
-    point array and the global point ids of the grid; its points are in the reverse order of these
-    ids, so that an extraction must go by them to agree with one of the whole. It also has, marked
-    as ghosts, the cells of the other pieces that share a point with its own."""
+    """Partitions a grid along x into slabs with equal numbers of cells. Writes a .pvtu file with one piece per
+    process; `path` has no extension. A piece has the point array and the global point ids of the grid, and the
+    cells that share a point with it as ghost cells. Its points are in reverse order, so that an extraction must
+    use the global ids to agree with one of the full grid.
+    """
     points = vtk_to_numpy(grid.GetPoints().GetData())
     x = points[vtk_to_numpy(grid.GetCells().GetConnectivityArray()), 0].astype(float)
     starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())[:-1]
-    middles = numpy.minimum.reduceat(x, starts) + numpy.maximum.reduceat(x, starts)
-    slabs = numpy.empty(len(middles), int)
-    slabs[numpy.argsort(middles, kind="stable")] = numpy.arange(len(middles)) * count // len(middles)
+    centers = numpy.minimum.reduceat(x, starts) + numpy.maximum.reduceat(x, starts)
+    slabs = numpy.empty(len(centers), int)
+    slabs[numpy.argsort(centers, kind="stable")] = numpy.arange(len(centers)) * count // len(centers)
     names = [f"{path}_{slab}.vtu" for slab in range(count)]
     for slab, name in enumerate(names):
         writer = vtkXMLUnstructuredGridWriter()

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Data, sources and filters by the descriptions that the tests inside ParaView read.
+"""Creates data, sources and filters from the descriptions that the tests inside ParaView read.
 
-A description has properties by the names that they have in ParaView. Temporal: `source`, one of
-SOURCES, its `source_properties`, and `properties` of the filter. Flow: `source_properties` of the
-analytic flow, `surfaces` and `meshes` (each a `kind`, the label of its proxy, and its `properties`),
-`axis` (properties of a vortex axis, whose lines are tubes of `TubeRadius`), `field`, `mapping`,
-`image` (the extent of a wavelet), `volume`, and of its stream surfaces `texture` and `lic`.
+A description has the property names of ParaView. Descriptions in time have a `source` (a key of SOURCES),
+its `source_properties`, and the `properties` of the filter. Descriptions of flows have `source_properties`
+of the analytic flow, `surfaces` and `meshes` (each with `kind`, the label of its proxy, and `properties`),
+`axis` (properties of a vortex axis, whose lines become tubes of `TubeRadius`), `field`, `mapping`, `image`
+(the extent of a wavelet), `volume`, and `texture` and `lic` for its stream surfaces.
 """
 
 import os
@@ -23,7 +23,7 @@ from vtkmodules.vtkIOLegacy import vtkDataSetReader
 from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
 
 SOURCES = {"AnalyticField": vtkAnalyticFieldSource, "TaperedCylinderWake": vtkTaperedCylinderSource}
-# Properties of rows: the method that takes a row, the numbers of one, whether its index comes first.
+# Properties with rows: the method that accepts a row, the size of a row, and whether its index comes first.
 ROWS = {
     "Intervals": ("SetInterval", 2, True), "StreamSurfaces": ("SetStreamSurface", 1, True),
     "TimeSurfaces": ("SetTimeSurface", 1, True), "StartPoints": ("AddStartPoint", 3, False),
@@ -31,51 +31,51 @@ ROWS = {
     "FormulasById": ("SetFormula", 2, False), "Rings": ("AddRing", 6, False)}
 
 
-def set_properties(made, properties):
-    """Calls the setters of an object, which it returns."""
+def set_properties(result, properties):
+    """Calls the setters of an object and returns the object."""
     for name, value in properties.items():
         values = value if isinstance(value, list) else [value]
         if name not in ROWS:
-            getattr(made, "Set" + name)(*values)
+            getattr(result, "Set" + name)(*values)
             continue
         method, size, has_index = ROWS[name]
         for row in range(len(values) // size):
-            getattr(made, method)(*([row] if has_index else []), *values[size * row:size * (row + 1)])
-    return made
+            getattr(result, method)(*([row] if has_index else []), *values[size * row:size * (row + 1)])
+    return result
 
 
-def updated(made):
-    """An algorithm that is up to date."""
-    made.Update()
-    return made
+def updated(result):
+    """Updates an algorithm and returns it."""
+    result.Update()
+    return result
 
 
-def connected(made, source, port=0):
-    """An algorithm with its input, which must not be gone before it is connected."""
-    made.SetInputConnection(source.GetOutputPort(port))
-    return made
+def connected(result, source, port=0):
+    """Connects an algorithm and returns it. The source must exist until then."""
+    result.SetInputConnection(source.GetOutputPort(port))
+    return result
 
 
 def read_data(name):
-    """The dataset of a file in Data/."""
+    """Returns the dataset of a file in Data/."""
     reader = vtkDataSetReader() if name.endswith(".vtk") else vtkXMLGenericDataObjectReader()
     reader.SetFileName(os.path.join(os.environ["INTERLUME_DATA"], name))
     return updated(reader).GetOutput()
 
 
 def wavelet(extent=None):
-    made = vtkRTAnalyticSource()
+    result = vtkRTAnalyticSource()
     if extent:
-        made.SetWholeExtent(*extent)
-    return updated(made).GetOutput()
+        result.SetWholeExtent(*extent)
+    return updated(result).GetOutput()
 
 
 def interval_volume(data, array, intervals):
-    """The filter over a point array; intervals are pairs."""
-    made = vtkIntervalVolume()
-    made.SetInputData(data)
-    made.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
-    return set_properties(made, {"Intervals": [bound for pair in intervals for bound in pair]})
+    """Returns the filter for a point array; intervals are pairs."""
+    result = vtkIntervalVolume()
+    result.SetInputData(data)
+    result.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
+    return set_properties(result, {"Intervals": [bound for pair in intervals for bound in pair]})
 
 
 def temporal_source(description):
@@ -83,21 +83,21 @@ def temporal_source(description):
 
 
 def time_varying_volume(description):
-    made = connected(vtkTimeVaryingIntervalVolume(), temporal_source(description))
-    return set_properties(made, description["properties"])
+    result = connected(vtkTimeVaryingIntervalVolume(), temporal_source(description))
+    return set_properties(result, description["properties"])
 
 
 def make_rectangle(Center, Normal, Lengths):
-    """The corners that the proxy has for a normal along x: u along y, v along z."""
-    assert Normal == [1.0, 0.0, 0.0], "a rectangle here has the normal x"
+    """Returns the rectangle that the proxy makes for a normal along x: u along y, v along z."""
+    assert Normal == [1.0, 0.0, 0.0], "only rectangles with the normal x are supported"
     x, y, z = Center[0], Center[1] - 0.5 * Lengths[0], Center[2] - 0.5 * Lengths[1]
     return set_properties(vtkTerminationPlane(), {
         "Origin": [x, y, z], "Point1": [x, y + Lengths[0], z], "Point2": [x, y, z + Lengths[1]]})
 
 
 def make_cylinder(Center, Axis, Length, **others):
-    """The points that the proxy has for an axis along z."""
-    assert Axis == [0.0, 0.0, 2.0], "a cylinder here has the axis 2 z"
+    """Returns the cylinder that the proxy makes for an axis along z."""
+    assert Axis == [0.0, 0.0, 2.0], "only cylinders with the axis 2 z are supported"
     ends = [[Center[0], Center[1], Center[2] + side * 0.5 * Length] for side in (-1, 1)]
     return set_properties(vtkTerminationCylinder(), {"Point1": ends[0], "Point2": ends[1], **others})
 
@@ -121,13 +121,13 @@ def termination_surface(description):
 
 
 def surface_mesh(description):
-    """The triangles of a surface."""
+    """Returns a triangle mesh of a surface."""
     source = set_properties(vtkTerminationSurfaceSource(), {"Surface": termination_surface(description)})
     return set_properties(vtkTerminationMesh(), {"Mesh": updated(source).GetOutput()})
 
 
 def tubes(lines, radius):
-    """Each line as a tube."""
+    """Yields a tube for each line."""
     ids = vtkIdList()
     for line in range(lines.GetNumberOfLines()):
         lines.GetLines().GetCellAtId(line, ids)
@@ -140,29 +140,29 @@ def analytic_flow(description):
 
 
 def vortex_axis(description):
-    made = connected(vtkVortexAxis(), analytic_flow(description))
-    return updated(set_properties(made, description["axis"])).GetOutput()
+    result = connected(vtkVortexAxis(), analytic_flow(description))
+    return updated(set_properties(result, description["axis"])).GetOutput()
 
 
 def flow_field(description):
-    made = connected(vtkImplicitFlowField(), analytic_flow(description))
+    result = connected(vtkImplicitFlowField(), analytic_flow(description))
     surfaces = [*map(termination_surface, description["surfaces"]), *map(surface_mesh, description["meshes"])]
     if "axis" in description:
         surfaces += tubes(vortex_axis(description), description["TubeRadius"])
     for surface in surfaces:
-        made.AddTerminationSurface(surface)
-    return set_properties(made, description["field"])
+        result.AddTerminationSurface(surface)
+    return set_properties(result, description["field"])
 
 
 def inflow_mapping(field, description):
-    made = connected(vtkInflowMapping(), field)
+    result = connected(vtkInflowMapping(), field)
     properties = dict(description["mapping"])
-    made.SetFormula(vtkInflowMapping.ALL, properties.pop("Formula"))
+    result.SetFormula(vtkInflowMapping.ALL, properties.pop("Formula"))
     for name, rows in properties.items():
-        set_properties(made, {name: [value for row in rows for value in row]})
+        set_properties(result, {name: [value for row in rows for value in row]})
     if "image" in description:
-        made.SetImage(description["ImageId"], wavelet(description["image"]))
-    return made
+        result.SetImage(description["ImageId"], wavelet(description["image"]))
+    return result
 
 
 def flow_volume(mapping, description):
@@ -170,17 +170,17 @@ def flow_volume(mapping, description):
 
 
 def stream_texture(volume, mapping, field, description):
-    """Texture coordinates of the stream surfaces of a volume that is up to date."""
-    made = set_properties(connected(vtkStreamSurfaceParameters(), volume, 1), description["texture"])
-    made.SetMapping(mapping)
+    """Returns texture coordinates for the stream surfaces of an updated volume."""
+    result = set_properties(connected(vtkStreamSurfaceParameters(), volume, 1), description["texture"])
+    result.SetMapping(mapping)
     for i in range(field.GetNumberOfUsedSurfaces()):
-        made.AddTerminationSurface(field.GetUsedSurface(i), field.GetUsedSurfaceId(i))
-    return made
+        result.AddTerminationSurface(field.GetUsedSurface(i), field.GetUsedSurfaceId(i))
+    return result
 
 
 def stream_lic(volume, description):
-    """Line integral convolution at the points of the stream surfaces."""
-    made = set_properties(connected(vtkFlowLIC(), volume, 1), description["lic"])
+    """Returns line integral convolution at the points of the stream surfaces."""
+    result = set_properties(connected(vtkFlowLIC(), volume, 1), description["lic"])
     flow = analytic_flow(description)
-    made.SetFieldConnection(flow.GetOutputPort())
-    return made
+    result.SetFieldConnection(flow.GetOutputPort())
+    return result

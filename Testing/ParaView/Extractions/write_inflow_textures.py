@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""write_inflow_textures.py FOLDER: writes for the test of the plugin's Inflow Textures: inflow_textures.json, a
-list of pictures (which flow and surfaces, which settings of the mapper, from where), each picture as
-`<name>.png`, and the images that are painted. ParaView is asked the same and must draw the same."""
+"""write_inflow_textures.py FOLDER: writes images for the plugin test of Inflow Textures.
+
+Writes inflow_textures.json, a list of cases with flow, surfaces, mapper settings and camera, an image
+`<name>.png` for each, and the textures. ParaView must reproduce the images.
+"""
 
 import os
 import sys
@@ -11,14 +13,14 @@ from interlume import vtkAnalyticFlowSource, vtkImplicitFlowVolumeMapper
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkRenderingCore import vtkLight
 
-from pictures import crop, make_renderer, make_volume, read_image, set_light, write_image, write_pictures
+from images import crop, make_renderer, make_volume, read_image, set_light, write_image, write_images
 from pipelines import connected, flow_field, set_properties, updated
 
 WIDE, FINE = "inflow-wide.png", "inflow-fine.png"
 NO_CROP = [1.0, 1.0, 1.0]
 ALL_SURFACES = -1
-# The flow around a sphere from a rectangle of the id 3 upstream. `pulse` is the share of a period in which
-# paint is put in.
+# Flow around a sphere, with an upstream rectangle of id 3. `pulse` is the fraction of the period in which dye
+# is injected.
 COMMON = {
     "source_properties": {
         "Field": vtkAnalyticFlowSource.SPHERE, "WholeExtent": [0, 19] * 3, "Bounds": [-1.0, 1.0] * 3},
@@ -40,7 +42,7 @@ CASES = [{**COMMON, **changes, "name": "inflow-" + name} for name, changes in (
 
 
 def squares(width):
-    """Of two colours, of which one is thin."""
+    """Returns a checkerboard of two colors, one of them nearly transparent."""
     def color(x, y):
         is_dense = (x // width + y // width) % 2 != 0
         return numpy.where(is_dense, 200, 40), 60 + 2 * y, 40 + 3 * x, numpy.where(is_dense, 120, 20)
@@ -81,4 +83,4 @@ def draw(picture, folder):
     return make_renderer(volume, [set_light(vtkLight(), picture["light"])])
 
 
-write_pictures(sys.argv[1], "inflow_textures.json", CASES, draw)
+write_images(sys.argv[1], "inflow_textures.json", CASES, draw)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""write_numbers.py FOLDER: writes a folder for the tests of the ParaView plugin: numbers.json, a list of
-extractions (what was asked of which filter on which data, and what came out), that data in the legacy
-format, and time_varying.json and flow.json, extractions from temporal sources and of flows. The plugin is
-asked the same and must give the same.
+"""write_numbers.py FOLDER: writes reference results for the tests of the ParaView plugin.
 
-The legacy format, since ParaView 5.11 of Debian cannot read appended XML data with an expat that defers
-parsing (2.6, and 2.5 with that fix).
+Writes numbers.json, a list of extractions with filter, data, settings and results, and the data in the
+legacy format. Also writes time_varying.json and flow.json for temporal sources and flows. The plugin must
+reproduce the results.
+
+The legacy format is used because ParaView 5.11 of Debian cannot read appended XML data with an expat that
+defers parsing (2.6, and 2.5 with that fix).
 """
 
 import json
@@ -39,14 +40,14 @@ NUMBER_OF_PIECES = 4
 
 ALL_KINDS = list(range(8))
 TIME_VARYING = (
-    # Two touching intervals, and a time step between two slabs.
+    # Two adjacent intervals, and a slice at the time step between two slabs.
     {"source": "AnalyticField",
      "source_properties": {
          "Field": vtkAnalyticFieldSource.VORTEX, "WholeExtent": [0, 19, 0, 23, 0, 15],
          "Bounds": [-0.5, 0.5, -0.6, 0.6, -0.4, 0.4], "NumberOfTimeSteps": 3, "TimeRange": [0.0, 2.0]},
      "properties": {"Intervals": [0.4, 0.5, 0.5, 0.8], "Boundaries": ALL_KINDS, "GenerateSimplices": 1},
      "slice_times": [0.3, 1.0]},
-    # Some of the steps, and a direction that is not the time.
+    # A range of time steps, and a projection direction other than time.
     {"source": "AnalyticField",
      "source_properties": {
          "Field": vtkAnalyticFieldSource.WAVE, "WholeExtent": [0, 19, 0, 9, 0, 9],
@@ -74,7 +75,7 @@ def volume(**properties):
 
 
 FLOWS = (
-    # Around a sphere, from a rectangle upstream: two intervals, and surfaces inside them.
+    # Flow around a sphere from an upstream rectangle: two intervals, with surfaces inside them.
     {"source_properties": flow(vtkAnalyticFlowSource.SPHERE, 19),
      "surfaces": [surface("Rectangle", Center=[-0.875, 0.0, 0.125], Normal=[1.0, 0.0, 0.0], Lengths=[1.5, 1.25])],
      "meshes": [], "field": {}, "mapping": {"Formula": "u + v/4"},
@@ -82,8 +83,8 @@ FLOWS = (
                       TimeSurfaces=[0.6, 0.9], GenerateNormals=1),
      "texture": {"LengthScale": 4.0, "TimeScale": 0.5, "Resolution": 64},
      "lic": {"NoiseScale": 0.125, "Contrast": 0.25}},
-    # Between a source and a sink: two surfaces with ids, rings on one and a formula of the other's faces,
-    # on an image of samples, forward by the classical method.
+    # A source and a sink: two surfaces with ids, rings on one and formulas for the faces of the other, on
+    # image samples, forward with the classical method.
     {"source_properties": flow(vtkAnalyticFlowSource.SOURCE_SINK, 23),
      "surfaces": [surface("Sphere", Center=[0.5, 0.0, 0.0], Radius=0.25, Axis=[1.0, 0.0, 0.0], Id=7),
                   surface("Box", Position=[-0.9375, -0.875, -0.75], Lengths=[1.875, 1.75, 1.5], Id=20)],
@@ -104,12 +105,12 @@ FLOWS = (
      "image": [-10, 10, -8, 8, 0, 0], "ImageId": 0,
      "volume": volume(Intervals=[130.0, 200.0], StreamSurfaces=[160.0], TimeSurfaces=[0.5, 1.0]),
      "texture": {}, "lic": {}},
-    # A tornado: the tube around its axis and the domain's faces.
+    # A tornado: a tube around its axis, and the domain faces.
     {"source_properties": flow(vtkAnalyticFlowSource.TORNADO, 15), "surfaces": [], "meshes": [],
      "axis": {"NumberOfPlanes": 11, "SearchRadius": 0.5}, "TubeRadius": 0.125,
      "field": {"DomainFaces": 1, "DomainFaceId": 50, "MaximumTime": 3.0}, "mapping": {"Formula": "v + f/100"},
      "volume": volume(StreamSurfaces=[1.0], TimeSurfaces=[0.5])},
-    # All of a plane, a tube and spheres around critical points.
+    # An unbounded plane, a tube, and spheres around critical points.
     {"source_properties": flow(vtkAnalyticFlowSource.COUPLED_CHARGE, 15),
      "surfaces": [surface("Parallelogram", Origin=[0.75, -0.5, -0.5], Point1=[0.75, 0.5, -0.25],
                           Point2=[0.875, -0.5, 0.5], Unbounded=1),
@@ -119,12 +120,13 @@ FLOWS = (
      "volume": volume(Intervals=[0.25, 0.75], TimeSurfaces=[0.125])})
 
 
-def leave_data(folder):
-    """The datasets by name, of which each file gets a copy for ParaView."""
+def write_data(folder):
+    """Returns the datasets by name, after writing a copy of each file for ParaView."""
     datasets = {"wavelet": pipelines.wavelet()}
     for name, file in FILES.items():
         data = datasets[name] = pipelines.read_data(file)
-        # Point ids that outlast a distribution to other processes: cells are cut in their order.
+        # Global point ids survive redistribution to other processes. Their order determines how
+        # cells are split.
         ids = numpy_to_vtkIdTypeArray(numpy.arange(data.GetNumberOfPoints()), deep=True)
         data.GetPointData().SetGlobalIds(named(ids, "GlobalPointIds"))
         writer = vtkDataSetWriter()
@@ -136,41 +138,41 @@ def leave_data(folder):
 
 
 def extract_intervals(datasets, data, array, intervals, criteria):
-    made = pipelines.interval_volume(datasets[data], array, intervals)
-    made.GenerateBoundariesOn()
+    algorithm = pipelines.interval_volume(datasets[data], array, intervals)
+    algorithm.GenerateBoundariesOn()
     for criterion in criteria:
-        made.AddCriterion(*criterion)
-    made.Update()
+        algorithm.AddCriterion(*criterion)
+    algorithm.Update()
     return {"filter": "IntervalVolume", "data": data, "array": array, "intervals": intervals, "criteria": criteria,
-            "output": measure(made.GetOutput(0), "IntervalId"),
-            "boundary": measure(made.GetOutput(1), "IntervalId")}
+            "output": measure(algorithm.GetOutput(0), "IntervalId"),
+            "boundary": measure(algorithm.GetOutput(1), "IntervalId")}
 
 
 def extract_contours(datasets, data, array, values):
-    made = vtkIsotableContour()
-    made.SetInputData(datasets[data])
-    made.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
+    algorithm = vtkIsotableContour()
+    algorithm.SetInputData(datasets[data])
+    algorithm.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS, array)
     for i, value in enumerate(values):
-        made.SetValue(i, value)
-    made.Update()
+        algorithm.SetValue(i, value)
+    algorithm.Update()
     return {"filter": "IsotableContour", "data": data, "array": array, "values": values,
-            "output": measure(made.GetOutput(0), "ContourId")}
+            "output": measure(algorithm.GetOutput(0), "ContourId")}
 
 
 def measure_in_time(description):
-    made = updated(pipelines.time_varying_volume(description))
+    algorithm = updated(pipelines.time_varying_volume(description))
     slices = []
     for time in description["slice_times"]:
-        cut = connected(vtkSimplexTimeSlice(), made, 2)
+        cut = connected(vtkSimplexTimeSlice(), algorithm, 2)
         cut.SetTime(time)
         slices.append(measure(updated(cut).GetOutput(), "IntervalId"))
-    return {**description, "tetrahedra": measure(made.GetOutput(0), "SimplexClass"),
-            "boundaries": measure(made.GetOutput(1), "BoundaryKind"),
-            "simplices": measure(made.GetOutput(2), "TimeSlab"), "slices": slices}
+    return {**description, "tetrahedra": measure(algorithm.GetOutput(0), "SimplexClass"),
+            "boundaries": measure(algorithm.GetOutput(1), "BoundaryKind"),
+            "simplices": measure(algorithm.GetOutput(2), "TimeSlab"), "slices": slices}
 
 
 def finite_sum(array, component=None):
-    """Of an array, or one of its components, where it is finite."""
+    """Returns the sum of the finite values of an array or one of its components."""
     values = vtk_to_numpy(array)
     values = values if component is None else values[:, component]
     return values[numpy.isfinite(values)].sum(dtype=float)
@@ -195,13 +197,13 @@ def measure_texture(texture):
 def measure_flow(description):
     field = pipelines.flow_field(description)
     mapping = updated(pipelines.inflow_mapping(field, description))
-    made = updated(pipelines.flow_volume(mapping, description))
+    algorithm = updated(pipelines.flow_volume(mapping, description))
     ids = ("IntervalId", "StreamSurfaceId", "TimeSurfaceId")
     result = {**description, "points": measure_samples(mapping.GetOutputDataObject(0)),
-              "outputs": [measure(made.GetOutput(port), name) for port, name in enumerate(ids)]}
+              "outputs": [measure(algorithm.GetOutput(port), name) for port, name in enumerate(ids)]}
     if "texture" in description:
-        texture = updated(pipelines.stream_texture(made, mapping, field, description))
-        lic = updated(pipelines.stream_lic(made, description)).GetOutputDataObject(0)
+        texture = updated(pipelines.stream_texture(algorithm, mapping, field, description))
+        lic = updated(pipelines.stream_lic(algorithm, description)).GetOutputDataObject(0)
         result["textured"] = measure_texture(texture)
         result["lic_sum"] = finite_sum(lic.GetPointData().GetArray("LIC"))
     search = connected(vtkFlowCriticalPoints(), pipelines.analytic_flow(description))
@@ -213,11 +215,11 @@ def measure_flow(description):
 
 def main():
     folder = sys.argv[1]
-    datasets = leave_data(folder)
+    datasets = write_data(folder)
     for name, array in DISTRIBUTED.items():
         write_pieces(datasets[name], array, NUMBER_OF_PIECES, os.path.join(folder, name + "_pieces"))
-    numbers = [extract_intervals(datasets, *asked) for asked in INTERVALS]
-    numbers += [extract_contours(datasets, *asked) for asked in CONTOURS]
+    numbers = [extract_intervals(datasets, *arguments) for arguments in INTERVALS]
+    numbers += [extract_contours(datasets, *arguments) for arguments in CONTOURS]
     for file, content in (("numbers", numbers), ("time_varying", [*map(measure_in_time, TIME_VARYING)]),
                           ("flow", [*map(measure_flow, FLOWS)])):
         with open(os.path.join(folder, file + ".json"), "w", encoding="utf-8") as output:

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""write_representation.py FOLDER: writes for the test of the plugin's Interval Volume: representation.json, a
-list of pictures (what was extracted from which data or source, how it was drawn, from where), and each
-picture as `<name>.png`. ParaView is asked the same and must draw the same."""
+"""write_representation.py FOLDER: writes images for the plugin test of the Interval Volume representation.
+
+Writes representation.json, a list of cases with data or source, extraction, settings and camera, and an
+image `<name>.png` for each. ParaView must reproduce the images.
+"""
 
 import sys
 
@@ -9,12 +11,12 @@ from interlume import (
     vtkAnalyticFieldSource, vtkAnalyticFlowSource, vtkTimeWeightedTetrahedraMapper)
 
 import pipelines
-from pictures import gyroid_camera, make_renderer, make_volume, write_pictures
+from images import gyroid_camera, make_renderer, make_volume, write_images
 from pipelines import connected, set_properties
 
 Settings = vtkTimeWeightedTetrahedraMapper
-# Two touching intervals of the temperature around a hot disk, seen from aside; colours and opacities as
-# rows of value, red, green, blue and of value, opacity.
+# Two adjacent temperature intervals around a hot disk. Colors are rows of value, red, green, blue, and
+# opacities are rows of value, opacity.
 COMMON = {
     "data": "disk_out_ref", "array": "Temp", "intervals": [[360.0, 480.0], [480.0, 800.0]], "size": [400, 300],
     "background": [0.925, 0.929, 0.933],
@@ -28,8 +30,8 @@ BY_TEMPERATURE = {
 BY_INTERVAL = {
     "color_by": ["CELLS", "IntervalId"], "colors": [[0.0, 0.22, 0.44, 0.72], [1.0, 0.93, 0.69, 0.26]],
     "opacities": [[0.0, 0.4], [1.0, 0.8]]}
-# Vortex tubes that move, appear and fade: early green, in between yellow, late red, thicker where they
-# stay longer.
+# Moving vortex tubes that appear and fade: green early, yellow between, red late, and denser where they stay
+# longer.
 BY_TIME = {
     "source": "AnalyticField",
     "source_properties": {
@@ -39,7 +41,7 @@ BY_TIME = {
     "color_by": ["POINTS", "Time"],
     "colors": [[0.0, 0.05, 0.60, 0.25], [1.0, 0.98, 0.85, 0.20], [2.0, 0.80, 0.08, 0.10]],
     "opacities": [[0.0, 0.5], [2.0, 0.5]], "unit": 0.012}
-# Two stream volumes around a sphere, from a rectangle upstream, coloured by how long the flow took.
+# Two stream volumes around a sphere from an upstream rectangle, colored by advection time.
 FLOW = {
     "source": "AnalyticFlow",
     "source_properties": {
@@ -89,4 +91,4 @@ def draw(picture, _folder):
     return make_renderer(make_volume(mapper, picture))
 
 
-write_pictures(sys.argv[1], "representation.json", CASES, draw)
+write_images(sys.argv[1], "representation.json", CASES, draw)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""write_shadowed_slices.py FOLDER: writes for the test of the plugin's Shadowed Slices: shadowed_slices.json, a
-list of pictures (which source, how it was drawn, under which lights, from where), each picture as
-`<name>.png`, and the image on the projective light's screen. ParaView is asked the same and must draw the
-same."""
+"""write_shadowed_slices.py FOLDER: writes images for the plugin test of the Shadowed Slices representation.
+
+Writes shadowed_slices.json, a list of cases with source, settings, lights and camera, an image `<name>.png`
+for each, and the image of the projective light. ParaView must reproduce the images.
+"""
 
 import os
 import sys
@@ -11,13 +12,13 @@ import numpy
 from interlume import vtkAnalyticFieldSource, vtkProjectiveLight, vtkShadowedSliceMapper
 from vtkmodules.vtkRenderingCore import vtkLight, vtkLightKit
 
-from pictures import (
-    crop, gyroid_camera, make_renderer, make_volume, read_image, set_light, write_image, write_pictures)
+from images import (
+    crop, gyroid_camera, make_renderer, make_volume, read_image, set_light, write_image, write_images)
 from pipelines import connected, set_properties, temporal_source, updated
 
 SCREEN = "light-screen.png"
-# Parts of a gyroid with a haze around, seen from aside, by the light of the kit. `light` is a light of the
-# view, `projector` that of the representation.
+# Part of a gyroid with haze around it, lit by the light kit. `light` is a light of the view, and `projector`
+# is the light of the representation.
 COMMON = {
     "source": "AnalyticField",
     "source_properties": {
@@ -76,4 +77,4 @@ def draw(picture, folder):
     return renderer
 
 
-write_pictures(sys.argv[1], "shadowed_slices.json", CASES, draw)
+write_images(sys.argv[1], "shadowed_slices.json", CASES, draw)

@@ -40,10 +40,10 @@ ScatteringMedium MakeCloud(int cells, double depth, const glm::vec3& albedo, dou
     {
       for (cell.x = 0; cell.x < cells; ++cell.x)
       {
-        const glm::dvec3 place = (glm::dvec3(cell) + 0.5) / static_cast<double>(cells) - 0.5;
+        const glm::dvec3 position = (glm::dvec3(cell) + 0.5) / static_cast<double>(cells) - 0.5;
         const double lumps =
-          0.05 * std::sin(20.0 * place.x) * std::sin(17.0 * place.y + 3.0 * place.z);
-        const double within = 0.4 - glm::length(place) - lumps;
+          0.05 * std::sin(20.0 * position.x) * std::sin(17.0 * position.y + 3.0 * position.z);
+        const double within = 0.4 - glm::length(position) - lumps;
         medium.Extinction[medium.GetIndex(cell)] =
           static_cast<float>(depth / 0.8 * glm::clamp(10.0 * within, 0.0, 1.0));
       }
@@ -60,11 +60,11 @@ ScatteringLight MakeLight(const ScatteringMedium& medium, const glm::dvec3& dire
   return light;
 }
 
-ScatteringLight MakeLightAt(const ScatteringMedium& medium, const glm::dvec3& place)
+ScatteringLight MakeLightAt(const ScatteringMedium& medium, const glm::dvec3& position)
 {
   ScatteringLight light;
   light.IsPositional = true;
-  light.Position = place;
+  light.Position = position;
   light.Fill(medium, glm::vec3(1.0f));
   return light;
 }
@@ -106,10 +106,10 @@ ScatteringLight Slab::MakeLight(const ScatteringMedium& medium) const
 }
 
 SlabFlux GatherSlab(
-  const Slab& slab, const ScatteringMedium& medium, const ScatteringField& field, int parts)
+  const Slab& slab, const ScatteringMedium& medium, const ScatteredLight& field, int parts)
 {
   constexpr int cosines = 192;
-  constexpr int turns = 48;
+  constexpr int azimuths = 48;
   const int layers = slab.Layers * parts;
   const double depth = slab.Depth / layers;
   const double across = std::sqrt(1.0 - slab.Cosine * slab.Cosine);
@@ -120,11 +120,11 @@ SlabFlux GatherSlab(
     for (const int side : { -1, 1 })
     {
       double phase = 0.0;
-      for (int turn = 0; turn < turns; ++turn)
+      for (int azimuth = 0; azimuth < azimuths; ++azimuth)
       {
         const double cosine = side * mu * slab.Cosine +
-          std::sqrt(1.0 - mu * mu) * across * std::cos(2.0 * Pi * (turn + 0.5) / turns);
-        phase += 4.0 * Pi * medium.Phase.Value(cosine) / turns;
+          std::sqrt(1.0 - mu * mu) * across * std::cos(2.0 * Pi * (azimuth + 0.5) / azimuths);
+        phase += 4.0 * Pi * medium.Phase.Value(cosine) / azimuths;
       }
       double light = 0.0;
       for (int i = 0; i < layers; ++i)
@@ -137,7 +137,7 @@ SlabFlux GatherSlab(
         const double source = slab.Albedo *
           ((direct + forward) * phase +
             field.Fluence[cell].x *
-              (1.0 + 3.0 * slab.G * field.Lean[cell].z * static_cast<double>(side) * mu));
+              (1.0 + 3.0 * slab.G * field.NetFlux[cell].z * static_cast<double>(side) * mu));
         light = light * std::exp(-depth / mu) - source * std::expm1(-depth / mu);
       }
       (side < 0 ? flux.Reflected : flux.Transmitted) += 0.5 * mu * light / cosines / slab.Cosine;

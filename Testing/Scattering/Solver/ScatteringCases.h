@@ -7,21 +7,22 @@
 namespace reference
 {
 
-/// A medium that is the same in all cells, of size 1 along its longest side.
+/// Returns a homogeneous medium of size 1 along its longest side.
 interlume::ScatteringMedium MakeMedium(
   const glm::ivec3& cells, double extinction, const glm::vec3& albedo, double g);
-/// A ball of matter with a soft edge and lumps, in empty space, of that depth through its middle.
+/// Returns a sphere with a soft, lumpy boundary in empty space. \a depth is the optical depth along
+/// its diameter.
 interlume::ScatteringMedium MakeCloud(int cells, double depth, const glm::vec3& albedo, double g);
-/// The direct light of a direction, from the medium alone.
+/// Returns a directional light. The direct light is computed from the medium.
 interlume::ScatteringLight MakeLight(
   const interlume::ScatteringMedium& medium, const glm::dvec3& direction);
 interlume::ScatteringLight MakeLightAt(
-  const interlume::ScatteringMedium& medium, const glm::dvec3& place);
+  const interlume::ScatteringMedium& medium, const glm::dvec3& position);
 
-/// The result of a solver. An error is printed and makes the field empty.
+/// Result of a solver. On an error, the message is printed and the field is empty.
 struct Solved
 {
-  interlume::ScatteringField Field;
+  interlume::ScatteredLight Field;
   interlume::ScatteringReport Report;
   interlume::Error Error;
 
@@ -35,7 +36,8 @@ Solved Solve(const interlume::ScatteringMedium& medium,
   const std::vector<interlume::ScatteringLight>& lights, interlume::ScatteringMode mode,
   const interlume::ScatteringSettings& settings = {});
 
-/// A slab without end of depth along z, lit at the cosine mu; mirrors stand at its other sides.
+/// An infinite slab of optical depth Depth along z, lit at the cosine mu. Its other sides are
+/// mirrors.
 struct Slab
 {
   double G = 0.0;
@@ -45,20 +47,21 @@ struct Slab
   int Layers = 64;
 
   interlume::ScatteringMedium MakeMedium() const;
-  /// The light, with the means over the layers exact.
+  /// Returns the light with exact means of the direct light over each layer.
   interlume::ScatteringLight MakeLight(const interlume::ScatteringMedium& medium) const;
 };
 
-/// The flux of scattered light out of a slab over that which comes in, as an eye sees it.
+/// Flux of scattered light that leaves a slab, divided by the incident flux, from the viewed
+/// radiance.
 struct SlabFlux
 {
   double Reflected = 0.0;
   double Transmitted = 0.0;
 };
-/// Integrates what cells send to all directions, by the formula of ScatteringField and the phase
-/// function itself; the direct light in \a parts times as many layers as the field has.
+/// Integrates the radiance in all directions, by the formula of ScatteredLight and the phase
+/// function. The direct light has \a parts times as many layers as the field.
 SlabFlux GatherSlab(const Slab& slab, const interlume::ScatteringMedium& medium,
-  const interlume::ScatteringField& field, int parts = 1);
+  const interlume::ScatteredLight& field, int parts = 1);
 
 }
 

@@ -28,15 +28,16 @@ glm::dvec3 GetDirection(Random& random)
 }
 }
 
-/// The cells along a ray, with places in cells from the lower corner and lengths in world units.
+/// The cells along a ray. Positions are in units of cells from the lower corner, lengths are in
+/// world units.
 class SeenLight::Walk
 {
 public:
-  Walk(const ScatteringMedium& medium, const glm::dvec3& place, const glm::dvec3& way)
+  Walk(const ScatteringMedium& medium, const glm::dvec3& position, const glm::dvec3& direction)
     : Medium(medium)
-    , Place(place)
-    , Speed(way / medium.CellSize)
-    , Cell(glm::clamp(glm::ivec3(glm::floor(place)), glm::ivec3(0), medium.Cells - 1))
+    , Position(position)
+    , Speed(direction / medium.CellSize)
+    , Cell(glm::clamp(glm::ivec3(glm::floor(position)), glm::ivec3(0), medium.Cells - 1))
   {
     this->FindExit();
   }
@@ -56,7 +57,7 @@ public:
   std::size_t GetIndex() const { return this->Medium.GetIndex(this->Cell); }
   double GetExtinction() const { return this->Medium.Extinction[this->GetIndex()]; }
   bool IsBlocked() const { return this->Medium.IsBlocked(this->GetIndex()); }
-  glm::dvec3 GetPlace(double distance) const { return this->Place + distance * this->Speed; }
+  glm::dvec3 GetPosition(double distance) const { return this->Position + distance * this->Speed; }
 
   double Entry = 0.0;
   double Exit = 0.0;
@@ -70,7 +71,7 @@ private:
       if (this->Speed[axis] != 0.0)
       {
         const double border = this->Cell[axis] + (this->Speed[axis] > 0.0 ? 1.0 : 0.0);
-        const double to = (border - this->Place[axis]) / this->Speed[axis];
+        const double to = (border - this->Position[axis]) / this->Speed[axis];
         if (to < this->Exit)
         {
           this->Exit = to;
@@ -82,7 +83,7 @@ private:
   }
 
   const ScatteringMedium& Medium;
-  glm::dvec3 Place;
+  glm::dvec3 Position;
   glm::dvec3 Speed;
   glm::ivec3 Cell;
   int Axis = 0;
@@ -103,77 +104,78 @@ double SeenLight::GetPhase(double cosine) const
   return (1.0 - g * g) / (square * std::sqrt(square));
 }
 
-glm::dvec3 SeenLight::Scatter(const glm::dvec3& way, Random& random) const
+glm::dvec3 SeenLight::Scatter(const glm::dvec3& direction, Random& random) const
 {
   const double g = this->Anisotropy;
-  const double share = random.Get(0.0, 1.0);
-  double cosine = 2.0 * share - 1.0;
+  const double fraction = random.Get(0.0, 1.0);
+  double cosine = 2.0 * fraction - 1.0;
   if (std::abs(g) > 1e-3)
   {
-    const double part = (1.0 - g * g) / (1.0 - g + 2.0 * g * share);
+    const double part = (1.0 - g * g) / (1.0 - g + 2.0 * g * fraction);
     cosine = (1.0 + g * g - part * part) / (2.0 * g);
   }
-  glm::dvec3 across = glm::cross(way, GetDirection(random));
+  glm::dvec3 across = glm::cross(direction, GetDirection(random));
   across /= std::max(glm::length(across), 1e-12);
-  return cosine * way + std::sqrt(std::max(1.0 - cosine * cosine, 0.0)) * across;
+  return cosine * direction + std::sqrt(std::max(1.0 - cosine * cosine, 0.0)) * across;
 }
 
-glm::dvec3 SeenLight::PlaceOnSides(const glm::dvec3& way, Random& random, double& area) const
+glm::dvec3 SeenLight::SampleBoundary(
+  const glm::dvec3& direction, Random& random, double& area) const
 {
   const glm::dvec3 size = glm::dvec3(this->Medium.Cells) * this->Medium.CellSize;
   const glm::dvec3 areas =
-    glm::abs(way) * glm::dvec3(size.y * size.z, size.z * size.x, size.x * size.y);
+    glm::abs(direction) * glm::dvec3(size.y * size.z, size.z * size.x, size.x * size.y);
   area = areas.x + areas.y + areas.z;
   const double pick = random.Get(0.0, area);
   const int axis = pick < areas.x ? 0 : pick < areas.x + areas.y ? 1 : 2;
-  glm::dvec3 place(random.Get(0.0, 1.0), random.Get(0.0, 1.0), random.Get(0.0, 1.0));
-  place[axis] = way[axis] > 0.0 ? 0.0 : 1.0;
-  return place * glm::dvec3(this->Medium.Cells);
+  glm::dvec3 position(random.Get(0.0, 1.0), random.Get(0.0, 1.0), random.Get(0.0, 1.0));
+  position[axis] = direction[axis] > 0.0 ? 0.0 : 1.0;
+  return position * glm::dvec3(this->Medium.Cells);
 }
 
-double SeenLight::GetTaken(std::size_t light, Random& random) const
+double SeenLight::SampleIncomingLight(std::size_t light, Random& random) const
 {
   const ScatteringLight& source = this->Lights[light];
-  glm::dvec3 place;
-  glm::dvec3 way = source.Direction;
+  glm::dvec3 position;
+  glm::dvec3 direction = source.Direction;
   double weight = 0.0;
   double start = 0.0;
   if (!source.IsPositional)
   {
-    place = this->PlaceOnSides(way, random, weight);
+    position = this->SampleBoundary(direction, random, weight);
   }
   else
   {
     const glm::dvec3 at = (source.Position - this->Medium.Origin) / this->Medium.CellSize;
-    place = at;
+    position = at;
     weight = 4.0 * Pi;
-    way = GetDirection(random);
+    direction = GetDirection(random);
     if (glm::any(glm::lessThan(at, glm::dvec3(0.0))) ||
       glm::any(glm::greaterThan(at, glm::dvec3(this->Medium.Cells))))
     {
-      // The sides that the light shines on.
-      glm::dvec3 towards;
+      // Sample only the sides that the light illuminates.
+      glm::dvec3 toward;
       for (int axis = 0; axis < 3; ++axis)
       {
-        towards[axis] = at[axis] < 0.0 ? 1.0 : at[axis] > this->Medium.Cells[axis] ? -1.0 : 0.0;
+        toward[axis] = at[axis] < 0.0 ? 1.0 : at[axis] > this->Medium.Cells[axis] ? -1.0 : 0.0;
       }
-      place = this->PlaceOnSides(towards, random, weight);
-      way = (place - at) * this->Medium.CellSize;
-      start = glm::length(way);
-      way /= start;
+      position = this->SampleBoundary(toward, random, weight);
+      direction = (position - at) * this->Medium.CellSize;
+      start = glm::length(direction);
+      direction /= start;
       const glm::dvec3 cells(this->Medium.Cells);
       double cosine = 0.0;
       for (int axis = 0; axis < 3; ++axis)
       {
-        const double side = towards[axis] > 0.0 ? 0.0 : cells[axis];
-        cosine = towards[axis] != 0.0 && place[axis] == side ? std::abs(way[axis]) : cosine;
+        const double side = toward[axis] > 0.0 ? 0.0 : cells[axis];
+        cosine = toward[axis] != 0.0 && position[axis] == side ? std::abs(direction[axis]) : cosine;
       }
       weight *= cosine / (start * start);
     }
   }
-  double through = 1.0;
-  double taken = 0.0;
-  Walk walk(this->Medium, place, way);
+  double transmittance = 1.0;
+  double incoming = 0.0;
+  Walk walk(this->Medium, position, direction);
   do
   {
     if (walk.IsBlocked())
@@ -181,26 +183,26 @@ double SeenLight::GetTaken(std::size_t light, Random& random) const
       break;
     }
     const double extinction = walk.GetExtinction();
-    const double own = -std::expm1(-extinction * (walk.Exit - walk.Entry));
-    if (own > 0.0)
+    const double opacity = -std::expm1(-extinction * (walk.Exit - walk.Entry));
+    if (opacity > 0.0)
     {
-      const double depth = -std::log1p(-own * random.Get(0.0, 1.0)) / extinction;
+      const double depth = -std::log1p(-opacity * random.Get(0.0, 1.0)) / extinction;
       const double distance = start + walk.Entry + std::min(depth, walk.Exit - walk.Entry);
-      taken += through * own * (source.IsPositional ? distance * distance : 1.0);
+      incoming += transmittance * opacity * (source.IsPositional ? distance * distance : 1.0);
     }
-    through *= 1.0 - own;
+    transmittance *= 1.0 - opacity;
   } while (walk.Next());
-  return weight * taken;
+  return weight * incoming;
 }
 
-double SeenLight::GetTransmittance(std::size_t light, const glm::dvec3& place) const
+double SeenLight::GetTransmittance(std::size_t light, const glm::dvec3& position) const
 {
   const ScatteringLight& source = this->Lights[light];
-  const glm::dvec3 world = this->Medium.Origin + place * this->Medium.CellSize;
+  const glm::dvec3 world = this->Medium.Origin + position * this->Medium.CellSize;
   const double reach =
     source.IsPositional ? glm::length(world - source.Position) : std::numeric_limits<double>::max();
   double depth = 0.0;
-  Walk walk(this->Medium, place, -source.GetDirection(world));
+  Walk walk(this->Medium, position, -source.GetDirection(world));
   do
   {
     if (walk.IsBlocked())
@@ -212,8 +214,8 @@ double SeenLight::GetTransmittance(std::size_t light, const glm::dvec3& place) c
   return std::exp(-depth);
 }
 
-double SeenLight::GetSource(const glm::dvec3& place, const glm::dvec3& out,
-  const ScatteringField* field, const std::vector<double>& phases,
+double SeenLight::GetSource(const glm::dvec3& position, const glm::dvec3& out,
+  const ScatteredLight* field, const std::vector<double>& phases,
   const std::vector<double>& lights) const
 {
   double sum = 0.0;
@@ -226,11 +228,11 @@ double SeenLight::GetSource(const glm::dvec3& place, const glm::dvec3& out,
     return sum;
   }
   const glm::dvec3 at =
-    glm::clamp(place - 0.5, glm::dvec3(0.0), glm::dvec3(this->Medium.Cells - 1));
+    glm::clamp(position - 0.5, glm::dvec3(0.0), glm::dvec3(this->Medium.Cells - 1));
   const glm::ivec3 lower(at);
-  const glm::dvec3 share = at - glm::dvec3(lower);
+  const glm::dvec3 fraction = at - glm::dvec3(lower);
   double fluence = 0.0;
-  glm::dvec3 lean(0.0);
+  glm::dvec3 netFlux(0.0);
   for (unsigned corner = 0; corner < 8; ++corner)
   {
     double weight = 1.0;
@@ -238,85 +240,86 @@ double SeenLight::GetSource(const glm::dvec3& place, const glm::dvec3& out,
     for (int axis = 0; axis < 3; ++axis)
     {
       const bool isUpper = (corner >> axis & 1u) != 0;
-      weight *= isUpper ? share[axis] : 1.0 - share[axis];
+      weight *= isUpper ? fraction[axis] : 1.0 - fraction[axis];
       cell[axis] = std::min(cell[axis] + (isUpper ? 1 : 0), this->Medium.Cells[axis] - 1);
     }
     if (weight > 0.0)
     {
       const std::size_t index = this->Medium.GetIndex(cell);
       fluence += weight * field->Fluence[index].x;
-      lean += weight * glm::dvec3(field->Lean[index]);
+      netFlux += weight * glm::dvec3(field->NetFlux[index]);
       for (std::size_t light = 0; light < field->Forward.size(); ++light)
       {
         sum += weight * phases[light] * field->Forward[light][index].x;
       }
     }
   }
-  return sum + fluence * std::max(1.0 + 3.0 * this->Anisotropy * glm::dot(lean, out), 0.0);
+  return sum + fluence * std::max(1.0 + 3.0 * this->Anisotropy * glm::dot(netFlux, out), 0.0);
 }
 
-void SeenLight::See(const glm::dvec3& place, const glm::dvec3& way,
-  const std::vector<const ScatteringField*>& fields, Random& random, std::vector<double>& seen,
-  double& through) const
+void SeenLight::TraceRay(const glm::dvec3& position, const glm::dvec3& direction,
+  const std::vector<const ScatteredLight*>& fields, Random& random, std::vector<double>& seen,
+  double& transmittance) const
 {
   std::fill(seen.begin(), seen.end(), 0.0);
-  through = 1.0;
+  transmittance = 1.0;
   std::vector<double> phases(this->Lights.size());
   std::vector<double> lights(this->Lights.size());
-  Walk walk(this->Medium, place, way);
+  Walk walk(this->Medium, position, direction);
   do
   {
     if (walk.IsBlocked())
     {
-      through = 0.0;
+      transmittance = 0.0;
       return;
     }
     const double extinction = walk.GetExtinction();
-    const double own = -std::expm1(-extinction * (walk.Exit - walk.Entry));
-    if (own > 0.0)
+    const double opacity = -std::expm1(-extinction * (walk.Exit - walk.Entry));
+    if (opacity > 0.0)
     {
-      const double depth = -std::log1p(-own * random.Get(0.0, 1.0)) / extinction;
-      const glm::dvec3 at = walk.GetPlace(walk.Entry + std::min(depth, walk.Exit - walk.Entry));
+      const double depth = -std::log1p(-opacity * random.Get(0.0, 1.0)) / extinction;
+      const glm::dvec3 at = walk.GetPosition(walk.Entry + std::min(depth, walk.Exit - walk.Entry));
       const glm::dvec3 world = this->Medium.Origin + at * this->Medium.CellSize;
       for (std::size_t light = 0; light < phases.size(); ++light)
       {
-        phases[light] = this->GetPhase(glm::dot(this->Lights[light].GetDirection(world), -way));
+        phases[light] =
+          this->GetPhase(glm::dot(this->Lights[light].GetDirection(world), -direction));
         lights[light] = this->GetTransmittance(light, at);
       }
-      const double weight = through * own * this->Medium.Albedo[walk.GetIndex()].x;
+      const double weight = transmittance * opacity * this->Medium.Albedo[walk.GetIndex()].x;
       for (std::size_t i = 0; i < fields.size(); ++i)
       {
-        seen[i] += weight * this->GetSource(at, -way, fields[i], phases, lights);
+        seen[i] += weight * this->GetSource(at, -direction, fields[i], phases, lights);
       }
-      through *= 1.0 - own;
+      transmittance *= 1.0 - opacity;
     }
-  } while (through > 1e-6 && walk.Next());
+  } while (transmittance > 1e-6 && walk.Next());
 }
 
 std::vector<SeenLight::Energy> SeenLight::GetEnergy(
-  const std::vector<const ScatteringField*>& fields, int rays, unsigned seed) const
+  const std::vector<const ScatteredLight*>& fields, int rays, unsigned seed) const
 {
   constexpr int batches = 16;
   Random random(seed);
-  const bool hasPlaces = std::any_of(this->Lights.begin(), this->Lights.end(),
+  const bool hasPointLights = std::any_of(this->Lights.begin(), this->Lights.end(),
     [](const ScatteringLight& light) { return light.IsPositional; });
   std::vector<Energy> result(fields.size());
   std::vector<double> squares(fields.size(), 0.0);
   std::vector<double> seen(fields.size());
   for (int batch = 0; batch < batches; ++batch)
   {
-    double taken = 0.0;
+    double incoming = 0.0;
     std::vector<double> sums(fields.size(), 0.0);
     for (int ray = 0; ray < rays / batches; ++ray)
     {
       for (std::size_t light = 0; light < this->Lights.size(); ++light)
       {
-        taken += this->GetTaken(light, random);
+        incoming += this->SampleIncomingLight(light, random);
       }
-      // Half of the rays as the lights are scattered once.
+      // Half of the rays follow the single scattering of the lights.
       glm::dvec3 out = GetDirection(random);
       double density = 1.0;
-      if (!hasPlaces)
+      if (!hasPointLights)
       {
         const std::size_t light = static_cast<std::size_t>(ray / 2) % this->Lights.size();
         out = ray % 2 == 0 ? out : this->Scatter(this->Lights[light].Direction, random);
@@ -328,9 +331,9 @@ std::vector<SeenLight::Energy> SeenLight::GetEnergy(
         }
       }
       double area = 0.0;
-      double through = 1.0;
-      const glm::dvec3 place = this->PlaceOnSides(-out, random, area);
-      this->See(place, -out, fields, random, seen, through);
+      double transmittance = 1.0;
+      const glm::dvec3 position = this->SampleBoundary(-out, random, area);
+      this->TraceRay(position, -out, fields, random, seen, transmittance);
       for (std::size_t i = 0; i < fields.size(); ++i)
       {
         sums[i] += area / density * seen[i];
@@ -339,9 +342,9 @@ std::vector<SeenLight::Energy> SeenLight::GetEnergy(
     const double scale = static_cast<double>(batches) / rays;
     for (std::size_t i = 0; i < fields.size(); ++i)
     {
-      result[i].Incoming += scale * taken / batches;
+      result[i].Incoming += scale * incoming / batches;
       result[i].Seen += scale * sums[i] / batches;
-      squares[i] += std::pow(scale * (sums[i] - taken), 2.0) / batches;
+      squares[i] += std::pow(scale * (sums[i] - incoming), 2.0) / batches;
     }
   }
   for (std::size_t i = 0; i < fields.size(); ++i)

@@ -13,12 +13,11 @@ namespace reference
 
 /**
  * @class   SeenLight
- * @brief   what eyes around a box see of its matter, by rays at random
+ * @brief   radiance around a box of medium, from random view rays
  *
- * Rays see what slices draw that are very thin: what is scattered once by the lights' own
- * transmittance, found along a ray to each light, and the solver's field where the eye looks,
- * linear between the middles of cells. All is of the first colour, of lights of colour 1; there are
- * no mirrors.
+ * Rays correspond to rendering with very thin slices. The single scattering is computed from the
+ * transmittance along a ray to each light. The solver's field is interpolated between cell centers.
+ * Only the first color channel is computed, with lights of color 1. Mirrors are not supported.
  */
 class SeenLight
 {
@@ -33,27 +32,29 @@ public:
     double Seen = 0.0;
     double Error = 0.0;
   };
-  /// Returns what matter takes of the lights, and what is seen in all directions of each field; no
-  /// field is what is scattered once.
+  /// Returns the light that the medium extinguishes, and the light that leaves it in all
+  /// directions, for each field. A null field adds single scattering only.
   std::vector<Energy> GetEnergy(
-    const std::vector<const interlume::ScatteringField*>& fields, int rays, unsigned seed) const;
+    const std::vector<const interlume::ScatteredLight*>& fields, int rays, unsigned seed) const;
 
 private:
   class Walk;
 
-  double GetTaken(std::size_t light, class Random& random) const;
-  /// Returns what is seen against \a way from \a place on the box, for each field.
-  void See(const glm::dvec3& place, const glm::dvec3& way,
-    const std::vector<const interlume::ScatteringField*>& fields, class Random& random,
-    std::vector<double>& seen, double& through) const;
-  double GetSource(const glm::dvec3& place, const glm::dvec3& out,
-    const interlume::ScatteringField* field, const std::vector<double>& phases,
+  double SampleIncomingLight(std::size_t light, class Random& random) const;
+  /// Computes the radiance at \a position on the boundary along the view ray \a direction, for each
+  /// field.
+  void TraceRay(const glm::dvec3& position, const glm::dvec3& direction,
+    const std::vector<const interlume::ScatteredLight*>& fields, class Random& random,
+    std::vector<double>& seen, double& transmittance) const;
+  double GetSource(const glm::dvec3& position, const glm::dvec3& out,
+    const interlume::ScatteredLight* field, const std::vector<double>& phases,
     const std::vector<double>& lights) const;
-  double GetTransmittance(std::size_t light, const glm::dvec3& place) const;
+  double GetTransmittance(std::size_t light, const glm::dvec3& position) const;
   double GetPhase(double cosine) const;
-  glm::dvec3 Scatter(const glm::dvec3& way, class Random& random) const;
-  /// Returns a place on the sides that rays along \a way enter by, and sets the area across them.
-  glm::dvec3 PlaceOnSides(const glm::dvec3& way, class Random& random, double& area) const;
+  glm::dvec3 Scatter(const glm::dvec3& direction, class Random& random) const;
+  /// Returns a position on the sides through which rays along \a direction enter, and sets the
+  /// projected area of these sides.
+  glm::dvec3 SampleBoundary(const glm::dvec3& direction, class Random& random, double& area) const;
 
   const interlume::ScatteringMedium& Medium;
   const std::vector<interlume::ScatteringLight>& Lights;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mode FORWARD: a pencil of light spreads by multiple scattering at small angles as theory has it,
-// whatever the layers; its sum is that of the equation in one dimension.
+// Mode FORWARD: the lateral variance of a light beam follows the theory of small-angle multiple
+// scattering for any number of layers, and its sum follows the one-dimensional equation.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Scattering/Solver/ScatteringCases.h"
 
@@ -21,7 +21,7 @@ using namespace interlume;
 constexpr double Depth = 3.0;
 constexpr double Variance = 0.004;
 
-/// Light in a column of cells in the middle, along an axis of a box of cells.
+/// A beam in the central column of cells, along an axis of a box of cells.
 struct Pencil
 {
   Pencil(int lateral, int along, int axis, bool isBackwards)
@@ -50,8 +50,8 @@ struct Pencil
     return { number % cells.x, number / cells.x % cells.y, number / (cells.x * cells.y) };
   }
 
-  /// Sums light over the cells of a layer: that of the light, of scattered light, and its square
-  /// distance along one of the axes across from the middle.
+  /// Sums over the cells of a layer: direct light, scattered light, and scattered light times its
+  /// squared lateral distance from the center.
   void Measure(const std::vector<glm::vec3>& forward, int layer, double& direct, double& scattered,
     double& squares) const
   {
@@ -60,9 +60,9 @@ struct Pencil
     for (std::size_t i = 0; i < this->Light.Direct.size(); ++i)
     {
       const glm::ivec3 cell = this->GetCell(i);
-      const int place = this->IsBackwards ? this->Medium.Cells[this->Axis] - 1 - cell[this->Axis]
-                                          : cell[this->Axis];
-      if (place == layer)
+      const int position = this->IsBackwards ? this->Medium.Cells[this->Axis] - 1 - cell[this->Axis]
+                                             : cell[this->Axis];
+      if (position == layer)
       {
         const double distance =
           (cell[across] - this->Medium.Cells[across] / 2) * this->Medium.CellSize[across];
@@ -81,17 +81,18 @@ struct Pencil
 
 void CheckSpread(Check& check)
 {
-  // The last column: the largest relative error of the variance at layers from a quarter on.
-  std::cout << "lateral along axis  worst error of variance\n";
+  // The last printed columns are the largest relative errors of variance and sum, for layers beyond
+  // a quarter of the depth.
+  std::cout << "lateral along axis  largest error of variance, of sum\n";
   for (const auto& [lateral, along, axis, isBackwards, bound] :
     std::vector<std::tuple<int, int, int, bool, double>>{ { 33, 32, 2, false, 3e-4 },
       { 33, 64, 2, false, 4e-5 }, { 65, 32, 0, true, 3e-4 }, { 65, 64, 1, false, 4e-5 } })
   {
     const Pencil pencil(lateral, along, axis, isBackwards);
-    const double share = pencil.Medium.Phase.ForwardShare();
+    const double fraction = pencil.Medium.Phase.ForwardFraction();
     int layers = 0;
-    const std::vector<glm::vec3> forward =
-      ForwardLight::Solve(MatterCells(pencil.Medium, { pencil.Light }), 0, share, Variance, layers);
+    const std::vector<glm::vec3> forward = ForwardLight::Solve(
+      SanitizedMedium(pencil.Medium, { pencil.Light }), 0, fraction, Variance, layers);
     check.Equal(layers, along, "number of layers");
     double worst = 0.0;
     double worstSum = 0.0;
@@ -101,12 +102,13 @@ void CheckSpread(Check& check)
       double scattered = 0.0;
       double squares = 0.0;
       pencil.Measure(forward, layer, direct, scattered, squares);
-      const double place = (layer + 0.5) / along;
-      const double sum = std::exp(-Depth * (1.0 - share) * place) - std::exp(-Depth * place);
+      const double position = (layer + 0.5) / along;
+      const double sum =
+        std::exp(-Depth * (1.0 - fraction) * position) - std::exp(-Depth * position);
       worstSum = std::max(worstSum, std::abs(scattered / sum - 1.0));
-      // Each unit of depth adds to the variance of angle of all the light; only scattered light has
-      // it.
-      const double variance = Variance * Depth * share * place * place * place / 3.0;
+      // Each unit of depth adds to the mean angular variance of all light. Only scattered light
+      // contributes.
+      const double variance = Variance * Depth * fraction * position * position * position / 3.0;
       worst = std::max(worst, std::abs(squares / (direct + scattered) / variance - 1.0));
     }
     std::cout << lateral << " " << along << " " << axis << "  " << worst << " " << worstSum << "\n";
@@ -115,7 +117,8 @@ void CheckSpread(Check& check)
   }
 }
 
-/// Oblique light: the middle of the light goes where the light does, and nothing is gained.
+/// Oblique light: the centroid of scattered light follows the light direction, and no energy is
+/// gained.
 void CheckOblique(Check& check)
 {
   for (const glm::dvec3& given :
@@ -125,24 +128,26 @@ void CheckOblique(Check& check)
     const ScatteringLight light = MakeLight(medium, given);
     const Solved solved = Solve(medium, { light }, ScatteringMode::Forward);
     check.Near(solved.GetSum() / solved.Report.Taken, 1.0, 1e-5, "sum of the energy");
-    check.That(solved.Report.Transmitted > 0.1 * solved.Report.Taken, "light goes through");
-    glm::dvec3 middle(0.0);
+    check.That(
+      solved.Report.Transmitted > 0.1 * solved.Report.Taken, "light passes through the cloud");
+    glm::dvec3 centroid(0.0);
     double sum = 0.0;
     for (std::size_t i = 0; i < medium.GetNumberOfCells(); ++i)
     {
       const int number = static_cast<int>(i);
-      const glm::dvec3 place(number % 24, number / 24 % 24, number / 576);
+      const glm::dvec3 position(number % 24, number / 24 % 24, number / 576);
       sum += solved.Field.Forward[0][i].x;
-      middle += (place - 11.5) * static_cast<double>(solved.Field.Forward[0][i].x);
+      centroid += (position - 11.5) * static_cast<double>(solved.Field.Forward[0][i].x);
     }
-    middle /= sum;
-    check.That(glm::dot(middle, light.Direction) > 0.8 * glm::length(middle),
-      "scattered light lies behind the middle, as the light goes");
+    centroid /= sum;
+    check.That(glm::dot(centroid, light.Direction) > 0.8 * glm::length(centroid),
+      "the centroid of scattered light is displaced along the light direction");
   }
 }
 
-/// A light at a place far away is as one in a direction; one inside is even around it.
-void CheckPlaces(Check& check)
+/// A far point light is equivalent to a directional light, and a light inside the medium is
+/// symmetric.
+void CheckLocations(Check& check)
 {
   const ScatteringMedium medium = MakeCloud(20, 6.0, glm::vec3(1.0f), 0.7);
   const ScatteringLight far = MakeLightAt(medium, glm::dvec3(0.5, 0.5, -1000.0));
@@ -158,18 +163,18 @@ void CheckPlaces(Check& check)
     sum += other.Field.Forward[0][i].x;
     difference += std::abs(one.Field.Forward[0][i].x - other.Field.Forward[0][i].x);
   }
-  std::cout << "far place against direction: " << difference / sum << "\n";
-  check.Near(difference / sum, 0.0, 0.05, "a place far away", 1.0);
+  std::cout << "far point light against directional light: " << difference / sum << "\n";
+  check.Near(difference / sum, 0.0, 0.05, "a far point light", 1.0);
 
-  const ScatteringMedium even = MakeMedium(glm::ivec3(15), 4.0, glm::vec3(1.0f), 0.7);
+  const ScatteringMedium homogeneous = MakeMedium(glm::ivec3(15), 4.0, glm::vec3(1.0f), 0.7);
   const Solved inside =
-    Solve(even, { MakeLightAt(even, glm::dvec3(0.5)) }, ScatteringMode::Forward);
+    Solve(homogeneous, { MakeLightAt(homogeneous, glm::dvec3(0.5)) }, ScatteringMode::Forward);
   const std::vector<glm::vec3>& forward = inside.Field.Forward[0];
-  const auto at = [&](int x, int y, int z) { return forward[even.GetIndex({ x, y, z })].x; };
-  check.That(at(7, 7, 12) > 0.1f, "light is scattered on from within");
-  check.Near(at(7, 7, 2), at(7, 7, 12), 1e-5, "even to both sides");
-  check.Near(at(12, 7, 7), at(7, 7, 12), 0.02, "even along the axes");
-  check.Near(at(2, 2, 2), at(12, 12, 12), 0.02, "even along diagonals");
+  const auto at = [&](int x, int y, int z) { return forward[homogeneous.GetIndex({ x, y, z })].x; };
+  check.That(at(7, 7, 12) > 0.1f, "a light inside is forward-scattered");
+  check.Near(at(7, 7, 2), at(7, 7, 12), 1e-5, "symmetric to both sides");
+  check.Near(at(12, 7, 7), at(7, 7, 12), 0.02, "symmetric along the axes");
+  check.Near(at(2, 2, 2), at(12, 12, 12), 0.02, "symmetric along diagonals");
 }
 
 }
@@ -179,6 +184,6 @@ int TestForwardLight(int, char*[])
   Check check;
   CheckSpread(check);
   CheckOblique(check);
-  CheckPlaces(check);
+  CheckLocations(check);
   return check.Result();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mode FULL neither gains nor loses energy, whatever the settings; in a furnace it is as bright as
-// what is around; the same bytes for any number of threads; what BackwardLayers cuts off.
+// Mode FULL conserves energy for random settings. A medium without absorption is invisible in a
+// white furnace. Results are identical for any number of threads. BackwardLayers truncates
+// backscattering.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Checks/ReferenceThreads.h"
@@ -24,9 +25,9 @@ using namespace interlume;
 
 ScatteringMedium MakeRandomMedium(Random& random)
 {
-  const auto whole = [&random](int lower, int upper)
+  const auto integer = [&random](int lower, int upper)
   { return static_cast<int>(random.Get(lower, upper + 0.999)); };
-  const glm::ivec3 cells(whole(1, 9), whole(1, 9), whole(1, 9));
+  const glm::ivec3 cells(integer(1, 9), integer(1, 9), integer(1, 9));
   const double depth = std::pow(10.0, random.Get(-6.0, 4.0));
   ScatteringMedium medium = MakeMedium(cells, depth, glm::vec3(1.0f), random.Get(-0.99, 0.99));
   medium.CellSize = { random.Get(0.5, 2.0), random.Get(0.5, 2.0), random.Get(0.5, 2.0) };
@@ -50,8 +51,8 @@ ScatteringMedium MakeRandomMedium(Random& random)
 void CheckRandom(Check& check)
 {
   Random random(20);
-  double most = 0.0;
-  double least = 2.0;
+  double maximum = 0.0;
+  double minimum = 2.0;
   for (int i = 0; i < 500; ++i)
   {
     const ScatteringMedium medium = MakeRandomMedium(random);
@@ -59,8 +60,8 @@ void CheckRandom(Check& check)
     std::vector<ScatteringLight> lights = { MakeLight(medium, glm::make_vec3(direction.data())) };
     if (random.Get(0.0, 1.0) < 0.4)
     {
-      const std::array<double, 3> place = random.GetPoint(8.0);
-      lights.push_back(MakeLightAt(medium, glm::make_vec3(place.data())));
+      const std::array<double, 3> position = random.GetPoint(8.0);
+      lights.push_back(MakeLightAt(medium, glm::make_vec3(position.data())));
     }
     ScatteringSettings settings;
     settings.BackwardLayers = random.Get(0.0, 1.0) < 0.3 ? 3 : 0;
@@ -72,28 +73,30 @@ void CheckRandom(Check& check)
       {
         continue;
       }
-      const double share = solved.GetSum() / solved.Report.Taken;
-      most = std::max(most, share);
-      least = std::min(least, share);
+      const double fraction = solved.GetSum() / solved.Report.Taken;
+      maximum = std::max(maximum, fraction);
+      minimum = std::min(minimum, fraction);
       check.SetContext("case " + std::to_string(i) + ": ");
-      check.That(share < 1.0 + 1e-5 && share > 0.999, "energy " + std::to_string(share) + " of 1");
-      check.That(solved.Report.Residual <= settings.Tolerance, "solved");
+      check.That(fraction < 1.0 + 1e-5 && fraction > 0.999,
+        "energy fraction " + std::to_string(fraction) + " near 1");
+      check.That(
+        solved.Report.Residual <= settings.Tolerance, "the residual is within the tolerance");
       for (std::size_t cell = 0; cell < medium.GetNumberOfCells(); ++cell)
       {
         const glm::vec3& fluence = solved.Field.Fluence[cell];
         check.That(fluence.x >= 0.0f && fluence.y >= 0.0f && fluence.z >= 0.0f &&
             std::isfinite(fluence.x + fluence.y + fluence.z) &&
-            glm::length(solved.Field.Lean[cell]) < 0.3334f,
-          "values are finite, not negative, and lean little");
+            glm::length(solved.Field.NetFlux[cell]) < 0.3334f,
+          "the fluence is finite and not negative, and the normalized net flux is bounded");
       }
     }
   }
   check.SetContext("");
-  std::cout << "energy of random settings: " << least << " to " << most << "\n";
+  std::cout << "energy fraction for random settings: " << minimum << " to " << maximum << "\n";
 }
 
-/// A slab without end and without absorption, light from all sides: what is seen is as bright as
-/// what is behind, in all directions.
+/// An infinite slab without absorption, lit from all sides, is as bright as its background in all
+/// directions.
 void CheckFurnace(Check& check)
 {
   constexpr int layers = 32;
@@ -131,15 +134,15 @@ void CheckFurnace(Check& check)
         {
           const std::size_t cell = static_cast<std::size_t>(layer) * 4;
           double source =
-            solved.Field.Fluence[cell].x * (1.0 + 3.0 * g * solved.Field.Lean[cell].z * mu);
+            solved.Field.Fluence[cell].x * (1.0 + 3.0 * g * solved.Field.NetFlux[cell].z * mu);
           for (std::size_t light = 0; light < lights.size(); ++light)
           {
-            // The phase function's mean over turns about the slab's normal.
+            // The mean of the phase function over rotations about the slab's normal.
             double phase = 0.0;
-            for (int turn = 0; turn < 32; ++turn)
+            for (int azimuth = 0; azimuth < 32; ++azimuth)
             {
-              const double across =
-                std::sqrt(1.0 - mu * mu) * lights[light].Direction.x * std::cos(0.19634954 * turn);
+              const double across = std::sqrt(1.0 - mu * mu) * lights[light].Direction.x *
+                std::cos(0.19634954 * azimuth);
               phase +=
                 12.566370614 / 32.0 * medium.Phase.Value(mu * lights[light].Direction.z + across);
             }
@@ -153,23 +156,23 @@ void CheckFurnace(Check& check)
         flux += mu * seen / 2.5;
         worst = std::max(worst, std::abs(seen - 1.0));
       }
-      std::cout << "furnace, g " << g << ", depth " << depth << ": worst " << worst << ", flux "
-                << flux << "\n";
+      std::cout << "furnace, g " << g << ", depth " << depth << ": largest error " << worst
+                << ", flux " << flux << "\n";
       check.Near(worst, 0.0, g > 0.0 ? 0.22 : 0.031, "brightness in the furnace", 1.0);
       check.Near(flux, 1.0, g > 0.0 ? 0.05 : 0.03, "flux out of the furnace");
     }
   }
 }
 
-bool IsSame(const ScatteringField& a, const ScatteringField& b)
+bool IsSame(const ScatteredLight& a, const ScatteredLight& b)
 {
   const auto same = [](const std::vector<glm::vec3>& one, const std::vector<glm::vec3>& other)
   {
     return one.size() == other.size() &&
       std::memcmp(one.data(), other.data(), one.size() * sizeof(glm::vec3)) == 0;
   };
-  bool isSame =
-    same(a.Fluence, b.Fluence) && same(a.Lean, b.Lean) && a.Forward.size() == b.Forward.size();
+  bool isSame = same(a.Fluence, b.Fluence) && same(a.NetFlux, b.NetFlux) &&
+    a.Forward.size() == b.Forward.size();
   for (std::size_t i = 0; i < a.Forward.size() && isSame; ++i)
   {
     isSame = same(a.Forward[i], b.Forward[i]);
@@ -183,15 +186,16 @@ void CheckThreads(Check& check)
   const std::vector<ScatteringLight> lights = { MakeLight(medium, { 1.0, 2.0, 2.0 }),
     MakeLightAt(medium, { 0.3, 0.4, 0.5 }) };
   const std::string backend = vtkSMPTools::GetBackend();
-  check.That(vtkSMPTools::SetBackend("STDThread"), "there are threads");
+  check.That(vtkSMPTools::SetBackend("STDThread"), "the threading backend exists");
   for (const ScatteringMode mode : { ScatteringMode::Forward, ScatteringMode::Full })
   {
-    ScatteringField first;
+    ScatteredLight first;
     for (const int threads : { 1, 3 })
     {
       SetThreads(threads);
       const Solved solved = Solve(medium, lights, mode);
-      check.That(threads == 1 || IsSame(first, solved.Field), "the same bytes for 3 threads");
+      check.That(
+        threads == 1 || IsSame(first, solved.Field), "the field is identical for 3 threads");
       first = solved.Field;
     }
   }
@@ -199,7 +203,7 @@ void CheckThreads(Check& check)
   vtkSMPTools::SetBackend(backend.c_str());
 }
 
-/// The more layers light comes back from, the nearer to all of them.
+/// With more backscattering layers, the result approaches the result with all layers.
 void CheckBackwardLayers(Check& check)
 {
   Slab slab;
@@ -215,12 +219,12 @@ void CheckBackwardLayers(Check& check)
     settings.BackwardLayers = layers;
     const Solved solved = Solve(medium, { light }, ScatteringMode::Full, settings);
     const double error = 1.0 - solved.Report.Reflected / all;
-    std::cout << "light from " << layers << " of 64 layers: " << error << " is missing\n";
-    check.That(error > 0.0 && error < before, "more layers are nearer to all");
+    std::cout << "backscattering from " << layers << " of 64 layers: " << error << " is missing\n";
+    check.That(error > 0.0 && error < before, "more layers are closer to all layers");
     check.Near(solved.GetSum() / solved.Report.Taken, 1.0, 1e-5, "sum of the energy");
     before = error;
   }
-  check.That(before < 0.125, "96 layers are all but an eighth");
+  check.That(before < 0.125, "96 layers include all but an eighth of the light");
 }
 
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extremes of media and lights for the solver of multiple scattering, each by its name.
+// Extreme media and lights of the multiple scattering solver.
 #include "Support/Pages/StabilityCase.h"
 #include "Scattering/Solver/ScatteringCases.h"
 
@@ -26,8 +26,8 @@ public:
     this->Catalogue.SetClass("vtkShadowedSliceMapper");
   }
 
-  /// Both modes: values are finite and not negative, and the energy is what came in. NaN where no
-  /// light met matter.
+  /// Checks in both modes that values are finite and not negative, and that the outgoing energy
+  /// equals the incoming energy. The result is NaN if no light enters the medium.
   void Energy(const std::string& name, const std::string& extreme, const ScatteringMedium& medium,
     const std::vector<ScatteringLight>& lights)
   {
@@ -37,10 +37,10 @@ public:
       const Solved solved = Solve(medium, lights, mode);
       const double taken = solved.Report.Taken;
       worst = std::max(worst, taken > 0.0 ? std::abs(solved.GetSum() / taken - 1.0) : std::nan(""));
-      worst = IsSound(solved) && taken > 0.0 ? worst : std::nan("");
+      worst = IsValid(solved) && taken > 0.0 ? worst : std::nan("");
     }
     this->Catalogue.Measure(
-      name, extreme, "energy out over energy in, less 1, of both modes", worst, 1e-4);
+      name, extreme, "outgoing energy over incoming energy, minus 1, of both modes", worst, 1e-4);
   }
 
   void Measure(const std::string& name, const std::string& extreme, const std::string& expected,
@@ -54,18 +54,18 @@ public:
     this->Catalogue.Check(name, extreme, expected, seen, passed);
   }
 
-  static bool IsSound(const Solved& solved)
+  static bool IsValid(const Solved& solved)
   {
-    const auto isSound = [](const glm::vec3& value)
+    const auto isValid = [](const glm::vec3& value)
     {
       return value.x >= 0.0f && value.y >= 0.0f && value.z >= 0.0f &&
         value.x + value.y + value.z < 1e6f;
     };
     bool all = !solved.Error && !solved.Field.Fluence.empty() &&
-      std::all_of(solved.Field.Fluence.begin(), solved.Field.Fluence.end(), isSound);
+      std::all_of(solved.Field.Fluence.begin(), solved.Field.Fluence.end(), isValid);
     for (const std::vector<glm::vec3>& forward : solved.Field.Forward)
     {
-      all = all && std::all_of(forward.begin(), forward.end(), isSound);
+      all = all && std::all_of(forward.begin(), forward.end(), isValid);
     }
     return all;
   }
@@ -76,8 +76,8 @@ private:
   StabilityCatalogue Catalogue;
 };
 
-/// The largest difference of the fluence, over its largest value.
-double Difference(const ScatteringField& a, const ScatteringField& b)
+/// Returns the largest difference of the fluence, relative to the largest fluence.
+double Difference(const ScatteredLight& a, const ScatteredLight& b)
 {
   double largest = 0.0;
   double difference = 0.0;
@@ -110,10 +110,10 @@ void TestMedia(SolverTable& table)
       { MakeLight(medium, Oblique) });
   }
   const ScatteringMedium white = MakeCloud(Size, 20.0, glm::vec3(1.0f), 0.0);
-  table.Energy("albedo-1", "nothing is absorbed", white, { MakeLight(white, Oblique) });
+  table.Energy("albedo-1", "no absorption", white, { MakeLight(white, Oblique) });
   const ScatteringMedium black = MakeCloud(Size, 20.0, glm::vec3(0.0f), 0.8);
   const Solved dark = Solve(black, { MakeLight(black, Oblique) }, ScatteringMode::Full);
-  table.Measure("albedo-0", "all is absorbed", "share of the light that is not absorbed",
+  table.Measure("albedo-0", "full absorption", "fraction of the light that is not absorbed",
     1.0 - dark.Report.Absorbed / dark.Report.Taken, 1e-6);
   ScatteringMedium one = MakeMedium(glm::ivec3(1), 3.0, glm::vec3(0.9f), 0.5);
   table.Energy("one-cell", "a grid of one cell", one, { MakeLight(one, Oblique) });
@@ -122,8 +122,8 @@ void TestMedia(SolverTable& table)
   ScatteringLight even;
   even.Direct.assign(mirrors.GetNumberOfCells(), glm::vec3(1.0f));
   const Solved closed = Solve(mirrors, { even }, ScatteringMode::Full);
-  table.Measure("mirrors", "mirrors on all sides and an even light",
-    "fluence less albedo / (1 - albedo)", closed.Field.Fluence[0].x - 9.0, 0.01);
+  table.Measure("mirrors", "mirrors on all sides and uniform light",
+    "fluence minus albedo / (1 - albedo)", closed.Field.Fluence[0].x - 9.0, 0.01);
 }
 
 void TestCells(SolverTable& table)
@@ -143,13 +143,13 @@ void TestCells(SolverTable& table)
     "largest difference from empty cells", Difference(found.Field, expected.Field), 0.0);
   const std::size_t count = (clean.GetNumberOfCells() + 36) / 37;
   table.Measure("nan-cells-counted", "extinction NaN or infinite in some cells",
-    "their number, less that reported",
+    "number of such cells minus the reported number",
     static_cast<double>(count) - static_cast<double>(found.Report.BadCells), 0.0);
   ScatteringMedium nothing = clean;
   nothing.Extinction.assign(nothing.GetNumberOfCells(), 0.0f);
   const Solved none = Solve(nothing, { light }, ScatteringMode::Full);
-  table.Measure("nothing", "no matter at all", "sum of the energy",
-    none.GetSum() + (SolverTable::IsSound(none) ? 0.0 : std::nan("")), 0.0);
+  table.Measure("nothing", "no medium", "sum of the energy",
+    none.GetSum() + (SolverTable::IsValid(none) ? 0.0 : std::nan("")), 0.0);
 
   ScatteringMedium wall = MakeMedium(glm::ivec3(Size), 20.0, glm::vec3(1.0f), 0.5);
   wall.Blocked.assign(wall.GetNumberOfCells(), 0);
@@ -168,21 +168,22 @@ void TestCells(SolverTable& table)
     behind = std::max(behind, walled.Field.Fluence[i].x);
   }
   const float before = walled.Field.Fluence[wall.GetIndex({ Size / 2, Size / 2, 2 })].x;
-  table.Measure("wall", "blocked cells from side to side", "light behind them over that before",
+  table.Measure("wall", "a wall of blocked cells across the grid",
+    "light behind the wall over light in front of it",
     before > 0.0f ? behind / before : std::nan(""), 0.0);
-  table.Energy(
-    "wall-energy", "blocked cells from side to side", wall, { MakeLight(wall, { 0.0, 0.0, 1.0 }) });
+  table.Energy("wall-energy", "a wall of blocked cells across the grid", wall,
+    { MakeLight(wall, { 0.0, 0.0, 1.0 }) });
 }
 
 void TestLights(SolverTable& table)
 {
   const ScatteringMedium medium = MakeCloud(Size, 20.0, glm::vec3(1.0f, 0.9f, 0.8f), 0.8);
-  table.Energy("light-inside", "a light within the matter", medium,
+  table.Energy("light-inside", "a light inside the medium", medium,
     { MakeLightAt(medium, { 0.5, 0.5, 0.5 }) });
-  table.Energy("light-in-middle-of-cell", "a light in the very middle of a cell", medium,
+  table.Energy("light-in-middle-of-cell", "a light at the center of a cell", medium,
     { MakeLightAt(medium, glm::dvec3(7.5 / Size)) });
   table.Energy("light-far", "a light 1e9 away", medium, { MakeLightAt(medium, { 1e9, 0.5, 0.5 }) });
-  table.Energy("opposite-lights", "two lights against each other", medium,
+  table.Energy("opposite-lights", "two opposite lights", medium,
     { MakeLight(medium, { 0.0, 0.0, 1.0 }), MakeLight(medium, { 0.0, 0.0, -1.0 }) });
   ScatteringLight dark = MakeLight(medium, Oblique);
   for (glm::vec3& direct : dark.Direct)
@@ -190,32 +191,33 @@ void TestLights(SolverTable& table)
     direct = glm::vec3(0.0f);
   }
   const Solved black = Solve(medium, { dark }, ScatteringMode::Full);
-  table.Measure("black-light", "a light of no color", "sum of the energy",
-    black.GetSum() + (SolverTable::IsSound(black) ? 0.0 : std::nan("")), 0.0);
+  table.Measure("black-light", "a black light", "sum of the energy",
+    black.GetSum() + (SolverTable::IsValid(black) ? 0.0 : std::nan("")), 0.0);
   const Solved none = Solve(medium, {}, ScatteringMode::Full);
-  table.Measure("no-light", "no light at all", "sum of the energy",
-    none.GetSum() + (SolverTable::IsSound(none) ? 0.0 : std::nan("")), 0.0);
+  table.Measure("no-light", "no light", "sum of the energy",
+    none.GetSum() + (SolverTable::IsValid(none) ? 0.0 : std::nan("")), 0.0);
   ScatteringLight bad = MakeLight(medium, Oblique);
   bad.Direct[100].y = NotANumber;
-  table.Energy("nan-light", "a light that is NaN in a cell", medium, { bad });
+  table.Energy("nan-light", "a light that is NaN in one cell", medium, { bad });
 
-  ScatteringField field;
+  ScatteredLight field;
   ScatteringReport report;
   bad.Direct.pop_back();
   std::string error =
     ScatteringSolver::Solve(medium, { bad }, ScatteringMode::Full, {}, field, report).GetMessage();
-  table.Check("cells-missing", "a light with a cell too few", "text with both numbers", error,
-    error.find("4095") != std::string::npos && error.find("4096") != std::string::npos);
-  ScatteringLight still = MakeLight(medium, Oblique);
-  still.Direction = glm::dvec3(0.0);
-  error = ScatteringSolver::Solve(medium, { still }, ScatteringMode::Full, {}, field, report)
-            .GetMessage();
-  table.Check("no-direction", "a light whose direction has no length", "text with the direction",
-    error, error.find("not of length 1") != std::string::npos);
+  table.Check("cells-missing", "a light that lacks one cell", "an error that names both numbers",
+    error, error.find("4095") != std::string::npos && error.find("4096") != std::string::npos);
+  ScatteringLight nullDirection = MakeLight(medium, Oblique);
+  nullDirection.Direction = glm::dvec3(0.0);
+  error =
+    ScatteringSolver::Solve(medium, { nullDirection }, ScatteringMode::Full, {}, field, report)
+      .GetMessage();
+  table.Check("no-direction", "a light whose direction has zero length",
+    "an error that names the direction", error, error.find("not of length 1") != std::string::npos);
   ScatteringMedium flat = medium;
   flat.Cells.y = 0;
   error = ScatteringSolver::Solve(flat, {}, ScatteringMode::Full, {}, field, report).GetMessage();
-  table.Check("no-cells", "a grid without cells", "text with the axis", error,
+  table.Check("no-cells", "a grid without cells", "an error that names the axis", error,
     error.find("0 cells along axis 1") != std::string::npos);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Reflection and transmission of slabs against the numbers of H. C. van de Hulst, Multiple Light
-// Scattering, 1980, tables 12, 35 and 37, for single scattering and both modes. The field is looked
-// at as an eye does, and integrated over all directions.
+// Compares reflection and transmission of slabs with H. C. van de Hulst, "Multiple Light
+// Scattering", 1980, tables 12, 35 and 37, for single scattering and both modes of multiple
+// scattering. The field is evaluated along view rays and integrated over all directions.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Scattering/Solver/ScatteringCases.h"
 
@@ -21,9 +21,9 @@ struct Row
   std::string Name;
   Slab Case;
   double Reflected;
-  /// Of scattered light; negative where none is published.
+  /// Scattered light only. Negative if no value is published.
   double Transmitted;
-  /// Bounds of the relative errors of mode FULL, a tenth above what is measured.
+  /// Bounds of the relative errors of mode FULL, 10 % above the measured errors.
   double ReflectedBound;
   double TransmittedBound;
 };
@@ -56,8 +56,8 @@ double ErrorOf(double found, double expected)
 
 int TestScatteringSlabs(int, char*[])
 {
-  // The direct light is looked at in so many parts of a layer, as slices have more detail than
-  // the grid.
+  // Each layer is subdivided for the direct light, since slices resolve it more finely than the
+  // grid.
   constexpr int parts = 8;
   Check check;
   std::printf(
@@ -66,9 +66,9 @@ int TestScatteringSlabs(int, char*[])
   {
     const ScatteringMedium medium = row.Case.MakeMedium();
     const ScatteringLight light = row.Case.MakeLight(medium);
-    ScatteringField none;
+    ScatteredLight none;
     none.Fluence.assign(medium.GetNumberOfCells(), glm::vec3(0.0f));
-    none.Lean = none.Fluence;
+    none.NetFlux = none.Fluence;
     std::vector<SlabFlux> fluxes = { GatherSlab(row.Case, medium, none, parts) };
     for (const ScatteringMode mode : { ScatteringMode::Forward, ScatteringMode::Full })
     {
@@ -89,9 +89,9 @@ int TestScatteringSlabs(int, char*[])
     check.Near(reflected, 0.0, row.ReflectedBound, "reflection", 1.0);
     check.Near(transmitted, 0.0, row.TransmittedBound, "transmission", 1.0);
     check.That(std::abs(reflected) <= std::abs(ErrorOf(fluxes[0].Reflected, row.Reflected)),
-      "the reflection of mode FULL is nearer than that of single scattering");
+      "mode FULL reflects more accurately than single scattering");
     check.That(std::abs(transmitted) <= std::abs(ErrorOf(fluxes[0].Transmitted, row.Transmitted)),
-      "the transmission of mode FULL is nearer than that of single scattering");
+      "mode FULL transmits more accurately than single scattering");
   }
   return check.Result();
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Eyes around a medium see no more light than matter takes from the lights, whatever the settings.
+// For random settings, the light that leaves a medium is at most the light that the medium
+// extinguishes.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Scattering/Solver/ScatteringCases.h"
@@ -31,15 +32,15 @@ struct Setting
 Setting MakeSetting(unsigned seed)
 {
   Random random(seed);
-  const auto whole = [&random](int lower, int upper)
+  const auto integer = [&random](int lower, int upper)
   { return static_cast<int>(random.Get(lower, upper + 0.999)); };
   Setting setting;
-  const glm::ivec3 cells(whole(1, 8), whole(1, 8), whole(1, 8));
+  const glm::ivec3 cells(integer(1, 8), integer(1, 8), integer(1, 8));
   const double depth = std::pow(10.0, random.Get(-2.0, 4.0));
   setting.G = random.Get(-0.95, 0.95);
   setting.Medium = MakeMedium(cells, depth, glm::vec3(1.0f), setting.G);
   ScatteringMedium& medium = setting.Medium;
-  const int shape = whole(0, 3);
+  const int shape = integer(0, 3);
   const double empty = random.Get(0.0, 0.7);
   const bool isBlocked = random.Get(0.0, 1.0) < 0.2;
   const double albedo = random.Get(0.0, 1.0) < 0.7 ? 1.0 : random.Get(0.5, 1.0);
@@ -52,11 +53,12 @@ Setting MakeSetting(unsigned seed)
     {
       for (cell.x = 0; cell.x < cells.x; ++cell.x, ++i)
       {
-        const double away = 2.0 * glm::length((glm::dvec3(cell) + 0.5) / glm::dvec3(cells) - 0.5);
+        const double distance =
+          2.0 * glm::length((glm::dvec3(cell) + 0.5) / glm::dvec3(cells) - 0.5);
         const double factor = shape == 0 ? 1.0
           : shape == 1                   ? (random.Get(0.0, 1.0) < empty ? 0.0 : 1.0)
           : shape == 2                   ? std::pow(10.0, random.Get(-3.0, 0.0))
-                                         : glm::clamp(3.0 * (1.0 - away), 0.0, 1.0);
+                                         : glm::clamp(3.0 * (1.0 - distance), 0.0, 1.0);
         medium.Extinction[i] *= static_cast<float>(factor);
         medium.Albedo[i].x = static_cast<float>(albedo);
         medium.Albedo[i].y = static_cast<float>(random.Get(0.0, 1.0));
@@ -68,10 +70,10 @@ Setting MakeSetting(unsigned seed)
   setting.Lights = { MakeLight(medium, glm::make_vec3(direction.data())) };
   if (random.Get(0.0, 1.0) < 0.3)
   {
-    const std::array<double, 3> place = random.GetPoint(2.0);
-    setting.Lights.push_back(MakeLightAt(medium, glm::make_vec3(place.data())));
+    const std::array<double, 3> position = random.GetPoint(2.0);
+    setting.Lights.push_back(MakeLightAt(medium, glm::make_vec3(position.data())));
   }
-  setting.Settings.BackwardLayers = random.Get(0.0, 1.0) < 0.2 ? whole(1, 4) : 0;
+  setting.Settings.BackwardLayers = random.Get(0.0, 1.0) < 0.2 ? integer(1, 4) : 0;
   setting.Settings.AngleVariance = random.Get(-0.1, 0.5);
   std::ostringstream text;
   text << "cells " << cells.x << " " << cells.y << " " << cells.z << ", depth " << depth << ", g "
@@ -83,7 +85,7 @@ Setting MakeSetting(unsigned seed)
   return setting;
 }
 
-/// Whether all of the light comes out again.
+/// Returns true if all light leaves the medium.
 bool IsConserving(const Setting& setting)
 {
   const ScatteringMedium& medium = setting.Medium;
@@ -93,8 +95,8 @@ bool IsConserving(const Setting& setting)
 
 void CheckSeen(Check& check, int number)
 {
-  double most = 0.0;
-  double least = 2.0;
+  double maximum = 0.0;
+  double minimum = 2.0;
   int conserving = 0;
   for (int i = 0; i < number; ++i)
   {
@@ -110,14 +112,14 @@ void CheckSeen(Check& check, int number)
         { nullptr, &forward.Field, &full.Field }, rays, 1000u + static_cast<unsigned>(i));
     };
     std::vector<SeenLight::Energy> energies = find(1024);
-    // What stands out is looked at again, with more rays.
-    const bool standsOut = std::any_of(energies.begin(), energies.end(),
+    // Suspicious results are computed again with more rays.
+    const bool isSuspicious = std::any_of(energies.begin(), energies.end(),
       [](const SeenLight::Energy& energy)
       {
         return std::abs(energy.Seen / energy.Incoming - 1.0) >
           0.03 + 2.0 * energy.Error / energy.Incoming;
       });
-    if (standsOut)
+    if (isSuspicious)
     {
       energies = find(4096);
     }
@@ -125,32 +127,33 @@ void CheckSeen(Check& check, int number)
     for (std::size_t mode = 0; mode < energies.size(); ++mode)
     {
       const SeenLight::Energy& energy = energies[mode];
-      const double share = energy.Seen / energy.Incoming;
+      const double fraction = energy.Seen / energy.Incoming;
       const double noise = 3.0 * energy.Error / energy.Incoming;
       check.SetContext(
         "setting " + std::to_string(i) + ", " + names[mode] + ", " + setting.Text + ": ");
-      check.That(share < 1.01 + noise,
-        "seen of 1: " + std::to_string(share) + ", noise " + std::to_string(noise));
+      check.That(fraction < 1.01 + noise,
+        "outgoing fraction " + std::to_string(fraction) + ", noise " + std::to_string(noise));
       if (mode == 2)
       {
-        most = std::max(most, share - noise);
+        maximum = std::max(maximum, fraction - noise);
         if (IsConserving(setting))
         {
           ++conserving;
-          least = std::min(least, share + noise);
-          check.That(share > 0.92 - noise, "seen of all: " + std::to_string(share));
+          minimum = std::min(minimum, fraction + noise);
+          check.That(
+            fraction > 0.92 - noise, "outgoing fraction without loss: " + std::to_string(fraction));
         }
       }
     }
     check.SetContext("");
   }
-  std::cout << "full, " << number << " settings: at most " << most << " of the light is seen, and "
-            << least << " at least where nothing is absorbed (" << conserving
-            << "), three standard deviations off\n";
+  std::cout << "full, " << number << " settings: at most " << maximum
+            << " of the light leaves, and at least " << minimum << " without absorption ("
+            << conserving << " settings), three standard deviations subtracted\n";
 }
 
-/// A ball with a sharp surface, of that depth through its middle.
-ScatteringMedium MakeBall(int cells, double depth)
+/// Returns a sphere with a sharp boundary. \a depth is the optical depth along its diameter.
+ScatteringMedium MakeSphereMedium(int cells, double depth)
 {
   constexpr double radius = 0.4;
   constexpr int parts = 4;
@@ -163,8 +166,8 @@ ScatteringMedium MakeBall(int cells, double depth)
     {
       for (part.x = 0; part.x < columns; ++part.x)
       {
-        const glm::dvec3 place = (glm::dvec3(part) + 0.5) / static_cast<double>(columns) - 0.5;
-        medium.Extinction[medium.GetIndex(part / parts)] += glm::length(place) < radius
+        const glm::dvec3 position = (glm::dvec3(part) + 0.5) / static_cast<double>(columns) - 0.5;
+        medium.Extinction[medium.GetIndex(part / parts)] += glm::length(position) < radius
           ? static_cast<float>(depth / (2.0 * radius) / (parts * parts * parts))
           : 0.0f;
       }
@@ -173,7 +176,7 @@ ScatteringMedium MakeBall(int cells, double depth)
   return medium;
 }
 
-/// Thick matter that absorbs nothing sends out what it takes, within a percent and the noise.
+/// Without absorption, dense media emit the extinguished light, up to 1 % and the noise.
 void CheckThick(Check& check)
 {
   constexpr int rays = 400000;
@@ -183,14 +186,14 @@ void CheckThick(Check& check)
     const Solved solved = Solve(medium, lights, ScatteringMode::Full);
     const SeenLight seen(medium, lights, 0.0);
     const SeenLight::Energy energy = seen.GetEnergy({ &solved.Field }, rays, 7).front();
-    const double share = energy.Seen / energy.Incoming;
+    const double fraction = energy.Seen / energy.Incoming;
     const double noise = 2.0 * energy.Error / energy.Incoming;
-    std::cout << name << ": " << share << " of the light is seen, noise " << noise << "\n";
-    check.Near(share, 1.0, 0.01 + noise, name + ": light that is seen", 1.0);
+    std::cout << name << ": " << fraction << " of the light leaves, noise " << noise << "\n";
+    check.Near(fraction, 1.0, 0.01 + noise, name + ": outgoing fraction", 1.0);
   };
   for (const double depth : { 20.0, 60.0, 200.0, 1000.0 })
   {
-    expect("ball of depth " + std::to_string(depth), MakeBall(32, depth));
+    expect("sphere of depth " + std::to_string(depth), MakeSphereMedium(32, depth));
   }
   for (const int cells : { 8, 32 })
   {

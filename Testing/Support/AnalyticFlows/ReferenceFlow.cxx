@@ -14,7 +14,7 @@
 namespace reference
 {
 
-Flow Flow::Uniform(const Place& velocity)
+Flow Flow::Uniform(const Position& velocity)
 {
   Flow flow;
   flow.Velocity = [velocity](const double*, double* v)
@@ -23,7 +23,7 @@ Flow Flow::Uniform(const Place& velocity)
   return flow;
 }
 
-Flow Flow::Linear(const std::array<double, 9>& matrix, const Place& center)
+Flow Flow::Linear(const std::array<double, 9>& matrix, const Position& center)
 {
   Flow flow;
   flow.Velocity = [matrix, center](const double* x, double* v)
@@ -89,7 +89,7 @@ Flow Flow::Beltrami(double a, double b, double c)
   return flow;
 }
 
-Flow Flow::ShearLayer(double thickness, const Place& drift)
+Flow Flow::ShearLayer(double thickness, const Position& drift)
 {
   Flow flow;
   flow.Velocity = [thickness, drift](const double* x, double* v)
@@ -123,7 +123,7 @@ Flow Flow::Times(double factor) const
   return flow;
 }
 
-Place Flow::Follow(const Place& start, double time) const
+Position Flow::Follow(const Position& start, double time) const
 {
   namespace odeint = boost::numeric::odeint;
   using State = std::vector<double>;

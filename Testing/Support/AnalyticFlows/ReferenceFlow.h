@@ -8,37 +8,39 @@
 namespace reference
 {
 
-using Place = std::array<double, 3>;
+using Position = std::array<double, 3>;
 
 /**
- * @class   Flow
- * @brief   a vector field by formula, and its gradient dv[i]/dx[j] at [3 i + j]
+ * @struct  Flow
+ * @brief   vector field defined by a formula, with its gradient dv[i]/dx[j] at index 3 i + j
  */
 struct Flow
 {
   std::function<void(const double x[3], double v[3])> Velocity;
   std::function<void(const double x[3], double gradient[9])> Gradient;
-  /// For means along paths.
+  /// Returns the value of an array at x, for means along streamlines.
   std::function<double(int array, const double x[3])> Array;
 
-  /// v = velocity.
-  static Flow Uniform(const Place& velocity);
-  /// v = matrix (x - center), the matrix by rows.
-  static Flow Linear(const std::array<double, 9>& matrix, const Place& center = {});
-  /// Around z, by an angle of \a rate per unit of time.
+  /// Returns v = velocity.
+  static Flow Uniform(const Position& velocity);
+  /// Returns v = matrix (x - center), with the matrix in row-major order.
+  static Flow Linear(const std::array<double, 9>& matrix, const Position& center = {});
+  /// Returns the rotation about the z-axis with angular velocity \a rate.
   static Flow Rotation(double rate);
-  /// Potential flow of speed 1 along x at infinity, round the sphere of radius 1 at the origin.
+  /// Returns the potential flow around the unit sphere at the origin. The speed at infinity is 1
+  /// along x.
   static Flow RoundSphere();
-  /// Of Arnold, Beltrami and Childress: chaotic, its own curl.
+  /// Returns an Arnold-Beltrami-Childress flow, which is chaotic and equal to its curl.
   static Flow Beltrami(double a, double b, double c);
-  /// v = (tanh(y / thickness), 0, 0) + drift.
-  static Flow ShearLayer(double thickness, const Place& drift);
+  /// Returns v = (tanh(y / thickness), 0, 0) + drift.
+  static Flow ShearLayer(double thickness, const Position& drift);
 
-  /// The same, \a factor times as fast.
+  /// Returns the flow with its velocity multiplied by \a factor.
   Flow Times(double factor) const;
 
-  /// Where the streamline from \a start is after \a time, to 1e-13, by a method of order 8(7).
-  Place Follow(const Place& start, double time) const;
+  /// Returns the position on the streamline from \a start after \a time, with an error of 1e-13, by
+  /// a Runge-Kutta method of order 8(7).
+  Position Follow(const Position& start, double time) const;
 };
 
 }

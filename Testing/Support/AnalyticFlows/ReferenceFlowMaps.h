@@ -10,27 +10,27 @@ class vtkDataSet;
 class vtkPolyData;
 
 /**
- * Velocity fields and where they carry a point in a time: answers known by formulas.
+ * Analytic flow maps of velocity fields, which tests compare with computed flow maps.
  */
 namespace reference
 {
 
 using FlowVector = std::array<double, 3>;
-/// Row by row.
+/// A 3 x 3 matrix in row-major order.
 using FlowMatrix = std::array<double, 9>;
 using FlowFunction = std::function<FlowVector(const FlowVector&)>;
 
 FlowVector Multiply(const FlowMatrix& matrix, const FlowVector& x);
-/// The matrix exponential.
+/// Returns the matrix exponential.
 FlowMatrix Exponential(const FlowMatrix& matrix);
-/// Of the linear map x -> a x x.
+/// Returns the matrix of the linear map x -> a x x.
 FlowMatrix CrossMatrix(const FlowVector& a);
 
 ///@{
 /**
- * The place at time t (of any sign) of what is at x at time 0 in the fields of
- * vtkAnalyticFlowSource. \a axis and \a normal may have any length but 0. Linear: dx/dt = matrix (x
- * - center).
+ * Returns the position at time t (which may be negative) of the particle that is at x at time 0 in
+ * a field of vtkAnalyticFlowSource. \a axis and \a normal may have any length except 0. The linear
+ * field is dx/dt = matrix (x - center).
  */
 FlowVector MapUniform(const FlowVector& x, const FlowVector& velocity, double t);
 FlowVector MapRotation(const FlowVector& x, const FlowVector& center, const FlowVector& axis,
@@ -45,10 +45,11 @@ FlowVector MapLinear(
   const FlowVector& x, const FlowVector& center, const FlowMatrix& matrix, double t);
 ///@}
 
-/// Gives a dataset active vectors of double, `Velocity`: a function at its points.
+/// Evaluates a function at the points of a dataset and stores it as active vectors `Velocity` of
+/// type double.
 void SetVelocity(vtkDataSet* data, const FlowFunction& function);
 
-/// The bytes of points, cells and point arrays.
+/// Returns the bytes of points, cells and point arrays.
 std::string GetBytes(vtkPolyData* data);
 
 }

@@ -7,10 +7,10 @@
 namespace reference
 {
 
-/// The weight of a lattice point of the noise at distance \a t, in lattice lengths.
+/// Returns the weight of a noise grid point at distance \a t, in units of the grid spacing.
 double GetTent(double t);
 
-/// The noise of vtkFlowLIC at a place, written down again from its header's words.
+/// Returns the noise of vtkFlowLIC at a point, reimplemented from its class documentation.
 double GetNoise(const std::array<double, 3>& x, double scale, int seed);
 
 }

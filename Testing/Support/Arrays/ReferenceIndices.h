@@ -11,7 +11,8 @@ namespace reference
 
 /**
  * @class   IndexRange
- * @brief   all indices below sizes, in the order of nested loops, of which the last is innermost
+ * @brief   all indices below given sizes, in the order of nested loops; the last index varies
+ * fastest
  *
  * @code
  * for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))
@@ -69,7 +70,7 @@ private:
   std::array<T, N> Sizes;
 };
 
-/// The indices below \a sizes.
+/// Returns the range of all indices below \a sizes.
 template <typename... Size>
 auto AllIndices(Size... sizes)
 {

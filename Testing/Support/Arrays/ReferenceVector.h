@@ -7,7 +7,7 @@
 #include <cstddef> // for sizes
 
 /**
- * Arithmetic of std::array as vectors.
+ * Vector arithmetic for std::array.
  */
 namespace reference
 {
@@ -62,7 +62,7 @@ std::array<T, 3> Cross(const std::array<T, 3>& a, const std::array<T, 3>& b)
   return { { a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0] } };
 }
 
-/// Returns the length of a vector, without squares that overflow.
+/// Returns the length of a vector. Squares of large components do not overflow.
 template <typename T>
 T GetNorm(const std::array<T, 3>& a)
 {

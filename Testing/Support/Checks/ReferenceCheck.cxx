@@ -29,7 +29,7 @@ bool Check::Equal(long long found, long long expected, const std::string& what)
 bool Check::Near(
   double found, double expected, double tolerance, const std::string& what, double scale)
 {
-  // Written so that a NaN fails.
+  // This comparison fails for NaN.
   const double bound = tolerance * std::max(std::abs(expected), scale);
   const bool near = std::abs(found - expected) <= bound;
   std::ostringstream text;

@@ -2,9 +2,9 @@
 #ifndef ReferenceCheck_h
 #define ReferenceCheck_h
 
-#include <initializer_list> // for the checks of a test
+#include <initializer_list> // for the list of checks
 #include <string>           // for the labels
-#include <type_traits>      // for what Equal refuses
+#include <type_traits>      // for std::enable_if_t
 
 namespace reference
 {
@@ -13,17 +13,19 @@ namespace reference
  * @class   Check
  * @brief   collects the failed expectations of one test
  *
- * Each failure is printed to standard error with what was expected and what was found; the first
- * twenty of a test in full, the others are only counted. A test ends with `return check.Result();`.
+ * Prints each failure to standard error with the expected and the found value. Only the first
+ * twenty failures of a test are printed, the others are counted. A test ends with `return
+ * check.Result();`.
  */
 class Check
 {
 public:
-  /// Expects \a condition; \a what says what should hold.
+  /// Expects \a condition. \a what describes the expectation.
   bool That(bool condition, const std::string& what);
   /// Expects found == expected.
   bool Equal(long long found, long long expected, const std::string& what);
-  /// Floating point would be cut to whole numbers; Near compares it, exactly with tolerance 0.
+  /// Deleted, because it would truncate floating-point values to integers. Use Near(); tolerance 0
+  /// tests for equality.
   template <typename Found, typename Expected,
     typename = std::enable_if_t<std::is_floating_point<Found>::value ||
       std::is_floating_point<Expected>::value>>
@@ -31,14 +33,15 @@ public:
   /// Expects |found - expected| <= tolerance * max(|expected|, scale).
   bool Near(
     double found, double expected, double tolerance, const std::string& what, double scale = 0.0);
-  /// Expects \a part somewhere in \a text.
+  /// Expects \a part as a substring of \a text.
   bool Contains(const std::string& text, const std::string& part);
-  /// Text put before each failure printed from now on.
+  /// Sets the text that precedes the following failures.
   void SetContext(const std::string& context) { this->Context = context; }
 
   int GetNumberOfFailures() const { return this->Failures; }
   long long GetNumberOfChecks() const { return this->Checks; }
-  /// EXIT_SUCCESS when checks were made and none failed; prints both counts.
+  /// Prints how many checks passed and failed. Returns EXIT_SUCCESS if there was at least one check
+  /// and no failure.
   int Result() const;
 
 private:
@@ -49,7 +52,7 @@ private:
   long long Checks = 0;
 };
 
-/// Calls each of \a checks, with an empty context, and returns the exit code of the test.
+/// Calls each of \a checks with an empty context, and returns the exit code of the test.
 int RunChecks(std::initializer_list<void (*)(Check&)> checks);
 
 }

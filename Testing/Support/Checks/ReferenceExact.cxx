@@ -15,7 +15,8 @@ Exact::Exact(double value)
 
 void Exact::Add(double value)
 {
-  // Two-sum of the value with each term from the smallest on; what is lost at each is a term.
+  // Adds the value to each term by two-sum, from the smallest term on. Each rounding error becomes
+  // a term.
   std::vector<double> terms;
   double carried = value;
   for (double term : this->Terms)

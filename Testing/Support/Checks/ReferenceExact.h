@@ -10,10 +10,11 @@ namespace reference
 
 /**
  * @class   Exact
- * @brief   a sum of doubles that do not overlap: exact sums, differences and products
+ * @brief   number with exact sums, differences and products, stored as a sum of doubles whose
+ * digits do not overlap
  *
- * As in J. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
- * predicates", 1997. Exact as long as nothing overflows or becomes subnormal.
+ * After J. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric
+ * predicates", 1997. Results are exact unless a value overflows or becomes subnormal.
  */
 class Exact
 {
@@ -25,20 +26,20 @@ public:
   Exact operator-(const Exact& other) const;
   Exact operator*(const Exact& other) const;
 
-  /// -1, 0 or 1.
+  /// Returns -1, 0 or 1.
   int Sign() const;
-  /// Rounded to nearest, but for the last place.
+  /// Returns the nearest number, up to an error in the last bit.
   long double Round() const;
 
 private:
   void Add(double value);
 
-  std::vector<double> Terms; ///< none 0, of growing magnitude
+  std::vector<double> Terms; ///< nonzero, in order of increasing magnitude
 };
 
 using ExactPoint = std::array<Exact, 3>;
 
-/// Six times the signed volume of a tetrahedron, as Determinant has it.
+/// Returns six times the signed volume of a tetrahedron, with the sign of Determinant().
 Exact ExactDeterminant(const std::array<ExactPoint, 4>& points);
 
 }

@@ -7,7 +7,7 @@
 #include "vtkAlgorithm.h"
 #include "vtkDataSet.h"
 
-#include <thread> // for what the machine has
+#include <thread> // for hardware_concurrency()
 
 namespace reference
 {
@@ -36,14 +36,14 @@ void ForThreads(const std::string& name, const std::function<void()>& run, Check
     {
       check.SetContext(name + ", " + backend + ", " + std::to_string(threads) + " threads");
       SetThreads(threads);
-      const bool isAlone = threads == 1 || std::string(backend) == "Sequential" ||
+      const bool isSerial = threads == 1 || std::string(backend) == "Sequential" ||
         std::thread::hardware_concurrency() == 1;
-      check.That(
-        HasThreads(isAlone) != isAlone, isAlone ? "there is one thread" : "there are threads");
+      check.That(HasThreads(isSerial) != isSerial,
+        isSerial ? "a single thread runs" : "several threads run");
       run();
     }
   }
-  check.That(backends >= 2, "there is a backend with threads");
+  check.That(backends >= 2, "at least one backend besides Sequential is available");
 }
 
 void CheckAborts(vtkAlgorithm* filter, std::size_t events, const std::vector<double>& times,
@@ -52,8 +52,9 @@ void CheckAborts(vtkAlgorithm* filter, std::size_t events, const std::vector<dou
   ProgressWatch watch;
   const unsigned long observer = Observe(filter, watch);
   filter->Modified();
-  const std::string whole = update();
-  check.That(!whole.empty() && GetOutput(filter)->GetNumberOfPoints() > 0, "there is output");
+  const std::string expected = update();
+  check.That(
+    !expected.empty() && GetOutput(filter)->GetNumberOfPoints() > 0, "the output is not empty");
   CheckGrowth(watch, events, check);
   for (const double at : times)
   {
@@ -66,7 +67,7 @@ void CheckAborts(vtkAlgorithm* filter, std::size_t events, const std::vector<dou
     watch = ProgressWatch();
     filter->SetAbortExecute(0);
     filter->Modified();
-    check.That(update() == whole, "the same once it is taken back");
+    check.That(update() == expected, "an update after an abort returns the complete output");
   }
   filter->RemoveObserver(observer);
 }
@@ -76,7 +77,7 @@ void CheckError(vtkAlgorithm* filter, const std::string& message, Check& check)
   const std::string found = MessagesOf(filter);
   check.Contains(found, message);
   vtkDataSet* output = GetOutput(filter);
-  check.That(!output || output->GetNumberOfPoints() == 0, "empty output after: " + message);
+  check.That(!output || output->GetNumberOfPoints() == 0, "the output is empty after: " + message);
 }
 
 }

@@ -7,25 +7,26 @@
 
 #include "vtkSMPTools.h"
 
-#include <cstddef>    // for numbers of events
-#include <functional> // for what is run
-#include <string>     // for bytes
-#include <vector>     // for times of aborts
+#include <cstddef>    // for event counts
+#include <functional> // for functions
+#include <string>     // for output bytes
+#include <vector>     // for abort times
 
 class vtkAlgorithm;
 
 /**
- * What every execution has to do, whatever it makes: the same for any number of threads, progress
- * that grows, nothing after an abort, an error and nothing for bad input.
+ * Checks that every filter must pass: results are independent of the number of threads, progress
+ * never decreases, an abort or invalid input leaves the output empty, and invalid input raises an
+ * error.
  */
 namespace reference
 {
 
-/// Calls \a run with 1, 2 and 8 threads of every backend, in a context that tells of them after \a
-/// name. There is one that has threads.
+/// Calls \a run with 1, 2 and 8 threads of every vtkSMPTools backend. The context of the checks is
+/// \a name, the backend and the number of threads. At least one backend must run several threads.
 void ForThreads(const std::string& name, const std::function<void()>& run, Check& check);
 
-/// \a run gives the same for any number of threads as without any.
+/// Checks that \a run returns the same value for any number of threads as with one thread.
 template <typename Run>
 void CheckSame(const std::string& name, const Run& run, Check& check)
 {
@@ -33,16 +34,20 @@ void CheckSame(const std::string& name, const Run& run, Check& check)
   SetThreads(1);
   const auto expected = run();
   ForThreads(
-    name, [&]() { check.That(run() == expected, "the same for any number of threads"); }, check);
+    name,
+    [&]() { check.That(run() == expected, "the result is the same for any number of threads"); },
+    check);
 }
 
-/// Progress of \a filter is told at least \a events times and grows. An abort at any of \a times,
-/// parts of the work, leaves a dataset without points and cells, and no trace once it is taken
-/// back: \a update brings the filter up to date and gives the bytes of its output.
+/// Checks that \a filter reports progress at least \a events times and that progress never
+/// decreases. After an abort at any of \a times (fractions of the work), the output is a dataset
+/// without points and cells. An update after the abort returns the complete output again. \a update
+/// updates the filter and returns the bytes of its output.
 void CheckAborts(vtkAlgorithm* filter, std::size_t events, const std::vector<double>& times,
   const std::function<std::string()>& update, Check& check);
 
-/// \a filter tells of an error with \a message in it, and its output is a dataset without points.
+/// Checks that \a filter reports an error that contains \a message, and that its output is null or
+/// has no points.
 void CheckError(vtkAlgorithm* filter, const std::string& message, Check& check);
 
 }

@@ -53,11 +53,11 @@ std::string reference::WarningsOf(vtkAlgorithm* filter)
 void reference::UpdateWatched(vtkAlgorithm* filter)
 {
   const std::string warnings = WarningsOf(filter);
-  const bool isSaid = warnings.find("The output is empty: ") != std::string::npos;
-  const bool isOnlySaid = isSaid && warnings.find("Warning:", 1) == std::string::npos;
+  const bool isReported = warnings.find("The output is empty: ") != std::string::npos;
+  const bool isOnlyReported = isReported && warnings.find("Warning:", 1) == std::string::npos;
   auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
   const bool isEmpty = output && output->GetNumberOfCells() == 0;
-  if (isEmpty != isSaid || (!warnings.empty() && !isOnlySaid))
+  if (isEmpty != isReported || (!warnings.empty() && !isOnlyReported))
   {
     std::cerr << " WARN| an output " << (isEmpty ? "without cells" : "with cells")
               << " and the warnings: " << warnings << "\n";

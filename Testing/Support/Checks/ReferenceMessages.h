@@ -2,7 +2,7 @@
 #ifndef ReferenceMessages_h
 #define ReferenceMessages_h
 
-#include <functional> // for what is watched
+#include <functional> // for functions
 #include <string>     // for the messages
 
 class vtkAlgorithm;
@@ -11,25 +11,25 @@ class vtkObject;
 namespace reference
 {
 
-/// The errors of a filter and its executive while it is updated.
+/// Updates a filter and returns the errors of the filter and its executive.
 std::string MessagesOf(vtkAlgorithm* filter);
 
-/// The errors that \a act makes \a object give, in one line.
+/// Calls \a act and returns the errors of \a object in one line.
 std::string ErrorsOf(vtkObject* object, const std::function<void()>& act);
 
-/// A message without the place in the source that VTK puts before it, and without line ends.
+/// Removes line breaks and the source location that VTK puts before a message.
 std::string InOneLine(const std::string& message);
 
-/// The warnings of a filter while it is updated.
+/// Updates a filter and returns its warnings.
 std::string WarningsOf(vtkAlgorithm* filter);
 
 /**
- * Updates a filter that makes meshes of one dataset. It has to warn of an empty output on port 0,
- * and of that alone: anything else is printed as VTK's logger prints a warning, which fails a test.
+ * Updates a filter whose output is a mesh. The filter must warn of an empty output on port 0. Any
+ * other warning is printed in the format of VTK's logger, which fails the test.
  */
 void UpdateWatched(vtkAlgorithm* filter);
 
-/// A filter that may give nothing, as this test means it to: it does not warn of that.
+/// Suppresses the warnings of a filter whose output may be empty on purpose.
 void ExpectWarnings(vtkAlgorithm* filter);
 
 }

@@ -42,8 +42,8 @@ void CheckGrowth(const ProgressWatch& watch, std::size_t times, Check& check)
 {
   const std::vector<double>& progress = watch.Progress;
   check.That(
-    progress.size() >= times, "progress is told at least " + std::to_string(times) + " times");
-  check.That(std::is_sorted(progress.begin(), progress.end()), "progress grows");
+    progress.size() >= times, "progress is reported at least " + std::to_string(times) + " times");
+  check.That(std::is_sorted(progress.begin(), progress.end()), "progress never decreases");
   check.That(!progress.empty() && progress.front() >= 0 && progress.back() <= 1,
     "progress is between 0 and 1");
 }
@@ -55,9 +55,9 @@ void CheckProgress(
   ProgressWatch watch;
   Observe(filter, watch);
   filter->Update();
-  vtkNew<vtkUnstructuredGrid> whole;
-  whole->DeepCopy(filter->GetOutput());
-  check.That(whole->GetNumberOfCells() > 0, "there is output");
+  vtkNew<vtkUnstructuredGrid> complete;
+  complete->DeepCopy(filter->GetOutput());
+  check.That(complete->GetNumberOfCells() > 0, "the output is not empty");
   CheckGrowth(watch, 3, check);
 
   for (double at : { 0.0, 0.3, 0.6, 0.9 })
@@ -68,14 +68,16 @@ void CheckProgress(
     filter->Update();
     check.That(IsValid(filter->GetOutput(), type), "an aborted output is valid");
     const bool isEmpty = filter->GetOutput()->GetNumberOfCells() == 0;
-    check.That(isEmpty || FindDifference(filter->GetOutput(), whole).empty(), "and empty or whole");
-    check.That(at > 0 || isEmpty, "aborted at once, the output is empty");
+    check.That(isEmpty || FindDifference(filter->GetOutput(), complete).empty(),
+      "an aborted output is empty or complete");
+    check.That(at > 0 || isEmpty, "the output after an immediate abort is empty");
   }
   watch = ProgressWatch();
   filter->SetAbortExecute(0);
   filter->Modified();
   filter->Update();
-  check.That(FindDifference(filter->GetOutput(), whole).empty(), "the same once it is taken back");
+  check.That(FindDifference(filter->GetOutput(), complete).empty(),
+    "an update after an abort returns the complete output");
 }
 
 std::string Print(vtkObject* object)

@@ -4,9 +4,9 @@
 
 #include "Support/Checks/ReferenceCheck.h" // for the result
 
-#include <cstddef> // for numbers of events
-#include <string>  // for what is printed
-#include <vector>  // for what is expected
+#include <cstddef> // for event counts
+#include <string>  // for printed text
+#include <vector>  // for the expected text
 
 class vtkAlgorithm;
 class vtkDataObject;
@@ -16,31 +16,33 @@ class vtkUnstructuredGridAlgorithm;
 namespace reference
 {
 
-/// The progress that a filter tells, and when to abort it.
+/// Records the progress of a filter and aborts it.
 struct ProgressWatch
 {
   std::vector<double> Progress;
-  /// From which progress on.
+  /// Aborts the filter at this progress.
   double AbortAt = 2;
-  /// After how many events.
+  /// Aborts the filter after this number of progress events.
   std::size_t AbortAfter = 1000000;
 };
 
-/// \a watch is kept by the caller for as long as the filter. The observer's tag.
+/// Adds an observer and returns its tag. \a watch must outlive the observer.
 unsigned long Observe(vtkAlgorithm* filter, ProgressWatch& watch);
 
-/// Progress was told at least \a times times, never ran backwards and was between 0 and 1.
+/// Checks that progress was reported at least \a times times, never decreased, and was between 0
+/// and 1.
 void CheckGrowth(const ProgressWatch& watch, std::size_t times, Check& check);
 
-/// Progress of \a filter over \a data is told and never runs backwards; an abort leaves nothing or
-/// the whole output, of cells of \a type, and no trace once it is taken back.
+/// Checks that the progress of \a filter with the input \a data never decreases. After an abort,
+/// the output must be empty or complete, with cells of \a type. An update after the abort must
+/// return the complete output.
 void CheckProgress(
   vtkUnstructuredGridAlgorithm* filter, vtkDataObject* data, int type, Check& check);
 
-/// What an object prints of itself.
+/// Returns the output of vtkObject::Print().
 std::string Print(vtkObject* object);
 
-/// Every one of \a expected is in \a text.
+/// Checks that \a text contains each string of \a expected.
 void CheckPrinted(const std::string& text, const std::vector<std::string>& expected, Check& check);
 
 }

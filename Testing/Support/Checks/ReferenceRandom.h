@@ -11,7 +11,7 @@ namespace reference
 
 /**
  * @class   Random
- * @brief   numbers and directions at random, the same for the same seed
+ * @brief   reproducible random numbers and directions
  */
 class Random
 {
@@ -31,7 +31,7 @@ public:
     return { { this->Get(-size, size), this->Get(-size, size), this->Get(-size, size) } };
   }
 
-  /// Of length 1, evenly over the sphere.
+  /// Returns a vector of length 1, uniformly distributed over the sphere.
   std::array<double, 3> GetDirection()
   {
     const double z = this->Get(-1.0, 1.0);

@@ -7,17 +7,18 @@
 #include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
 
-#include <atomic> // for what threads have begun
-#include <chrono> // for how long one waits
-#include <thread> // for those that wait
+#include <atomic> // for counters
+#include <chrono> // for time limits
+#include <thread> // for hardware_concurrency() and yield()
 
 namespace reference
 {
 
 void SetThreads(int threads)
 {
-  // TBB in VTK 9.6 takes no more threads than it had, unless all were asked for in between; then
-  // VTK up to 9.5 does not take the number that it had before all, unless there was another.
+  // With TBB, VTK 9.6 only lowers the number of threads, unless Initialize() is called for all
+  // processors in between. VTK up to 9.5 ignores a call with the same number as before, unless
+  // another number is set in between.
   vtkSMPTools::Initialize();
   vtkSMPTools::Initialize(static_cast<int>(std::thread::hardware_concurrency()));
   vtkSMPTools::Initialize(threads);
@@ -27,7 +28,7 @@ bool HasThreads(bool isUnlikely)
 {
   const std::chrono::milliseconds wait(isUnlikely ? 5 : 20000);
   std::atomic<int> begun(0);
-  std::atomic<int> alone(0);
+  std::atomic<int> timeouts(0);
   vtkSMPTools::For(0, 2, 1,
     [&](vtkIdType, vtkIdType)
     {
@@ -37,13 +38,13 @@ bool HasThreads(bool isUnlikely)
       {
         if (std::chrono::steady_clock::now() > end)
         {
-          ++alone;
+          ++timeouts;
           return;
         }
         std::this_thread::yield();
       }
     });
-  return alone == 0;
+  return timeouts == 0;
 }
 
 const std::vector<const char*>& GetBackends()
@@ -64,7 +65,7 @@ void CheckThreads(const std::string& name,
   const auto expected = run();
   for (const auto& grid : expected)
   {
-    check.That(grid->GetNumberOfCells() > 0, "there is output");
+    check.That(grid->GetNumberOfCells() > 0, "the output is not empty");
   }
   const auto compare = [&]()
   {

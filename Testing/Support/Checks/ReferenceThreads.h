@@ -6,8 +6,8 @@
 
 #include "vtkSmartPointer.h" // for the outputs
 
-#include <functional> // for what is run
-#include <string>     // for its name
+#include <functional> // for functions
+#include <string>     // for names
 #include <vector>     // for the outputs and backends
 
 class vtkUnstructuredGrid;
@@ -15,19 +15,21 @@ class vtkUnstructuredGrid;
 namespace reference
 {
 
-/// The backend in use has \a threads threads from here on, or as many as it can have.
+/// Sets the number of threads of the current backend, as far as the backend allows.
 void SetThreads(int threads);
 
-/// Whether two parts of a loop run at the same time, which one thread waits for: a moment where it
-/// \a isUnlikely. The estimate of VTK 9.6 stays at the fewest threads that there have been.
+/// Returns whether two iterations of a loop run concurrently. Each iteration waits for the other,
+/// but only for a few milliseconds if \a isUnlikely. vtkSMPTools::GetEstimatedNumberOfThreads()
+/// cannot be used: in VTK 9.6 it returns the lowest number of threads that was ever set.
 bool HasThreads(bool isUnlikely);
 
-/// Names of the backends of vtkSMPTools to compare: not all are there. Those of libraries that are
-/// not built with ThreadSanitizer are left out under it, since it does not see their locks.
+/// Returns the names of the vtkSMPTools backends to compare. Some may be unavailable. With
+/// ThreadSanitizer, backends of libraries that are not instrumented are excluded, since
+/// ThreadSanitizer does not see their locks.
 const std::vector<const char*>& GetBackends();
 
-/// The outputs of \a run are the same bytes for 1, 2 and 8 threads and every backend, and none is
-/// empty.
+/// Checks that the outputs of \a run are bit-identical for 1, 2 and 8 threads of every vtkSMPTools
+/// backend, and not empty.
 void CheckThreads(const std::string& name,
   const std::function<std::vector<vtkSmartPointer<vtkUnstructuredGrid>>()>& run, Check& check);
 

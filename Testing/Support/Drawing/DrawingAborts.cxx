@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Drawing/DrawingAborts.h"
 
-#include "Support/Drawing/ShadowPicture.h"
+#include "Support/Drawing/ShadowImage.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCallbackCommand.h"
@@ -20,12 +20,12 @@ namespace reference
 namespace
 {
 
-/// What VTK leaves between two questions whether to go on, and a little more.
-constexpr std::chrono::milliseconds BetweenQuestions(250);
+/// Longer than VTK's interval between two abort checks (five per second at most).
+constexpr std::chrono::milliseconds AbortCheckInterval(250);
 
-void Stop(vtkObject* window, unsigned long, void* isAsked, void*)
+void Stop(vtkObject* window, unsigned long, void* isInvoked, void*)
 {
-  *static_cast<bool*>(isAsked) = true;
+  *static_cast<bool*>(isInvoked) = true;
   static_cast<vtkRenderWindow*>(window)->SetAbortRender(1);
 }
 
@@ -35,26 +35,27 @@ void CheckDrawingAborts(vtkRenderWindow* window, Check& check)
 {
   vtkRenderer* renderer = window->GetRenderers()->GetFirstRenderer();
   vtkCamera* camera = renderer->GetActiveCamera();
-  const RgbaPicture whole = ReadWindow(window);
+  const RgbaImage complete = ReadWindow(window);
   camera->Azimuth(20.0);
-  const RgbaPicture other = ReadWindow(window);
+  const RgbaImage other = ReadWindow(window);
   camera->Azimuth(-20.0);
 
-  bool isAsked = false;
+  bool isInvoked = false;
   vtkNew<vtkCallbackCommand> stop;
   stop->SetCallback(&Stop);
-  stop->SetClientData(&isAsked);
+  stop->SetClientData(&isInvoked);
   const unsigned long tag = window->AddObserver(vtkCommand::AbortCheckEvent, stop);
-  std::this_thread::sleep_for(BetweenQuestions);
-  const RgbaPicture stopped = ReadWindow(window);
+  std::this_thread::sleep_for(AbortCheckInterval);
+  const RgbaImage stopped = ReadWindow(window);
   window->RemoveObserver(tag);
   window->SetAbortRender(0);
-  check.That(isAsked, "the window is asked while it draws");
-  check.That(ComparePictures(stopped, whole).Max > 0.0, "what is stopped is not whole");
-  check.Near(ComparePictures(ReadWindow(window), whole).Max, 0.0, 0.0, "no trace is left", 1.0);
+  check.That(isInvoked, "the window invokes AbortCheckEvent while it renders");
+  check.That(CompareImages(stopped, complete).Max > 0.0, "the aborted frame is incomplete");
+  check.Near(CompareImages(ReadWindow(window), complete).Max, 0.0, 0.0,
+    "the next frame after an abort is complete", 1.0);
   camera->Azimuth(20.0);
-  check.Near(
-    ComparePictures(ReadWindow(window), other).Max, 0.0, 0.0, "from another view neither", 1.0);
+  check.Near(CompareImages(ReadWindow(window), other).Max, 0.0, 0.0,
+    "a frame from another view after an abort is complete", 1.0);
   camera->Azimuth(-20.0);
 }
 

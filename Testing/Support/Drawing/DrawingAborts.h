@@ -10,10 +10,10 @@ namespace reference
 class Check;
 
 /**
- * The window shows a volume, and asks while it is drawn: VTK does, five times a second at most. A
- * mapper that the window's vtkCommand::AbortCheckEvent stops leaves off, and leaves no trace: drawn
- * without an abort afterwards, from there and from another view, are the bytes of pictures that
- * were never stopped.
+ * Checks that a mapper stops rendering when the window's vtkCommand::AbortCheckEvent requests an
+ * abort. Frames rendered afterward, from the same and from another view, must be bit-identical to
+ * frames rendered without aborts. The window must show a volume. VTK invokes the event at most five
+ * times a second.
  */
 void CheckDrawingAborts(vtkRenderWindow* window, Check& check);
 

@@ -10,28 +10,27 @@
 
 namespace interlume
 {
-PixelDifference ComparePixels(vtkImageData* picture, vtkImageData* baseline, int step)
+PixelDifference ComparePixels(vtkImageData* image, vtkImageData* baseline, int step)
 {
-  if (picture->GetScalarType() != VTK_UNSIGNED_CHAR ||
-    baseline->GetScalarType() != VTK_UNSIGNED_CHAR)
+  if (image->GetScalarType() != VTK_UNSIGNED_CHAR || baseline->GetScalarType() != VTK_UNSIGNED_CHAR)
   {
-    throw std::invalid_argument("pictures of unsigned char channels are compared");
+    throw std::invalid_argument("ComparePixels: both images must have unsigned char scalars.");
   }
   PixelDifference difference;
   int extents[2][3];
-  picture->GetDimensions(extents[0]);
+  image->GetDimensions(extents[0]);
   baseline->GetDimensions(extents[1]);
-  const int channels = picture->GetNumberOfScalarComponents();
+  const int channels = image->GetNumberOfScalarComponents();
   difference.SameShape = std::equal(extents[0], extents[0] + 3, extents[1]) &&
     channels == baseline->GetNumberOfScalarComponents();
-  if (!difference.SameShape || picture->GetNumberOfPoints() == 0)
+  if (!difference.SameShape || image->GetNumberOfPoints() == 0)
   {
     return difference;
   }
 
-  const auto* first = static_cast<const unsigned char*>(picture->GetScalarPointer());
+  const auto* first = static_cast<const unsigned char*>(image->GetScalarPointer());
   const auto* second = static_cast<const unsigned char*>(baseline->GetScalarPointer());
-  const vtkIdType pixels = picture->GetNumberOfPoints();
+  const vtkIdType pixels = image->GetNumberOfPoints();
   vtkIdType changed = 0;
   double sum = 0.0;
   for (vtkIdType pixel = 0; pixel < pixels; ++pixel)
@@ -47,23 +46,23 @@ PixelDifference ComparePixels(vtkImageData* picture, vtkImageData* baseline, int
     difference.Max = std::max(difference.Max, largest);
   }
   difference.Mean = sum / (static_cast<double>(pixels) * channels);
-  difference.ShareAboveStep = static_cast<double>(changed) / static_cast<double>(pixels);
+  difference.FractionAboveStep = static_cast<double>(changed) / static_cast<double>(pixels);
   return difference;
 }
 
 bool IsWithin(const PixelDifference& difference, const PixelBounds& bounds)
 {
   return difference.SameShape && difference.Mean <= bounds.Mean &&
-    difference.ShareAboveStep <= bounds.ShareAboveStep;
+    difference.FractionAboveStep <= bounds.FractionAboveStep;
 }
 
 std::ostream& operator<<(std::ostream& os, const PixelDifference& difference)
 {
   if (!difference.SameShape)
   {
-    return os << "the pictures differ in size or channels";
+    return os << "the images differ in size or number of channels";
   }
   return os << "mean " << difference.Mean << "/255, max " << difference.Max
-            << "/255, changed pixels " << 100.0 * difference.ShareAboveStep << " %";
+            << "/255, changed pixels " << 100.0 * difference.FractionAboveStep << " %";
 }
 }

@@ -15,7 +15,7 @@ namespace
 
 template <typename Walker>
 interlume::AdvectionResult AdvectIn(
-  const Walker& field, const interlume::AdvectionOptions& options, const Place& start)
+  const Walker& field, const interlume::AdvectionOptions& options, const Position& start)
 {
   interlume::Advection<Walker> advection(field, options);
   interlume::AdvectionResult result;
@@ -26,13 +26,13 @@ interlume::AdvectionResult AdvectIn(
 }
 
 interlume::AdvectionResult Advect(
-  const SpaceWalker& field, const interlume::AdvectionOptions& options, Place start)
+  const SpaceWalker& field, const interlume::AdvectionOptions& options, Position start)
 {
   return AdvectIn(field, options, start);
 }
 
 interlume::AdvectionResult Advect(
-  const LatticeWalker& field, const interlume::AdvectionOptions& options, Place start)
+  const BoxWalker& field, const interlume::AdvectionOptions& options, Position start)
 {
   return AdvectIn(field, options, start);
 }
@@ -47,7 +47,7 @@ KeepingOptions ForwardOptions()
 KeepingOptions ForwardOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces)
 {
   KeepingOptions options = ForwardOptions();
-  options.Kept = surfaces;
+  options.OwnedSurfaces = surfaces;
   int id = 0;
   for (const auto& surface : surfaces)
   {
@@ -62,7 +62,7 @@ int NumberOfSteps(const interlume::AdvectionResult& result)
   return result.Steps + result.RejectedSteps + result.StiffSteps + result.RejectedStiffSteps;
 }
 
-double Distance(const double a[3], const Place& b)
+double Distance(const double a[3], const Position& b)
 {
   return std::sqrt(vtkMath::Distance2BetweenPoints(a, b.data()));
 }

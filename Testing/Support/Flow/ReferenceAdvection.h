@@ -14,27 +14,27 @@ namespace reference
 {
 
 ///@{
-/// One streamline by interlume::Advection. All of space, a box, or a lattice.
+/// Traces one streamline with interlume::Advection through all of space, a box, or a regular grid.
 interlume::AdvectionResult Advect(
-  const SpaceWalker& field, const interlume::AdvectionOptions& options, Place start);
+  const SpaceWalker& field, const interlume::AdvectionOptions& options, Position start);
 interlume::AdvectionResult Advect(
-  const LatticeWalker& field, const interlume::AdvectionOptions& options, Place start);
+  const BoxWalker& field, const interlume::AdvectionOptions& options, Position start);
 ///@}
 
-/// Options that keep their surfaces.
+/// Advection options that hold references to their surfaces.
 struct KeepingOptions : interlume::AdvectionOptions
 {
-  std::vector<vtkSmartPointer<FormulaSurface>> Kept;
+  std::vector<vtkSmartPointer<FormulaSurface>> OwnedSurfaces;
 };
-/// Largest error 1e-6, forwards, to no surface.
+/// Returns options for forward advection with a maximum error of 1e-6 and without surfaces.
 KeepingOptions ForwardOptions();
-/// With these surfaces too, ids 10, 20, ... in their order.
+/// Returns ForwardOptions() with surfaces, whose ids are 10, 20, 30 and so on.
 KeepingOptions ForwardOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& surfaces);
 
-/// Accepted and rejected ones, of either method.
+/// Returns the number of accepted and rejected steps of both integration methods.
 int NumberOfSteps(const interlume::AdvectionResult& result);
-double Distance(const double a[3], const Place& b);
-/// "reached surface 10 at (u, v), time t after n steps".
+double Distance(const double a[3], const Position& b);
+/// Returns text such as "reached surface 10 at (u, v), time t after n steps".
 std::string Describe(const interlume::AdvectionResult& result);
 
 }

@@ -22,7 +22,7 @@ void Plane::SetSize(double u, double v)
 
 std::string Plane::Update()
 {
-  return this->Size[0] > 0.0 && this->Size[1] > 0.0 ? "" : "it has no size.";
+  return this->Size[0] > 0.0 && this->Size[1] > 0.0 ? "" : "Plane: both sizes must be positive.";
 }
 
 double Plane::EvaluateDistance(const double x[3]) const

@@ -16,14 +16,15 @@ const std::vector<MeshKind> ZeroMeshKinds = { MeshKind::Hexahedra, MeshKind::Vox
   MeshKind::Wedges, MeshKind::Pyramids, MeshKind::Tetrahedra5, MeshKind::Tetrahedra6,
   MeshKind::Tetrahedra12 };
 
-const std::array<FlowVector, 14> ZeroPlaces = { { { { 1.23, 2.41, 0.77 } }, { { 1.0, 2.41, 0.77 } },
-  { { 1.23, 2.41, 1.0 } }, { { 1.0, 2.0, 0.77 } }, { { 1.0, 2.37, 1.0 } }, { { 1.0, 2.0, 1.0 } },
-  { { 1.5, 2.5, 0.5 } }, { { 1.25, 2.25, 0.5 } }, { { 1.25, 2.25, 0.25 } }, { { 0.0, 2.41, 0.77 } },
-  { { 3.0, 4.0, 0.3 } }, { { 0.0, 0.0, 0.0 } }, { { 3.0, 4.0, 2.0 } }, { { 1.5, 2.5, 1.0 } } } };
+const std::array<FlowVector, 14> ZeroPositions = { { { { 1.23, 2.41, 0.77 } },
+  { { 1.0, 2.41, 0.77 } }, { { 1.23, 2.41, 1.0 } }, { { 1.0, 2.0, 0.77 } }, { { 1.0, 2.37, 1.0 } },
+  { { 1.0, 2.0, 1.0 } }, { { 1.5, 2.5, 0.5 } }, { { 1.25, 2.25, 0.5 } }, { { 1.25, 2.25, 0.25 } },
+  { { 0.0, 2.41, 0.77 } }, { { 3.0, 4.0, 0.3 } }, { { 0.0, 0.0, 0.0 } }, { { 3.0, 4.0, 2.0 } },
+  { { 1.5, 2.5, 1.0 } } } };
 
 double Distance(const double* a, const double* b)
 {
-  // Squares of very small and large differences are no numbers.
+  // Unlike a sum of squares, hypot neither underflows nor overflows.
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 

@@ -3,7 +3,7 @@
 #define ReferenceCriticalPoints_h
 
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h" // for vectors and fields
-#include "Support/Meshes/ReferenceMesh.h"            // for the kinds
+#include "Support/Meshes/ReferenceMesh.h"            // for MeshKind
 
 #include "vtkFlowCriticalPoints.h"
 #include "vtkNew.h"
@@ -17,32 +17,32 @@ class vtkDataArray;
 class vtkDataSet;
 
 /**
- * Fields whose zeros are known, where they are, and what vtkFlowCriticalPoints finds.
+ * Vector fields with known critical points, and a wrapper of vtkFlowCriticalPoints.
  */
 namespace reference
 {
 
-/// Those that zeros are looked for in.
+/// Cell types of the meshes that are searched for critical points.
 extern const std::vector<MeshKind> ZeroMeshKinds;
 
 /// A matrix without any symmetry.
 constexpr FlowMatrix GenericMatrix = { { 0.9, -0.4, 0.3, 0.2, 1.1, -0.7, -0.5, 0.6, -0.8 } };
 
-/// In the inside, on faces, edges and points of the cells of a mesh of 3 x 4 x 2 boxes and of what
-/// they are split into, and on the outside.
-extern const std::array<FlowVector, 14> ZeroPlaces;
+/// Positions of zeros in a mesh of 3 x 4 x 2 boxes: inside cells, on faces, edges and points of
+/// cells and of their tetrahedra, and on the boundary of the mesh.
+extern const std::array<FlowVector, 14> ZeroPositions;
 
 double Distance(const double* a, const double* b);
 
-/// Of a matrix of nine entries.
+/// Returns the determinant of a matrix of nine entries.
 double Determinant(const double* m);
 
-/// matrix (x - center).
+/// Returns the field matrix (x - center).
 FlowFunction LinearField(const FlowMatrix& matrix, const FlowVector& center);
 
 /**
  * @class   CriticalPoints
- * @brief   the critical points of a field's active point vectors
+ * @brief   critical points of the active point vectors of a dataset
  */
 class CriticalPoints
 {

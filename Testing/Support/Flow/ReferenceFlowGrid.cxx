@@ -80,7 +80,7 @@ vtkSmartPointer<vtkDataArray> AddRandomVectors(vtkDataSet* data, unsigned int se
     data, [&random](const Vector&) { return random.GetPoint(1.0); }, type);
 }
 
-void MovePoints(vtkPointSet* grid, const VectorField& place)
+void MovePoints(vtkPointSet* grid, const VectorField& position)
 {
   vtkNew<vtkPoints> moved;
   moved->SetDataTypeToDouble();
@@ -88,7 +88,7 @@ void MovePoints(vtkPointSet* grid, const VectorField& place)
   {
     Vector x;
     grid->GetPoint(point, x.data());
-    moved->InsertNextPoint(place(x).data());
+    moved->InsertNextPoint(position(x).data());
   }
   grid->SetPoints(moved);
 }
@@ -100,7 +100,7 @@ VectorField MakeBend(const std::array<int, 3>& cells, double bend)
     double inside = bend;
     for (int i = 0; i < 3; ++i)
     {
-      // Exactly 0 on the sides.
+      // On the boundary the factor must be exactly 0, but the sine is not.
       inside *= x[i] <= 0.0 || x[i] >= cells[i] ? 0.0 : std::sin(Pi * x[i] / cells[i]);
     }
     return Vector{ { x[0] + inside * std::sin(2.9 * x[1] + 1.7 * x[2]),
@@ -163,7 +163,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeFlowMesh(
     int type = mesh->GetCellType(cell);
     if (type == VTK_POLYHEDRON)
     {
-      // Numbered along x, y and z, its points are in the order of a voxel or a wedge.
+      // Point ids increase along x, y and z, so sorted ids have the point order of a voxel or a
+      // wedge.
       std::sort(ids->GetPointer(0), ids->GetPointer(0) + ids->GetNumberOfIds());
       type = ids->GetNumberOfIds() == 8 ? VTK_VOXEL : VTK_WEDGE;
     }
@@ -257,12 +258,12 @@ vtkSmartPointer<vtkImageData> MakeFlowImage(int points, const VectorField& field
   return image;
 }
 
-vtkSmartPointer<vtkTerminationPlane> MakeFlowPlane(double place)
+vtkSmartPointer<vtkTerminationPlane> MakeFlowPlane(double position)
 {
   auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
-  plane->SetOrigin(place, 0.0, 0.0);
-  plane->SetPoint1(place, 4.0, 0.0);
-  plane->SetPoint2(place, 0.0, 4.0);
+  plane->SetOrigin(position, 0.0, 0.0);
+  plane->SetPoint1(position, 4.0, 0.0);
+  plane->SetPoint2(position, 0.0, 4.0);
   return plane;
 }
 

@@ -4,16 +4,16 @@
 
 #include "Support/Arrays/ReferenceVector.h" // for arithmetic
 #include "Support/Checks/ReferenceRandom.h" // for the samples
-#include "Support/Meshes/ReferenceMesh.h"   // for the kinds
+#include "Support/Meshes/ReferenceMesh.h"   // for MeshKind
 
 #include "vtkSmartPointer.h" // for the grids
 #include "vtkType.h"         // for ids
 
-#include <array>      // for places
+#include <array>      // for vectors
 #include <functional> // for the fields
 #include <string>     // for the names of grids
 #include <utility>    // for grids with names
-#include <vector>     // for the list of kinds
+#include <vector>     // for lists of grids
 
 class vtkDataArray;
 class vtkDataSet;
@@ -24,7 +24,7 @@ class vtkTerminationPlane;
 class vtkUnstructuredGrid;
 
 /**
- * Grids and vectors for flow, and what VTK's own cells say of them.
+ * Grids and velocity fields for flow tests, and samples interpolated by VTK's cells.
  */
 namespace reference
 {
@@ -32,57 +32,62 @@ namespace reference
 using Vector = std::array<double, 3>;
 using VectorField = std::function<Vector(const Vector&)>;
 
-/// v = A x + b with rows of A that are not alike.
+/// Returns A x + b, whose matrix A has linearly independent rows.
 Vector GetLinearVector(const Vector& x);
-/// Its A, row by row.
+/// Returns the matrix A of GetLinearVector(), row by row.
 std::array<double, 9> GetLinearGradient();
 
-/// A point array of three components, of the type, with the values of a field; active vectors.
+/// Adds the three-component point array "velocity" with the values of a field at the points, and
+/// makes it the active vectors.
 vtkSmartPointer<vtkDataArray> AddVectors(
   vtkDataSet* data, const VectorField& field, int type = VTK_DOUBLE);
-/// The same with random numbers from -1 to 1.
+/// Adds the active vectors "velocity" with random components from -1 to 1.
 vtkSmartPointer<vtkDataArray> AddRandomVectors(
   vtkDataSet* data, unsigned int seed, int type = VTK_DOUBLE);
 
-/// Moves every point.
-void MovePoints(vtkPointSet* grid, const VectorField& place);
+/// Moves every point x to position(x).
+void MovePoints(vtkPointSet* grid, const VectorField& position);
 
-/// Points in the box of \a sizes are moved by up to \a bend of a cell, those on its sides not.
+/// Returns a map that moves interior points of the box of size \a cells by up to \a bend cell
+/// widths. Points on the boundary stay in place.
 VectorField MakeBend(const std::array<int, 3>& cells, double bend);
 
-/// Cells of width 1, in the box from 0 to \a cells.
+/// Returns a grid of cells of width 1 in the box from 0 to \a cells.
 vtkSmartPointer<vtkStructuredGrid> MakeStructuredGrid(const std::array<int, 3>& cells);
 
-/// A ring around z, i outward from 1 to 2, j around, k along; the seam's points are
-/// there twice.
+/// Returns a ring around the z-axis: i runs outward from radius 1 to 2, j around the axis, k along
+/// the axis. The points of the seam are duplicated.
 vtkSmartPointer<vtkStructuredGrid> MakeRing(const std::array<int, 3>& cells);
 
-/// Kinds of tetrahedra, voxels, hexahedra, wedges and pyramids.
+/// Returns the meshes of tetrahedra, voxels, hexahedra, wedges and pyramids.
 const std::vector<MeshKind>& FlowMeshKinds();
-/// MakeMesh with voxels, or else hexahedra, and wedges for polyhedra.
+/// Returns the mesh of MakeMesh() with its polyhedra converted to wedges and voxels, or hexahedra
+/// if \a hasVoxels is false.
 vtkSmartPointer<vtkUnstructuredGrid> MakeFlowMesh(
   MeshKind kind, const std::array<int, 3>& cells, bool hasVoxels = true, unsigned int seed = 1);
 
-/// An image, a rectilinear grid, a structured grid that is bent inside, and a mesh of each kind,
-/// all over 0 ... 4 with 5 points along each axis, and their names.
+/// Returns an image, a rectilinear grid, a structured grid with displaced interior points, and a
+/// mesh of each of FlowMeshKinds(), with names. All cover the cube from 0 to 4 with 5 points along
+/// each axis.
 std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeFlowGrids();
 
-/// An image over 0 ... 4 along each axis, with a field.
+/// Returns an image of the cube from 0 to 4 with a field.
 vtkSmartPointer<vtkImageData> MakeFlowImage(int points, const VectorField& field);
 
-/// The plane x = \a place over 0 ... 4 in y and z, u along y and v along z.
-vtkSmartPointer<vtkTerminationPlane> MakeFlowPlane(double place);
+/// Returns the plane x = \a position from 0 to 4 in y and z; u along y and v along z.
+vtkSmartPointer<vtkTerminationPlane> MakeFlowPlane(double position);
 
-/// A place in a cell, as VTK's cell interpolates.
+/// A position in a cell with the velocity that VTK's cell interpolates.
 struct CellSample
 {
   vtkIdType Cell;
   Vector Position;
   Vector Velocity;
-  /// dv_i/dx_j at 3 i + j.
+  /// Entry 3 i + j is dv_i/dx_j.
   std::array<double, 9> Gradient;
 };
-/// At random, inside by a hundredth of the cell. The gradient is 0 unless asked for.
+/// Returns a random sample at least a hundredth of the cell away from its faces. The gradient is 0
+/// unless \a hasGradient is true.
 CellSample SampleCell(vtkDataSet* data, vtkDataArray* vectors, vtkIdType cell, Random& random,
   bool hasGradient = false);
 

@@ -12,12 +12,12 @@
 #include "vtkTetra.h"
 #include "vtkUnstructuredGrid.h"
 
-vtkSmartPointer<vtkTerminationPlane> reference::MakeWidePlane(double place)
+vtkSmartPointer<vtkTerminationPlane> reference::MakeWidePlane(double position)
 {
   auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
-  plane->SetOrigin(place, -5, -5);
-  plane->SetPoint1(place, 5, -5);
-  plane->SetPoint2(place, -5, 5);
+  plane->SetOrigin(position, -5, -5);
+  plane->SetPoint1(position, 5, -5);
+  plane->SetPoint2(position, -5, 5);
   return plane;
 }
 
@@ -59,18 +59,18 @@ double reference::MeasureVolumeIn(
   return sum;
 }
 
-std::vector<std::array<double, 3>> reference::MakeRandomPlaces(int boxes, unsigned int seed)
+std::vector<std::array<double, 3>> reference::MakeRandomPositions(int boxes, unsigned int seed)
 {
   Random random(seed);
-  std::vector<std::array<double, 3>> places;
+  std::vector<std::array<double, 3>> positions;
   for (int i = 0; i < boxes * boxes * boxes; ++i)
   {
     const int box[3] = { i % boxes, i / boxes % boxes, i / boxes / boxes };
-    places.emplace_back();
+    positions.emplace_back();
     for (int axis = 0; axis < 3; ++axis)
     {
-      places.back()[axis] = -1.0 + 2.0 * (box[axis] + random.Get(0.0, 1.0)) / boxes;
+      positions.back()[axis] = -1.0 + 2.0 * (box[axis] + random.Get(0.0, 1.0)) / boxes;
     }
   }
-  return places;
+  return positions;
 }

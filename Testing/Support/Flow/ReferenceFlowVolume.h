@@ -4,35 +4,35 @@
 
 #include "vtkSmartPointer.h" // for the meshes
 
-#include <array>      // for places
+#include <array>      // for positions
 #include <functional> // for regions
-#include <vector>     // for places
+#include <vector>     // for lists of positions
 
 class vtkDataSet;
 class vtkTerminationPlane;
 class vtkUnstructuredGrid;
 
 /**
- * Flow volumes with all default settings, and their size.
+ * Extracts flow volumes with default settings and measures them.
  */
 namespace reference
 {
 
-/// The plane x = \a place from -5 to 5 in y and z, u along y and v along z.
-vtkSmartPointer<vtkTerminationPlane> MakeWidePlane(double place);
+/// Returns the plane x = \a position from -5 to 5 in y and z; u along y and v along z.
+vtkSmartPointer<vtkTerminationPlane> MakeWidePlane(double position);
 
-/// The flow volume of samples in double precision; it may warn.
+/// Returns the flow volume of samples in double precision. Warnings are allowed.
 vtkSmartPointer<vtkUnstructuredGrid> ExtractFlow(vtkDataSet* samples);
 
-/// The same without the cells that are cut at surfaces and boundaries.
+/// Returns the same flow volume without the cells that are cut at surfaces and boundaries.
 vtkSmartPointer<vtkUnstructuredGrid> ExtractUncutFlow(vtkDataSet* samples);
 
-/// The volume of the tetrahedra whose center is in a region.
+/// Returns the total volume of the tetrahedra whose center is in a region.
 double MeasureVolumeIn(
   vtkUnstructuredGrid* mesh, const std::function<bool(const double*)>& isInside);
 
-/// A random place in each of \a boxes^3 boxes that fill the cube from -1 to 1.
-std::vector<std::array<double, 3>> MakeRandomPlaces(int boxes, unsigned int seed);
+/// Returns a random position in each of \a boxes^3 boxes that fill the cube from -1 to 1.
+std::vector<std::array<double, 3>> MakeRandomPositions(int boxes, unsigned int seed);
 
 }
 

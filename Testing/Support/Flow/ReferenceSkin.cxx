@@ -17,9 +17,10 @@ namespace reference
 {
 
 vtkSmartPointer<vtkPolyData> MakeSkin(
-  vtkDataSet* grid, const std::function<bool(const Vector& middle)>& isWanted, int type)
+  vtkDataSet* grid, const std::function<bool(const Vector& center)>& isWanted, int type)
 {
-  // By its points in ascending order, a face in its own, and how many cells have it.
+  // Maps the sorted points of a face to its points in the cell's order and the number of cells that
+  // share it.
   using Ids = std::vector<vtkIdType>;
   std::map<Ids, std::pair<Ids, int>> faces;
   for (vtkIdType id = 0; id < grid->GetNumberOfCells(); ++id)
@@ -31,12 +32,12 @@ vtkSmartPointer<vtkPolyData> MakeSkin(
       Ids own(points->begin(), points->end());
       Ids sorted = own;
       std::sort(sorted.begin(), sorted.end());
-      auto& entry = faces[sorted];
-      entry.first = own;
-      ++entry.second;
+      auto& faceAndCount = faces[sorted];
+      faceAndCount.first = own;
+      ++faceAndCount.second;
     }
   }
-  auto skin = vtkSmartPointer<vtkPolyData>::New();
+  auto boundary = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataType(type);
   points->SetNumberOfPoints(grid->GetNumberOfPoints());
@@ -52,22 +53,22 @@ vtkSmartPointer<vtkPolyData> MakeSkin(
   for (const auto& face : faces)
   {
     const Ids& ids = face.second.first;
-    Vector middle{};
+    Vector center{};
     for (const vtkIdType id : ids)
     {
       Vector x;
       grid->GetPoint(id, x.data());
-      middle += (1.0 / static_cast<double>(ids.size())) * x;
+      center += (1.0 / static_cast<double>(ids.size())) * x;
     }
-    if (face.second.second == 1 && isWanted(middle))
+    if (face.second.second == 1 && isWanted(center))
     {
       polygons->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
     }
   }
-  skin->SetPoints(points);
-  skin->SetPolys(polygons);
-  skin->GetPointData()->SetTCoords(texture);
-  return skin;
+  boundary->SetPoints(points);
+  boundary->SetPolys(polygons);
+  boundary->GetPointData()->SetTCoords(texture);
+  return boundary;
 }
 
 }

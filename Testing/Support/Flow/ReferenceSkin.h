@@ -6,7 +6,7 @@
 
 #include "vtkSmartPointer.h" // for the mesh
 
-#include <functional> // for the choice of faces
+#include <functional> // for the selection of faces
 
 class vtkDataSet;
 class vtkPolyData;
@@ -15,11 +15,12 @@ namespace reference
 {
 
 /**
- * The faces of a grid that belong to one cell only, those whose middle \a isWanted says so of, as
- * polygons with texture coordinates that are made up. The points are those of the grid, of \a type.
+ * Returns the boundary faces of a grid whose centers satisfy \a isWanted, as polygons. All points
+ * have the texture coordinates (0.25, 0.75). The output has all points of the grid. \a type is the
+ * data type of their coordinates.
  */
 vtkSmartPointer<vtkPolyData> MakeSkin(vtkDataSet* grid,
-  const std::function<bool(const Vector& middle)>& isWanted, int type = VTK_DOUBLE);
+  const std::function<bool(const Vector& center)>& isWanted, int type = VTK_DOUBLE);
 
 }
 

@@ -13,7 +13,7 @@ namespace reference
 vtkStandardNewMacro(FormulaSurface);
 
 vtkSmartPointer<FormulaSurface> FormulaSurface::Plane(
-  const Place& normal, double offset, int j, int k)
+  const Position& normal, double offset, int j, int k)
 {
   auto plane = vtkSmartPointer<FormulaSurface>::New();
   plane->Distance = [normal, offset](const double* x)
@@ -26,7 +26,7 @@ vtkSmartPointer<FormulaSurface> FormulaSurface::Plane(
   return plane;
 }
 
-vtkSmartPointer<FormulaSurface> FormulaSurface::Sphere(const Place& center, double radius)
+vtkSmartPointer<FormulaSurface> FormulaSurface::Sphere(const Position& center, double radius)
 {
   auto sphere = vtkSmartPointer<FormulaSurface>::New();
   sphere->Distance = [center, radius](const double* x)
@@ -44,7 +44,7 @@ vtkSmartPointer<FormulaSurface> FormulaSurface::Sphere(const Place& center, doub
 
 void FormulaSurface::EvaluateNormal(const double x[3], double normal[3]) const
 {
-  // By central differences: no test asks for more.
+  // Central differences are accurate enough for all tests.
   constexpr double small = 1e-6;
   for (int i = 0; i < 3; ++i)
   {

@@ -15,7 +15,7 @@ namespace reference
 
 /**
  * @class   FormulaSurface
- * @brief   a termination surface of which a test gives distance, parameters and extent by formula
+ * @brief   termination surface whose distance, parameters and extent are functions set by a test
  */
 class FormulaSurface : public vtkTerminationSurface
 {
@@ -23,10 +23,11 @@ public:
   static FormulaSurface* New();
   vtkTypeMacro(FormulaSurface, vtkTerminationSurface);
 
-  /// dot(normal, x) = offset, the normal of length 1; u and v are x[j] and x[k].
-  static vtkSmartPointer<FormulaSurface> Plane(const Place& normal, double offset, int j, int k);
-  /// u and v are the azimuth and the polar angle, in parts of a turn and of half a turn.
-  static vtkSmartPointer<FormulaSurface> Sphere(const Place& center, double radius);
+  /// Returns the plane dot(normal, x) = offset, where the normal has length 1. u and v are x[j] and
+  /// x[k].
+  static vtkSmartPointer<FormulaSurface> Plane(const Position& normal, double offset, int j, int k);
+  /// Returns a sphere; u is the azimuth in turns, v the polar angle in half turns.
+  static vtkSmartPointer<FormulaSurface> Sphere(const Position& center, double radius);
 
   double EvaluateDistance(const double x[3]) const override { return this->Distance(x); }
   bool IsOn(const double x[3]) const override { return !this->Extent || this->Extent(x); }
@@ -41,9 +42,9 @@ public:
 
   std::function<double(const double x[3])> Distance;
   std::function<void(const double x[3], double uv[2])> Parameters;
-  /// None: everywhere.
+  /// If empty, the surface is unbounded.
   std::function<bool(const double x[3])> Extent;
-  /// None: one part.
+  /// If empty, the surface has one part.
   std::function<int(const double x[3])> Part;
 
 protected:

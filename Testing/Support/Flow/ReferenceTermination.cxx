@@ -16,7 +16,8 @@ namespace reference
 namespace
 {
 
-// The difference of parameters, the short way around.
+// Returns the difference between two parameters, or the shortest difference if the parameter is
+// periodic.
 double Difference(const vtkTerminationSurface* surface, int direction, int part, double a, double b)
 {
   const double difference = a - b;
@@ -46,7 +47,7 @@ std::vector<Vector> PointsAround(const SurfaceScale& scale, int number, unsigned
   std::vector<Vector> points;
   for (int i = 0; i < number; ++i)
   {
-    // Some near, some far.
+    // Of every four points, three are close to the surface and one is far away.
     const double reach = i % 4 == 3 ? 20.0 : 1.2;
     points.push_back(scale.Center + reach * scale.Size * random.GetPoint(1.0));
   }
@@ -61,10 +62,11 @@ void CheckLipschitz(const vtkTerminationSurface* surface, const SurfaceScale& sc
   {
     const double step = scale.Size * std::pow(10.0, random.Get(-6.0, 0.5));
     const Vector b = a + step * random.GetDirection();
-    const double way = GetNorm(b - a);
+    const double length = GetNorm(b - a);
     const double change = std::abs(DistanceOf(surface, b) - DistanceOf(surface, a));
-    check.That(change <= way + 30.0 * scale.Rounding * scale.Size,
-      name + ": the distance changes by " + std::to_string(change / way) + " of the way");
+    check.That(change <= length + 30.0 * scale.Rounding * scale.Size,
+      name + ": the distance changes by " + std::to_string(change / length) +
+        " of the distance between the points");
   }
 }
 
@@ -86,8 +88,9 @@ void CheckRoundTrip(const vtkTerminationSurface* surface, const SurfaceScale& sc
     }
     ++found;
     const double reach = scale.Rounding * scale.Size;
-    check.Near(DistanceOf(surface, x), 0.0, reach, name + ": distance of a point", 1.0);
-    check.That(surface->IsOn(x.data()), name + ": a point is on the surface");
+    check.Near(
+      DistanceOf(surface, x), 0.0, reach, name + ": distance at a point of the surface", 1.0);
+    check.That(surface->IsOn(x.data()), name + ": IsOn is true at a point of the surface");
     check.Equal(surface->EvaluatePart(x.data()), part, name + ": part");
     double again[2];
     surface->EvaluateParameters(x.data(), again);
@@ -101,10 +104,10 @@ void CheckRoundTrip(const vtkTerminationSurface* surface, const SurfaceScale& sc
     for (int axis = 0; axis < 3 && isBounded; ++axis)
     {
       check.That(x[axis] >= bounds[2 * axis] - reach && x[axis] <= bounds[2 * axis + 1] + reach,
-        name + ": a point is in the bounds");
+        name + ": a point of the surface is in the bounds");
     }
   }
-  check.That(found >= number, name + ": " + std::to_string(found) + " points are there");
+  check.That(found >= number, name + ": " + std::to_string(found) + " points are on the surface");
 }
 
 void CheckNormals(const vtkTerminationSurface* surface, const SurfaceScale& scale,
@@ -169,7 +172,8 @@ void CheckSamples(const vtkTerminationSurface* surface, const SurfaceScale& scal
       points.push_back(x);
     }
   }
-  check.That(points.size() > static_cast<std::size_t>(samples), name + ": there are samples");
+  check.That(
+    points.size() > static_cast<std::size_t>(samples), name + ": there are enough samples");
   for (const Vector& x : PointsAround(scale, 200, 13))
   {
     double nearest = std::numeric_limits<double>::infinity();
@@ -180,8 +184,8 @@ void CheckSamples(const vtkTerminationSurface* surface, const SurfaceScale& scal
     const double distance = std::abs(DistanceOf(surface, x));
     check.That(
       distance <= nearest + 30.0 * scale.Rounding * scale.Size && nearest <= distance + spacing,
-      name + ": the nearest sample is at " + std::to_string(nearest / scale.Size) +
-        ", the distance is " + std::to_string(distance / scale.Size));
+      name + ": the distance to the nearest sample is " + std::to_string(nearest / scale.Size) +
+        ", the distance to the surface is " + std::to_string(distance / scale.Size));
   }
 }
 

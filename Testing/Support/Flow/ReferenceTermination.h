@@ -19,41 +19,43 @@ using Vector = std::array<double, 3>;
 
 double DistanceOf(const vtkTerminationSurface* surface, const Vector& x);
 
-/// How large a surface is, where, and how far rounding may lead.
+/// Size and position of a surface, with the rounding error to expect.
 struct SurfaceScale
 {
   double Size = 1.0;
   Vector Center = { { 0.0, 0.0, 0.0 } };
-  /// Of positions, in parts of Size.
+  /// Rounding error of positions, as a fraction of Size.
   double Rounding = 1e-12;
 };
 
-/// Of size 1, very small, very large, and far from the origin.
+/// Returns surfaces of size 1, very small, very large, and far from the origin.
 std::vector<SurfaceScale> MakeSurfaceScales();
 
-/// Places around a surface.
+/// Returns random points around a surface.
 std::vector<Vector> PointsAround(const SurfaceScale& scale, int number, unsigned seed);
 
-/// The distance between two places changes by no more than their own distance.
+/// Checks that the surface distances of two points differ by at most the distance between the
+/// points.
 void CheckLipschitz(const vtkTerminationSurface* surface, const SurfaceScale& scale,
   const std::string& name, Check& check);
 
-/// Points of random parameters of every part are on the surface, in its bounds, and have these
-/// parameters. At least \a number of them are there.
+/// Checks that points computed from random parameters are on the surface, in its bounds, and have
+/// these parameters. At least \a number random parameters must have a point.
 void CheckRoundTrip(const vtkTerminationSurface* surface, const SurfaceScale& scale, int number,
   const std::string& name, Check& check);
 
-/// At points of random parameters the distance grows along the normal by as much as one goes, on
-/// both sides, and no other way.
+/// Checks at points with random parameters that the gradient of the distance is the unit normal,
+/// and that a small step along the normal, to either side, changes the distance by its length.
 void CheckNormals(const vtkTerminationSurface* surface, const SurfaceScale& scale,
   const std::string& name, Check& check);
 
-/// The distance against a formula.
+/// Checks the distance against a formula.
 void CheckDistance(const vtkTerminationSurface* surface, const SurfaceScale& scale,
   const std::function<double(const Vector&)>& expected, const std::string& name, Check& check);
 
-/// The distance's absolute value against the nearest of samples x samples points of each part; none
-/// of the surface is further from one than \a spacing.
+/// Samples each part of the surface at about \a samples^2 points and compares the absolute distance
+/// with the distance from the nearest sample. No surface point may be further than \a spacing from
+/// a sample.
 void CheckSamples(const vtkTerminationSurface* surface, const SurfaceScale& scale, int samples,
   double spacing, const std::string& name, Check& check);
 

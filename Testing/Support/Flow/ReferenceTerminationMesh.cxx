@@ -132,10 +132,10 @@ TexturedMesh MakeStar()
   return MakeSolid(points, triangles);
 }
 
-std::vector<Vector> HardPlaces(const TexturedMesh& mesh)
+std::vector<Vector> DifficultPositions(const TexturedMesh& mesh)
 {
   Random random(17);
-  std::vector<Vector> places;
+  std::vector<Vector> positions;
   for (const auto& triangle : mesh.Triangles)
   {
     for (int i = 0; i < 3; ++i)
@@ -147,15 +147,15 @@ std::vector<Vector> HardPlaces(const TexturedMesh& mesh)
       for (double step : { 1e-7, 1e-3, 0.1, 1.0 })
       {
         const double size = GetNorm(b - a);
-        places.push_back(a + step * size * random.GetDirection());
-        const Vector middle = a + random.Get(0.0, 1.0) * (b - a);
-        places.push_back(middle + step * size * random.GetDirection());
-        places.push_back(middle + step * outward);
-        places.push_back(a + step * (a + 0.5 * b - 1.5 * c));
+        positions.push_back(a + step * size * random.GetDirection());
+        const Vector center = a + random.Get(0.0, 1.0) * (b - a);
+        positions.push_back(center + step * size * random.GetDirection());
+        positions.push_back(center + step * outward);
+        positions.push_back(a + step * (a + 0.5 * b - 1.5 * c));
       }
     }
   }
-  return places;
+  return positions;
 }
 
 double NearestDistance(const TexturedMesh& mesh, const Vector& x)

@@ -20,33 +20,36 @@ struct TexturedMesh
   std::vector<std::array<double, 2>> Texture;
   std::vector<std::array<int, 3>> Triangles;
 
-  /// The same as a dataset.
+  /// Returns the mesh as a dataset.
   vtkSmartPointer<vtkPolyData> MakeData() const;
-  /// Enlarged around the origin, then moved.
+  /// Returns the mesh scaled about the origin, then translated.
   TexturedMesh Placed(const SurfaceScale& scale) const;
 };
 
-/// A grid over (u,v), 0 to 1, of points that a function gives; the borders' points are all there,
-/// those of seams twice. Triangles without area are left out.
+/// Returns a grid of triangles over (u,v) from 0 to 1 whose points are computed by a function.
+/// Points where opposite borders meet, as on a seam, are duplicated. Triangles without area are
+/// skipped.
 TexturedMesh MakeGridMesh(
   int columns, int rows, const std::function<Vector(double, double)>& position);
 
-/// A closed mesh from points and triangles; texture coordinates are made up.
+/// Returns a closed mesh of points and triangles with arbitrary texture coordinates.
 TexturedMesh MakeSolid(
   const std::vector<Vector>& points, const std::vector<std::array<int, 3>>& triangles);
 
 TexturedMesh MakeTetrahedron();
-/// A cube with a thin spike on every face: concave edges, sharp edges and sharp tips.
+/// Returns a cube with a thin spike on every face, for concave edges, sharp edges and sharp tips.
 TexturedMesh MakeStar();
 
-/// Places where the sign is hard: near corners and edges, outward along the plane of each face.
-std::vector<Vector> HardPlaces(const TexturedMesh& mesh);
+/// Returns points where the sign of the distance is hard to determine: near corners and edges, and
+/// outside each face in its plane.
+std::vector<Vector> DifficultPositions(const TexturedMesh& mesh);
 
-/// Distance from the nearest of all triangles: the foot in its plane where it is inside, else the
-/// nearest of its sides.
+/// Returns the distance from the nearest triangle, by comparison with all triangles. This is the
+/// distance from the triangle's plane if the projected point is inside, otherwise from its nearest
+/// edge.
 double NearestDistance(const TexturedMesh& mesh, const Vector& x);
-/// How often the mesh goes around a point: the solid angles of its triangles over 4 pi (A. van
-/// Oosterom, J. Strackee, 1983).
+/// Returns the winding number of the mesh around a point: the sum of the solid angles of its
+/// triangles, divided by 4 pi (A. van Oosterom, J. Strackee, 1983).
 double WindingNumber(const TexturedMesh& mesh, const Vector& x);
 
 }

@@ -14,16 +14,17 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
 /**
- * What every kind of walker must do, told by its members alone.
+ * Checks that every kind of cell walker must pass. They use the walker's public interface only.
  */
 namespace reference
 {
 
-/// Calls \a function with a walker through \a vectors; an error is one of the test.
+/// Calls \a function with a walker through \a vectors. Errors fail the test.
 template <typename Function>
 void WithWalker(vtkDataSet* data, vtkDataArray* vectors, Check& check, Function&& function)
 {
@@ -39,7 +40,7 @@ Vector PositionOf(const Walker& walker, const Vector& p)
   return x;
 }
 
-/// dx/dt at p.
+/// Returns dx/dt at p.
 template <typename Walker>
 Vector VelocityOf(const Walker& walker, const Vector& p)
 {
@@ -50,7 +51,7 @@ Vector VelocityOf(const Walker& walker, const Vector& p)
   return v;
 }
 
-/// But for rounding.
+/// Returns whether p is in the cell, up to rounding error.
 template <typename Walker>
 bool IsInside(const Walker& walker, const Vector& p)
 {
@@ -64,16 +65,20 @@ bool IsInside(const Walker& walker, const Vector& p)
   return true;
 }
 
-/// The largest of a - b, in parts of scale.
+/// Raises \a worst to \a value. NaN counts as infinity, so that a check of the result fails.
+inline void Raise(double& worst, double value)
+{
+  worst = std::isnan(value) ? std::numeric_limits<double>::infinity() : std::max(worst, value);
+}
+
+/// Returns the largest component of |a - b| / scale.
 template <std::size_t N>
 double GetDifference(const std::array<double, N>& a, const std::array<double, N>& b, double scale)
 {
   double worst = 0.0;
   for (std::size_t i = 0; i < N; ++i)
   {
-    const double difference = std::abs(a[i] - b[i]) / scale;
-    // Keeps NaN.
-    worst = difference <= worst ? worst : difference;
+    Raise(worst, std::abs(a[i] - b[i]) / scale);
   }
   return worst;
 }
@@ -84,12 +89,12 @@ double GetLargest(const std::array<double, N>& a)
   double largest = 0.0;
   for (const double one : a)
   {
-    largest = std::max(largest, std::abs(one));
+    Raise(largest, std::abs(one));
   }
   return largest;
 }
 
-/// The largest magnitude of a coordinate.
+/// Returns the largest magnitude of a coordinate in the bounds.
 inline double GetExtent(vtkDataSet* data)
 {
   std::array<double, 6> bounds;
@@ -97,19 +102,19 @@ inline double GetExtent(vtkDataSet* data)
   return GetLargest(bounds);
 }
 
-/// At random places of every cell: its number, position, velocity and gradient as VTK's cells have
-/// them. Not the gradient where VTK has none, as in tiny
-/// cells and in voxels of an image with a direction matrix: \a hasGradient.
+/// Compares cell id, position, velocity and gradient at random points of every cell with VTK's
+/// cells. Turn off \a hasGradient if VTK's gradient is not usable: in tiny cells and in voxels of
+/// an image with a direction matrix.
 template <typename Walker>
-void CheckPlaces(Walker walker, vtkDataSet* data, vtkDataArray* vectors, int samples,
+void CheckLocations(Walker walker, vtkDataSet* data, vtkDataArray* vectors, int samples,
   double tolerance, Check& check, bool hasGradient = true)
 {
   Random random(7);
   const double extent = GetExtent(data);
-  double place = 0.0;
+  double position = 0.0;
   double velocity = 0.0;
   double gradient = 0.0;
-  int wrongCells = 0;
+  int misplaced = 0;
   int notFound = 0;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
@@ -122,40 +127,41 @@ void CheckPlaces(Walker walker, vtkDataSet* data, vtkDataArray* vectors, int sam
         ++notFound;
         continue;
       }
-      wrongCells += walker.GetCell() != cell || !IsInside(walker, p) || !walker.IsFinite();
-      place = std::max(place, GetDifference(PositionOf(walker, p), sample.Position, extent));
-      velocity = std::max(velocity, GetDifference(VelocityOf(walker, p), sample.Velocity, 1.0));
+      misplaced += walker.GetCell() != cell || !IsInside(walker, p) || !walker.IsFinite();
+      Raise(position, GetDifference(PositionOf(walker, p), sample.Position, extent));
+      Raise(velocity, GetDifference(VelocityOf(walker, p), sample.Velocity, 1.0));
       std::array<double, 9> found;
       walker.GetVelocityGradient(p.data(), found.data());
-      gradient = hasGradient
-        ? std::max(gradient, GetDifference(found, sample.Gradient, GetLargest(sample.Gradient)))
-        : 0.0;
+      if (hasGradient)
+      {
+        Raise(gradient, GetDifference(found, sample.Gradient, GetLargest(sample.Gradient)));
+      }
     }
   }
-  check.Equal(notFound, 0, "places of cells that are not found");
-  check.Equal(wrongCells, 0, "places that are in another cell, or outside");
-  check.Near(place, 0.0, 1e-12, "position of a place that was located", 1.0);
-  check.Near(velocity, 0.0, tolerance, "velocity as VTK's", 1.0);
+  check.Equal(notFound, 0, "points of cells that are not found");
+  check.Equal(misplaced, 0, "points found in another cell or outside");
+  check.Near(position, 0.0, 1e-12, "position of a located point", 1.0);
+  check.Near(velocity, 0.0, tolerance, "velocity equals VTK's", 1.0);
   if (hasGradient)
   {
-    check.Near(gradient, 0.0, 100.0 * tolerance, "velocity gradient as VTK's", 1.0);
+    check.Near(gradient, 0.0, 100.0 * tolerance, "velocity gradient equals VTK's", 1.0);
   }
 }
 
-/// GetJacobian, GetWorldVector and GetVelocityGradient by differences in p.
+/// Compares GetJacobian, GetWorldVector and GetVelocityGradient with finite differences in p.
 template <typename Walker>
 void CheckDerivatives(
   Walker walker, vtkDataSet* data, vtkDataArray* vectors, double tolerance, Check& check)
 {
   Random random(11);
   double rates = 0.0;
-  double places = 0.0;
+  double positions = 0.0;
   double gradients = 0.0;
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
     const CellSample sample = SampleCell(data, vectors, cell, random);
     Vector p;
-    if (!check.That(walker.Locate(sample.Position.data(), p.data()), "the place is found"))
+    if (!check.That(walker.Locate(sample.Position.data(), p.data()), "the point is found"))
     {
       continue;
     }
@@ -181,24 +187,24 @@ void CheckDerivatives(
       along[j] = 2.0 * step;
       Vector world;
       walker.GetWorldVector(p.data(), along.data(), world.data());
-      places = std::max(places, GetDifference(world, moved, GetLargest(moved)));
+      Raise(positions, GetDifference(world, moved, GetLargest(moved)));
       for (int i = 0; i < 3; ++i)
       {
         const double expected = (rateAfter[i] - rateBefore[i]) / (2.0 * step);
-        rates = std::max(rates, std::abs(jacobian[3 * i + j] - expected) / scale);
+        Raise(rates, std::abs(jacobian[3 * i + j] - expected) / scale);
         const double product = vtkMath::Dot(&gradient[3 * i], moved.data());
-        gradients = std::max(
+        Raise(
           gradients, std::abs(product - changed[i]) / (GetLargest(gradient) * GetLargest(moved)));
       }
     }
   }
-  check.Near(rates, 0.0, tolerance, "the Jacobian by differences", 1.0);
-  check.Near(places, 0.0, tolerance, "world vectors by differences", 1.0);
-  check.Near(gradients, 0.0, tolerance, "the velocity gradient by differences", 1.0);
+  check.Near(rates, 0.0, tolerance, "the Jacobian equals finite differences", 1.0);
+  check.Near(positions, 0.0, tolerance, "world vectors equal finite differences", 1.0);
+  check.Near(gradients, 0.0, tolerance, "the velocity gradient equals finite differences", 1.0);
 }
 
-/// A field linear in x comes out as it is, with its gradient. The numbers are those of
-/// GetLinearVector of x / unit.
+/// Checks that a linear field is reproduced with its gradient. The field is GetLinearVector(x /
+/// unit).
 template <typename Walker>
 void CheckLinear(Walker walker, vtkDataSet* data, vtkDataArray* vectors, double unit,
   double tolerance, Check& check)
@@ -210,27 +216,26 @@ void CheckLinear(Walker walker, vtkDataSet* data, vtkDataArray* vectors, double 
   {
     const CellSample sample = SampleCell(data, vectors, cell, random);
     Vector p;
-    if (!check.That(walker.Locate(sample.Position.data(), p.data()), "the place is found"))
+    if (!check.That(walker.Locate(sample.Position.data(), p.data()), "the point is found"))
     {
       continue;
     }
     const Vector expected = GetLinearVector((1.0 / unit) * sample.Position);
-    velocities =
-      std::max(velocities, GetDifference(VelocityOf(walker, p), expected, GetLargest(expected)));
+    Raise(velocities, GetDifference(VelocityOf(walker, p), expected, GetLargest(expected)));
     std::array<double, 9> gradient;
     walker.GetVelocityGradient(p.data(), gradient.data());
     gradient *= unit;
-    gradients = std::max(gradients, GetDifference(gradient, GetLinearGradient(), 1.0));
+    Raise(gradients, GetDifference(gradient, GetLinearGradient(), 1.0));
   }
-  check.Near(velocities, 0.0, tolerance, "a linear field", 1.0);
+  check.Near(velocities, 0.0, tolerance, "a linear field is reproduced", 1.0);
   check.Near(gradients, 0.0, 1000.0 * tolerance, "the gradient of a linear field", 1.0);
 }
 
 /**
  * @class   LineWalk
- * @brief   follows a straight line from cell to cell by a walker's faces
+ * @brief   follows a straight line from cell to cell across a walker's faces
  *
- * Between faces the place is found by Newton's method from the one before.
+ * Between faces, Newton's method finds the position in the cell, starting from the previous one.
  */
 template <typename Walker>
 class LineWalk
@@ -243,7 +248,7 @@ public:
   {
   }
 
-  /// False where the start is outside, or the walk does not end.
+  /// Returns false if the start is outside the grid or the walk does not end.
   bool Run(double maximumTime)
   {
     if (!this->Stand.Locate(this->Start.data(), this->P.data()))
@@ -270,7 +275,7 @@ public:
       }
       this->P = p;
       this->Cells.push_back(this->Stand.GetCell());
-      this->WorstJump = std::max(this->WorstJump, GetNorm(PositionOf(this->Stand, p) - here));
+      Raise(this->WorstJump, GetNorm(PositionOf(this->Stand, p) - here));
       idle = this->Time > before ? 0 : idle + 1;
       if (idle > 60)
       {
@@ -291,7 +296,7 @@ public:
 private:
   Vector GetTarget(double time) const { return this->Start + time * this->Direction; }
 
-  // dp for dx.
+  // Converts a world vector dx to local coordinates dp.
   Vector GetLocal(const Vector& p, const Vector& x) const
   {
     Vector columns[3];
@@ -311,7 +316,7 @@ private:
     return Dot(a, Cross(b, c));
   }
 
-  Vector FindPlace(double time, Vector p) const
+  Vector FindLocal(double time, Vector p) const
   {
     for (int i = 0; i < 6; ++i)
     {
@@ -325,7 +330,8 @@ private:
     return p;
   }
 
-  // Goes on to where the line leaves the cell; -1 when time is over.
+  // Advances to the point where the line leaves the cell. Returns the face, or -1 if the line ends
+  // first.
   int FindFace(double maximumTime)
   {
     constexpr double onFace = 1e-12;
@@ -343,9 +349,9 @@ private:
     while (this->Time < maximumTime)
     {
       const double step = 0.1 / GetLargest(this->GetLocal(this->P, this->Direction));
-      const Vector next = this->FindPlace(this->Time + step, this->P);
+      const Vector next = this->FindLocal(this->Time + step, this->P);
       double first = this->Time + step;
-      Vector place = next;
+      Vector position = next;
       int exit = -1;
       for (int face = 0; face < this->Stand.GetNumberOfFaces(); ++face)
       {
@@ -355,20 +361,20 @@ private:
           double high = this->Time + step;
           for (int i = 0; i < 60; ++i)
           {
-            const double middle = 0.5 * (low + high);
-            const Vector p = this->FindPlace(middle, this->P);
-            (this->Stand.GetFaceDistance(face, p.data()) < 0.0 ? high : low) = middle;
+            const double midpoint = 0.5 * (low + high);
+            const Vector p = this->FindLocal(midpoint, this->P);
+            (this->Stand.GetFaceDistance(face, p.data()) < 0.0 ? high : low) = midpoint;
           }
           if (exit < 0 || low < first)
           {
             first = low;
             exit = face;
-            place = this->FindPlace(low, this->P);
+            position = this->FindLocal(low, this->P);
           }
         }
       }
       this->Time = first;
-      this->P = place;
+      this->P = position;
       if (exit >= 0)
       {
         return exit;
@@ -381,7 +387,7 @@ private:
   Vector Direction;
 };
 
-/// When a line leaves a box.
+/// Returns the time at which a line leaves a box.
 inline double GetExitTime(const double bounds[6], const Vector& start, const Vector& direction)
 {
   double time = VTK_DOUBLE_MAX;
@@ -396,7 +402,8 @@ inline double GetExitTime(const double bounds[6], const Vector& start, const Vec
   return time;
 }
 
-/// One line through a grid that fills its bounds: goes on to the box's side without a jump.
+/// Walks along a line through a grid that fills its bounding box. Checks that the walk ends where
+/// the line leaves the box, and that the position does not jump at cell faces.
 template <typename Walker>
 void CheckLine(Walker walker, vtkDataSet* data, const Vector& start, const Vector& direction,
   double cellSize, Check& check)
@@ -407,11 +414,11 @@ void CheckLine(Walker walker, vtkDataSet* data, const Vector& start, const Vecto
   const double exit = GetExitTime(bounds, start, direction);
   LineWalk<Walker> walk(walker, start, direction);
   check.That(walk.Run(2.0 * exit), "the walk ends");
-  check.That(walk.HasEnded, "the walk comes to a side of the grid");
-  check.Near(walk.Time, exit, 1e-10, "where the line leaves the grid");
-  check.Near(walk.WorstJump, 0.0, 1e-12 * cellSize + 1e-15 * extent, "jump over a face", 1.0);
+  check.That(walk.HasEnded, "the walk reaches the boundary of the grid");
+  check.Near(walk.Time, exit, 1e-10, "time at which the line leaves the grid");
+  check.Near(walk.WorstJump, 0.0, 1e-12 * cellSize + 1e-15 * extent, "jump across a face", 1.0);
   check.That(std::adjacent_find(walk.Cells.begin(), walk.Cells.end()) == walk.Cells.end(),
-    "each crossing leads to another cell");
+    "each face crossing leads to another cell");
 }
 
 template <typename Walker>
@@ -434,7 +441,8 @@ void CheckLines(Walker walker, vtkDataSet* data, int lines, double cellSize, Che
   }
 }
 
-/// Every point of the grid is found, there, and in the same cell by any copy.
+/// Checks that every point of the grid is found at its position, and in the same cell by every copy
+/// of the walker.
 template <typename Walker>
 void CheckPoints(Walker walker, vtkDataSet* data, Check& check)
 {
@@ -453,16 +461,17 @@ void CheckPoints(Walker walker, vtkDataSet* data, Check& check)
     {
       continue;
     }
-    check.That(IsInside(walker, p), "its place is inside");
-    check.Near(GetDifference(PositionOf(walker, p), x, extent), 0.0, 1e-12, "its position", 1.0);
-    Vector elsewhere;
-    data->GetPoint(
-      static_cast<vtkIdType>(random.Get(0.0, 0.999) * data->GetNumberOfPoints()), elsewhere.data());
-    other.Locate(elsewhere.data(), again.data());
+    check.That(IsInside(walker, p), "the local coordinates of a grid point are in the cell");
+    check.Near(
+      GetDifference(PositionOf(walker, p), x, extent), 0.0, 1e-12, "position of a grid point", 1.0);
+    Vector otherPoint;
+    data->GetPoint(static_cast<vtkIdType>(random.Get(0.0, 0.999) * data->GetNumberOfPoints()),
+      otherPoint.data());
+    other.Locate(otherPoint.data(), again.data());
     check.That(
       other.Locate(x.data(), again.data()) && other.GetCell() == walker.GetCell() && again == p,
-      "it is always in the same cell");
-    // A side of the grid is found in spite of rounding.
+      "a grid point is always found in the same cell");
+    // A point on the boundary of the grid must be found despite rounding.
     Vector rounded = x;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -470,11 +479,12 @@ void CheckPoints(Walker walker, vtkDataSet* data, Check& check)
       rounded[axis] += (isUpper ? 2.0 : -2.0) * DBL_EPSILON * std::abs(x[axis]);
     }
     check.That(other.Locate(rounded.data(), again.data()), "a point rounded outward is found");
-    check.Near(GetDifference(PositionOf(other, again), x, extent), 0.0, 1e-12, "there", 1.0);
+    check.Near(GetDifference(PositionOf(other, again), x, extent), 0.0, 1e-12,
+      "position of a point rounded outward", 1.0);
   }
 }
 
-/// A field linear in x / unit comes out as it is.
+/// Checks that a field linear in x / unit is reproduced.
 inline void CheckLinearField(vtkDataSet* data, double unit, double tolerance, Check& check)
 {
   auto linear =
@@ -483,8 +493,8 @@ inline void CheckLinearField(vtkDataSet* data, double unit, double tolerance, Ch
     [&](const auto& walker) { CheckLinear(walker, data, linear, unit, tolerance, check); });
 }
 
-/// Lines through corners and edges and along faces of 4 x 4 x 4 boxes of size 1; \a name is put
-/// before what the context tells of the line.
+/// Checks lines through corners and edges and along faces of 4 x 4 x 4 boxes of size 1. \a name is
+/// a prefix of the context of each check.
 inline void CheckCornerLines(const std::string& name, vtkDataSet* data, Check& check)
 {
   const Vector lines[][2] = { { { { 0.5, 0.5, 0.5 } }, { { 1, 1, 1 } } },
@@ -502,8 +512,8 @@ inline void CheckCornerLines(const std::string& name, vtkDataSet* data, Check& c
     });
 }
 
-/// Of 4 x 3 x 3 boxes of size 1 hides those with i = 2 but for the one in the middle, which is
-/// another piece's.
+/// Hides the cells with i = 2 in 4 x 3 x 3 boxes of size 1. The center one of these cells becomes a
+/// duplicate cell instead, as if another piece owned it.
 inline void HideRow(vtkUnsignedCharArray* ghosts)
 {
   for (vtkIdType cell = 0; cell < ghosts->GetNumberOfTuples(); ++cell)
@@ -513,8 +523,8 @@ inline void HideRow(vtkUnsignedCharArray* ghosts)
   ghosts->SetValue(2 + 4 * (1 + 3 * 1), vtkDataSetAttributes::DUPLICATECELL);
 }
 
-/// What a walker does at hidden and duplicate cells of HideRow(). The walk that a hidden cell
-/// stops.
+/// Checks the walker at the hidden and duplicate cells of HideRow(). Returns the walk that stops at
+/// a hidden cell.
 template <typename Walker>
 LineWalk<Walker> CheckHiddenRow(Walker walker, Check& check)
 {
@@ -523,13 +533,13 @@ LineWalk<Walker> CheckHiddenRow(Walker walker, Check& check)
   check.That(!walker.Locate(hidden.data(), p.data()), "a hidden cell is not found");
   const Vector edge = { { 2.0, 0.5, 0.5 } };
   check.That(walker.Locate(edge.data(), p.data()) && walker.GetCell() == 1 && p[0] == 1.0,
-    "a point on its face is in the neighbour");
+    "a point on a hidden cell's face is found in the neighbor");
   LineWalk<Walker> through(walker, { { 0.5, 1.5, 1.5 } }, { { 1, 0, 0 } });
-  check.That(through.Run(10.0) && through.HasEnded, "a line goes through a duplicate cell");
-  check.Near(through.Time, 3.5, 1e-12, "to the side");
+  check.That(through.Run(10.0) && through.HasEnded, "a line passes through a duplicate cell");
+  check.Near(through.Time, 3.5, 1e-12, "the time at which the line reaches the boundary");
   LineWalk<Walker> stopped(walker, { { 0.5, 0.5, 0.5 } }, { { 1, 0, 0 } });
   check.That(stopped.Run(10.0) && stopped.HasEnded, "a line stops at a hidden cell");
-  check.Near(stopped.Time, 1.5, 1e-12, "at its face");
+  check.Near(stopped.Time, 1.5, 1e-12, "the time at which the line reaches the hidden cell");
   return stopped;
 }
 

@@ -16,7 +16,7 @@ namespace reference
 
 /**
  * @class   SpaceWalker
- * @brief   a flow in one cell, which is all of space or a box: p = x
+ * @brief   flow in a single cell that is all of space or a box; p = x
  */
 class SpaceWalker : public interlume::CellWalker
 {
@@ -85,33 +85,35 @@ private:
 };
 
 /**
- * @struct  Lattice
- * @brief   space cut into boxes, some of which may be missing or not finite
+ * @struct  BoxGrid
+ * @brief   regular grid of boxes, some of which may be missing or nonfinite
  */
-struct Lattice
+struct BoxGrid
 {
-  Place Origin{};
-  Place Spacing{ 1.0, 1.0, 1.0 };
+  Position Origin{};
+  Position Spacing{ 1.0, 1.0, 1.0 };
   std::array<int, 3> Cells{ 1, 1, 1 };
-  /// Whether a cell is part of the field, and is finite; none: all are.
+  /// Return whether the grid has a cell, and whether the cell is finite. An empty function counts
+  /// as true for all cells.
   std::function<bool(const std::array<int, 3>& cell)> IsCell;
   std::function<bool(const std::array<int, 3>& cell)> IsFinite;
-  /// None: the flow's. Else what a cell has throughout.
-  std::function<Place(const std::array<int, 3>& cell)> CellVelocity;
-  /// The flow itself, or what eight points of each box have of it, interpolated trilinearly.
+  /// Constant velocity of each cell. If empty, the velocity of the flow is used.
+  std::function<Position(const std::array<int, 3>& cell)> CellVelocity;
+  /// If true, the velocity is interpolated trilinearly between the eight corners of each box.
+  /// Otherwise it is evaluated directly.
   bool IsInterpolated = false;
 };
 
 /**
- * @class   LatticeWalker
- * @brief   a flow on a lattice: p is from 0 to 1 in each box
+ * @class   BoxWalker
+ * @brief   flow on a regular grid; p is from 0 to 1 in each box
  */
-class LatticeWalker : public interlume::CellWalker
+class BoxWalker : public interlume::CellWalker
 {
 public:
-  LatticeWalker(const Flow& flow, const Lattice& lattice)
+  BoxWalker(const Flow& flow, const BoxGrid& grid)
     : Field(&flow)
-    , Grid(&lattice)
+    , Grid(&grid)
   {
   }
 
@@ -127,7 +129,7 @@ public:
       this->Cell[i] = std::min(static_cast<int>(at), this->Grid->Cells[i] - 1);
       p[i] = at - this->Cell[i];
     }
-    this->Stand();
+    this->EvaluateCorners();
     return this->IsCell();
   }
   vtkIdType GetCell() const
@@ -178,7 +180,8 @@ public:
     }
     for (std::size_t j = 0; j < 3; ++j)
     {
-      // Linear along each axis: the difference of two ends.
+      // The velocity is linear along each axis, so the difference between both faces of the box is
+      // exact.
       double low[3] = { p[0], p[1], p[2] };
       double high[3] = { p[0], p[1], p[2] };
       low[j] = 0.0;
@@ -210,7 +213,7 @@ public:
       return false;
     }
     p[axis] -= step;
-    this->Stand();
+    this->EvaluateCorners();
     return true;
   }
   int GetDomainFace(int face) const
@@ -238,7 +241,7 @@ public:
 private:
   bool IsCell() const { return !this->Grid->IsCell || this->Grid->IsCell(this->Cell); }
 
-  void Stand()
+  void EvaluateCorners()
   {
     for (int corner = 0; this->Grid->IsInterpolated && corner < 8; ++corner)
     {
@@ -254,7 +257,7 @@ private:
   {
     if (this->Grid->CellVelocity)
     {
-      const Place velocity = this->Grid->CellVelocity(this->Cell);
+      const Position velocity = this->Grid->CellVelocity(this->Cell);
       std::copy(velocity.begin(), velocity.end(), v);
       return;
     }
@@ -281,7 +284,7 @@ private:
   }
 
   const Flow* Field;
-  const Lattice* Grid;
+  const BoxGrid* Grid;
   std::array<int, 3> Cell{};
   double Corners[8][3] = {};
 };

@@ -24,11 +24,11 @@ namespace
 
 constexpr double Pi = 3.14159265358979324;
 
-/// The same numbers with every compiler, which those of std::uniform_real_distribution are not.
-class Chance
+/// Random numbers that do not depend on the compiler, unlike std::uniform_real_distribution.
+class PortableRandom
 {
 public:
-  explicit Chance(unsigned seed)
+  explicit PortableRandom(unsigned seed)
     : Engine(seed)
   {
   }
@@ -47,43 +47,43 @@ vtkSmartPointer<vtkSpatialPrimitive> MakePuff(const std::array<double, 3>& cente
   auto puff = vtkSmartPointer<vtkSpatialPrimitive>::New();
   puff->SetCenter(center[0], center[1], center[2]);
   puff->SetRadius(radius);
-  // So that erosion has an edge to work on.
+  // Erosion requires a soft edge.
   puff->SetEdgeWidth(0.5 * radius);
   return puff;
 }
 
-/// Heaps in a spiral over the base, higher towards its middle, with smaller ones on their upper
-/// halves.
+/// Arranges large spheres in a spiral on the base, higher toward the center, each with smaller
+/// spheres on its upper half.
 vtkSmartPointer<vtkSpatialObject> MakeHeaps(const Cumulus& cloud)
 {
   auto heaps = vtkSmartPointer<vtkSpatialOperation>::New();
-  Chance chance(cloud.Seed);
-  const double turn = chance.Get(0.0, 2.0 * Pi);
+  PortableRandom random(cloud.Seed);
+  const double turn = random.Get(0.0, 2.0 * Pi);
   for (int i = 0; i < cloud.Heaps; ++i)
   {
-    const double share = std::sqrt((i + 0.5) / cloud.Heaps);
+    const double fraction = std::sqrt((i + 0.5) / cloud.Heaps);
     const double angle = turn + i * Pi * (3.0 - std::sqrt(5.0));
-    const double radius = cloud.Radius * (0.44 - 0.2 * share) * chance.Get(0.85, 1.2);
-    const double reach = 0.8 * cloud.Radius * share;
+    const double radius = cloud.Radius * (0.44 - 0.2 * fraction) * random.Get(0.85, 1.2);
+    const double reach = 0.8 * cloud.Radius * fraction;
     const std::array<double, 3> center = { { cloud.Base[0] + reach * std::cos(angle),
       cloud.Base[1] + cloud.Depth * reach * std::sin(angle),
       cloud.Base[2] + 0.5 * radius +
-        (cloud.Height - 0.9 * radius) * (1.0 - share * share) * chance.Get(0.35, 1.0) } };
+        (cloud.Height - 0.9 * radius) * (1.0 - fraction * fraction) * random.Get(0.35, 1.0) } };
     heaps->AddOperand(MakePuff(center, radius));
-    // The heap stands on the base by smaller ones below it.
+    // Fills the gap between the sphere and the base with slightly smaller spheres.
     for (double z = center[2] - 0.8 * radius; z > cloud.Base[2]; z -= 0.8 * radius)
     {
       heaps->AddOperand(MakePuff({ { center[0], center[1], z } }, 0.95 * radius));
     }
     for (int j = 0; j < 9; ++j)
     {
-      const double up = chance.Get(-0.25, 1.0);
-      const double around = chance.Get(0.0, 2.0 * Pi);
+      const double up = random.Get(-0.25, 1.0);
+      const double around = random.Get(0.0, 2.0 * Pi);
       const double across = 0.95 * radius * std::sqrt(1.0 - up * up);
       heaps->AddOperand(
         MakePuff({ { center[0] + across * std::cos(around), center[1] + across * std::sin(around),
                    center[2] + 0.95 * radius * up } },
-          radius * chance.Get(0.3, 0.55)));
+          radius * random.Get(0.3, 0.55)));
     }
   }
   auto aboveBase = vtkSmartPointer<vtkSpatialPrimitive>::New();
@@ -132,25 +132,26 @@ vtkSmartPointer<vtkImageData> SampleDensity(
 {
   const double size =
     std::max({ bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4] }) / cells;
-  std::array<double, 6> whole = bounds;
+  std::array<double, 6> extended = bounds;
   std::array<int, 3> points;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double length = bounds[2 * axis + 1] - bounds[2 * axis];
     points[axis] = static_cast<int>(std::ceil(length / size - 1e-6)) + 1;
-    whole[2 * axis + 1] = bounds[2 * axis] + (points[axis] - 1) * size;
+    extended[2 * axis + 1] = bounds[2 * axis] + (points[axis] - 1) * size;
   }
   vtkNew<vtkConstructiveVolume> volume;
   volume->SetRoot(object);
-  volume->SetBounds(whole.data());
+  volume->SetBounds(extended.data());
   volume->SetDimensions(points[0], points[1], points[2]);
   volume->Update();
   return volume->GetOutput();
 }
 
-vtkSmartPointer<vtkVolumeProperty> MakeCloudMatter(double extinction)
+vtkSmartPointer<vtkVolumeProperty> MakeCloudMedium(double extinction)
 {
-  // Extinction is -ln(1 - opacity) over the unit distance: straight to a hundredth up to 0.02.
+  // The extinction is -ln(1 - opacity) per unit distance. Up to an opacity of 0.02 it is linear
+  // within 1 %.
   constexpr double opacity = 0.02;
   vtkNew<vtkPiecewiseFunction> function;
   function->AddPoint(0.0, 0.0);
@@ -158,13 +159,13 @@ vtkSmartPointer<vtkVolumeProperty> MakeCloudMatter(double extinction)
   vtkNew<vtkColorTransferFunction> white;
   white->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
   white->AddRGBPoint(1.0, 1.0, 1.0, 1.0);
-  auto matter = vtkSmartPointer<vtkVolumeProperty>::New();
-  matter->SetScalarOpacity(function);
-  matter->SetScalarOpacityUnitDistance(-std::log1p(-opacity) / extinction);
-  matter->SetColor(white);
-  matter->SetInterpolationTypeToLinear();
-  matter->ShadeOff();
-  return matter;
+  auto medium = vtkSmartPointer<vtkVolumeProperty>::New();
+  medium->SetScalarOpacity(function);
+  medium->SetScalarOpacityUnitDistance(-std::log1p(-opacity) / extinction);
+  medium->SetColor(white);
+  medium->SetInterpolationTypeToLinear();
+  medium->ShadeOff();
+  return medium;
 }
 
 }

@@ -12,37 +12,37 @@ class vtkSpatialObject;
 class vtkVolumeProperty;
 
 /**
- * Clouds by constructive volume geometry, as C. Zhang, dissertation, Ohio State 2006, section 2.6,
- * has them: a collection of spheres whose density Perlin's noise disturbs.
+ * Clouds by constructive volume geometry, after C. Zhang, dissertation, Ohio State 2006, section
+ * 2.6: unions of spheres whose density is perturbed by Perlin noise.
  */
 namespace interlume
 {
 
-/// A cumulus: heaps of spheres on a flat base.
+/// A cumulus cloud: heaps of spheres on a flat base.
 struct Cumulus
 {
-  /// The middle of the base.
+  /// Center of the base.
   std::array<double, 3> Base{};
   double Radius = 0.5;
-  /// Of the base over that of a circle, along y.
+  /// Extent of the base along y as a fraction of its extent along x.
   double Depth = 0.8;
   double Height = 0.6;
-  /// Of heaps on the base; each has smaller ones on it.
+  /// Number of heaps on the base. Smaller spheres are added to each.
   int Heaps = 9;
   unsigned Seed = 1;
 };
 
-/// Returns the union of clouds with fractal edges, z up.
+/// Returns the union of clouds with fractal edges. The z-axis points up.
 vtkSmartPointer<vtkSpatialObject> MakeClouds(const std::vector<Cumulus>& clouds);
 
-/// Samples an object within bounds on cubic cells, so many along the longest edge, as `Density`, 0
-/// to 1 in floats.
+/// Samples an object on a grid of cubic cells, with \a cells cells along the longest edge of the
+/// bounds. The float array `Density` is from 0 to 1.
 vtkSmartPointer<vtkImageData> SampleDensity(
   vtkSpatialObject* object, const std::array<double, 6>& bounds, int cells);
 
-/// White matter that is not shaded, of an extinction per unit of length where the density is 1, and
-/// in proportion below.
-vtkSmartPointer<vtkVolumeProperty> MakeCloudMatter(double extinction);
+/// Returns a white, unshaded medium whose extinction per unit length is proportional to the density
+/// and equals \a extinction at density 1.
+vtkSmartPointer<vtkVolumeProperty> MakeCloudMedium(double extinction);
 
 }
 

@@ -27,7 +27,7 @@ vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& path)
 {
   if (!std::ifstream(path))
   {
-    throw std::runtime_error("cannot open " + path);
+    throw std::runtime_error("Cannot open the file " + path);
   }
   vtkSmartPointer<vtkDataObject> data;
   const std::string::size_type dot = path.rfind('.');
@@ -47,7 +47,7 @@ vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& path)
   }
   if (!data)
   {
-    throw std::runtime_error("no dataset in " + path);
+    throw std::runtime_error("The file contains no dataset: " + path);
   }
   return data;
 }
@@ -57,7 +57,7 @@ vtkSmartPointer<vtkDataSet> ReadData(const std::string& name)
   vtkSmartPointer<vtkDataSet> dataSet = vtkDataSet::SafeDownCast(ReadDataObject(DataFile(name)));
   if (!dataSet)
   {
-    throw std::runtime_error(name + " holds no vtkDataSet");
+    throw std::runtime_error(name + " is not a vtkDataSet.");
   }
   return dataSet;
 }

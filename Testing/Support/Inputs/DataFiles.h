@@ -10,30 +10,30 @@ class vtkDataObject;
 class vtkDataSet;
 
 /**
- * Where the real data of the project lies, and how it is read.
+ * Location and reading of the files in Data/.
  */
 namespace interlume
 {
 /**
- * The folder Data/: the environment variable INTERLUME_DATA where set, else that of the source tree
- * the program was built from. Without a slash at the end.
+ * Returns the data directory without a trailing slash: the environment variable INTERLUME_DATA if
+ * it is set, otherwise Data/ in the source tree of the build.
  */
 std::string DataFolder();
 
 /**
- * The path of a file in DataFolder().
+ * Returns the path of a file in DataFolder().
  */
 std::string DataFile(const std::string& name);
 
 /**
- * Reads a VTK file of the XML kinds (.vti, .vtr, .vts, .vtu, .vtm ...) or the legacy kind (.vtk).
- * @throw std::runtime_error that names the file when it can't be read.
+ * Reads a VTK XML file (.vti, .vtr, .vts, .vtu, .vtm ...) or a legacy file (.vtk).
+ * @throw std::runtime_error with the path if the file cannot be read.
  */
 vtkSmartPointer<vtkDataObject> ReadDataObject(const std::string& path);
 
 /**
- * Reads \a name from DataFolder().
- * @throw std::runtime_error that names the file when it can't be read or is no vtkDataSet.
+ * Reads the file \a name in DataFolder().
+ * @throw std::runtime_error with the file's name if it cannot be read or is not a vtkDataSet.
  */
 vtkSmartPointer<vtkDataSet> ReadData(const std::string& name);
 }

@@ -56,7 +56,7 @@ std::vector<DataRow> ReadDataManifest()
   }
   if (rows.empty())
   {
-    throw std::runtime_error("no rows in " + path);
+    throw std::runtime_error("The data manifest has no rows: " + path);
   }
   return rows;
 }
@@ -67,7 +67,7 @@ const DataRow& FindDataRow(const std::vector<DataRow>& rows, const std::string& 
     rows.begin(), rows.end(), [&file](const DataRow& candidate) { return candidate.File == file; });
   if (row == rows.end())
   {
-    throw std::runtime_error(file + " has no row in Data/MANIFEST.md");
+    throw std::runtime_error(file + " has no row in Data/MANIFEST.md. Add its source and license.");
   }
   return *row;
 }

@@ -8,25 +8,26 @@
 namespace interlume
 {
 /**
- * One row of Data/MANIFEST.md: where a file comes from and on which terms.
+ * One row of Data/MANIFEST.md: source and license of a file.
  */
 struct DataRow
 {
   std::string File;
   std::string Content;
   std::string Source;
-  std::string Licence;
+  std::string License;
 };
 
 /**
- * The rows of Data/MANIFEST.md: the lines of its table whose first column is a file in backquotes.
- * @throw std::runtime_error when the manifest can't be read or has no row.
+ * Returns the rows of Data/MANIFEST.md, which are the table lines whose first column is a file name
+ * in backquotes.
+ * @throw std::runtime_error if the manifest cannot be read or has no rows.
  */
 std::vector<DataRow> ReadDataManifest();
 
 /**
- * The row of \a file.
- * @throw std::runtime_error when there is none: no file is used without its source and licence.
+ * Returns the row of \a file.
+ * @throw std::runtime_error if it does not exist: every file requires a source and a license.
  */
 const DataRow& FindDataRow(const std::vector<DataRow>& rows, const std::string& file);
 }

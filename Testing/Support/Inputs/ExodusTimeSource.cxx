@@ -62,7 +62,8 @@ int ExodusTimeSource::RequestData(
     : vtkUnstructuredGrid::SafeDownCast(iterator->GetCurrentDataObject());
   if (!block)
   {
-    vtkErrorMacro("no unstructured grid in " << this->Reader->GetFileName());
+    vtkErrorMacro("SetFileName: the file's first block is not an unstructured grid: "
+      << this->Reader->GetFileName());
     return 1;
   }
   vtkUnstructuredGrid* grid = vtkUnstructuredGrid::GetData(info);

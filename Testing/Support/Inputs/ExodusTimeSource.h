@@ -12,11 +12,12 @@ class vtkExodusIIReader;
 namespace interlume
 {
 /**
- * A temporal source of one unstructured grid: an Exodus file with one block. Announces the file's
- * time steps and gives the block at the one asked for, with all its point arrays; without a time,
- * at the first.
+ * A temporal source of one unstructured grid: the first block of an Exodus file, with all point
+ * arrays. It announces the time steps of the file and returns the block at the requested time, or
+ * at the first time step if none is requested.
  *
- * vtkExodusIIReader itself gives a multiblock dataset, for which filters give another one.
+ * vtkExodusIIReader itself returns a multiblock dataset, so filters would return multiblock
+ * datasets too.
  */
 class ExodusTimeSource : public vtkUnstructuredGridAlgorithm
 {
@@ -25,7 +26,7 @@ public:
   vtkTypeMacro(ExodusTimeSource, vtkUnstructuredGridAlgorithm);
 
   /**
-   * The file's path. A file without a block is an error when the pipeline runs.
+   * Sets the path of the file. If the file has no block, the update reports an error.
    */
   void SetFileName(const std::string& path);
 

@@ -17,7 +17,7 @@ const std::array<double, 3> Wood = { { 0.60, 0.40, 0.24 } };
 const std::array<double, 3> DarkWood = { { 0.42, 0.27, 0.16 } };
 const std::array<double, 3> Steel = { { 0.62, 0.65, 0.69 } };
 
-/// Profile times \a radius and \a height, up to \a z.
+/// Scales a profile by \a radius and \a height and shifts it to \a z.
 std::vector<ProfilePoint> Scale(
   std::vector<ProfilePoint> profile, double radius, double height, double z)
 {
@@ -28,20 +28,20 @@ std::vector<ProfilePoint> Scale(
   return profile;
 }
 
-ModelPart MakeBlock(
-  const Place3& center, const Place3& lengths, double radius, const std::array<double, 3>& color)
+ModelPart MakeBlock(const Position3& center, const Position3& lengths, double radius,
+  const std::array<double, 3>& color)
 {
   return { MoveShape(MakeRoundedBox(lengths, radius), center), color, 0.12 };
 }
 
 }
 
-Model MakeMushroom(double height, double capRadius, double lean)
+Model MakeMushroom(double height, double capRadius, double netFlux)
 {
   const double capHeight = 0.72 * capRadius;
   const double rim = height - capHeight;
-  const double shift = lean * height;
-  // A dome, a rim that curls in, and gills below that rise to the stem.
+  const double shift = netFlux * height;
+  // A dome, a rim that curls inward, and gills that rise to the stem below.
   vtkSmartPointer<vtkPolyData> cap =
     Revolve(Scale({ { { 0.0, 1.0 } }, { { 0.25, 0.97 } }, { { 0.5, 0.86 } }, { { 0.75, 0.63 } },
                     { { 0.93, 0.32 } }, { { 1.0, 0.08 } }, { { 0.97, -0.03 } }, { { 0.88, -0.01 } },
@@ -55,17 +55,17 @@ Model MakeMushroom(double height, double capRadius, double lean)
                { { 0.2 * shift, 0.0, 0.45 * top } }, { { 0.62 * shift, 0.0, 0.8 * top } },
                { { shift, 0.0, top } } },
       { 1.25 * r, 1.45 * r, 1.0 * r, 0.86 * r, 0.95 * r });
-  Model model = { { MoveShape(cap, { { shift, 0.0, 0.0 } }, { { 0.0, 40.0 * lean, 0.0 } }),
+  Model model = { { MoveShape(cap, { { shift, 0.0, 0.0 } }, { { 0.0, 40.0 * netFlux, 0.0 } }),
                     { { 0.72, 0.20, 0.13 } }, 0.35 },
     { stem, Ivory, 0.08 } };
-  // White spots lie on the dome, on spirals that the golden angle makes.
+  // White spots on the dome, on spirals with the golden angle.
   for (int i = 0; i < 14; ++i)
   {
     const double polar = std::sqrt((i + 0.6) / 14.0) * 72.0;
     const double around = 137.508 * i;
     const double size = (0.12 - 0.0011 * polar) * capRadius;
     const double angle = vtkMath::RadiansFromDegrees(polar);
-    // The dome's height there, by the same points as the cap's profile.
+    // Height of the dome at the spot, which approximates the profile of the cap.
     const double out = std::sin(angle) * 0.97;
     const double up = std::pow(std::max(1.0 - out * out, 0.0), 0.56) * 0.985;
     vtkSmartPointer<vtkPolyData> spot = Revolve(
@@ -76,7 +76,7 @@ Model MakeMushroom(double height, double capRadius, double lean)
     spot = MoveShape(spot, { { out * capRadius, 0.0, up * capHeight } });
     spot = MoveShape(spot, { { 0.0, 0.0, rim } }, { { 0.0, 0.0, around } });
     model.push_back(
-      { MoveShape(spot, { { shift, 0.0, 0.0 } }, { { 0.0, 40.0 * lean, 0.0 } }), Ivory, 0.1 });
+      { MoveShape(spot, { { shift, 0.0, 0.0 } }, { { 0.0, 40.0 * netFlux, 0.0 } }), Ivory, 0.1 });
   }
   return model;
 }
@@ -110,7 +110,7 @@ Model MakeTeapot()
 Model MakeDart()
 {
   const std::array<double, 3> red = { { 0.78, 0.16, 0.12 } };
-  // Along z in what follows, the tip at 0.
+  // Built along z with the tip at 0, then rotated.
   vtkSmartPointer<vtkPolyData> tip =
     Revolve({ { { 0.0, 0.0 } }, { { 0.012, 0.07 } }, { { 0.014, 0.2 } }, { { 0.0, 0.2 } } }, false);
   std::vector<ProfilePoint> profile = { { { 0.0, 0.19 } }, { { 0.018, 0.19 } },
@@ -153,7 +153,7 @@ Model MakeAirplane()
 {
   const std::array<double, 3> white = { { 0.94, 0.94, 0.93 } };
   const std::array<double, 3> blue = { { 0.10, 0.24, 0.55 } };
-  const Place3 alongX = { { 0.0, 90.0, 0.0 } };
+  const Position3 alongX = { { 0.0, 90.0, 0.0 } };
   vtkSmartPointer<vtkPolyData> hull =
     Revolve({ { { 0.0, 0.0 } }, { { 0.012, 0.01 } }, { { 0.04, 0.14 } }, { { 0.052, 0.3 } },
               { { 0.052, 0.78 } }, { { 0.044, 0.9 } }, { { 0.02, 0.985 } }, { { 0.0, 1.0 } } },
@@ -166,8 +166,8 @@ Model MakeAirplane()
   std::vector<vtkSmartPointer<vtkPolyData>> engines;
   for (const double side : { 1.0, -1.0 })
   {
-    // A wing to +y; the other one is its turn about x by 180 degrees, as plates are alike on both
-    // sides.
+    // Plates are symmetric, so the wing toward -y is the wing toward +y, rotated about x by 180
+    // degrees.
     const double turn = side > 0.0 ? 0.0 : 180.0;
     const double rise = 5.0 * side;
     wings.push_back(
@@ -245,7 +245,7 @@ Model MakeLamp()
     MakeTube({ { { 0.0, 0.0, 0.02 } }, { { -0.02, 0.0, 0.22 } }, { { 0.03, 0.0, 0.41 } },
                { { 0.13, 0.0, 0.47 } }, { { 0.2, 0.0, 0.41 } } },
       { 0.011, 0.01, 0.01, 0.01, 0.01 });
-  // A thin shell: up outside and down inside.
+  // A thin shell: the profile runs up outside and down inside.
   vtkSmartPointer<vtkPolyData> shade = MoveShape(
     Revolve({ { { 0.0, 0.1 } }, { { 0.035, 0.1 } }, { { 0.05, 0.085 } }, { { 0.115, 0.0 } },
               { { 0.109, 0.0 } }, { { 0.045, 0.08 } }, { { 0.0, 0.093 } } },
@@ -262,7 +262,7 @@ Model MakeBooks()
   for (int i = 0; i < 3; ++i)
   {
     const double z = 0.02 + 0.042 * i;
-    const Place3 lengths = { { 0.26 - 0.03 * i, 0.19 - 0.015 * i, 0.0 } };
+    const Position3 lengths = { { 0.26 - 0.03 * i, 0.19 - 0.015 * i, 0.0 } };
     const double degrees = 9.0 * i - 6.0;
     const auto add =
       [&](double height, double thickness, double shrink, const std::array<double, 3>& color)
@@ -293,7 +293,7 @@ Model MakeMug()
   return { { cup, white, 0.5 }, { handle, white, 0.5 } };
 }
 
-Model Move(const Model& model, const Place3& offset, const Place3& degrees)
+Model Move(const Model& model, const Position3& offset, const Position3& degrees)
 {
   Model moved = model;
   for (ModelPart& part : moved)

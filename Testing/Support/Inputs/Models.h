@@ -7,51 +7,53 @@
 #include <vector>
 
 /**
- * Things of everyday as polygons, by formulas and a few numbers of their own: every part is closed,
- * with normals outwards, and stands on z = 0 where nothing else is said.
+ * Models of everyday objects as polygons. Every part is a closed surface with outward normals.
+ * Models stand on z = 0 unless stated otherwise.
  */
 namespace interlume
 {
 
-/// A part of one colour.
+/// A part of a single color.
 struct ModelPart
 {
   vtkSmartPointer<vtkPolyData> Shape;
   std::array<double, 3> Color{};
-  /// Strength of its highlight, 0 to 1.
+  /// Specular strength, 0 to 1.
   double Gloss = 0.1;
 };
 
 using Model = std::vector<ModelPart>;
 
-/// A mushroom, as high as it is said, whose cap has that radius; its stem leans by \a lean of its
-/// height along x.
-Model MakeMushroom(double height, double capRadius, double lean = 0.0);
+/// Returns a mushroom of the given height and cap radius. The top of the stem is shifted along x by
+/// \a netFlux times the height.
+Model MakeMushroom(double height, double capRadius, double netFlux = 0.0);
 
-/// A teapot of 1.6 from the handle to the spout, which points along x, and 0.95 high.
+/// Returns a teapot with the spout toward x. It is 1.6 long and 0.95 high.
 Model MakeTeapot();
 
-/// A dart of length 1 whose tip is at the origin, and which comes from -x.
+/// Returns a dart of length 1 along x. The tip is at the origin, the shaft at negative x.
 Model MakeDart();
 
-/// An airliner of length 1 along x, its nose at 1, with wings from y = -0.5 to 0.5, up is z.
+/// Returns an airliner of length 1 along x with the nose at x = 1 and z up. The wings extend from y
+/// = -0.5 to 0.5.
 Model MakeAirplane();
 
-/// A desk of 1.2 x 0.6 and 0.72 high, with drawers on its right, seen from -y.
+/// Returns a desk of 1.2 x 0.6 x 0.72 with drawers on the right side, seen from -y.
 Model MakeDesk();
 
-/// A chair 0.46 wide and 0.9 high that is sat on towards +y.
+/// Returns a chair, 0.46 wide and 0.9 high, that faces +y.
 Model MakeChair();
 
-/// A lamp 0.48 high, whose shade is open below, over (0.2, 0, 0.32).
+/// Returns a lamp of height 0.48. The shade is above (0.2, 0, 0.32) and open below.
 Model MakeLamp();
 
-/// Three books upon each other and a mug beside them.
+/// Return a stack of three books, and a mug.
 Model MakeBooks();
 Model MakeMug();
 
-/// All parts moved by MoveShape().
-Model Move(const Model& model, const Place3& offset, const Place3& degrees = { { 0.0, 0.0, 0.0 } });
+/// Applies MoveShape() to all parts.
+Model Move(
+  const Model& model, const Position3& offset, const Position3& degrees = { { 0.0, 0.0, 0.0 } });
 Model& Append(Model& model, const Model& more);
 
 }

@@ -32,7 +32,7 @@ namespace
 constexpr int TurnSteps = 72;
 constexpr int SplineSteps = 12; ///< between two points
 
-/// Points of a spline through rows of numbers.
+/// Returns points of a spline through rows of numbers.
 template <std::size_t N>
 std::vector<std::array<double, N>> Spline(const std::vector<std::array<double, N>>& rows)
 {
@@ -53,15 +53,15 @@ std::vector<std::array<double, N>> Spline(const std::vector<std::array<double, N
   return points;
 }
 
-/// One line through the points.
-vtkSmartPointer<vtkPolyData> MakeLine(const std::vector<Place3>& places)
+/// Returns one polyline through the points.
+vtkSmartPointer<vtkPolyData> MakeLine(const std::vector<Position3>& positions)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> lines;
-  lines->InsertNextCell(static_cast<int>(places.size()));
-  for (const Place3& place : places)
+  lines->InsertNextCell(static_cast<int>(positions.size()));
+  for (const Position3& position : positions)
   {
-    lines->InsertCellPoint(points->InsertNextPoint(place.data()));
+    lines->InsertCellPoint(points->InsertNextPoint(position.data()));
   }
   auto line = vtkSmartPointer<vtkPolyData>::New();
   line->SetPoints(points);
@@ -69,7 +69,8 @@ vtkSmartPointer<vtkPolyData> MakeLine(const std::vector<Place3>& places)
   return line;
 }
 
-/// Triangles without seams, degenerate ones left out, and normals outwards.
+/// Triangulates a surface, merges the points of seams, removes degenerate triangles and computes
+/// outward normals.
 vtkSmartPointer<vtkPolyData> Finish(vtkPolyData* shape, double sharp)
 {
   shape->GetPointData()->Initialize();
@@ -80,12 +81,12 @@ vtkSmartPointer<vtkPolyData> Finish(vtkPolyData* shape, double sharp)
   clean->SetInputConnection(triangles->GetOutputPort());
   clean->SetTolerance(1e-7);
   clean->Update();
-  // What collapses to a line or a point goes.
-  vtkPolyData* whole = clean->GetOutput();
-  whole->SetVerts(nullptr);
-  whole->SetLines(nullptr);
+  // Removes triangles that collapsed to lines or points.
+  vtkPolyData* merged = clean->GetOutput();
+  merged->SetVerts(nullptr);
+  merged->SetLines(nullptr);
   vtkNew<vtkPolyDataNormals> normals;
-  normals->SetInputData(whole);
+  normals->SetInputData(merged);
   normals->SetFeatureAngle(sharp);
   normals->ConsistencyOn();
   normals->AutoOrientNormalsOn();
@@ -98,13 +99,13 @@ vtkSmartPointer<vtkPolyData> Finish(vtkPolyData* shape, double sharp)
 vtkSmartPointer<vtkPolyData> Revolve(
   const std::vector<ProfilePoint>& profile, bool smooth, double sharp)
 {
-  std::vector<Place3> places;
+  std::vector<Position3> positions;
   for (const ProfilePoint& point : smooth ? Spline(profile) : profile)
   {
-    places.push_back({ { std::max(point[0], 0.0), 0.0, point[1] } });
+    positions.push_back({ { std::max(point[0], 0.0), 0.0, point[1] } });
   }
   vtkNew<vtkRotationalExtrusionFilter> turn;
-  turn->SetInputData(MakeLine(places));
+  turn->SetInputData(MakeLine(positions));
   turn->SetResolution(TurnSteps);
   turn->CappingOff();
   turn->Update();
@@ -112,14 +113,14 @@ vtkSmartPointer<vtkPolyData> Revolve(
 }
 
 vtkSmartPointer<vtkPolyData> MakeTube(
-  const std::vector<Place3>& places, const std::vector<double>& radii)
+  const std::vector<Position3>& positions, const std::vector<double>& radii)
 {
   std::vector<std::array<double, 4>> rows;
-  for (std::size_t i = 0; i < places.size(); ++i)
+  for (std::size_t i = 0; i < positions.size(); ++i)
   {
-    rows.push_back({ { places[i][0], places[i][1], places[i][2], radii[i] } });
+    rows.push_back({ { positions[i][0], positions[i][1], positions[i][2], radii[i] } });
   }
-  std::vector<Place3> path;
+  std::vector<Position3> path;
   vtkNew<vtkDoubleArray> widths;
   for (const auto& row : Spline(rows))
   {
@@ -137,10 +138,10 @@ vtkSmartPointer<vtkPolyData> MakeTube(
   return Finish(tube->GetOutput(), 50.0);
 }
 
-vtkSmartPointer<vtkPolyData> MakeRoundedBox(const Place3& lengths, double radius)
+vtkSmartPointer<vtkPolyData> MakeRoundedBox(const Position3& lengths, double radius)
 {
-  // A sphere that is cut along its three planes of symmetry; its eight parts move to the corners,
-  // and what was an edge of two parts becomes a face.
+  // A sphere is cut along its three planes of symmetry. The eight octants move to the corners of
+  // the box, and the gaps between them become faces.
   constexpr int steps = 6;
   constexpr int columns = 4 * (steps + 1);
   const double step = 0.5 * vtkMath::Pi() / steps;
@@ -218,7 +219,7 @@ vtkSmartPointer<vtkPolyData> MakePlate(
 }
 
 vtkSmartPointer<vtkPolyData> MoveShape(
-  vtkPolyData* shape, const Place3& offset, const Place3& degrees)
+  vtkPolyData* shape, const Position3& offset, const Position3& degrees)
 {
   vtkNew<vtkTransform> transform;
   transform->Translate(offset.data());

@@ -2,57 +2,57 @@
 #ifndef Shapes_h
 #define Shapes_h
 
-#include "vtkPolyData.h" // whole, so that shapes can be copied
+#include "vtkPolyData.h" // complete type, for copies of shapes
 #include "vtkSmartPointer.h"
 
 #include <array>
 #include <vector>
 
 /**
- * Closed surfaces with normals outwards, of which models are made.
+ * Closed surfaces with outward normals, the parts of models.
  */
 namespace interlume
 {
 
-using Place3 = std::array<double, 3>;
+using Position3 = std::array<double, 3>;
 
-/// A point of a profile: distance from the axis, height along it.
+/// A point of a profile: distance from the axis and height.
 using ProfilePoint = std::array<double, 2>;
 
 /**
- * Turns a profile around the z axis. A profile that begins and ends on the axis, or is closed,
- * makes a closed surface.
- * @param smooth whether the profile is a cardinal spline through its points instead of a polygon
- * @param sharp  angle in degrees above which an edge stays sharp
+ * Revolves a profile around the z-axis. The surface is closed if the profile is closed or starts
+ * and ends on the axis.
+ * @param smooth If true, the profile is a cardinal spline through its points, otherwise a polyline.
+ * @param sharp  Angle in degrees above which an edge stays sharp.
  */
 vtkSmartPointer<vtkPolyData> Revolve(
   const std::vector<ProfilePoint>& profile, bool smooth, double sharp = 35.0);
 
 /**
- * A tube with closed ends along a spline through \a places, with as many radii.
+ * Returns a capped tube along a spline through \a points, with a radius for each point.
  */
 vtkSmartPointer<vtkPolyData> MakeTube(
-  const std::vector<Place3>& places, const std::vector<double>& radii);
+  const std::vector<Position3>& points, const std::vector<double>& radii);
 
 /**
- * A box around the origin whose edges and corners are rounded.
+ * Returns a box around the origin with rounded edges and corners.
  */
-vtkSmartPointer<vtkPolyData> MakeRoundedBox(const Place3& lengths, double radius);
+vtkSmartPointer<vtkPolyData> MakeRoundedBox(const Position3& lengths, double radius);
 
 /**
- * A plate around z = 0, its outline a polygon of (x, y), counter-clockwise.
+ * Returns a plate centered at z = 0. The outline is a counterclockwise polygon of (x, y).
  */
 vtkSmartPointer<vtkPolyData> MakePlate(
   const std::vector<std::array<double, 2>>& outline, double thickness);
 
 /**
- * A copy that is turned around x, then y, then z by \a degrees, and then moved.
+ * Returns a copy that is rotated about x, then y, then z by \a degrees, and then translated.
  */
 vtkSmartPointer<vtkPolyData> MoveShape(
-  vtkPolyData* shape, const Place3& offset, const Place3& degrees = { { 0.0, 0.0, 0.0 } });
+  vtkPolyData* shape, const Position3& offset, const Position3& degrees = { { 0.0, 0.0, 0.0 } });
 
 /**
- * All in one.
+ * Appends all shapes to one surface.
  */
 vtkSmartPointer<vtkPolyData> Join(const std::vector<vtkSmartPointer<vtkPolyData>>& shapes);
 

@@ -13,7 +13,7 @@ class vtkDataSet;
 class vtkUnstructuredGrid;
 
 /**
- * The filters under test run once over the active scalars, points in double.
+ * One execution of each filter under test with the active scalars and double-precision points.
  */
 namespace reference
 {
@@ -23,7 +23,7 @@ using Interval = std::array<double, 2>;
 struct Extraction
 {
   vtkSmartPointer<vtkUnstructuredGrid> Volume;  ///< port 0
-  vtkSmartPointer<vtkUnstructuredGrid> Surface; ///< port 1 with its boundaries on
+  vtkSmartPointer<vtkUnstructuredGrid> Surface; ///< port 1 with GenerateBoundaries on
   ReportCopy Report;
 };
 

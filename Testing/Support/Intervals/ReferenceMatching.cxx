@@ -36,11 +36,12 @@ namespace
 
 using Filter = vtkTimeVaryingIntervalVolume;
 
-/// Whether points lie in a face of the domain; in a box that is quick.
-class Skin
+/// Tests whether points lie in one boundary face of the domain. Box-shaped domains take a fast
+/// path.
+class BoundaryTest
 {
 public:
-  explicit Skin(vtkDataSet* data)
+  explicit BoundaryTest(vtkDataSet* data)
     : Tolerance(1e-10 * data->GetLength())
   {
     data->GetBounds(this->Bounds);
@@ -51,7 +52,7 @@ public:
   }
 
   template <size_t N>
-  bool Holds(vtkUnstructuredGrid* grid, const std::array<vtkIdType, N>& ids) const
+  bool IsOnFace(vtkUnstructuredGrid* grid, const std::array<vtkIdType, N>& ids) const
   {
     std::vector<DomainBoundary::Point> points(N);
     for (size_t i = 0; i < N; ++i)
@@ -86,7 +87,7 @@ std::vector<OrientedSimplex<N>> ToOriented(const std::vector<std::array<vtkIdTyp
   return { simplices.begin(), simplices.end() };
 }
 
-/// How many simplices are there both ways round.
+/// Counts the simplices that occur with both orientations.
 template <size_t N>
 long long CountOpposite(const std::vector<std::array<vtkIdType, N>>& simplices)
 {
@@ -95,9 +96,9 @@ long long CountOpposite(const std::vector<std::array<vtkIdType, N>>& simplices)
     [](const SimplexUse<N>& use) { return use.Plus > 0 && use.Minus > 0; });
 }
 
-/// Triangles or tetrahedra by the places of their points, sorted.
+/// Returns triangles or tetrahedra by their point coordinates, sorted.
 template <size_t N>
-std::vector<GeometricSimplex> PlacesOf(
+std::vector<GeometricSimplex> SortedSimplices(
   vtkUnstructuredGrid* grid, const std::vector<std::array<vtkIdType, N>>& cells)
 {
   vtkNew<vtkUnstructuredGrid> part;
@@ -107,15 +108,15 @@ std::vector<GeometricSimplex> PlacesOf(
   {
     part->InsertNextCell(N == 3 ? VTK_TRIANGLE : VTK_TETRA, N, cell.data());
   }
-  std::vector<GeometricSimplex> places = GeometricSet(part);
-  std::sort(places.begin(), places.end());
-  return places;
+  std::vector<GeometricSimplex> sorted = GeometricSet(part);
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
 }
 
 template <size_t N>
 using Net = std::map<std::array<vtkIdType, N>, int>;
 
-/// Adds each simplex with its sign.
+/// Adds the sign of each simplex, multiplied by \a sign, to its count.
 template <size_t N>
 void AddTo(Net<N>& net, const std::vector<OrientedSimplex<N>>& simplices, int sign = 1)
 {
@@ -157,7 +158,7 @@ bool HasPolyhedra(vtkDataSet* data)
   return false;
 }
 
-/// The volume of the cells that are equal to a value throughout.
+/// Returns the volume of the cells whose points all have the given value.
 double ConstantVolume(vtkDataSet* data, double value)
 {
   long double volume = 0;
@@ -198,7 +199,7 @@ public:
     filter->SetInputData(data);
     filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
     filter->GenerateBoundariesOn();
-    filter->SetKeepOrigins(this->HasOrigins);
+    filter->SetGenerateOriginArrays(this->HasOrigins);
     for (size_t i = 0; i < intervals.size(); ++i)
     {
       filter->SetInterval(static_cast<int>(i), intervals[i][0], intervals[i][1]);
@@ -218,7 +219,7 @@ public:
   {
     if (this->Volume->GetNumberOfCells() == 0)
     {
-      this->Test.Equal(this->Surface->GetNumberOfCells(), 0, "triangles of nothing");
+      this->Test.Equal(this->Surface->GetNumberOfCells(), 0, "triangles of an empty volume");
       return;
     }
     std::vector<bool> isUsed(this->Volume->GetNumberOfPoints(), false);
@@ -242,11 +243,12 @@ private:
     const std::string name = "interval " + std::to_string(i) + ": ";
     const Interval& bounds = this->Intervals[i];
     const std::vector<Tetrahedron> tetrahedra = TetrahedraOf(this->Volume, i);
-    this->Test.Equal(CountOpposite(tetrahedra), 0, name + "tetrahedra there both ways round");
+    this->Test.Equal(
+      CountOpposite(tetrahedra), 0, name + "tetrahedra that occur with both orientations");
     Net<3> faces;
     AddTo(faces, FacesOf(tetrahedra));
-    Net<3> left = faces;
-    long long strange = 0;
+    Net<3> remaining = faces;
+    long long invalid = 0;
     std::vector<Triangle> all;
     for (int side = 0; side < 2; ++side)
     {
@@ -254,34 +256,35 @@ private:
       {
         const OrientedSimplex<3> oriented(triangle);
         const auto face = faces.find(oriented.Key);
-        strange += face == faces.end() || face->second * oriented.Sign <= 0 ||
+        invalid += face == faces.end() || face->second * oriented.Sign <= 0 ||
           !AreAll(this->Values, triangle, bounds[side]);
         all.push_back(triangle);
       }
     }
-    this->Test.Equal(strange, 0, name + "triangles that are no faces equal to the bound");
+    this->Test.Equal(
+      invalid, 0, name + "triangles that are not faces of tetrahedra with the value of the bound");
     const auto uses = CountUses(ToOriented(all));
     this->Test.Equal(static_cast<long long>(all.size() - uses.size()), 0,
-      name + "triangles there twice or both ways round");
-    AddTo(left, ToOriented(all), -1);
-    const long long cracks = std::count_if(left.begin(), left.end(),
+      name + "triangles that occur more than once");
+    AddTo(remaining, ToOriented(all), -1);
+    const long long cracks = std::count_if(remaining.begin(), remaining.end(),
       [&](const auto& face)
       {
-        return face.second != 0 && !this->Domain.Holds(this->Volume, face.first) &&
+        return face.second != 0 && !this->Domain.IsOnFace(this->Volume, face.first) &&
           !this->IsCut(face.first);
       });
-    this->Test.Equal(cracks, 0, name + "faces inside that do not cancel");
+    this->Test.Equal(cracks, 0, name + "interior faces that do not cancel");
     if (this->HasOrigins)
     {
       this->CheckCells(i, name);
     }
     if (bounds[0] == bounds[1] && this->Criteria.empty())
     {
-      this->CheckFlat(i, bounds[0], name);
+      this->CheckPointInterval(i, bounds[0], name);
     }
   }
 
-  /// Whether a criterion's array is equal to its bound on a face.
+  /// Returns whether an array of a criterion equals one of its bounds at all points of a face.
   bool IsCut(const Triangle& face) const
   {
     return std::any_of(this->Criteria.begin(), this->Criteria.end(),
@@ -292,7 +295,7 @@ private:
       });
   }
 
-  /// A triangle has the cell of a tetrahedron that it is a face of.
+  /// Checks that a triangle has the origin cell of a tetrahedron with this face.
   void CheckCells(int i, const std::string& name)
   {
     vtkDataArray* ids = this->Volume->GetCellData()->GetArray("IntervalId");
@@ -318,43 +321,46 @@ private:
           cellsOf[face.Key].push_back(static_cast<vtkIdType>(cells->GetComponent(cell, 0)));
         }
       });
-    long long wrong = 0;
+    long long errors = 0;
     vtkDataArray* origins = this->Surface->GetCellData()->GetArray("OriginCell");
     forEach(this->Surface, this->Surface->GetCellData()->GetArray("IntervalId"),
       [&](vtkIdType cell, const vtkIdType* p)
       {
         const auto& known = cellsOf[OrientedSimplex<3>(Triangle{ { p[0], p[1], p[2] } }).Key];
-        wrong += std::count(known.begin(), known.end(), origins->GetComponent(cell, 0)) == 0;
+        errors += std::count(known.begin(), known.end(), origins->GetComponent(cell, 0)) == 0;
       });
-    this->Test.Equal(wrong, 0, name + "triangles of another cell than their tetrahedron");
+    this->Test.Equal(
+      errors, 0, name + "triangles whose origin cell differs from their tetrahedron's");
   }
 
-  void CheckFlat(int i, double value, const std::string& name)
+  void CheckPointInterval(int i, double value, const std::string& name)
   {
     const std::vector<Tetrahedron> tetrahedra = TetrahedraOf(this->Volume, i);
     vtkDataArray* ids = this->Volume->GetCellData()->GetArray("IntervalId");
     vtkDataArray* cells = this->Volume->GetCellData()->GetArray("OriginCell");
     if (HasPolyhedra(this->Data))
     {
-      // Parts of a polyhedron count by themselves.
+      // A polyhedron is split into convex pieces, and each piece is tested separately.
       return;
     }
-    long long wrong = 0;
+    long long errors = 0;
     for (vtkIdType cell = 0; cell < this->Volume->GetNumberOfCells(); ++cell)
     {
-      wrong += ids->GetComponent(cell, 0) == i &&
+      errors += ids->GetComponent(cell, 0) == i &&
         !IsConstant(this->Data, static_cast<vtkIdType>(cells->GetComponent(cell, 0)), value);
     }
-    this->Test.Equal(wrong, 0, name + "tetrahedra of cells that are not equal to it throughout");
+    this->Test.Equal(
+      errors, 0, name + "tetrahedra of cells whose values do not all equal the bound");
     this->Test.Near(static_cast<double>(MeasureInterval(this->Volume, i).Sum),
-      ConstantVolume(this->Data, value), 1e-12, name + "volume of the cells equal to it", 1.0);
+      ConstantVolume(this->Data, value), 1e-12,
+      name + "volume of the cells whose values all equal the bound", 1.0);
   }
 
   vtkDataSet* Data;
   const std::vector<Interval>& Intervals;
   Check& Test;
   const std::vector<MatchingCriterion>& Criteria;
-  Skin Domain;
+  BoundaryTest Domain;
   bool HasOrigins;
   vtkSmartPointer<vtkUnstructuredGrid> Volume;
   vtkSmartPointer<vtkUnstructuredGrid> Surface;
@@ -380,7 +386,7 @@ public:
       return;
     }
     this->Times = this->Found.Simplices->GetPointData()->GetArray("Time");
-    this->CheckLying();
+    this->CheckAtStep();
     for (int i = 0; i < static_cast<int>(this->Intervals.size()); ++i)
     {
       this->CheckInterval(i);
@@ -394,12 +400,13 @@ public:
 private:
   void CheckInterval(int i)
   {
-    const std::string name = "in time, interval " + std::to_string(i) + ": ";
+    const std::string name = "interval in time " + std::to_string(i) + ": ";
     const std::vector<FourSimplex> simplices = FourSimplicesOf(this->Found.Simplices, i);
-    this->Test.Equal(CountOpposite(simplices), 0, name + "4-simplices there both ways round");
+    this->Test.Equal(
+      CountOpposite(simplices), 0, name + "4-simplices that occur with both orientations");
     Net<4> faces;
     AddTo(faces, FacesOf(simplices));
-    Net<4> left = faces;
+    Net<4> remaining = faces;
     std::vector<Tetrahedron> inTime;
     for (int kind : { Filter::LOWER_SURFACE_IN_TIME, Filter::UPPER_SURFACE_IN_TIME })
     {
@@ -408,24 +415,25 @@ private:
     }
     const auto uses = CountUses(ToOriented(inTime));
     this->Test.Equal(static_cast<long long>(inTime.size() - uses.size()), 0,
-      name + "cells in time there twice or both ways round");
-    const long long strange = std::count_if(inTime.begin(), inTime.end(),
+      name + "surface cells in time that occur more than once");
+    const long long invalid = std::count_if(inTime.begin(), inTime.end(),
       [&](const Tetrahedron& cell)
       {
         const OrientedSimplex<4> oriented(cell);
         const auto face = faces.find(oriented.Key);
         return face == faces.end() || face->second * oriented.Sign <= 0;
       });
-    this->Test.Equal(strange, 0, name + "cells in time that are no faces");
-    AddTo(left, ToOriented(inTime), -1);
+    this->Test.Equal(invalid, 0, name + "surface cells in time that are not faces of 4-simplices");
+    AddTo(remaining, ToOriented(inTime), -1);
     const double ends[2] = { this->Steps.front().Time, this->Steps.back().Time };
-    const long long cracks = std::count_if(left.begin(), left.end(),
+    const long long cracks = std::count_if(remaining.begin(), remaining.end(),
       [&](const auto& face)
       {
         return face.second != 0 && !this->IsAt(face.first, ends[0]) &&
-          !this->IsAt(face.first, ends[1]) && !this->Walls.Holds(this->Found.Simplices, face.first);
+          !this->IsAt(face.first, ends[1]) &&
+          !this->Walls.IsOnFace(this->Found.Simplices, face.first);
       });
-    this->Test.Equal(cracks, 0, name + "faces inside that do not cancel");
+    this->Test.Equal(cracks, 0, name + "interior faces that do not cancel");
   }
 
   template <size_t N>
@@ -440,23 +448,24 @@ private:
     return this->IsAt(simplex, this->Times->GetComponent(simplex[0], 0));
   }
 
-  /// A cell that lies in a step is said to be nothing there, or a tetrahedron.
-  void CheckLying()
+  /// Checks that AtStep is not FACES_AT_STEP for cells within one step, and that it is
+  /// TETRAHEDRON_AT_STEP exactly for cells that repeat their last point.
+  void CheckAtStep()
   {
     vtkUnstructuredGrid* grid = this->Found.Simplices;
     vtkDataArray* atStep = grid->GetCellData()->GetArray("AtStep");
-    long long wrong = 0;
+    long long errors = 0;
     vtkNew<vtkIdList> ids;
     for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
     {
       grid->GetCellPoints(cell, ids);
       const vtkIdType* p = ids->GetPointer(0);
-      const bool isLying = this->IsAtOneTime({ { p[0], p[1], p[2], p[3], p[4] } });
+      const bool isWithinStep = this->IsAtOneTime({ { p[0], p[1], p[2], p[3], p[4] } });
       const double part = atStep->GetComponent(cell, 0);
-      wrong += (isLying && part == Filter::FACES_AT_STEP) ||
+      errors += (isWithinStep && part == Filter::FACES_AT_STEP) ||
         (p[3] == p[4]) != (part == Filter::TETRAHEDRON_AT_STEP);
     }
-    this->Test.Equal(wrong, 0, "cells within one step that are not said to be that");
+    this->Test.Equal(errors, 0, "cells within one step with a wrong value of AtStep");
   }
 
   void CheckStep(size_t step)
@@ -477,9 +486,9 @@ private:
       return static_cast<long long>(missing.size());
     };
     this->Test.Equal(countMissing(slice, volume), 0,
-      name + "tetrahedra of the slice that are not of the interval volume");
+      name + "tetrahedra of the slice that are not in the interval volume");
     this->Test.Equal(countMissing(volume, slice), 0,
-      name + "tetrahedra of the interval volume that are not of the slice");
+      name + "tetrahedra of the interval volume that are not in the slice");
     const bool isStart = step == 0;
     if (isStart || step + 1 == this->Steps.size())
     {
@@ -491,14 +500,15 @@ private:
     }
   }
 
-  /// The cells of a kind of port 1 are those of an output of vtkIntervalVolume.
+  /// Checks that the cells of a kind on port 1 equal the output of vtkIntervalVolume.
   template <size_t N>
   void CheckSame(vtkUnstructuredGrid* expected, const std::vector<std::array<vtkIdType, N>>& cells,
     int i, int kind, const std::string& name)
   {
-    this->Test.That(PlacesOf(expected, cells) ==
-        PlacesOf(this->Found.Boundaries, BoundaryCellsOf<N>(this->Found.Boundaries, i, kind)),
-      name + "kind " + std::to_string(kind) + " is that of vtkIntervalVolume");
+    this->Test.That(SortedSimplices(expected, cells) ==
+        SortedSimplices(
+          this->Found.Boundaries, BoundaryCellsOf<N>(this->Found.Boundaries, i, kind)),
+      name + "kind " + std::to_string(kind) + " equals the output of vtkIntervalVolume");
   }
 
   void CheckEnd(const Extraction& expected, int i, int end, const std::string& name)
@@ -515,7 +525,7 @@ private:
   const TimeSteps& Steps;
   const std::vector<Interval>& Intervals;
   Check& Test;
-  Skin Walls;
+  BoundaryTest Walls;
   TimeVaryingExtraction Found;
   vtkDataArray* Times = nullptr;
 };
@@ -567,10 +577,10 @@ std::vector<double> GetQuantiles(vtkDataSet& data)
   }
   std::sort(values.begin(), values.end());
   std::vector<double> bounds;
-  for (const double share : { 0.0, 0.3, 0.5, 0.8, 1.0 })
+  for (const double fraction : { 0.0, 0.3, 0.5, 0.8, 1.0 })
   {
     const double value =
-      values[static_cast<size_t>(share * static_cast<double>(values.size() - 1))];
+      values[static_cast<size_t>(fraction * static_cast<double>(values.size() - 1))];
     if (bounds.empty() || value > bounds.back())
     {
       bounds.push_back(value);
@@ -605,28 +615,28 @@ void CheckMatchingTiling(vtkDataSet* data, const std::vector<double>& bounds, Ch
 void CheckMatchingContour(vtkDataSet* data, double value, Check& check)
 {
   const std::string name = "contour of " + std::to_string(value) + ": ";
-  const Skin domain(data);
+  const BoundaryTest domain(data);
   const auto inside = [&domain](vtkUnstructuredGrid* grid, std::vector<Triangle> triangles)
   {
     const auto end = std::remove_if(triangles.begin(), triangles.end(),
-      [&](const Triangle& triangle) { return domain.Holds(grid, triangle); });
+      [&](const Triangle& triangle) { return domain.IsOnFace(grid, triangle); });
     triangles.erase(end, triangles.end());
-    return PlacesOf(grid, triangles);
+    return SortedSimplices(grid, triangles);
   };
   const auto contour = ExtractContours(data, { value }).Surface;
   const std::vector<Triangle> triangles = TrianglesOf(contour);
   const auto uses = CountUses(Oriented(triangles));
   check.Equal(static_cast<long long>(triangles.size() - uses.size()), 0,
-    name + "triangles there twice or both ways round");
+    name + "triangles that occur more than once");
   const auto edges = CountUses(EdgesOf(triangles));
   check.Equal(
     std::count_if(edges.begin(), edges.end(),
-      [&](const EdgeUse& edge) { return edge.Net() != 0 && !domain.Holds(contour, edge.Key); }),
-    0, name + "edges inside that do not cancel");
-  const double greatest = data->GetPointData()->GetScalars()->GetRange()[1];
-  const auto above = ExtractIntervals(data, { { value, greatest + 1 } }).Surface;
+      [&](const EdgeUse& edge) { return edge.Net() != 0 && !domain.IsOnFace(contour, edge.Key); }),
+    0, name + "interior edges that do not cancel");
+  const double maximum = data->GetPointData()->GetScalars()->GetRange()[1];
+  const auto above = ExtractIntervals(data, { { value, maximum + 1 } }).Surface;
   check.That(inside(contour, triangles) == inside(above, BoundaryOf(above, 0, 0)),
-    name + "it bounds the interval above, triangle by triangle");
+    name + "the contour equals the lower boundary of the interval above");
 }
 
 void CheckMatchingInTime(

@@ -13,21 +13,22 @@ class vtkDataSet;
 class vtkImageData;
 
 /**
- * What the headers of the filters promise where values equal bounds, checked by the orientation of
- * faces alone: counted with their signs, with no tolerance. It takes any data, so that volumes with
- * millions of ties can be asked.
+ * Checks of the documented behavior of the extraction filters where values equal bounds. They use
+ * only the orientation of faces and no tolerance. They work on any data, even on volumes with
+ * millions of values equal to a bound.
  */
 namespace reference
 {
 
-/// The volumes of 8 bits in Data/, whose values equal bounds in many points.
+/// Returns the 8-bit volumes in Data/, where many points have values equal to bounds.
 const std::vector<std::string>& GetTiedVolumes();
 
-/// A cube of points out of the middle of a volume, moved along x, as an image with the scalars "f".
+/// Crops points^3 points around the center of a volume, shifted by \a shift points along x. Returns
+/// an image with the scalars "f".
 vtkSmartPointer<vtkImageData> CropVolume(vtkDataSet& volume, int points, int shift);
 
-/// Values of the active scalars between which there are about as many: the least and the greatest,
-/// and up to three between them. At least two.
+/// Returns the minimum and maximum of the active scalars and up to three quantiles between them,
+/// without duplicates. If the scalars are constant, the second value is 1 above the first.
 std::vector<double> GetQuantiles(vtkDataSet& data);
 
 /// A criterion of vtkIntervalVolume.
@@ -39,42 +40,45 @@ struct MatchingCriterion
 };
 
 /**
- * Extracts intervals from the active scalars of three-dimensional cells, with port 1, and checks
- * for each interval:
- * - no two tetrahedra have the same points and opposite orientation;
- * - a face of the tetrahedra cancels, or is a triangle of port 1, or lies in a face of the domain,
- * or (with criteria) has a criterion's array equal to its bound throughout;
- * - each triangle of port 1 is such a face, once, turned as that is, equal to its bound throughout,
- *   and of the cell of the tetrahedron that it is a face of; none is there twice or both ways
- * round;
- * - an interval [a, a] is the cells whose corners are all equal to a;
- * - every point is used.
+ * Extracts intervals and their boundary (port 1) from the active scalars of three-dimensional
+ * cells, and checks each interval:
+ * - No two tetrahedra have the same points and opposite orientation.
+ * - Each face of the tetrahedra either cancels (another tetrahedron uses it with opposite
+ *   orientation), is a triangle of port 1, lies in a boundary face of the domain, or satisfies a
+ *   criterion with equality at all points.
+ * - Each triangle of port 1 is a face that does not cancel, with the same orientation, and occurs
+ *   once. All its values equal the bound. Its origin cell is the cell of a tetrahedron with this
+ *   face.
+ * - An interval [a, a] consists of the cells whose corners all have the value a.
+ * - Every point is used.
  */
 void CheckMatching(vtkDataSet* data, const std::vector<Interval>& intervals, Check& check,
   const std::vector<MatchingCriterion>& criteria = {});
 
-/// The same, and that the signed volumes of the adjacent intervals between \a bounds, which hold
-/// all values, add up to the domain's.
+/// Performs the checks of CheckMatching() for the adjacent intervals between \a bounds, which must
+/// include all scalars. The signed volumes of all intervals must add up to the volume of the
+/// domain.
 void CheckMatchingTiling(vtkDataSet* data, const std::vector<double>& bounds, Check& check);
 
 /**
- * Extracts the contour of a value of the active scalars, which some exceed, and checks that no
- * triangle is there twice or both ways round, that its edges cancel but in faces of the domain, and
- * that its triangles inside are those that bound the interval above.
+ * Extracts a contour of the active scalars at a value below their maximum. Checks that no triangle
+ * occurs more than once, that edges cancel except in boundary faces of the domain, and that the
+ * interior triangles bound the interval above the value.
  */
 void CheckMatchingContour(vtkDataSet* data, double value, Check& check);
 
 /**
- * Extracts intervals in space and time from a grid that does not move and fills its box, and checks
- * for each interval:
- * - no two 4-simplices have the same points and opposite orientation;
- * - of those that lie in one step, AtStep says that they are nothing there;
- * - a face of the 4-simplices cancels, or is a surface in time or a volume at the first or last
- * step of port 1, or lies in a wall of the box;
- * - surfaces in time are such faces, once, turned as those are;
- * - the volume at the first and last step is the interval volume of that step, and the surfaces
- *   there are its port 1;
- * - the slice at each step is the interval volume of that step, tetrahedron by tetrahedron.
+ * Extracts intervals in space and time from a static grid that fills its bounding box, and checks
+ * each interval:
+ * - No two 4-simplices have the same points and opposite orientation.
+ * - For 4-simplices that lie within one step, AtStep is not FACES_AT_STEP.
+ * - Each face of the 4-simplices either cancels, is on port 1, or lies in a side wall of the box.
+ *   On port 1, it is part of a surface in time or of the volume at the first or last step.
+ * - Each cell of a surface in time is a face that does not cancel, with the same orientation, and
+ *   occurs once.
+ * - At the first and last step, the volume equals the output of vtkIntervalVolume for that step,
+ *   and the surfaces equal its port 1.
+ * - The slice at each step equals the output of vtkIntervalVolume, tetrahedron by tetrahedron.
  */
 void CheckMatchingInTime(
   const TimeSteps& steps, const std::vector<Interval>& intervals, Check& check);

@@ -21,8 +21,8 @@ namespace reference
 namespace
 {
 
-/// The face as it is used more often than the other way round.
-Triangle Turned(const FaceUse& use)
+/// Returns the face with its more frequent orientation.
+Triangle WithMajorOrientation(const FaceUse& use)
 {
   Triangle triangle = use.Key;
   if (use.Net() < 0)
@@ -34,24 +34,25 @@ Triangle Turned(const FaceUse& use)
 
 constexpr double VolumeTolerance = 1e-12;
 
-/// What is left of a list of uses when those of a second list are taken away; both sorted by key.
+/// Subtracts the uses of a second list from the uses of the first list. Both lists are sorted by
+/// key.
 template <size_t N>
 std::vector<SimplexUse<N>> NetDifference(
-  const std::vector<SimplexUse<N>>& uses, const std::vector<SimplexUse<N>>& taken)
+  const std::vector<SimplexUse<N>>& uses, const std::vector<SimplexUse<N>>& subtracted)
 {
   std::vector<SimplexUse<N>> result;
-  auto t = taken.begin();
+  auto t = subtracted.begin();
   for (const SimplexUse<N>& use : uses)
   {
-    for (; t != taken.end() && t->Key < use.Key; ++t)
+    for (; t != subtracted.end() && t->Key < use.Key; ++t)
     {
       result.push_back(t->Reversed());
     }
-    const bool same = t != taken.end() && t->Key == use.Key;
+    const bool same = t != subtracted.end() && t->Key == use.Key;
     const int net = use.Net() - (same ? (t++)->Net() : 0);
     result.push_back({ use.Key, std::max(net, 0), std::max(-net, 0) });
   }
-  for (; t != taken.end(); ++t)
+  for (; t != subtracted.end(); ++t)
   {
     result.push_back(t->Reversed());
   }
@@ -83,9 +84,9 @@ public:
 
   void Run()
   {
-    if (!this->Test.That(IsValid(this->Volume, VTK_TETRA), "port 0 is made of tetrahedra") ||
-      !this->Test.That(IsValid(this->Surface, VTK_TRIANGLE), "port 1 is made of triangles") ||
-      !this->Test.That(this->Volume->GetNumberOfCells() > 0, "there are tetrahedra"))
+    if (!this->Test.That(IsValid(this->Volume, VTK_TETRA), "port 0 consists of tetrahedra") ||
+      !this->Test.That(IsValid(this->Surface, VTK_TRIANGLE), "port 1 consists of triangles") ||
+      !this->Test.That(this->Volume->GetNumberOfCells() > 0, "the output has tetrahedra"))
     {
       return;
     }
@@ -119,29 +120,30 @@ private:
     return points;
   }
 
-  /// Inside the domain. In its faces interval i may have triangles alone, equal to its upper bound,
-  /// where there is no cell beyond that the next interval could begin in.
+  /// Compares the upper triangles of an interval with the lower triangles of the next. In boundary
+  /// faces of the domain, interval i may have triangles with the value of its upper bound that
+  /// interval i + 1 does not have.
   void CheckShared(int i)
   {
     const auto upper = CountUses(Oriented(BoundaryOf(this->Surface, i, 1)));
     const auto lower = CountUses(Oriented(Reversed(BoundaryOf(this->Surface, i + 1, 0))));
-    long long alone = 0;
-    for (const FaceUse& left : NetDifference(upper, lower))
+    long long unmatched = 0;
+    for (const FaceUse& remaining : NetDifference(upper, lower))
     {
-      if (left.Net() == 0)
+      if (remaining.Net() == 0)
       {
         continue;
       }
-      const auto points = this->PointsOf(Turned(left));
+      const auto points = this->PointsOf(WithMajorOrientation(remaining));
       const int face = this->Generic ? -1 : this->Boundary.Find(points);
-      alone += face < 0;
+      unmatched += face < 0;
       if (face >= 0)
       {
         this->Covered[face] += this->Boundary.SignedArea(face, points);
       }
     }
     this->Test.Equal(
-      alone, 0, "triangles between interval " + std::to_string(i) + " and the next of one alone");
+      unmatched, 0, "unmatched triangles between interval " + std::to_string(i) + " and the next");
   }
 
   void CheckVolume()
@@ -170,7 +172,8 @@ private:
       this->CheckValues(part, this->Bounds[i + side], this->Bounds[i + side], name + "triangle");
       if (this->Generic)
       {
-        this->Test.That(VerticesAreManifold(part), name + "points of a side are manifold");
+        this->Test.That(VerticesAreManifold(part),
+          name + "the triangles of one side are manifold at their points");
       }
       triangles.insert(triangles.end(), part.begin(), part.end());
     }
@@ -185,7 +188,7 @@ private:
   {
     vtkDataArray* values =
       this->Volume->GetPointData()->GetArray(this->Mesh->GetPointData()->GetScalars()->GetName());
-    if (!this->Test.That(values != nullptr, "the scalar is carried"))
+    if (!this->Test.That(values != nullptr, "the output has the scalar array"))
     {
       return;
     }
@@ -200,7 +203,7 @@ private:
             return value >= lower - tolerance && value <= upper + tolerance;
           });
       });
-    this->Test.That(inside, name + "s have values of their interval");
+    this->Test.That(inside, name + "s have values in their interval");
   }
 
   void CheckFaces(const std::vector<Tetrahedron>& tetrahedra,
@@ -208,10 +211,10 @@ private:
   {
     const std::vector<FaceUse> faces = CountUses(FacesOf(tetrahedra));
     const std::vector<FaceUse> sides = CountUses(Oriented(triangles));
-    long long strange = 0;
+    long long overused = 0;
     for (const FaceUse& face : faces)
     {
-      strange += face.Plus > 1 || face.Minus > 1 ? 1 : 0;
+      overused += face.Plus > 1 || face.Minus > 1 ? 1 : 0;
     }
     long long repeated = 0;
     for (const FaceUse& side : sides)
@@ -221,16 +224,16 @@ private:
     this->Test.Equal(repeated, 0, name + "triangles used more than once");
     if (this->Generic)
     {
-      this->Test.Equal(strange, 0, name + "faces used more than once with one orientation");
+      this->Test.Equal(overused, 0, name + "faces used more than once with one orientation");
     }
     long long cracks = 0;
-    for (const FaceUse& left : NetDifference(faces, sides))
+    for (const FaceUse& remaining : NetDifference(faces, sides))
     {
-      if (left.Net() == 0)
+      if (remaining.Net() == 0)
       {
         continue;
       }
-      const auto points = this->PointsOf(Turned(left));
+      const auto points = this->PointsOf(WithMajorOrientation(remaining));
       const int face = this->Boundary.Find(points);
       if (face < 0)
       {
@@ -238,25 +241,25 @@ private:
       }
       else
       {
-        this->Covered[face] += std::abs(left.Net()) * this->Boundary.SignedArea(face, points);
+        this->Covered[face] += std::abs(remaining.Net()) * this->Boundary.SignedArea(face, points);
       }
     }
-    this->Test.Equal(cracks, 0, name + "faces inside the domain that are not matched");
+    this->Test.Equal(cracks, 0, name + "interior faces without a matching triangle");
   }
 
   void CheckEdges(const std::vector<Triangle>& triangles, const std::string& name)
   {
     long long open = 0;
-    long long strange = 0;
+    long long overused = 0;
     for (const EdgeUse& edge : CountUses(EdgesOf(triangles)))
     {
-      strange += edge.Plus > 1 || edge.Minus > 1 ? 1 : 0;
+      overused += edge.Plus > 1 || edge.Minus > 1 ? 1 : 0;
       open += edge.Net() != 0 && this->Boundary.Find(this->PointsOf(edge.Key)) < 0 ? 1 : 0;
     }
-    this->Test.Equal(open, 0, name + "edges of the triangles open inside the domain");
+    this->Test.Equal(open, 0, name + "open edges of triangles inside the domain");
     if (this->Generic)
     {
-      this->Test.Equal(strange, 0, name + "edges used more than once with one orientation");
+      this->Test.Equal(overused, 0, name + "edges used more than once with one orientation");
     }
   }
 

@@ -11,36 +11,38 @@ class vtkUnstructuredGrid;
 namespace reference
 {
 
-/// Counts over many extractions, for the report.
+/// Totals over many extractions, which the test prints.
 struct TilingCounts
 {
   long long Tetrahedra = 0;
   long long Triangles = 0;
   long long Inverted = 0;
-  double NegativeVolume = 0; ///< as a share of the domains, summed
-  double VolumeError = 0;    ///< the largest, relative to the domain
+  double NegativeVolume = 0; ///< sum over extractions, each relative to the domain
+  double VolumeError = 0;    ///< maximum, relative to the domain
   int Extractions = 0;
 };
 
 /**
  * Extracts the adjacent intervals [bounds[0], bounds[1]], [bounds[1], bounds[2]], ... of the active
- * scalars of \a mesh in one filter, the first bound at or below all values and the last at or
- * above, and checks that they tile the domain:
- * - the signed volumes add up to the domain's to 1e-12;
- * - the boundary of the tetrahedra of an interval is its triangles on port 1 and a part of the
- *   domain's boundary; the parts of all intervals cover that boundary;
- * - interval i's upper triangles are interval i+1's lower ones with the other side up, but for
- * those of interval i in faces of the domain, where values equal its bound and no cell lies beyond;
- * - inside the domain the triangles of an interval are closed, and none is there twice;
- * - the scalar is between the bounds on each tetrahedron and equal to the bound on each triangle;
- * and, when no value equals a bound inside the range (\a generic):
- * - every face of the tetrahedra is used once, or twice with opposite orientation;
- * - each side of an interval is a two-manifold.
+ * scalars of \a mesh with one filter, and checks that they tile the domain. The bounds must include
+ * all values. The checks are:
+ * - The signed volumes add up to the volume of the domain within 1e-12.
+ * - The boundary of the tetrahedra of an interval consists of its triangles on port 1 and part of
+ *   the domain's boundary. The intervals together cover the domain's boundary.
+ * - The upper triangles of interval i are the reversed lower triangles of interval i + 1.
+ *   Exceptions are triangles of interval i in boundary faces with values equal to the bound, where
+ *   interval i + 1 has no cell.
+ * - Inside the domain, the triangles of an interval have no open edges, and each occurs once.
+ * - The scalar is between the bounds on each tetrahedron and equal to the bound on each triangle.
+ *
+ * If no value equals a bound inside the range (\a generic), also:
+ * - Every face of the tetrahedra is used once, or twice with opposite orientation.
+ * - The lower and the upper boundary of each interval are two-manifolds.
  */
 void CheckTiling(vtkUnstructuredGrid* mesh, const std::vector<double>& bounds, bool generic,
   Check& check, TilingCounts& counts);
 
-/// Prints the counts of a kind of mesh in one line.
+/// Prints the counts for a kind of mesh in one line.
 void Print(const TilingCounts& counts, const std::string& name);
 
 }

@@ -12,7 +12,8 @@
 namespace reference
 {
 
-/// The space of the cells of an image of \a size points that a matrix shears x by y.
+/// Returns the unit space of the cells of an image with \a size points and a matrix that shears x
+/// by y.
 inline interlume::UnitSpace MakeUnitSpace(
   const std::array<int, 3>& size, const std::array<double, 3>& spacing, double shear = 0.0)
 {

@@ -36,7 +36,7 @@ vtkSmartPointer<vtkDataArray> MakeIds(const IdStorage& storage, const std::vecto
   return array;
 }
 
-// The cells of a mesh on one side of the plane, with the points that they have.
+// Returns the cells of a mesh on one side of the plane, with only the points they use.
 vtkSmartPointer<vtkUnstructuredGrid> Cut(vtkUnstructuredGrid* mesh, int axis, int side)
 {
   auto block = vtkSmartPointer<vtkUnstructuredGrid>::New();

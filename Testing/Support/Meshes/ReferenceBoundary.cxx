@@ -47,12 +47,12 @@ DomainBoundary::DomainBoundary(vtkDataSet* mesh)
   for (vtkIdType c = 0; c < mesh->GetNumberOfCells(); ++c)
   {
     mesh->GetCell(c, cell);
-    Point centre = { 0, 0, 0 };
+    Point center = { 0, 0, 0 };
     for (int i = 0; i < cell->GetNumberOfPoints(); ++i)
     {
       Point x;
       cell->GetPoints()->GetPoint(i, x.data());
-      centre += (1.0 / cell->GetNumberOfPoints()) * x;
+      center += (1.0 / cell->GetNumberOfPoints()) * x;
     }
     for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
     {
@@ -67,7 +67,7 @@ DomainBoundary::DomainBoundary(vtkDataSet* mesh)
       Candidate& candidate = candidates[key];
       ++candidate.Uses;
       candidate.Ring = ring;
-      candidate.Inside = centre;
+      candidate.Inside = center;
     }
   }
   for (const auto& [key, candidate] : candidates)

@@ -12,9 +12,10 @@ namespace reference
 
 /**
  * @class   DomainBoundary
- * @brief   the faces of a mesh that belong to one cell only
+ * @brief   faces of a mesh that belong to a single cell
  *
- * Faces are planar and convex. Points are taken to lie in a face within 1e-10 of the mesh's size.
+ * Faces must be planar and convex. Points are considered to lie in a face within 1e-10 of the size
+ * of the mesh.
  */
 class DomainBoundary
 {
@@ -24,18 +25,17 @@ public:
   explicit DomainBoundary(vtkDataSet* mesh);
 
   int GetNumberOfFaces() const { return static_cast<int>(this->Faces.size()); }
-  /// The first face that holds all \a points, or -1.
+  /// Returns the first face that contains all \a points, or -1.
   int Find(const std::vector<Point>& points) const;
-  /// The area of a face.
   double GetArea(int face) const { return this->Faces[face].Area; }
-  /// The area of a triangle in a face, negative when it is turned to the inside of the mesh.
+  /// Returns the area of a triangle in a face, negative if its normal points into the mesh.
   double SignedArea(int face, const std::vector<Point>& triangle) const;
 
 private:
   struct Face
   {
     std::vector<Point> Corners;
-    Point Normal; ///< of length 1, outward
+    Point Normal; ///< outward, of length 1
     double Area;
   };
 

@@ -42,8 +42,8 @@ std::vector<OrientedSimplex<2>> EdgesOf(const std::vector<Triangle>& triangles)
 
 bool VerticesAreManifold(const std::vector<Triangle>& triangles)
 {
-  // The link of a point: the edges opposite to it. One path or one cycle is connected and has no
-  // point of degree three or more.
+  // The link of a point consists of the opposite edges of its triangles. It is one path or one
+  // cycle if it is connected and no point has more than two neighbors.
   std::map<vtkIdType, std::map<vtkIdType, std::vector<vtkIdType>>> links;
   for (const Triangle& t : triangles)
   {
@@ -75,9 +75,9 @@ bool VerticesAreManifold(const std::vector<Triangle>& triangles)
     {
       return false;
     }
-    for (const auto& [id, neighbours] : link)
+    for (const auto& [id, neighbors] : link)
     {
-      if (neighbours.size() > 2)
+      if (neighbors.size() > 2)
       {
         return false;
       }

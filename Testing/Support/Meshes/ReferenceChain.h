@@ -9,13 +9,13 @@
 #include <vector>    // for the lists
 
 /**
- * Oriented faces and edges and how often each is used: combinatorial tests of what fits together,
- * with no geometry and no tolerance.
+ * Oriented faces and edges with their numbers of uses, for combinatorial tests of conformity
+ * without geometry or tolerance.
  */
 namespace reference
 {
 
-/// An oriented simplex as its sorted ids and the sign of the permutation that sorts them.
+/// An oriented simplex, stored as its sorted ids and the sign of the sorting permutation.
 template <size_t N>
 struct OrientedSimplex
 {
@@ -37,7 +37,7 @@ struct OrientedSimplex
   }
 };
 
-/// How often a simplex is used with each orientation.
+/// Number of uses of a simplex with each orientation.
 template <size_t N>
 struct SimplexUse
 {
@@ -57,7 +57,7 @@ struct SimplexUse
 using FaceUse = SimplexUse<3>;
 using EdgeUse = SimplexUse<2>;
 
-/// The uses of a list of oriented simplices, sorted by key.
+/// Counts the uses of oriented simplices. The result is sorted by key.
 template <size_t N>
 std::vector<SimplexUse<N>> CountUses(std::vector<OrientedSimplex<N>> simplices)
 {
@@ -78,14 +78,14 @@ std::vector<SimplexUse<N>> CountUses(std::vector<OrientedSimplex<N>> simplices)
 using Triangle = std::array<vtkIdType, 3>;
 using Tetrahedron = std::array<vtkIdType, 4>;
 
-/// The oriented faces of tetrahedra, normals outward.
+/// Returns the faces of tetrahedra with outward normals.
 std::vector<OrientedSimplex<3>> FacesOf(const std::vector<Tetrahedron>& tetrahedra);
-/// Triangles as oriented simplices, and their oriented edges.
+/// Return triangles as oriented simplices, and the oriented edges of triangles.
 std::vector<OrientedSimplex<3>> Oriented(const std::vector<Triangle>& triangles);
 std::vector<OrientedSimplex<2>> EdgesOf(const std::vector<Triangle>& triangles);
 
-/// Whether the triangles around every point form one disc or half disc: with EdgesOf used at most
-/// twice each, the triangles are a two-manifold with boundary.
+/// Returns whether the triangles around every point form one disk or half-disk. If also every edge
+/// is used at most twice, the triangles are a two-manifold with boundary.
 bool VerticesAreManifold(const std::vector<Triangle>& triangles);
 
 }

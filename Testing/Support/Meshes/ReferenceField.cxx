@@ -25,7 +25,7 @@ vtkDoubleArray* AddField(
   {
     array->SetValue(i, value(i));
   }
-  // SetScalars would drop the array that was active before.
+  // SetScalars would remove the previous active array.
   data->GetPointData()->AddArray(array);
   data->GetPointData()->SetActiveScalars(name);
   return vtkDoubleArray::SafeDownCast(data->GetPointData()->GetArray(name));

@@ -10,7 +10,7 @@ class vtkDoubleArray;
 namespace reference
 {
 
-/// A linear function of position: Constant + Gradient . x
+/// The linear function Constant + Gradient . x.
 struct LinearFunction
 {
   double Constant;
@@ -24,14 +24,15 @@ struct LinearFunction
   }
 };
 
-/// Adds a point array of independent numbers, uniform in [0,1), and makes it the active scalars.
+/// Adds a point array of independent random numbers, uniform in [0,1), and makes it the active
+/// scalars.
 vtkDoubleArray* AddRandomField(vtkDataSet* data, unsigned int seed, const char* name = "f");
 
-/// The same of integers in [0, values): with few values, many edges and whole cells are flat.
+/// Adds random integers in [0, values). If \a values is small, many edges and cells are constant.
 vtkDoubleArray* AddIntegerField(
   vtkDataSet* data, int values, unsigned int seed, const char* name = "f");
 
-/// The same of a linear function of position.
+/// Adds a linear function of position.
 vtkDoubleArray* AddLinearField(
   vtkDataSet* data, const LinearFunction& function, const char* name = "f");
 

@@ -10,38 +10,38 @@
 class vtkUnstructuredGrid;
 
 /**
- * Reading and comparing the output of an extraction.
+ * Access to the outputs of extractions, and comparison of outputs.
  */
 namespace reference
 {
 
-/// The tetrahedra with a value of the cell array IntervalId.
+/// Returns the tetrahedra with the given value of the cell array IntervalId.
 std::vector<Tetrahedron> TetrahedraOf(vtkUnstructuredGrid* grid, int interval);
 
-/// The triangles of one interval and one side (0 lower, 1 upper).
+/// Returns the triangles of an interval and a side (0 lower, 1 upper).
 std::vector<Triangle> BoundaryOf(vtkUnstructuredGrid* grid, int interval, int side);
 
-/// All triangles of a grid.
 std::vector<Triangle> TrianglesOf(vtkUnstructuredGrid* grid);
 
-/// The same triangles with the other side up.
+/// Returns the triangles with reversed orientation.
 std::vector<Triangle> Reversed(std::vector<Triangle> triangles);
 
-/// Whether every cell is of a type and every point id is one of the grid.
+/// Returns whether every cell has the given type and every point id is valid.
 bool IsValid(vtkUnstructuredGrid* grid, int type);
 
-/// A simplex as the sorted coordinates of its points, the sign of its orientation, and the values
-/// of cell arrays: equal for two grids that number their points and cells differently.
+/// A simplex as the sign of its orientation, the sorted coordinates of its points, and the values
+/// of cell arrays. Equal simplices compare equal even if two grids number points and cells
+/// differently.
 using GeometricSimplex = std::vector<double>;
 
-/// The simplices of a grid, sorted. \a cellArrays are numeric cell arrays with one component,
-/// \a fourth a point array whose value is a coordinate of the points too, where it is not empty;
-/// std::invalid_argument where one is missing.
+/// Returns the sorted simplices of a grid. \a cellArrays are one-component numeric cell arrays. \a
+/// fourth is a point array that is used as a fourth coordinate, or empty. Throws
+/// std::invalid_argument if an array is missing.
 std::vector<GeometricSimplex> GeometricSet(vtkUnstructuredGrid* grid,
   const std::vector<std::string>& cellArrays = {}, const std::string& fourth = "");
 
-/// Empty when both grids have the same points, cells and arrays bit for bit; else the first
-/// difference.
+/// Returns the first difference between two grids, or an empty string if points, cells and arrays
+/// are bit-identical.
 std::string FindDifference(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b);
 
 }

@@ -18,28 +18,28 @@ namespace reference
 namespace
 {
 
-void CheckPart(vtkImageAlgorithm* source, vtkImageData* whole, const int extent[6], Check& check)
+void CheckPart(vtkImageAlgorithm* source, vtkImageData* complete, const int extent[6], Check& check)
 {
   source->Modified();
   source->UpdateExtent(extent);
   vtkNew<vtkImageData> expected;
-  expected->DeepCopy(whole);
+  expected->DeepCopy(complete);
   expected->Crop(extent);
   check.That(std::equal(extent, extent + 6, source->GetOutput()->GetExtent()),
-    "the part is that which was asked for");
+    "the output has the requested extent");
   check.That(!GetBytes(expected).empty() && GetBytes(source->GetOutput()) == GetBytes(expected),
-    "a part has the bytes of the whole");
+    "part of the image equals the complete image bit by bit");
 }
 
-// A block, and single layers of points, across and along every side of what there is.
+// Requests a block, and single layers of points perpendicular to each axis.
 void CheckParts(vtkImageAlgorithm* source, Check& check)
 {
   source->UpdateWholeExtent();
-  vtkNew<vtkImageData> whole;
-  whole->DeepCopy(source->GetOutput());
-  const int* all = whole->GetExtent();
+  vtkNew<vtkImageData> complete;
+  complete->DeepCopy(source->GetOutput());
+  const int* all = complete->GetExtent();
   const int block[6] = { all[0] + 2, all[1] - 3, all[2] + 1, all[2] + 1, all[4], all[5] - 1 };
-  CheckPart(source, whole, block, check);
+  CheckPart(source, complete, block, check);
   for (int axis = 0; axis < 3; ++axis)
   {
     for (int layer = all[2 * axis]; layer <= all[2 * axis + 1]; layer += 2)
@@ -48,7 +48,7 @@ void CheckParts(vtkImageAlgorithm* source, Check& check)
       std::copy_n(all, 6, extent);
       extent[2 * axis] = layer;
       extent[2 * axis + 1] = layer;
-      CheckPart(source, whole, extent, check);
+      CheckPart(source, complete, extent, check);
     }
   }
 }
@@ -68,7 +68,7 @@ void CheckNumbersOfThreads(vtkImageAlgorithm* source, Check& check)
       expected = bytes;
     }
     check.That(!bytes.empty() && bytes == expected,
-      "the same bytes with " + std::to_string(threads) + " threads");
+      "the bytes are the same with " + std::to_string(threads) + " threads");
   }
 }
 

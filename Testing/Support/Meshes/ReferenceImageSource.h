@@ -12,11 +12,13 @@ class vtkImageData;
 namespace reference
 {
 
-/// The bytes of the active point scalars, or vectors without them; none without both.
+/// Returns the bytes of the active point scalars. Without scalars, returns the bytes of the active
+/// vectors, or an empty string if there are none.
 std::string GetBytes(vtkImageData* image);
 
-/// Parts of the output have the bytes that they have in the whole; the bytes are the same for 1, 2
-/// and 8 threads; progress grows; an abort leaves nothing, and no trace once it is taken back.
+/// Checks that parts of the output equal the complete output bit by bit, that the bytes are the
+/// same for 1, 2 and 8 threads, that progress never decreases, that the output is empty after an
+/// abort, and that the next update is complete.
 void CheckImageSource(vtkImageAlgorithm* source, Check& check);
 
 }

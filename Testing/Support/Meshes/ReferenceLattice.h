@@ -6,7 +6,7 @@
 
 #include <array>  // for the dimensions
 #include <string> // for names
-#include <vector> // for the forms
+#include <vector> // for LatticeForm
 
 class vtkDataSet;
 class vtkImageData;
@@ -14,7 +14,7 @@ class vtkImageData;
 namespace reference
 {
 
-/// An image of \a cells cells with an origin and three spacings that are not round numbers.
+/// Returns an image of \a cells cells with an origin and spacings that are not round numbers.
 vtkSmartPointer<vtkImageData> MakeImage(const std::array<int, 3>& cells);
 
 struct LatticeForm
@@ -23,9 +23,9 @@ struct LatticeForm
   vtkSmartPointer<vtkDataSet> Data;
 };
 
-/// The image, and the same points and cells in the same order as structured grid, as rectilinear
-/// grid where the image is not turned, as unstructured hexahedra and as unstructured voxels, with
-/// the image's point and cell arrays.
+/// Returns the image, and the same points, cells and arrays in the same order as a structured grid,
+/// a rectilinear grid (if the image is not rotated), unstructured hexahedra and unstructured
+/// voxels.
 std::vector<LatticeForm> FormsOf(vtkImageData* image);
 
 }

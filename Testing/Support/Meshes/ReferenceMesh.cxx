@@ -15,12 +15,13 @@ namespace
 
 using Ids = std::vector<vtkIdType>;
 
-/// The six quadrilaterals of a box, their normals outward.
+/// The six faces of a box with outward normals.
 constexpr int BoxFaces[6][4] = { { 0, 4, 7, 3 }, { 1, 2, 6, 5 }, { 0, 1, 5, 4 }, { 3, 7, 6, 2 },
   { 0, 3, 2, 1 }, { 4, 5, 6, 7 } };
 constexpr int LowerFace = 4;
 
-/// The corners of the two wedges of a box cut along the diagonal 0-2; triangles first and last.
+/// Corners of the two wedges of a box that is cut along the diagonal 0-2. The triangles are the
+/// first and the last three points.
 constexpr int WedgesOfBox[2][6] = { { 0, 2, 1, 4, 6, 5 }, { 0, 3, 2, 4, 7, 6 } };
 
 constexpr int TetrahedraAroundDiagonal[6][4] = { { 0, 1, 2, 6 }, { 0, 2, 3, 6 }, { 0, 3, 7, 6 },
@@ -48,7 +49,8 @@ public:
         }
       }
     }
-    // In a column of the mixed mesh all faces up and down are quadrilaterals, or all are cut.
+    // In a column of the mixed mesh, either all lower and upper faces of boxes are quadrilaterals,
+    // or all are split into triangles.
     this->CutColumns.resize(static_cast<size_t>(cells[0]) * cells[1]);
     for (size_t c = 0; c < this->CutColumns.size(); ++c)
     {
@@ -77,22 +79,22 @@ private:
     return ids;
   }
 
-  vtkIdType AddCentre(int i, int j, int k)
+  vtkIdType AddCenter(int i, int j, int k)
   {
     return this->Builder.AddPoint(i + 0.5, j + 0.5, k + 0.5);
   }
 
   void AddPyramid(int face, vtkIdType apex)
   {
-    // The base of a pyramid turns its normal to the apex.
+    // The normal of a pyramid's base points to the apex.
     Ids base = this->Pick(BoxFaces[face]);
     this->Builder.AddCell(VTK_PYRAMID, { base[3], base[2], base[1], base[0], apex });
   }
 
   void AddHalvedPyramid(int face, vtkIdType apex)
   {
-    // Cut along the diagonal that the wedges and Tetrahedra6 use: between its two corners whose
-    // numbers are 0, 2, 4, 6 on the lower and upper face, to corner 0 or 6 elsewhere.
+    // Splits the base along the same diagonal as the wedges and Tetrahedra6. It starts at corner 0
+    // or 6 of the box.
     Ids base = this->Pick(BoxFaces[face]);
     int first = 0;
     while (BoxFaces[face][first] != 0 && BoxFaces[face][first] != 6)
@@ -130,7 +132,7 @@ private:
     const unsigned int choice = this->Random() % 3;
     if (choice == 0)
     {
-      const vtkIdType apex = this->AddCentre(i, j, k);
+      const vtkIdType apex = this->AddCenter(i, j, k);
       for (int face = 0; face < 6; ++face)
       {
         cut&& face >= LowerFace ? this->AddHalvedPyramid(face, apex) : this->AddPyramid(face, apex);
@@ -170,7 +172,7 @@ private:
       case MeshKind::Pyramids:
       case MeshKind::Tetrahedra12:
       {
-        const vtkIdType apex = this->AddCentre(i, j, k);
+        const vtkIdType apex = this->AddCenter(i, j, k);
         for (int face = 0; face < 6; ++face)
         {
           this->Kind == MeshKind::Pyramids ? this->AddPyramid(face, apex)

@@ -7,48 +7,49 @@
 
 #include <array>  // for the dimensions
 #include <string> // for the names
-#include <vector> // for the list of kinds
+#include <vector> // for lists of kinds
 
 class vtkUnstructuredGrid;
 
 /**
- * Meshes for the tests, made without the code under test. Every mesh is conforming: two cells meet
- * in a whole face of both, or an edge, or a point. Cells are convex with planar faces and keep
- * VTK's vertex order, so that every one has a positive volume.
+ * Meshes for tests, built without the code under test. Every mesh is conforming: two cells share a
+ * complete face, an edge, a point or are disjoint. Cells are convex with planar faces, and their
+ * points have VTK's order, so every volume is positive.
  */
 namespace reference
 {
 
-/// How a block of boxes is filled with cells.
+/// Cells that fill a block of boxes.
 enum class MeshKind
 {
-  Hexahedra,    ///< a hexahedron a box
-  Voxels,       ///< a voxel a box
-  Wedges,       ///< two wedges a box
-  Pyramids,     ///< six pyramids a box, apex in its centre
-  Tetrahedra5,  ///< five tetrahedra a box, mirrored in every other box
-  Tetrahedra6,  ///< six tetrahedra a box around its main diagonal
-  Tetrahedra12, ///< twelve tetrahedra a box around its centre
-  Boxes,        ///< a VTK_POLYHEDRON with six faces a box
-  Mixed,        ///< hexahedra, wedges, pyramids, tetrahedra and polyhedra at random
+  Hexahedra,    ///< one hexahedron per box
+  Voxels,       ///< one voxel per box
+  Wedges,       ///< two wedges per box
+  Pyramids,     ///< six pyramids per box with the apex in its center
+  Tetrahedra5,  ///< five tetrahedra per box, mirrored in every other box
+  Tetrahedra6,  ///< six tetrahedra per box around its main diagonal
+  Tetrahedra12, ///< twelve tetrahedra per box around its center
+  Boxes,        ///< one VTK_POLYHEDRON with six faces per box
+  Mixed,        ///< random hexahedra, wedges, pyramids, tetrahedra and polyhedra
   Honeycomb,    ///< hexagonal prisms as VTK_POLYHEDRON
   Kelvin        ///< truncated octahedra as VTK_POLYHEDRON
 };
 
-/// Every kind, and every kind with tetrahedra only.
+/// Return all kinds, and the kinds that consist of tetrahedra.
 const std::vector<MeshKind>& AllMeshKinds();
 const std::vector<MeshKind>& TetrahedralMeshKinds();
 std::string GetName(MeshKind kind);
 
 /**
- * A mesh of \a kind with cells[0] x cells[1] x cells[2] boxes (honeycomb and Kelvin: cells).
- * The boxes fill the cube [0, cells[0]] x [0, cells[1]] x [0, cells[2]]. \a seed is for the mixed
- * mesh.
+ * Returns a mesh of \a kind with cells[0] x cells[1] x cells[2] boxes, which fill the block [0,
+ * cells[0]] x [0, cells[1]] x [0, cells[2]]. For Honeycomb and Kelvin, \a cells counts cells. Only
+ * the mixed mesh uses \a seed.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(
   MeshKind kind, const std::array<int, 3>& cells, unsigned int seed = 1);
 
-/// The corners of the box (i,j,k) of a lattice of \a cells boxes, in the order of a hexahedron.
+/// Returns the corners of the box (i,j,k) of a grid of \a cells boxes, in the order of a
+/// hexahedron.
 std::array<vtkIdType, 8> BoxCorners(const std::array<int, 3>& cells, int i, int j, int k);
 
 }

@@ -2,13 +2,13 @@
 #ifndef ReferenceMeshBuilder_h
 #define ReferenceMeshBuilder_h
 
-#include "vtkCellType.h"         // for the types a caller names
-#include "vtkNew.h"              // for the parts
+#include "vtkCellType.h"         // for cell types
+#include "vtkNew.h"              // for the members
 #include "vtkPoints.h"           // for the points
 #include "vtkUnstructuredGrid.h" // for the mesh
 
 #include <array>  // for keys
-#include <map>    // for points found by key
+#include <map>    // for the search of points
 #include <vector> // for ids
 
 namespace reference
@@ -16,7 +16,7 @@ namespace reference
 
 /**
  * @class   MeshBuilder
- * @brief   puts an unstructured grid together, points in double
+ * @brief   builds an unstructured grid with double-precision points
  */
 class MeshBuilder
 {
@@ -24,10 +24,10 @@ public:
   MeshBuilder();
 
   vtkIdType AddPoint(double x, double y, double z);
-  /// The point of an integer key, added at \a scale times the key when new.
+  /// Returns the point with an integer key. A new point is added at \a scale times the key.
   vtkIdType FindOrAddPoint(const std::array<int, 3>& key, const std::array<double, 3>& scale);
   void AddCell(int type, const std::vector<vtkIdType>& ids);
-  /// A VTK_POLYHEDRON; the normals of its faces point outward.
+  /// Adds a VTK_POLYHEDRON. The normals of its faces must point outward.
   void AddPolyhedron(const std::vector<std::vector<vtkIdType>>& faces);
   vtkSmartPointer<vtkUnstructuredGrid> GetMesh();
 

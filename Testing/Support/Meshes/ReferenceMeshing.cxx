@@ -39,7 +39,8 @@ long double Distance(const Real3& a, const Real3& b)
   return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// By Cayley: the radius from the products of opposite edges.
+/// Returns the circumradius divided by the shortest edge. The circumradius is computed from the
+/// products of opposite edges (Cayley).
 long double RadiusEdgeRatio(const std::array<Real3, 4>& x, long double volume)
 {
   const long double edges[6] = { Distance(x[0], x[1]), Distance(x[2], x[3]), Distance(x[0], x[2]),
@@ -55,7 +56,7 @@ long double RadiusEdgeRatio(const std::array<Real3, 4>& x, long double volume)
 struct FaceUse
 {
   int Number = 0;
-  int Turns = 0; ///< +1 for each even, -1 for each odd order of the points
+  int SignSum = 0; ///< +1 for each even, -1 for each odd permutation of the sorted points
   std::array<vtkIdType, 3> Points;
 };
 
@@ -99,7 +100,7 @@ TetrahedraReport Inspect(vtkUnstructuredGrid* grid)
         face == std::array<vtkIdType, 3>{ { key[2], key[0], key[1] } };
       FaceUse& use = faces[key];
       ++use.Number;
-      use.Turns += isEven ? 1 : -1;
+      use.SignSum += isEven ? 1 : -1;
       use.Points = face;
     }
   }
@@ -109,7 +110,7 @@ TetrahedraReport Inspect(vtkUnstructuredGrid* grid)
     const FaceUse& use = face.second;
     report.FacesOnce += use.Number == 1;
     report.FacesTooOften += use.Number > 2;
-    report.FacesTurned += use.Number == 2 && use.Turns != 0;
+    report.FacesTurned += use.Number == 2 && use.SignSum != 0;
     if (use.Number == 1)
     {
       report.BoundaryVolume += Determinant(origin, PointOf(grid, use.Points[0]),
@@ -171,7 +172,8 @@ public:
 
   void AddPolyhedron()
   {
-    // Counterclockwise around the three boxes (0,0), (1,0), (0,1); the sixth is the reflex corner.
+    // Counterclockwise around the boxes (0,0), (1,0) and (0,1). The fifth point (1,1) is the reflex
+    // corner.
     const int ring[8][2] = { { 0, 0 }, { 1, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 },
       { 0, 1 } };
     std::vector<std::vector<vtkIdType>> faces(2);
@@ -191,7 +193,7 @@ public:
     this->Builder.AddPolyhedron(faces);
   }
 
-  /// Returns how many cells were added.
+  /// Returns the number of added cells.
   int AddOther()
   {
     const std::vector<vtkIdType> c = { this->At(1, 1, 0), this->At(2, 1, 0), this->At(2, 2, 0),
@@ -204,8 +206,8 @@ public:
     }
     if (this->Turn % 3 == 1)
     {
-      // The cut of bottom and top has to be that of the neighbours above and below: of the same
-      // column, they are wedges too.
+      // The neighbors above and below must split their bottom and top in the same way. They belong
+      // to the same column, so they are wedges too.
       this->Builder.AddCell(VTK_WEDGE, { c[0], c[1], c[2], c[4], c[5], c[6] });
       this->Builder.AddCell(VTK_WEDGE, { c[0], c[2], c[3], c[4], c[6], c[7] });
       return 2;
@@ -345,10 +347,10 @@ vtkSmartPointer<vtkPolyData> MakeGeodesic(int levels)
   }
   for (; levels > 0; --levels)
   {
-    std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> middles;
-    const auto middle = [&](vtkIdType a, vtkIdType b)
+    std::map<std::pair<vtkIdType, vtkIdType>, vtkIdType> midpoints;
+    const auto midpoint = [&](vtkIdType a, vtkIdType b)
     {
-      const auto found = middles.emplace(std::minmax(a, b), 0);
+      const auto found = midpoints.emplace(std::minmax(a, b), 0);
       if (found.second)
       {
         const Real3 x = PointOf(surface, a);
@@ -361,7 +363,7 @@ vtkSmartPointer<vtkPolyData> MakeGeodesic(int levels)
     std::vector<Triangle> finer;
     for (const Triangle& t : triangles)
     {
-      const Triangle m = { { middle(t[0], t[1]), middle(t[1], t[2]), middle(t[2], t[0]) } };
+      const Triangle m = { { midpoint(t[0], t[1]), midpoint(t[1], t[2]), midpoint(t[2], t[0]) } };
       finer.push_back({ { t[0], m[0], m[2] } });
       finer.push_back({ { t[1], m[1], m[0] } });
       finer.push_back({ { t[2], m[2], m[1] } });

@@ -12,54 +12,58 @@ class vtkPolyData;
 class vtkUnstructuredGrid;
 
 /**
- * Measures of a mesh of tetrahedra and inputs for a mesher, made without the code under test.
+ * Measures of tetrahedral meshes and inputs for a mesher, independent of the code under test.
  */
 namespace reference
 {
 
-/// What a mesh of tetrahedra is like, in exact counts and in long double.
+/// Properties of a tetrahedral mesh: exact counts, and volumes in long double.
 struct TetrahedraReport
 {
   vtkIdType Tetrahedra = 0;
-  vtkIdType NotPositive = 0;   ///< tetrahedra whose volume is not above 0
-  vtkIdType FacesOnce = 0;     ///< faces of one tetrahedron: the boundary
-  vtkIdType FacesTooOften = 0; ///< faces of more than two
-  vtkIdType FacesTurned = 0;   ///< faces that both tetrahedra have on the same side
+  vtkIdType NotPositive = 0;   ///< tetrahedra whose volume is not positive
+  vtkIdType FacesOnce = 0;     ///< faces of a single tetrahedron: the boundary
+  vtkIdType FacesTooOften = 0; ///< faces of more than two tetrahedra
+  vtkIdType FacesTurned = 0;   ///< faces that two tetrahedra use with the same orientation
   vtkIdType UnusedPoints = 0;
   long double Volume = 0;
-  long double BoundaryVolume = 0; ///< within the faces that occur once
+  long double BoundaryVolume = 0; ///< enclosed by the faces that occur once
   double LargestVolume = 0;
   double LargestRadiusEdgeRatio = 0;
 };
 TetrahedraReport Inspect(vtkUnstructuredGrid* grid);
 
-/// The volume within a closed surface of consistently oriented polygons: fans from their first
-/// points.
+/// Returns the volume enclosed by a closed surface of consistently oriented polygons, which are
+/// split into triangle fans from their first points.
 long double EnclosedVolume(vtkPolyData* surface);
 
-/// The largest difference between a point array and what \a function says, in parts of the
-/// array's largest magnitude; infinity where the array is missing.
+/// Returns the largest difference between a point array and \a function, relative to the largest
+/// magnitude of the function. Returns infinity if the array is missing.
 double LinearError(vtkDataSet* data, const char* array, const struct LinearFunction& function);
 
 /**
- * A block of 2 blocks[0] x 2 blocks[1] x blocks[2] boxes of size 1. In every block of 2 x 2 boxes
- * three are one concave VTK_POLYHEDRON, whose bottom and top are concave polygons of eight points;
- * the fourth is a hexahedron, two wedges, six pyramids or six tetrahedra in turn. Inner points are
- * moved by up to \a shift, so that no face stays planar. Cell array `kind`: 0 polyhedron, 1 other.
- * Each polyhedron lists its faces from other starts than its neighbours.
+ * Returns a mesh of 2 blocks[0] x 2 blocks[1] x blocks[2] boxes of size 1. In every block of 2 x 2
+ * boxes, three boxes form a concave VTK_POLYHEDRON whose bottom and top are concave polygons of
+ * eight points. The fourth box alternates between a hexahedron, two wedges, and six pyramids.
+ * Interior points are moved by up to \a shift, so faces are not planar. The cell array `kind` is 0
+ * for polyhedra and 1 for other cells. Neighboring polyhedra list the points of a common face
+ * starting from different points.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeConcaveMesh(
   const std::array<int, 3>& blocks, double shift, unsigned int seed = 1);
 
-/// A closed surface of the box from \a low to \a high, of quads. With \a inward they face inside.
+/// Appends the closed surface of the box from \a low to \a high, made of quadrilaterals. With \a
+/// inward, the normals point inward.
 void AppendBox(vtkPolyData* surface, const std::array<double, 3>& low,
   const std::array<double, 3>& high, bool inward = false);
 vtkSmartPointer<vtkPolyData> MakeBoxes();
 
-/// A sphere of radius 1: an icosahedron whose triangles are cut in four \a levels times.
+/// Returns a sphere of radius 1: an icosahedron whose triangles are split into four \a levels
+/// times.
 vtkSmartPointer<vtkPolyData> MakeGeodesic(int levels);
 
-/// A torus of radii 1 and 0.4 around z, of 2 \a around x \a across triangles that face outward.
+/// Returns a torus with radii 1 and 0.4 around z, made of 2 \a around x \a across triangles with
+/// outward normals.
 vtkSmartPointer<vtkPolyData> MakeTorus(int around, int across);
 
 }

@@ -30,9 +30,10 @@ namespace
 {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-// Calls visit(grid) with the dataset as the kind of rows that it is; returns whether it has rows.
+// If the dataset has an extent, calls visit(grid) with the dataset's derived type. Returns whether
+// it has an extent.
 template <typename Visitor>
-bool VisitRows(vtkDataSet* data, Visitor&& visit)
+bool VisitStructured(vtkDataSet* data, Visitor&& visit)
 {
   if (vtkImageData* image = vtkImageData::SafeDownCast(data))
   {
@@ -52,13 +53,13 @@ bool VisitRows(vtkDataSet* data, Visitor&& visit)
   return false;
 }
 
-// The cells of a piece, then those around them, with the level of each.
+// Returns the cells of a piece and its ghost cells, each with its ghost level.
 std::vector<std::pair<vtkIdType, int>> FindCells(
-  vtkDataSet* whole, int piece, int pieces, int levels)
+  vtkDataSet* complete, int piece, int pieces, int levels)
 {
-  const vtkIdType number = whole->GetNumberOfCells();
+  const vtkIdType number = complete->GetNumberOfCells();
   std::vector<int> levelOf(static_cast<std::size_t>(number), -1);
-  std::vector<char> isNear(static_cast<std::size_t>(whole->GetNumberOfPoints()), 0);
+  std::vector<char> isNear(static_cast<std::size_t>(complete->GetNumberOfPoints()), 0);
   std::vector<std::pair<vtkIdType, int>> cells;
   vtkNew<vtkIdList> ids;
   for (int level = 0; level <= levels; ++level)
@@ -66,12 +67,13 @@ std::vector<std::pair<vtkIdType, int>> FindCells(
     const std::size_t before = cells.size();
     for (vtkIdType cell = 0; cell < number; ++cell)
     {
-      whole->GetCellPoints(cell, ids);
-      const bool isOwn = cell >= number * piece / pieces && cell < number * (piece + 1) / pieces;
-      const bool isTaken = level == 0
-        ? isOwn
+      complete->GetCellPoints(cell, ids);
+      const bool isInPiece =
+        cell >= number * piece / pieces && cell < number * (piece + 1) / pieces;
+      const bool isSelected = level == 0
+        ? isInPiece
         : std::any_of(ids->begin(), ids->end(), [&](vtkIdType id) { return isNear[id] != 0; });
-      if (isTaken && levelOf[cell] < 0)
+      if (isSelected && levelOf[cell] < 0)
       {
         levelOf[cell] = level;
         cells.emplace_back(cell, level);
@@ -79,7 +81,7 @@ std::vector<std::pair<vtkIdType, int>> FindCells(
     }
     for (std::size_t c = before; c < cells.size(); ++c)
     {
-      whole->GetCellPoints(cells[c].first, ids);
+      complete->GetCellPoints(cells[c].first, ids);
       std::for_each(ids->begin(), ids->end(), [&](vtkIdType id) { isNear[id] = 1; });
     }
   }
@@ -96,9 +98,9 @@ PieceSource::PieceSource()
 
 PieceSource::~PieceSource() = default;
 
-void PieceSource::SetWhole(vtkDataSet* whole)
+void PieceSource::SetFullData(vtkDataSet* complete)
 {
-  this->Whole = whole;
+  this->FullData = complete;
   this->Modified();
 }
 
@@ -107,9 +109,9 @@ int PieceSource::RequestDataObject(
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkDataObject* output = info->Get(vtkDataObject::DATA_OBJECT());
-  if (!output || !output->IsA(this->Whole->GetClassName()))
+  if (!output || !output->IsA(this->FullData->GetClassName()))
   {
-    const auto made = vtk::TakeSmartPointer(this->Whole->NewInstance());
+    const auto made = vtk::TakeSmartPointer(this->FullData->NewInstance());
     info->Set(vtkDataObject::DATA_OBJECT(), made);
   }
   return 1;
@@ -119,13 +121,13 @@ int PieceSource::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
 {
   vtkInformation* info = outputs->GetInformationObject(0);
-  const bool hasRows = VisitRows(this->Whole,
+  const bool hasExtent = VisitStructured(this->FullData,
     [info](auto* grid)
     {
       info->Set(Pipeline::WHOLE_EXTENT(), grid->GetExtent(), 6);
       info->Set(vtkAlgorithm::CAN_PRODUCE_SUB_EXTENT(), 1);
     });
-  if (!hasRows)
+  if (!hasExtent)
   {
     info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   }
@@ -144,21 +146,21 @@ int PieceSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInforma
 {
   vtkInformation* info = outputs->GetInformationObject(0);
   vtkDataSet* output = vtkDataSet::GetData(info);
-  const int asked = info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
-  output->ShallowCopy(this->Whole);
-  const bool hasRows = VisitRows(output,
+  const int ghostLevels = info->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
+  output->ShallowCopy(this->FullData);
+  const bool hasExtent = VisitStructured(output,
     [info](auto* grid)
     {
       int extent[6];
       info->Get(Pipeline::UPDATE_EXTENT(), extent);
       grid->Crop(extent);
     });
-  if (!hasRows)
+  if (!hasExtent)
   {
     output->Initialize();
     this->FillPiece(info->Get(Pipeline::UPDATE_PIECE_NUMBER()),
       std::max(1, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())),
-      std::min(asked, this->MaximumGhostLevels), vtkUnstructuredGrid::SafeDownCast(output));
+      std::min(ghostLevels, this->MaximumGhostLevels), vtkUnstructuredGrid::SafeDownCast(output));
   }
   const double time =
     info->Has(Pipeline::UPDATE_TIME_STEP()) ? info->Get(Pipeline::UPDATE_TIME_STEP()) : 0.0;
@@ -179,10 +181,10 @@ int PieceSource::RequestData(vtkInformation*, vtkInformationVector**, vtkInforma
 
 void PieceSource::FillPiece(int piece, int pieces, int levels, vtkUnstructuredGrid* part) const
 {
-  vtkUnstructuredGrid* whole = vtkUnstructuredGrid::SafeDownCast(this->Whole);
-  const auto cells = FindCells(whole, piece, pieces, levels);
-  // A single piece is the whole as it is.
-  std::vector<vtkIdType> idOf(static_cast<std::size_t>(whole->GetNumberOfPoints()), -1);
+  vtkUnstructuredGrid* complete = vtkUnstructuredGrid::SafeDownCast(this->FullData);
+  const auto cells = FindCells(complete, piece, pieces, levels);
+  // A single piece keeps the order of the points.
+  std::vector<vtkIdType> idOf(static_cast<std::size_t>(complete->GetNumberOfPoints()), -1);
   std::vector<vtkIdType> points;
   const auto number = [&](vtkIdType id)
   {
@@ -195,42 +197,42 @@ void PieceSource::FillPiece(int piece, int pieces, int levels, vtkUnstructuredGr
   vtkNew<vtkIdList> ids;
   if (pieces == 1)
   {
-    for (vtkIdType id = 0; id < whole->GetNumberOfPoints(); ++id)
+    for (vtkIdType id = 0; id < complete->GetNumberOfPoints(); ++id)
     {
       number(id);
     }
   }
   for (auto cell = cells.rbegin(); cell != cells.rend(); ++cell)
   {
-    whole->GetCellPoints(cell->first, ids);
+    complete->GetCellPoints(cell->first, ids);
     std::for_each(ids->begin(), ids->end(), number);
   }
   const auto numberOfPoints = static_cast<vtkIdType>(points.size());
-  vtkNew<vtkPoints> places;
-  places->SetDataType(whole->GetPoints()->GetDataType());
-  places->SetNumberOfPoints(numberOfPoints);
+  vtkNew<vtkPoints> coordinates;
+  coordinates->SetDataType(complete->GetPoints()->GetDataType());
+  coordinates->SetNumberOfPoints(numberOfPoints);
   vtkNew<vtkIdTypeArray> globalIds;
   globalIds->SetName("GlobalIds");
   globalIds->SetNumberOfValues(numberOfPoints);
-  part->GetPointData()->CopyAllocate(whole->GetPointData(), numberOfPoints);
+  part->GetPointData()->CopyAllocate(complete->GetPointData(), numberOfPoints);
   for (vtkIdType id = 0; id < numberOfPoints; ++id)
   {
-    places->SetPoint(id, whole->GetPoint(points[id]));
+    coordinates->SetPoint(id, complete->GetPoint(points[id]));
     globalIds->SetValue(id, points[id]);
-    part->GetPointData()->CopyData(whole->GetPointData(), points[id], id);
+    part->GetPointData()->CopyData(complete->GetPointData(), points[id], id);
   }
-  part->SetPoints(places);
+  part->SetPoints(coordinates);
   part->GetPointData()->SetGlobalIds(globalIds);
   part->Allocate(static_cast<vtkIdType>(cells.size()));
-  part->GetCellData()->CopyAllocate(whole->GetCellData(), static_cast<vtkIdType>(cells.size()));
+  part->GetCellData()->CopyAllocate(complete->GetCellData(), static_cast<vtkIdType>(cells.size()));
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   for (const auto& cell : cells)
   {
-    if (whole->GetCellType(cell.first) == VTK_POLYHEDRON)
+    if (complete->GetCellType(cell.first) == VTK_POLYHEDRON)
     {
-      whole->GetFaceStream(cell.first, ids);
-      // The number of faces, then of each the number of points before them.
+      complete->GetFaceStream(cell.first, ids);
+      // The stream has the number of faces, then for each face the number of points and the points.
       for (vtkIdType* id = ids->begin() + 1; id < ids->end(); id += 1 + *id)
       {
         std::transform(id + 1, id + 1 + *id, id + 1, [&](vtkIdType p) { return idOf[p]; });
@@ -238,11 +240,11 @@ void PieceSource::FillPiece(int piece, int pieces, int levels, vtkUnstructuredGr
     }
     else
     {
-      whole->GetCellPoints(cell.first, ids);
+      complete->GetCellPoints(cell.first, ids);
       std::transform(ids->begin(), ids->end(), ids->begin(), [&](vtkIdType p) { return idOf[p]; });
     }
-    const vtkIdType made = part->InsertNextCell(whole->GetCellType(cell.first), ids);
-    part->GetCellData()->CopyData(whole->GetCellData(), cell.first, made);
+    const vtkIdType made = part->InsertNextCell(complete->GetCellType(cell.first), ids);
+    part->GetCellData()->CopyData(complete->GetCellData(), cell.first, made);
     ghosts->InsertNextValue(cell.second > 0 ? vtkDataSetAttributes::DUPLICATECELL : 0);
   }
   if (levels > 0)

@@ -13,15 +13,15 @@ namespace reference
 
 /**
  * @class   PieceSource
- * @brief   gives a dataset whole or any piece of it, with as many ghost levels as are asked for
+ * @brief   returns a dataset or any piece of it, with the requested number of ghost levels
  *
- * Grids with rows are cut by the extent that the pipeline asks for. Of an unstructured grid a piece
- * has an equal share of the cells, in their order; ghost cells follow, level by level. Its points
- * have numbers of their own, from the last cell to the first, and the whole's as global ids, so
- * that nothing can rely on the order in which a piece stores its points.
+ * Datasets with an extent are cropped to the requested extent. Each piece of an unstructured grid
+ * has the same number of consecutive cells, followed by ghost cells, level by level. Its points are
+ * numbered separately, from the last cell to the first, with global ids of the complete dataset.
+ * Tests can therefore not rely on the order of points.
  *
- * With more than one time step the scalars have Change added at each step from the second on; the
- * scalars must be the dataset's active ones, of float or double.
+ * If there are several time steps, Change is added to the scalars at each step after the first. The
+ * active scalars must be float or double.
  */
 class PieceSource : public vtkDataSetAlgorithm
 {
@@ -29,17 +29,18 @@ public:
   static PieceSource* New();
   vtkTypeMacro(PieceSource, vtkDataSetAlgorithm);
 
-  /// The dataset; kept.
-  void SetWhole(vtkDataSet* whole);
+  /// Sets the complete dataset, which is not copied.
+  void SetFullData(vtkDataSet* complete);
 
   ///@{
-  /// The time steps 0, 1, ... and what scalars grow by from one to the next. Default 1 and 1.0.
+  /// Set the number of time steps 0, 1, ... (default 1) and the change of the scalars per step
+  /// (default 1.0).
   vtkSetMacro(NumberOfTimeSteps, int);
   vtkSetMacro(Change, double);
   ///@}
 
-  /// The most ghost levels given, whatever is asked for: 0 stands for a reader that has none.
-  /// Default VTK_INT_MAX.
+  /// Set the maximum number of ghost levels, regardless of the request. 0 simulates a reader
+  /// without ghost cells. Default: VTK_INT_MAX.
   vtkSetMacro(MaximumGhostLevels, int);
 
 protected:
@@ -56,7 +57,7 @@ private:
 
   void FillPiece(int piece, int pieces, int levels, vtkUnstructuredGrid* part) const;
 
-  vtkSmartPointer<vtkDataSet> Whole;
+  vtkSmartPointer<vtkDataSet> FullData;
   int NumberOfTimeSteps = 1;
   double Change = 1.0;
   int MaximumGhostLevels = VTK_INT_MAX;

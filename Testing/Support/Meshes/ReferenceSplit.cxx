@@ -35,7 +35,7 @@ void ForEachTetrahedron(
       std::vector<vtkIdType> ring(face->GetPointIds()->begin(), face->GetPointIds()->end());
       if (face->GetCellType() == VTK_PIXEL)
       {
-        // The points of a pixel are not in order around it.
+        // The points of a pixel are not in cyclic order.
         std::swap(ring[2], ring[3]);
       }
       std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());

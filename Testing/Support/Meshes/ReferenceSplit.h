@@ -13,11 +13,11 @@ class vtkDataSet;
 namespace reference
 {
 
-/// The mean of some points of a grid: one of its points, or the centre of one of its cells.
+/// A grid point or the center of a cell, as the ids of the grid points whose mean it is.
 using MeanPoint = std::vector<vtkIdType>;
 using SplitTetrahedron = std::array<MeanPoint, 4>;
 
-/// The mean of what \a get gives at the points of \a mean.
+/// Returns the mean of \a get over the points of \a mean.
 template <typename Real, typename Get>
 Real MeanOf(const MeanPoint& mean, Get&& get)
 {
@@ -30,9 +30,9 @@ Real MeanOf(const MeanPoint& mean, Get&& get)
 }
 
 /**
- * Cuts the three-dimensional cells of a mesh into tetrahedra, which are oriented as the faces of
- * the cells are: a tetrahedron is itself; any other cell is cut from its centre over its faces,
- * each cut from its point of the lowest number, so that two cells cut the face they share alike.
+ * Splits the three-dimensional cells of a mesh into tetrahedra with the orientation of the cells. A
+ * tetrahedron is not split. Any other cell is split from its center over its faces. Each face is
+ * split from its point with the lowest id, so both cells of a face split it in the same way.
  */
 void ForEachTetrahedron(
   vtkDataSet* mesh, const std::function<void(vtkIdType cell, const SplitTetrahedron&)>& visit);

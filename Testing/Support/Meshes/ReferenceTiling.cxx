@@ -16,22 +16,21 @@ namespace
 using Key = std::array<int, 3>;
 using Face = std::vector<Key>;
 
-/// Turns the corners of a convex face counterclockwise around \a normal, the normal's tail in the
-/// face's centre.
+/// Sorts the corners of a convex face counterclockwise around \a normal.
 void Sort(Face& face, const Key& normal)
 {
-  double centre[3] = { 0, 0, 0 };
+  double center[3] = { 0, 0, 0 };
   for (const Key& key : face)
   {
     for (int a = 0; a < 3; ++a)
     {
-      centre[a] += static_cast<double>(key[a]) / static_cast<double>(face.size());
+      center[a] += static_cast<double>(key[a]) / static_cast<double>(face.size());
     }
   }
   double u[3];
   for (int a = 0; a < 3; ++a)
   {
-    u[a] = face[0][a] - centre[a];
+    u[a] = face[0][a] - center[a];
   }
   const double v[3] = { normal[1] * u[2] - normal[2] * u[1], normal[2] * u[0] - normal[0] * u[2],
     normal[0] * u[1] - normal[1] * u[0] };
@@ -43,8 +42,8 @@ void Sort(Face& face, const Key& normal)
     double y = 0;
     for (int a = 0; a < 3; ++a)
     {
-      x += (key[a] - centre[a]) * u[a];
-      y += (key[a] - centre[a]) * v[a] / ratio;
+      x += (key[a] - center[a]) * u[a];
+      y += (key[a] - center[a]) * v[a] / ratio;
     }
     return std::atan2(y, x);
   };
@@ -52,7 +51,7 @@ void Sort(Face& face, const Key& normal)
     face.begin(), face.end(), [&](const Key& a, const Key& b) { return angle(a) < angle(b); });
 }
 
-/// The faces of a truncated octahedron: the corners are the permutations of (0, +-1, +-2).
+/// Returns the faces of a truncated octahedron. Its corners are the permutations of (0, +-1, +-2).
 std::vector<Face> TruncatedOctahedron()
 {
   std::vector<Key> corners;
@@ -100,7 +99,7 @@ std::vector<Face> TruncatedOctahedron()
   return faces;
 }
 
-/// A hexagonal prism on a triangular lattice: corners at 1/3 and 2/3 of a column's width.
+/// Returns a hexagonal prism in integer coordinates of a triangular lattice.
 std::vector<Face> HexagonalPrism()
 {
   constexpr int hexagon[6][2] = { { 2, 0 }, { 1, 1 }, { -1, 1 }, { -2, 0 }, { -1, -1 }, { 1, -1 } };
@@ -120,7 +119,7 @@ std::vector<Face> HexagonalPrism()
   return faces;
 }
 
-void AddTranslated(MeshBuilder& builder, const std::vector<Face>& faces, const Key& centre,
+void AddTranslated(MeshBuilder& builder, const std::vector<Face>& faces, const Key& center,
   const std::array<double, 3>& scale)
 {
   std::vector<std::vector<vtkIdType>> ids;
@@ -130,7 +129,7 @@ void AddTranslated(MeshBuilder& builder, const std::vector<Face>& faces, const K
     for (const Key& c : face)
     {
       ids.back().push_back(
-        builder.FindOrAddPoint({ centre[0] + c[0], centre[1] + c[1], centre[2] + c[2] }, scale));
+        builder.FindOrAddPoint({ center[0] + c[0], center[1] + c[1], center[2] + c[2] }, scale));
     }
   }
   builder.AddPolyhedron(ids);
@@ -144,7 +143,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeHoneycomb(const std::array<int, 3>& cel
   const std::vector<Face> faces = HexagonalPrism();
   for (const auto& [k, j, i] : AllIndices(cells[2], cells[1], cells[0]))
   {
-    // Every other column is lowered by half a hexagon.
+    // Every other column is shifted by half a hexagon.
     AddTranslated(builder, faces, { 3 * i, 2 * j + i % 2, k }, { 0.5, 0.5 * std::sqrt(3.0), 1 });
   }
   return builder.GetMesh();

@@ -11,10 +11,11 @@ class vtkUnstructuredGrid;
 namespace reference
 {
 
-/// Hexagonal prisms as VTK_POLYHEDRON: cells[0] x cells[1] of them in a layer, cells[2] layers.
+/// Returns hexagonal prisms as VTK_POLYHEDRON, in cells[2] layers of cells[0] x cells[1] prisms.
 vtkSmartPointer<vtkUnstructuredGrid> MakeHoneycomb(const std::array<int, 3>& cells);
 
-/// Truncated octahedra as VTK_POLYHEDRON around the points of a body-centred cubic lattice.
+/// Returns truncated octahedra as VTK_POLYHEDRON, centered at the points of a body-centered cubic
+/// lattice.
 vtkSmartPointer<vtkUnstructuredGrid> MakeKelvinTiling(const std::array<int, 3>& cells);
 
 }

@@ -25,7 +25,7 @@ namespace
 using Order = std::vector<int>;
 using Faces = std::vector<std::vector<vtkIdType>>;
 
-/// Generators of the rotations of each cell type, then one reflection.
+/// Generators of the rotations of a cell type, and one reflection.
 struct Symmetry
 {
   std::vector<Order> Rotations;
@@ -40,7 +40,7 @@ const Symmetry& GetSymmetry(int type)
     { 3, 4, 5, 0, 1, 2 } };
   static const Symmetry hexahedron = { { { 1, 2, 3, 0, 5, 6, 7, 4 }, { 1, 5, 6, 2, 0, 4, 7, 3 } },
     { 4, 5, 6, 7, 0, 1, 2, 3 } };
-  // Turned, a voxel would no longer have its points in the order that its type asks for.
+  // A rotated voxel would not have its points in the order that its type requires.
   static const Symmetry voxel = { {}, { 0, 1, 2, 3, 4, 5, 6, 7 } };
   switch (type)
   {
@@ -55,7 +55,7 @@ const Symmetry& GetSymmetry(int type)
     case VTK_VOXEL:
       return voxel;
     default:
-      throw std::invalid_argument("no symmetry of cell type " + std::to_string(type));
+      throw std::invalid_argument("no rotations are defined for cell type " + std::to_string(type));
   }
 }
 
@@ -145,7 +145,7 @@ vtkSmartPointer<vtkUnstructuredGrid> TurnCells(vtkUnstructuredGrid* mesh, unsign
         }
         return;
       }
-      // A random word in the generators, long enough to reach every rotation.
+      // A random product of generators, long enough to reach every rotation.
       const auto& rotations = GetSymmetry(type).Rotations;
       for (int i = 0; i < 12; ++i)
       {
@@ -208,7 +208,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MapProjectively(vtkUnstructuredGrid* mesh, 
     {
       matrix[a][b] = (a == b ? 1.0 : 0.0) + small(random);
     }
-    // The denominator stays between 1/4 and 7/4 over the mesh, so the map is regular on it.
+    // The denominator is between 1/4 and 7/4 in the mesh, so the map is regular there.
     perspective[a] = small(random) / (bounds[2 * a + 1] - bounds[2 * a]) * 2.0;
   }
   vtkNew<vtkPoints> points;

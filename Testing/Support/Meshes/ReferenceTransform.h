@@ -7,24 +7,24 @@
 class vtkUnstructuredGrid;
 
 /**
- * Changes of a mesh that an extraction must not mind. Each gives a new mesh; point and cell data
- * are not carried.
+ * Changes of a mesh that must not affect the result of an extraction. Each returns a new mesh
+ * without point and cell data.
  */
 namespace reference
 {
 
-/// The same cells, each with its points in an order given by a random rotation of its type. Voxels,
-/// which have one order only, stay as they are.
+/// Reorders the points of each cell by a random rotation that its cell type allows. Voxels allow
+/// only one order and remain unchanged.
 vtkSmartPointer<vtkUnstructuredGrid> TurnCells(vtkUnstructuredGrid* mesh, unsigned int seed);
 
-/// The same cells, each mirrored: the points in an order that makes its volume negative.
-/// Voxels, and polyhedra, whose faces say their side, stay as they are.
+/// Mirrors each cell: the order of its points makes its volume negative. Voxels and polyhedra,
+/// whose faces define the orientation, remain unchanged.
 vtkSmartPointer<vtkUnstructuredGrid> InvertCells(vtkUnstructuredGrid* mesh);
 
-/// The same cells over points numbered at random.
+/// Renumbers the points at random.
 vtkSmartPointer<vtkUnstructuredGrid> RenumberPoints(vtkUnstructuredGrid* mesh, unsigned int seed);
 
-/// The mesh under a random projective map: planes stay planes and convex cells stay convex.
+/// Applies a random projective map, which preserves planes and convex cells.
 vtkSmartPointer<vtkUnstructuredGrid> MapProjectively(vtkUnstructuredGrid* mesh, unsigned int seed);
 
 }

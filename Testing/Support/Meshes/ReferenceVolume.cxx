@@ -22,7 +22,7 @@ namespace
 using Real = long double;
 using Point = std::array<Real, 3>;
 
-/// A corner: where it is, and the values of the arrays there.
+/// A corner with its position and array values.
 struct Corner
 {
   Point X{};
@@ -50,9 +50,9 @@ Real AbsoluteVolume(const Tetrahedron& t)
   return std::abs(Determinant(t[0].X, t[1].X, t[2].X, t[3].X)) / 6;
 }
 
-/// The part of a tetrahedron where sign * (value - bound) >= 0.
+/// Appends the part of a tetrahedron where sign * (value - bound) >= 0.
 void Clip(const Tetrahedron& tetrahedron, size_t array, Real bound, int sign,
-  std::vector<Tetrahedron>& kept)
+  std::vector<Tetrahedron>& clipped)
 {
   std::vector<const Corner*> in;
   std::vector<const Corner*> out;
@@ -70,14 +70,14 @@ void Clip(const Tetrahedron& tetrahedron, size_t array, Real bound, int sign,
   };
   auto addPrism = [&](const std::array<Corner, 3>& lower, const std::array<Corner, 3>& upper)
   {
-    kept.push_back({ lower[0], lower[1], lower[2], upper[2] });
-    kept.push_back({ lower[0], lower[1], upper[1], upper[2] });
-    kept.push_back({ lower[0], upper[0], upper[1], upper[2] });
+    clipped.push_back({ lower[0], lower[1], lower[2], upper[2] });
+    clipped.push_back({ lower[0], lower[1], upper[1], upper[2] });
+    clipped.push_back({ lower[0], upper[0], upper[1], upper[2] });
   };
   switch (in.size())
   {
     case 4:
-      kept.push_back(tetrahedron);
+      clipped.push_back(tetrahedron);
       break;
     case 3:
       addPrism({ *in[0], *in[1], *in[2] }, { cut(0, 0), cut(1, 0), cut(2, 0) });
@@ -86,7 +86,7 @@ void Clip(const Tetrahedron& tetrahedron, size_t array, Real bound, int sign,
       addPrism({ *in[0], cut(0, 0), cut(0, 1) }, { *in[1], cut(1, 0), cut(1, 1) });
       break;
     case 1:
-      kept.push_back({ *in[0], cut(0, 0), cut(0, 1), cut(0, 2) });
+      clipped.push_back({ *in[0], cut(0, 0), cut(0, 1), cut(0, 2) });
       break;
     default:
       break;
@@ -212,12 +212,12 @@ long double ClippedVolume(vtkDataSet* mesh, const std::vector<Range>& ranges)
       {
         for (int sign = 1; sign >= -1; sign -= 2)
         {
-          std::vector<Tetrahedron> kept;
+          std::vector<Tetrahedron> clipped;
           for (const Tetrahedron& piece : pieces)
           {
-            Clip(piece, i, sign > 0 ? ranges[i].Lower : ranges[i].Upper, sign, kept);
+            Clip(piece, i, sign > 0 ? ranges[i].Lower : ranges[i].Upper, sign, clipped);
           }
-          pieces = kept;
+          pieces = clipped;
         }
       }
       for (const Tetrahedron& piece : pieces)
@@ -231,7 +231,7 @@ long double ClippedVolume(vtkDataSet* mesh, const std::vector<Range>& ranges)
 long double BoxVolumeBelow(
   const std::array<double, 3>& size, const LinearFunction& function, double value)
 {
-  // Signed volumes of the corner simplices below the plane, one a corner of the box.
+  // Sum of the signed volumes of one simplex per corner of the box, each cut off by the plane.
   Real sum = 0;
   Real product = 6;
   for (int a = 0; a < 3; ++a)
@@ -254,8 +254,8 @@ long double BoxVolumeBelow(
       parity = upper ? -parity : parity;
     }
     const Real height = value - function(x.data());
-    // The simplex of a corner whose height is positive; where a component of the gradient is
-    // negative the product's sign and the corner's parity change together.
+    // Only corners below the plane contribute. Where a component of the gradient is negative, the
+    // sign of the product and the parity of the corner change together.
     sum += height > 0 ? parity * height * height * height : 0;
   }
   return std::clamp(sum / product, Real(0), volume);

@@ -5,18 +5,18 @@
 #include "Support/Meshes/ReferenceField.h" // for linear functions
 
 #include <array>  // for points
-#include <vector> // for the bounds
+#include <vector> // for ranges
 
 class vtkDataSet;
 class vtkUnstructuredGrid;
 
 /**
- * Volumes in long double, made by clipping tetrahedra against one plane after another.
+ * Volumes in long double, computed by clipping tetrahedra with one plane after another.
  */
 namespace reference
 {
 
-/// One condition lower <= array <= upper.
+/// The condition lower <= array <= upper.
 struct Range
 {
   const char* Array;
@@ -24,35 +24,38 @@ struct Range
   double Upper;
 };
 
-/// Six times the signed volume of a tetrahedron, positive when d sees a, b, c counterclockwise
-/// from above.
+/// Returns six times the signed volume of a tetrahedron, which is positive if a, b, c are
+/// counterclockwise seen from d.
 long double Determinant(const std::array<long double, 3>& a, const std::array<long double, 3>& b,
   const std::array<long double, 3>& c, const std::array<long double, 3>& d);
 
 /// Volumes of the tetrahedra of a grid.
 struct TetrahedraVolume
 {
-  long double Sum = 0;           ///< of the signed volumes
-  long double SumOfAbsolute = 0; ///< of their magnitudes
-  long double Negative = 0;      ///< of the magnitudes of the negative ones
+  long double Sum = 0;           ///< sum of signed volumes
+  long double SumOfAbsolute = 0; ///< sum of absolute volumes
+  long double Negative = 0;      ///< sum of the absolute values of negative volumes
   long long Count = 0;
-  long long Inverted = 0; ///< negative beyond rounding: below -1e-15 times the longest edge cubed
+  long long Inverted =
+    0; ///< volume below -1e-15 times the cube of the longest edge, more than rounding error
 };
 TetrahedraVolume MeasureTetrahedra(vtkUnstructuredGrid* grid);
-/// The same of the tetrahedra with a value of the cell array IntervalId.
+/// Measures the tetrahedra with the given value of the cell array IntervalId.
 TetrahedraVolume MeasureInterval(vtkUnstructuredGrid* grid, int interval);
 
-/// The volume of a mesh of convex cells, each cut into tetrahedra from its centre.
+/// Returns the volume of a mesh of convex cells, which are split into tetrahedra from their
+/// centers.
 long double MeshVolume(vtkDataSet* mesh);
 
 /**
- * The volume of the part of a mesh where every condition holds. Exact when the arrays are linear
- * in each cell: for any values on tetrahedra, for linear functions of position on convex cells.
+ * Returns the volume of the region of a mesh where all conditions hold. The result is exact if the
+ * arrays are linear in each cell: for any values on tetrahedra, and for linear functions of
+ * position on convex cells.
  */
 long double ClippedVolume(vtkDataSet* mesh, const std::vector<Range>& ranges);
 
-/// The volume of { x in [0,size0] x [0,size1] x [0,size2] : function(x) <= value } by the formula
-/// for a box cut by a plane. No component of the gradient is 0.
+/// Returns the volume of { x in [0,size0] x [0,size1] x [0,size2] : function(x) <= value } by the
+/// formula for a box cut by a plane. No component of the gradient may be 0.
 long double BoxVolumeBelow(
   const std::array<double, 3>& size, const LinearFunction& function, double value);
 

@@ -7,8 +7,8 @@
 namespace html
 {
 /**
- * \a text with the letters that HTML takes for itself replaced, for the text of an element or the
- * value of an attribute.
+ * Replaces the characters that are special in HTML. The result is valid in an element or an
+ * attribute value.
  */
 std::string Escaped(const std::string& text);
 }

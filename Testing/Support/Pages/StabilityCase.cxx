@@ -19,7 +19,7 @@ namespace
 {
 const char* const FileSuffix = ".stability.json";
 
-std::string FolderFor(int argc, char* argv[])
+std::string DirectoryFor(int argc, char* argv[])
 {
   if (const char* folder = std::getenv("INTERLUME_STABILITY_DIR"))
   {
@@ -43,7 +43,7 @@ std::string InShort(double value)
   return text.str();
 }
 
-/// The fields that are text, by their names in JSON.
+/// Text fields with their JSON keys.
 const std::pair<const char*, std::string StabilityCase::*> Texts[] = { { "class",
                                                                          &StabilityCase::Class },
   { "name", &StabilityCase::Name }, { "extreme", &StabilityCase::Extreme },
@@ -76,7 +76,7 @@ StabilityCase FromJson(const nlohmann::json& json)
   return oneCase;
 }
 
-/// The program of each test that a file names.
+/// Reads the program of each test from a file.
 std::map<std::string, std::string> ReadPrograms(const std::filesystem::path& path)
 {
   std::map<std::string, std::string> programs;
@@ -93,7 +93,7 @@ std::map<std::string, std::string> ReadPrograms(const std::filesystem::path& pat
   return programs;
 }
 
-/// The tests that have a file in a folder.
+/// Returns the names of the tests whose results are in a directory.
 std::set<std::string> FindTests(const std::filesystem::path& folder)
 {
   std::set<std::string> tests;
@@ -113,7 +113,7 @@ std::set<std::string> FindTests(const std::filesystem::path& folder)
   return tests;
 }
 
-/// Adds the cases of one file. Returns what is wrong with it, or nothing.
+/// Appends the cases of one file. Returns an error message, or an empty string on success.
 std::string ReadCases(const std::filesystem::path& path, const std::filesystem::path& program,
   std::vector<StabilityCase>& cases)
 {
@@ -123,7 +123,7 @@ std::string ReadCases(const std::filesystem::path& path, const std::filesystem::
   }
   if (std::filesystem::last_write_time(path) < std::filesystem::last_write_time(program))
   {
-    return "ran before its program was made anew";
+    return "ran before its program was last built";
   }
   try
   {
@@ -131,13 +131,13 @@ std::string ReadCases(const std::filesystem::path& path, const std::filesystem::
     const nlohmann::json catalogue = nlohmann::json::parse(file);
     if (!catalogue.at("ended"))
     {
-      return "did not come to its end";
+      return "did not run to its end";
     }
     for (const auto& json : catalogue.at("cases"))
     {
       cases.push_back(FromJson(json));
     }
-    return catalogue.at("cases").empty() ? "has no case" : "";
+    return catalogue.at("cases").empty() ? "has no cases" : "";
   }
   catch (const nlohmann::json::exception& error)
   {
@@ -148,7 +148,7 @@ std::string ReadCases(const std::filesystem::path& path, const std::filesystem::
 
 StabilityCatalogue::StabilityCatalogue(const std::string& test, int argc, char* argv[])
   : Test(test)
-  , Folder(FolderFor(argc, argv))
+  , Folder(DirectoryFor(argc, argv))
 {
   if (!this->Folder.empty())
   {
@@ -179,7 +179,7 @@ bool StabilityCatalogue::Report(StabilityCase oneCase)
 {
   if (this->Class.empty())
   {
-    throw std::logic_error(this->Test + " names no class before its case " + oneCase.Name);
+    throw std::logic_error(this->Test + " reported a case before SetClass(): " + oneCase.Name);
   }
   std::cout << (oneCase.Passed ? "pass  " : "FAIL  ") << oneCase.Class << " " << oneCase.Name
             << ": " << oneCase.Extreme << "; expected: " << oneCase.Expected
@@ -213,7 +213,8 @@ void StabilityCatalogue::Write() const
   const std::filesystem::path path =
     std::filesystem::path(this->Folder) / (this->Test + FileSuffix);
   std::ofstream file(path);
-  // Text from an error message may hold any byte; what is not UTF-8 is replaced, not refused.
+  // Error messages may contain any byte. Bytes that are not UTF-8 are replaced, since dump() would
+  // throw.
   file << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << "\n";
   if (!file)
   {
@@ -236,7 +237,7 @@ std::vector<StabilityCase> StabilityCatalogue::Gather(const std::string& folder)
   const std::filesystem::path root = folder;
   const std::map<std::string, std::string> programs = ReadPrograms(root / "tests.txt");
   std::vector<StabilityCase> cases;
-  std::string problems = programs.empty() ? "\n  tests.txt is missing or names no test" : "";
+  std::string problems = programs.empty() ? "\n  tests.txt is missing or lists no test" : "";
   for (const auto& [test, program] : programs)
   {
     const std::string problem = ReadCases(root / (test + FileSuffix), program, cases);
@@ -244,12 +245,12 @@ std::vector<StabilityCase> StabilityCatalogue::Gather(const std::string& folder)
   }
   for (const std::string& test : FindTests(root))
   {
-    problems += programs.count(test) == 0 ? "\n  " + test + ": is no test of this build" : "";
+    problems += programs.count(test) == 0 ? "\n  " + test + ": is not a test of this build" : "";
   }
   if (!problems.empty())
   {
-    throw std::runtime_error("the stability cases in " + folder +
-      " are not those of this build; run ctest --label-regex stability:" + problems);
+    throw std::runtime_error("The stability cases in " + folder +
+      " do not match this build. Run ctest --label-regex stability:" + problems);
   }
   return cases;
 }

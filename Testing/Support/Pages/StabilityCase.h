@@ -7,31 +7,31 @@
 #include <vector>
 
 /**
- * One extreme that a test put in, and what came out of it.
+ * An extreme input of a stability test and its result.
  */
 struct StabilityCase
 {
-  /// The public class that was given the extreme.
+  /// Public class under test.
   std::string Class;
-  /// Short and unique within a test, such as `range-1e-30`.
+  /// Short name, unique within a test, such as `range-1e-30`.
   std::string Name;
-  /// What is extreme about the input.
+  /// Description of the extreme input.
   std::string Extreme;
-  /// What should happen.
+  /// Expected result.
   std::string Expected;
-  /// What happened, in words or as the number compared with Bound.
+  /// Observed result: a description, or the number that is compared with Bound.
   std::string Measured;
-  /// The largest value of the number measured that passes; NaN where the case is yes or no.
+  /// Largest number that passes, or NaN if the case is not a measurement.
   double Bound = std::numeric_limits<double>::quiet_NaN();
   bool Passed = false;
-  /// Where several methods could be chosen from, as for stiff fields: which one was, and its steps.
-  /// Empty elsewhere.
+  /// If several methods are available, as for stiff fields, the selected method and its number of
+  /// steps. Otherwise empty.
   std::string Method;
-  /// The test it comes from.
+  /// Name of the test.
   std::string Test;
 };
 
-/// The numbers of cases of a class: all, those that passed, and those compared with a bound.
+/// Numbers of cases of a class: all, passed, and compared with a bound.
 struct StabilityCount
 {
   std::string Class;
@@ -40,62 +40,63 @@ struct StabilityCount
   int Measured = 0;
 };
 
-/// Counts the cases of each class, by name.
+/// Counts the cases of each class. The result is sorted by class name.
 std::vector<StabilityCount> CountByClass(const std::vector<StabilityCase>& cases);
 
 /**
  * @class   StabilityCatalogue
- * @brief   by which a test with label `stability` reports its cases
+ * @brief   report of the cases of a test with the label `stability`
  *
- * A test makes one of these, names the class, reports each case, and returns GetExitCode():
+ * A test creates a StabilityCatalogue, sets the class, reports each case, and returns
+ * GetExitCode():
  *
- * @code
- * StabilityCatalogue catalogue("TestStabilityValues", argc, argv);
- * catalogue.SetClass("vtkIntervalVolume");
- * catalogue.Measure("range-1e-30", "values within 1e-30", "volume as at scale 1", error, 1e-12);
- * catalogue.Check("missing-array", "no such array", "error names it", message, named && empty);
- * return catalogue.GetExitCode();
+ * @code StabilityCatalogue catalogue("TestStabilityValues", argc, argv);
+ * catalogue.SetClass("vtkIntervalVolume"); catalogue.Measure("range-1e-30", "values within 1e-30",
+ * "volume as at scale 1", error, 1e-12); catalogue.Check("missing-array", "no such array", "error
+ * names it", message, named && empty); return catalogue.GetExitCode();
  * @endcode
  *
- * Every case prints one line. All cases of the test are kept in the file `<test>.stability.json`,
- * in the folder named by the environment variable INTERLUME_STABILITY_DIR, else by the argument
- * that follows `-T`; with neither there is no file. The file is written anew after every case, so
- * that a crash leaves the cases before it, and says whether the test came to its end.
- * `interlume-bench report` gathers the files.
+ * Every case prints one line. All cases of the test are written to the file
+ * `<test>.stability.json`. The environment variable INTERLUME_STABILITY_DIR or else the argument
+ * after `-T` gives its directory. Without either, no file is written. The file is rewritten after
+ * every case, so a crash preserves the previous cases, and records whether the test ran to its end.
+ * `interlume-bench report` reads the files.
  */
 class StabilityCatalogue
 {
 public:
   StabilityCatalogue(const std::string& test, int argc, char* argv[]);
 
-  /// Names the public class that the cases after this are of.
+  /// Sets the public class of the cases that follow.
   void SetClass(const std::string& name);
 
   /**
-   * Reports a case that passes when 0 <= |measured| <= bound; NaN fails. Returns whether it passed.
-   * Throws std::logic_error without a class.
+   * Reports a case that passes if |measured| <= bound. NaN fails. Returns whether the case passed.
+   * Throws std::logic_error if no class is set.
    */
   bool Measure(const std::string& name, const std::string& extreme, const std::string& expected,
     double measured, double bound, const std::string& method = {});
 
   /**
-   * Reports a case that is right or wrong, with what was seen in words. Returns \a passed. Throws
-   * std::logic_error without a class.
+   * Reports a case that is not a measurement, with a description of the observed result. Returns \a
+   * passed. Throws std::logic_error if no class is set.
    */
   bool Check(const std::string& name, const std::string& extreme, const std::string& expected,
     const std::string& measured, bool passed, const std::string& method = {});
 
   /**
-   * Ends the catalogue. Returns EXIT_SUCCESS when there was a case and every case passed.
+   * Marks the report as complete. Returns EXIT_SUCCESS if there was at least one case and all cases
+   * passed.
    */
   int GetExitCode();
 
   /**
-   * Returns the cases of the tests that \a folder/tests.txt names, in its order, then as reported.
-   * That file has a line for each test: its name, a tab, and its program. Throws
-   * std::runtime_error with all that is wrong where the file is missing or empty, and for each test
-   * whose cases are missing, none, those of a run that did not come to its end or was before its
-   * program was made anew, or not such a catalogue, and for cases of a test that is not named.
+   * Returns the cases of the tests listed in \a folder/tests.txt, in the order of that file. Each
+   * of its lines is a test name, a tab, and the path of the test's program.
+   *
+   * Throws std::runtime_error with a list of all problems. It is an error if tests.txt is missing
+   * or empty, or if a file belongs to a test that is not listed. The file of each test must exist,
+   * be valid, complete and not empty, and must not be older than the program.
    */
   static std::vector<StabilityCase> Gather(const std::string& folder);
 

@@ -120,8 +120,8 @@ void Distort(interlume::TetrahedraMesh& mesh, double reach, int rounds, unsigned
   }
   std::mt19937 random(seed);
   std::uniform_real_distribution<double> shift(-reach, reach);
-  // No thinner than some hundredths of a thousandth of what a lattice has.
-  const double least = 1e-5 / std::max<std::uint32_t>(1, mesh.GetNumberOfTetrahedra());
+  // Volumes are at least 1e-5 of the mean volume, so tetrahedra are thin but not degenerate.
+  const double minimumVolume = 1e-5 / std::max<std::uint32_t>(1, mesh.GetNumberOfTetrahedra());
   for (std::size_t move = 0; move < rounds * users.size(); ++move)
   {
     const std::size_t point = move % users.size();
@@ -145,7 +145,7 @@ void Distort(interlume::TetrahedraMesh& mesh, double reach, int rounds, unsigned
     for (std::size_t i = 0; i < volumes.size() && isValid; ++i)
     {
       const double volume = GetVolume(mesh, mesh.GetCorners(users[point][i]));
-      isValid = std::abs(volume) > least && (volume > 0.0) == (volumes[i] > 0.0);
+      isValid = std::abs(volume) > minimumVolume && (volume > 0.0) == (volumes[i] > 0.0);
     }
     if (!isValid)
     {
@@ -157,14 +157,14 @@ void Distort(interlume::TetrahedraMesh& mesh, double reach, int rounds, unsigned
 interlume::TetrahedraMesh MakeDelaunay(int points, unsigned int seed)
 {
   std::mt19937 random(seed);
-  std::uniform_real_distribution<double> place(-0.5, 0.5);
+  std::uniform_real_distribution<double> uniform(-0.5, 0.5);
   vtkNew<vtkPoints> coordinates;
   coordinates->SetDataTypeToDouble();
   for (int i = 0; i < points; ++i)
   {
-    const double x = place(random);
-    const double y = place(random);
-    coordinates->InsertNextPoint(x, y, place(random));
+    const double x = uniform(random);
+    const double y = uniform(random);
+    coordinates->InsertNextPoint(x, y, uniform(random));
   }
   vtkNew<vtkPolyData> input;
   input->SetPoints(coordinates);

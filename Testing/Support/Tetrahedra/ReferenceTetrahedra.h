@@ -11,44 +11,45 @@
 namespace reference
 {
 
-/// How a lattice of cubes becomes tetrahedra.
+/// Settings of a tetrahedral mesh that is built from a grid of cubes.
 struct CubeMesh
 {
-  /// Cubes along each edge of [-0.5, 0.5]^3.
+  /// Number of cubes along each edge of [-0.5, 0.5]^3.
   int Cubes = 8;
-  /// Tetrahedra of a cube: 5, mirrored from cube to cube, or 6 about a diagonal.
+  /// Number of tetrahedra in a cube: 5, mirrored between neighbors, or 6 around a diagonal.
   int Pieces = 6;
-  /// How far inner points may be moved, in parts of a cube's edge.
+  /// Maximum displacement of inner points, as a fraction of a cube's edge.
   double Jitter = 0.0;
   unsigned int Seed = 1;
-  /// Whether a cube with this centre is there; all where empty.
+  /// Returns whether the cube with this center is part of the mesh. If empty, all cubes are.
   std::function<bool(const std::array<double, 3>&)> IsIn;
 };
 
 interlume::TetrahedraMesh MakeCubes(const CubeMesh& form);
 
-/// Moves points within [-0.5, 0.5]^3, \a rounds times each and as far as \a reach along each axis
-/// at once, wherever no tetrahedron turns inside out: a valid mesh of long and thin tetrahedra.
+/// Moves points within [-0.5, 0.5]^3, \a rounds times each and by up to \a reach along each axis
+/// per move. Moves that invert a tetrahedron are undone. The result is a valid mesh with long and
+/// thin tetrahedra.
 void Distort(interlume::TetrahedraMesh& mesh, double reach, int rounds, unsigned int seed);
 
-/// The Delaunay tetrahedra of random points in a cube, as vtkDelaunay3D has them: its outside is
-/// not quite convex.
+/// Returns the Delaunay tetrahedra of random points in a cube, computed by vtkDelaunay3D. The
+/// boundary is not quite convex.
 interlume::TetrahedraMesh MakeDelaunay(int points, unsigned int seed);
 
-/// The same tetrahedra, each with four points of its own.
+/// Returns the tetrahedra of \a mesh without shared points.
 interlume::TetrahedraMesh Separate(const interlume::TetrahedraMesh& mesh);
-/// Appends a tetrahedron with four points of its own; returns its number.
+/// Appends a tetrahedron with four new points. Returns its index.
 std::uint32_t Append(
   interlume::TetrahedraMesh& mesh, const std::array<std::array<double, 3>, 4>& corners);
-/// The same tetrahedra in another sequence and with other corners first.
+/// Returns the tetrahedra and corners of \a mesh in a random order.
 interlume::TetrahedraMesh Shuffle(const interlume::TetrahedraMesh& mesh, unsigned int seed);
 
-/// Shapes that are not convex, or of several pieces, by name.
+/// A named region that is not convex or has several components.
 struct Shape
 {
   std::string Name;
   std::function<bool(const std::array<double, 3>&)> IsIn;
-  /// A place in a hole of it.
+  /// A point in a hole of the region.
   std::array<double, 3> Hole;
 };
 std::vector<Shape> GetShapes();

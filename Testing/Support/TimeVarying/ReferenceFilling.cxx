@@ -31,7 +31,7 @@ using Filter = vtkTimeVaryingIntervalVolume;
 
 constexpr double VolumeTolerance = 1e-12;
 
-/// The sorted point ids of cells.
+/// Sorted point ids of cells.
 template <size_t N>
 using Keys = std::vector<std::array<vtkIdType, N>>;
 
@@ -71,9 +71,10 @@ public:
 
   void Run()
   {
-    if (!this->Test.That(IsValid(this->Found.Tetrahedra, VTK_TETRA), "port 0 is tetrahedra") ||
-      !this->Test.That(AreFourSimplices(this->Found.Simplices), "port 2 is 4-simplices") ||
-      !this->Test.That(this->Found.Simplices->GetNumberOfCells() > 0, "there are 4-simplices"))
+    if (!this->Test.That(
+          IsValid(this->Found.Tetrahedra, VTK_TETRA), "port 0 consists of tetrahedra") ||
+      !this->Test.That(AreFourSimplices(this->Found.Simplices), "port 2 consists of 4-simplices") ||
+      !this->Test.That(this->Found.Simplices->GetNumberOfCells() > 0, "the output has 4-simplices"))
     {
       return;
     }
@@ -81,7 +82,8 @@ public:
     this->Times = data->GetArray("Time");
     this->Values =
       data->GetArray(GetDataSet(this->Steps.front())->GetPointData()->GetScalars()->GetName());
-    if (!this->Test.That(this->Times && this->Values, "the time and the scalar are carried"))
+    if (!this->Test.That(
+          this->Times && this->Values, "the output has the time and the scalar array"))
     {
       return;
     }
@@ -100,19 +102,20 @@ public:
   }
 
 private:
-  /// On a wall, and at the first or last step, the interval below may have cells alone, equal to
-  /// its upper bound, where there is nothing beyond that this one could begin in.
+  /// Compares the lower cells of an interval with the upper cells of the interval below. On side
+  /// walls and at the first and last step, the interval below may have cells with the value of its
+  /// upper bound that this interval does not have.
   void CheckShared(int i, const Keys<4>& upper, const Keys<4>& lower)
   {
-    Keys<4> alone;
+    Keys<4> unmatched;
     std::set_symmetric_difference(
-      upper.begin(), upper.end(), lower.begin(), lower.end(), std::back_inserter(alone));
-    this->Test.Equal(std::count_if(alone.begin(), alone.end(),
+      upper.begin(), upper.end(), lower.begin(), lower.end(), std::back_inserter(unmatched));
+    this->Test.Equal(std::count_if(unmatched.begin(), unmatched.end(),
                        [this](const auto& key) {
                          return this->Generic ||
                            (!this->Walls.Hold(this->EventsOf(key)) && !this->IsAtEnd(key));
                        }),
-      0, "cells between interval " + std::to_string(i) + " and the one below of one alone");
+      0, "unmatched cells between interval " + std::to_string(i) + " and the interval below");
   }
 
   void CheckHypervolume()
@@ -127,8 +130,7 @@ private:
     const auto error = [&](const HypervolumeSum& sum)
     { return static_cast<double>(std::abs(sum.Sum - domain) / domain); };
     this->Counts.Simplices += simplices.Count;
-    this->Counts.Inverted +=
-      static_cast<long long>(this->Found.Report->GetNumber("InvertedSimplices"));
+    this->Counts.Inverted += this->Found.Report->GetCount("InvertedSimplices");
     this->Counts.Tetrahedra += weighted.Count;
     this->Counts.Error = std::max(this->Counts.Error, error(simplices));
     this->Counts.WeightedError = std::max(this->Counts.WeightedError, error(weighted));
@@ -139,7 +141,7 @@ private:
   {
     const std::string name = "interval " + std::to_string(i) + ": ";
     const std::vector<FourSimplex> simplices = FourSimplicesOf(this->Found.Simplices, i);
-    this->CheckPlaces(i, name);
+    this->CheckLocations(i, name);
     const std::vector<OrientedSimplex<4>> faces = FacesOf(simplices);
     if (this->Generic)
     {
@@ -157,7 +159,7 @@ private:
       solids.insert(solids.end(), part.begin(), part.end());
       this->CheckKind<4>(i, kind, name);
     }
-    this->CheckClosed(net, solids, name + "tetrahedra of the boundary");
+    this->CheckClosed(net, solids, name + "boundary tetrahedra");
     const double steps[2] = { this->Steps.front().Time, this->Steps.back().Time };
     for (int end = 0; end < 2; ++end)
     {
@@ -172,11 +174,12 @@ private:
       const std::vector<Tetrahedron> volume =
         this->BoundaryCells<4>(i, Filter::VOLUME_AT_START + end);
       this->CheckClosed(NetKeys(FacesOf(volume)), triangles,
-        name + "triangles of the boundary at time " + std::to_string(steps[end]));
+        name + "boundary triangles at time " + std::to_string(steps[end]));
     }
   }
 
-  /// The faces that are not matched are the cells of the boundary, once each, and lie in walls.
+  /// Checks that each unmatched face is a cell of the boundary, which occurs once, or lies in a
+  /// side wall.
   template <size_t N>
   void CheckClosed(const Keys<N>& net, Keys<N> boundary, const std::string& name)
   {
@@ -188,14 +191,14 @@ private:
     std::set_difference(
       boundary.begin(), boundary.end(), net.begin(), net.end(), std::back_inserter(extra));
     const auto isInside = [&](const auto& key) { return !this->Walls.Hold(this->EventsOf(key)); };
-    // The volume at the first or last step may be equal to a bound there throughout, and in the
-    // interval at no other time.
+    // At the first or last step, a region whose values equal a bound has boundary cells, even if
+    // the interval is empty at all other times.
     this->Test.Equal(std::count_if(extra.begin(), extra.end(),
                        [this](const auto& key) { return N == 3 || !this->IsAtEnd(key); }),
-      0, name + " that are no faces");
+      0, name + " that are not faces");
     this->Test.That(!this->Generic || extra.empty(), name + " are all faces");
     this->Test.Equal(std::count_if(open.begin(), open.end(), isInside), 0,
-      name + ", faces without one that lie inside the domain");
+      name + ", open faces inside the domain without a boundary cell");
   }
 
   template <size_t N>
@@ -210,7 +213,7 @@ private:
     return events;
   }
 
-  /// Whether all points are at the first step, or all at the last.
+  /// Returns whether all points are at the first step, or all at the last step.
   template <size_t N>
   bool IsAtEnd(const std::array<vtkIdType, N>& ids) const
   {
@@ -222,7 +225,7 @@ private:
     return isAt(this->Steps.front().Time) || isAt(this->Steps.back().Time);
   }
 
-  void CheckPlaces(int i, const std::string& name)
+  void CheckLocations(int i, const std::string& name)
   {
     const double tolerance = 1e-14 * (this->Bounds.back() - this->Bounds.front());
     long long values = 0;
@@ -241,11 +244,11 @@ private:
         }
       }
     }
-    this->Test.Equal(values, 0, name + "points of 4-simplices with values outside");
-    this->Test.Equal(times, 0, name + "points of 4-simplices with times outside of the slab");
+    this->Test.Equal(values, 0, name + "points of 4-simplices with values outside the interval");
+    this->Test.Equal(times, 0, name + "points of 4-simplices with times outside the slab");
   }
 
-  /// Whether a point is where cells of a kind may be.
+  /// Returns whether boundary cells of a kind may use the point.
   bool IsOfKind(vtkIdType id, int interval, int kind) const
   {
     const double tolerance = 1e-14 * (this->Bounds.back() - this->Bounds.front());
@@ -279,18 +282,19 @@ private:
   template <size_t N>
   void CheckKind(int interval, int kind, const std::string& name)
   {
-    long long wrong = 0;
+    long long errors = 0;
     for (const auto& cell : this->BoundaryCells<N>(interval, kind))
     {
-      wrong += std::all_of(cell.begin(), cell.end(),
-                 [&](vtkIdType id) { return this->IsOfKind(id, interval, kind); })
+      errors += std::all_of(cell.begin(), cell.end(),
+                  [&](vtkIdType id) { return this->IsOfKind(id, interval, kind); })
         ? 0
         : 1;
     }
-    this->Test.Equal(wrong, 0, name + "cells that are not of their kind " + std::to_string(kind));
+    this->Test.Equal(
+      errors, 0, name + "cells that do not match their kind " + std::to_string(kind));
     const Keys<N> keys = this->BoundaryKeys<N>(interval, kind);
     this->Test.That(std::adjacent_find(keys.begin(), keys.end()) == keys.end(),
-      name + "cells of kind " + std::to_string(kind) + " are there once");
+      name + "cells of kind " + std::to_string(kind) + " occur once");
   }
 
   template <size_t N>

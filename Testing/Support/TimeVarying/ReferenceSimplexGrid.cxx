@@ -23,10 +23,10 @@ namespace reference
 namespace
 {
 
-class KuhnLattice
+class KuhnGridBuilder
 {
 public:
-  explicit KuhnLattice(const KuhnOptions& options)
+  explicit KuhnGridBuilder(const KuhnOptions& options)
     : Options(options)
     , Random(options.Seed)
   {
@@ -53,7 +53,7 @@ public:
     {
       const std::array<int, 4> cell = { { i % cells[0], i / cells[0] % cells[1],
         i / (cells[0] * cells[1]) % cells[2], i / (cells[0] * cells[1] * cells[2]) } };
-      if (!this->Options.IsKept || this->Options.IsKept(cell))
+      if (!this->Options.IsRetained || this->Options.IsRetained(cell))
       {
         this->AddHypercube(cell);
       }
@@ -71,8 +71,8 @@ private:
     {
       const int cells = this->Options.Cells[axis];
       const vtkIdType index = point / this->Steps[axis] % (cells + 1);
-      const double most = axis == 3 ? this->Options.MovedInTime : this->Options.MovedInSpace;
-      double moved = move(this->Random) * (index > 0 && index < cells ? most : 0.0);
+      const double maximum = axis == 3 ? this->Options.MovedInTime : this->Options.MovedInSpace;
+      double moved = move(this->Random) * (index > 0 && index < cells ? maximum : 0.0);
       if (axis == 3 && this->Options.HasEqualTimes)
       {
         moved = std::trunc(8 * moved) / 8;
@@ -207,7 +207,7 @@ long double SliceVolume(const SimplexEvents& simplex, double t)
 
 vtkSmartPointer<vtkUnstructuredGrid> MakeKuhnGrid(const KuhnOptions& options)
 {
-  return KuhnLattice(options).Make();
+  return KuhnGridBuilder(options).Make();
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> SliceAt(vtkUnstructuredGrid* simplices, double t)

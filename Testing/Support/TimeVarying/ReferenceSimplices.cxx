@@ -35,8 +35,7 @@ vtkDataArray* GetArray(vtkDataSetAttributes* attributes, const char* name)
   return array;
 }
 
-/// Calls visit for the cells of N points of an interval and a value of a cell array, with their
-/// points.
+/// Calls visit for the cells with N points in an interval whose cell array has the value \a number.
 template <size_t N>
 void ForEachSimplex(vtkUnstructuredGrid* grid, int interval, const char* array, int number,
   const std::function<void(vtkIdType, const std::array<vtkIdType, N>&)>& visit)
@@ -52,7 +51,7 @@ void ForEachSimplex(vtkUnstructuredGrid* grid, int interval, const char* array, 
     vtkIdType count;
     const vtkIdType* ids;
     grid->GetCellPoints(cell, count, ids);
-    // Tetrahedra at a step, which have their last point twice, are no 4-simplices.
+    // A tetrahedron at a step repeats its last point and is not a 4-simplex.
     const bool isTetrahedronAtStep = N == 5 && count == 5 && ids[3] == ids[4];
     if (count == static_cast<vtkIdType>(N) && !isTetrahedronAtStep &&
       (interval == Any || intervals->GetComponent(cell, 0) == interval) &&
@@ -126,7 +125,7 @@ std::vector<OrientedSimplex<4>> FacesOf(const std::vector<FourSimplex>& simplice
   faces.reserve(5 * simplices.size());
   for (const FourSimplex& s : simplices)
   {
-    // Without point i, turned where i is odd.
+    // Omits point i, and swaps two points if i is odd.
     faces.emplace_back(Tetrahedron{ s[1], s[2], s[3], s[4] });
     faces.emplace_back(Tetrahedron{ s[2], s[0], s[3], s[4] });
     faces.emplace_back(Tetrahedron{ s[0], s[1], s[3], s[4] });
@@ -235,21 +234,21 @@ long double DurationAt(
     [&](vtkIdType, const Tetrahedron& points)
     {
       const auto corners = CornersOf(tetrahedra, points);
-      const Real whole = DeterminantOf(corners);
+      const Real volume = DeterminantOf(corners);
       Real duration = 0;
       for (int i = 0; i < 4; ++i)
       {
         auto replaced = corners;
         replaced[i] = x;
-        const Real weight = DeterminantOf(replaced) / whole;
-        // Written so that a flat tetrahedron holds no point.
+        const Real weight = DeterminantOf(replaced) / volume;
+        // Weights of a degenerate tetrahedron are NaN or infinite, so it contains no point.
         if (!(weight >= 0))
         {
           return;
         }
         duration += weight * durations->GetComponent(points[i], 0);
       }
-      sum += whole > 0 ? duration : -duration;
+      sum += volume > 0 ? duration : -duration;
     });
   return sum;
 }

@@ -54,16 +54,18 @@ SpaceTimeCorner CornerOf(const TimeStep& step, const char* array, const MeanPoin
   return corner;
 }
 
-/// The share where lower <= function <= upper: where it is constant and equal to a bound, all.
-Real ShareBetween(std::vector<Real> values, Real lower, Real upper)
+/// Returns the fraction of a simplex where lower <= function <= upper. It is 1 if the function is
+/// constant and equal to a bound.
+Real FractionBetween(std::vector<Real> values, Real lower, Real upper)
 {
-  const Real belowUpper = ShareBelow(values, upper);
+  const Real belowUpper = FractionBelow(values, upper);
   std::transform(values.begin(), values.end(), values.begin(), std::negate<>());
-  return belowUpper + ShareBelow(values, -lower) - 1;
+  return belowUpper + FractionBelow(values, -lower) - 1;
 }
 
-/// The part of the prism over a tetrahedron between two steps. Points are taken in the order of
-/// their numbers, so that two tetrahedra cut the prism over the triangle they share alike.
+/// Returns the hypervolume of the region between lower and upper in the prism of a tetrahedron
+/// between two steps. Corners are sorted by their point ids, so neighboring tetrahedra split the
+/// prism over their common triangle in the same way.
 Real PrismBetween(const TimeStep& from, const TimeStep& to, const char* array, Real lower,
   Real upper, const SplitTetrahedron& split)
 {
@@ -90,7 +92,7 @@ Real PrismBetween(const TimeStep& from, const TimeStep& to, const char* array, R
   Real sum = 0;
   for (int turn = 0; turn < 4; ++turn)
   {
-    // Bottom 0 ... turn, top turn ... 3.
+    // Bottom corners 0 ... turn, top corners turn ... 3.
     std::array<SpaceTimePoint, 5> points;
     std::vector<Real> values;
     for (int i = 0; i < 5; ++i)
@@ -99,10 +101,11 @@ Real PrismBetween(const TimeStep& from, const TimeStep& to, const char* array, R
       points[i] = corner.X;
       values.push_back(corner.Value);
     }
-    // For a positive tetrahedron 0123 the simplex with the edge in time after vertex `turn` has the
-    // sign of moving that edge's end from place turn + 1 to the last.
+    // Sign of the permutation that moves the upper end of the edge in time, which follows corner
+    // `turn`, from index turn + 1 to the last. The tetrahedron 0123 is positive.
     const int parity = (3 - turn) % 2 == 0 ? 1 : -1;
-    sum += parity * SimplexHypervolume(points) * (array ? ShareBetween(values, lower, upper) : 1);
+    sum +=
+      parity * SimplexHypervolume(points) * (array ? FractionBetween(values, lower, upper) : 1);
   }
   return sign * sum;
 }
@@ -119,10 +122,10 @@ Real HypervolumeOf(const TimeSteps& steps, const char* array, Real lower, Real u
   return sum;
 }
 
-/// How long a function that goes linearly from a to b in a time is between bounds.
+/// Returns the time during which a function that changes linearly from a to b is between bounds.
 Real Duration(Real a, Real b, Real lower, Real upper, Real time)
 {
-  return time * ShareBetween({ a, b }, lower, upper);
+  return time * FractionBetween({ a, b }, lower, upper);
 }
 
 }
@@ -143,7 +146,7 @@ long double SimplexHypervolume(const std::array<SpaceTimePoint, 5>& points)
   return determinant / 24;
 }
 
-long double ShareBelow(const std::vector<long double>& values, long double bound)
+long double FractionBelow(const std::vector<long double>& values, long double bound)
 {
   std::vector<Real> below;
   std::vector<Real> above;
@@ -155,18 +158,18 @@ long double ShareBelow(const std::vector<long double>& values, long double bound
   {
     return 1;
   }
-  // A_0 = 1 and A_k = 0 at first; each vertex below makes A_k = (y_k A_k - x A_{k-1}) / (y_k - x),
-  // y over the vertices above. The last is the share below.
-  std::vector<Real> shares(above.size() + 1, 0);
-  shares[0] = 1;
+  // Initially A_0 = 1 and A_k = 0. Each vertex x below replaces A_k by (y_k A_k - x A_{k-1}) / (y_k
+  // - x), where y are the vertices above. The last A_k is the fraction.
+  std::vector<Real> fractions(above.size() + 1, 0);
+  fractions[0] = 1;
   for (Real x : below)
   {
     for (size_t k = 1; k <= above.size(); ++k)
     {
-      shares[k] = (above[k - 1] * shares[k] - x * shares[k - 1]) / (above[k - 1] - x);
+      fractions[k] = (above[k - 1] * fractions[k] - x * fractions[k - 1]) / (above[k - 1] - x);
     }
   }
-  return shares.back();
+  return fractions.back();
 }
 
 long double HypervolumeBetween(
@@ -195,13 +198,13 @@ long double DurationAt(const TimeSteps& steps, const char* array, double lower, 
         const SpaceTimePoint corner = CornerOf(steps.front(), nullptr, split[i]).X;
         corners[i] = { corner[0], corner[1], corner[2] };
       }
-      const Real whole = Determinant(corners[0], corners[1], corners[2], corners[3]);
+      const Real volume = Determinant(corners[0], corners[1], corners[2], corners[3]);
       std::array<Real, 4> weights;
       for (int i = 0; i < 4; ++i)
       {
         auto replaced = corners;
         replaced[i] = x;
-        weights[i] = Determinant(replaced[0], replaced[1], replaced[2], replaced[3]) / whole;
+        weights[i] = Determinant(replaced[0], replaced[1], replaced[2], replaced[3]) / volume;
       }
       if (found || *std::min_element(weights.begin(), weights.end()) < 0)
       {

@@ -8,39 +8,41 @@
 #include <vector> // for values
 
 /**
- * Measures of regions of space and time, in long double.
+ * Measures of regions in space and time, in long double.
  */
 namespace reference
 {
 
 using SpaceTimePoint = std::array<long double, 4>; ///< (x,y,z,t)
 
-/// The signed hypervolume of a 4-simplex: det(p1-p0, p2-p0, p3-p0, p4-p0) / 24.
+/// Returns the signed hypervolume of a 4-simplex, det(p1-p0, p2-p0, p3-p0, p4-p0) / 24.
 long double SimplexHypervolume(const std::array<SpaceTimePoint, 5>& points);
 
 /**
- * The share of a simplex of any dimension where a linear function is at most \a bound; \a values
- * are those at its vertices. By the recurrence of Varsi ("The multidimensional content of the
- * frustum of the simplex", Pacific J. Math. 46, 1973), all of whose terms are positive.
+ * Returns the fraction of a simplex of any dimension where a linear function is at most \a bound.
+ * \a values are the values at its vertices. Uses the recurrence of Varsi ("The multidimensional
+ * content of the frustum of the simplex", Pacific J. Math. 46, 1973), whose terms are all positive.
  */
-long double ShareBelow(const std::vector<long double>& values, long double bound);
+long double FractionBelow(const std::vector<long double>& values, long double bound);
 
 /**
- * The hypervolume where lower <= array <= upper between the first and the last step, slab by slab,
- * each cell cut into tetrahedra and each tetrahedron times a slab into four 4-simplices. Exact for
- * functions linear in space and time when the domain's faces stay in planes that move linearly; on
- * tetrahedra that do not move, for functions linear in space and time in each.
+ * Returns the hypervolume where lower <= array <= upper between the first and the last step. Each
+ * cell is split into tetrahedra, and the prism of each tetrahedron over a slab into four
+ * 4-simplices. The result is exact for functions that are linear in space and time if boundary
+ * faces stay in planes that move linearly. On static tetrahedra, it is exact for functions that are
+ * linear in each tetrahedron and slab.
  */
 long double HypervolumeBetween(
   const TimeSteps& steps, const char* array, double lower, double upper);
 
-/// The hypervolume of everything between the first and the last step, under the same conditions.
+/// Returns the hypervolume of the domain between the first and the last step, exact under the same
+/// conditions.
 long double DomainHypervolume(const TimeSteps& steps);
 
 /**
- * How long lower <= array <= upper at a point between the first and last of some steps of a grid of
- * tetrahedra that does not move, for functions linear in space and time in each; 0 outside the
- * grid.
+ * Returns the time during which lower <= array <= upper at a point. The grid must consist of static
+ * tetrahedra, and the function must be linear in space and time in each tetrahedron. Returns 0
+ * outside the grid.
  */
 long double DurationAt(const TimeSteps& steps, const char* array, double lower, double upper,
   const std::array<double, 3>& point);

@@ -64,15 +64,15 @@ void TemporalGrids::SetSteps(const TimeSteps& steps)
   this->Modified();
 }
 
-void TemporalGrids::SetTellsTimes(bool tells)
+void TemporalGrids::SetReportsTimes(bool isReported)
 {
-  this->TellsTimes = tells;
+  this->ReportsTimes = isReported;
   this->Modified();
 }
 
-int TemporalGrids::GetMostAlive() const
+int TemporalGrids::GetMaximumAlive() const
 {
-  return this->Alive->Most;
+  return this->Alive->Maximum;
 }
 
 int TemporalGrids::FillOutputPortInformation(int, vtkInformation* info)
@@ -99,18 +99,18 @@ vtkTypeBool TemporalGrids::ProcessRequest(
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_INFORMATION()))
   {
-    this->TellInformation(info);
+    this->ReportInformation(info);
     return 1;
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
-    this->HandOut(info);
+    this->ReturnStep(info);
     return 1;
   }
   return this->Superclass::ProcessRequest(request, input, output);
 }
 
-void TemporalGrids::TellInformation(vtkInformation* info)
+void TemporalGrids::ReportInformation(vtkInformation* info)
 {
   vtkDataObject* first = this->Steps.front().Data;
   if (first->GetExtentType() == VTK_3D_EXTENT)
@@ -123,7 +123,7 @@ void TemporalGrids::TellInformation(vtkInformation* info)
     info->Set(vtkDataObject::ORIGIN(), image->GetOrigin(), 3);
     info->Set(vtkDataObject::SPACING(), image->GetSpacing(), 3);
   }
-  if (!this->TellsTimes)
+  if (!this->ReportsTimes)
   {
     info->Remove(Pipeline::TIME_STEPS());
     info->Remove(Pipeline::TIME_RANGE());
@@ -153,11 +153,11 @@ int TemporalGrids::FindStep(vtkInformation* info) const
   return found;
 }
 
-void TemporalGrids::HandOut(vtkInformation* info)
+void TemporalGrids::ReturnStep(vtkInformation* info)
 {
   const int step = this->FindStep(info);
   this->Requests.push_back(step);
-  // Of two steps alive the one before is dropped first, as by a reader that reuses its output.
+  // Releases the previous step first, like a reader that reuses its output.
   info->Get(vtkDataObject::DATA_OBJECT())->Initialize();
   const vtkSmartPointer<vtkDataObject> data = Copy(this->Steps[step].Data);
   this->Count(data);
@@ -174,15 +174,15 @@ void TemporalGrids::Count(vtkDataObject* data)
     return;
   }
   ++this->Alive->Alive;
-  this->Alive->Most = std::max(this->Alive->Most, this->Alive->Alive);
-  // The count outlives this object, as the data may.
-  vtkNew<vtkCallbackCommand> gone;
-  gone->SetClientData(new std::shared_ptr<Population>(this->Alive));
-  gone->SetClientDataDeleteCallback(
+  this->Alive->Maximum = std::max(this->Alive->Maximum, this->Alive->Alive);
+  // The callback shares the count, since the data may outlive this object.
+  vtkNew<vtkCallbackCommand> deleted;
+  deleted->SetClientData(new std::shared_ptr<Population>(this->Alive));
+  deleted->SetClientDataDeleteCallback(
     [](void* client) { delete static_cast<std::shared_ptr<Population>*>(client); });
-  gone->SetCallback([](vtkObject*, unsigned long, void* client, void*)
+  deleted->SetCallback([](vtkObject*, unsigned long, void* client, void*)
     { --(*static_cast<std::shared_ptr<Population>*>(client))->Alive; });
-  watched->AddObserver(vtkCommand::DeleteEvent, gone);
+  watched->AddObserver(vtkCommand::DeleteEvent, deleted);
 }
 
 }

@@ -14,11 +14,12 @@ namespace reference
 
 /**
  * @class   TemporalGrids
- * @brief   hands out a list of time steps through the pipeline
+ * @brief   temporal source that returns given time steps
  *
- * The step handed out is the last one whose time is not after the time asked for, or the first.
- * Every request gets a copy, so that it can be counted how many live at a time; the count is of the
- * first point array of the first data set, which lives as long as anything was kept of the step.
+ * Returns the last step whose time is not after the requested time, or the first step. Every
+ * request returns a copy, so that the number of copies in memory can be counted. A copy is counted
+ * until the first point array of its first dataset is deleted, which happens when no data of the
+ * step is referenced any more.
  */
 class TemporalGrids : public vtkAlgorithm
 {
@@ -26,16 +27,17 @@ public:
   static TemporalGrids* New();
   vtkTypeMacro(TemporalGrids, vtkAlgorithm);
 
-  /// The steps, of any type. Times are told as they are, whatever their order.
+  /// Sets the steps, whose data may be of any type. Their times are reported in the given order,
+  /// even if it is not increasing.
   void SetSteps(const TimeSteps& steps);
-  /// Whether TIME_STEPS is told at all. Default true.
-  void SetTellsTimes(bool tells);
+  /// Sets whether TIME_STEPS is reported. Default: true.
+  void SetReportsTimes(bool isReported);
 
-  /// The numbers of the steps that were handed out, in order.
+  /// Returns the indices of the requested steps, in order.
   const std::vector<int>& GetRequests() const { return this->Requests; }
   void ClearRequests() { this->Requests.clear(); }
-  /// How many steps were alive at most, since they were set.
-  int GetMostAlive() const;
+  /// Returns the maximum number of steps in memory at the same time since SetSteps().
+  int GetMaximumAlive() const;
 
   vtkTypeBool ProcessRequest(
     vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
@@ -53,16 +55,16 @@ private:
   struct Population
   {
     int Alive = 0;
-    int Most = 0;
+    int Maximum = 0;
   };
 
-  void TellInformation(vtkInformation* info);
-  void HandOut(vtkInformation* info);
+  void ReportInformation(vtkInformation* info);
+  void ReturnStep(vtkInformation* info);
   int FindStep(vtkInformation* info) const;
   void Count(vtkDataObject* data);
 
   TimeSteps Steps;
-  bool TellsTimes = true;
+  bool ReportsTimes = true;
   std::vector<int> Requests;
   std::shared_ptr<Population> Alive;
 };

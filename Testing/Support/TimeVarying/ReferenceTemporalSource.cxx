@@ -63,10 +63,10 @@ std::vector<TemporalSource> MakeTemporalSources()
 
 long long CountLeftHandedCells(vtkStructuredGrid* grid)
 {
-  // A hexahedron's corners 0 to 3 go around, 4 to 7 lie above them; the neighbours of each along
-  // three edges, in right-handed order.
-  constexpr int neighbours[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6 }, { 0, 2, 7 },
-    { 7, 5, 0 }, { 4, 6, 1 }, { 5, 7, 2 }, { 6, 4, 3 } };
+  // Corners 0 to 3 of a hexahedron form a cycle, 4 to 7 lie above them. The neighbors of each
+  // corner along three edges are in right-handed order.
+  constexpr int neighbors[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6 }, { 0, 2, 7 }, { 7, 5, 0 },
+    { 4, 6, 1 }, { 5, 7, 2 }, { 6, 4, 3 } };
   long long number = 0;
   for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
   {
@@ -79,7 +79,7 @@ long long CountLeftHandedCells(vtkStructuredGrid* grid)
       points->GetPoint(corner, from);
       for (int edge = 0; edge < 3; ++edge)
       {
-        points->GetPoint(neighbours[corner][edge], edges[edge]);
+        points->GetPoint(neighbors[corner][edge], edges[edge]);
         vtkMath::Subtract(edges[edge], from, edges[edge]);
       }
       isLeftHanded = isLeftHanded || !(vtkMath::Determinant3x3(edges) > 0.0);

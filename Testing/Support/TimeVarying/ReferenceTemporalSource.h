@@ -3,9 +3,9 @@
 #define ReferenceTemporalSource_h
 
 #include "vtkAlgorithm.h"    // for the source
-#include "vtkSmartPointer.h" // for it
+#include "vtkSmartPointer.h" // for the source
 
-#include <functional> // for what sources have in common
+#include <functional> // for the common methods
 #include <string>     // for the names
 #include <vector>     // for the sources
 
@@ -14,7 +14,7 @@ class vtkDataSet;
 class vtkStructuredGrid;
 
 /**
- * The temporal sources under test by what they have in common, whatever they are derived from.
+ * Common interface of the temporal sources under test, which have no common base class.
  */
 namespace reference
 {
@@ -38,11 +38,11 @@ struct TemporalSource
   vtkDataArray* GetValues() const;
 };
 
-/// One of each source, of some thousand points, and of the analytic source each field. New ones at
-/// each call.
+/// Returns new sources with some thousand points each: one of each class, and one for each field of
+/// vtkAnalyticFieldSource.
 std::vector<TemporalSource> MakeTemporalSources();
 
-/// Number of cells with a corner whose edges along i, j, k are not right-handed.
+/// Returns the number of cells with a corner whose edges along i, j, k are not right-handed.
 long long CountLeftHandedCells(vtkStructuredGrid* grid);
 
 }

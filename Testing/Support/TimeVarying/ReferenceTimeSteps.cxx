@@ -34,7 +34,7 @@ void ChangePoints(const TimeStep& step, const std::function<void(vtkIdType, Poin
   auto* grid = vtkPointSet::SafeDownCast(step.Data);
   if (!grid)
   {
-    throw std::invalid_argument("a grid without points of its own cannot be moved");
+    throw std::invalid_argument("only the points of a vtkPointSet can be moved");
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
@@ -168,7 +168,7 @@ void MoveInside(const TimeSteps& steps, double reach, unsigned int seed)
   }
   if (!moved)
   {
-    throw std::invalid_argument("no point is inside the box");
+    throw std::invalid_argument("no point is inside the bounding box");
   }
 }
 

@@ -13,7 +13,7 @@ class vtkDataObject;
 class vtkDataSet;
 
 /**
- * Data at several times, made without the code under test.
+ * Time-varying data for tests, built without the code under test.
  */
 namespace reference
 {
@@ -26,13 +26,14 @@ struct TimeStep
 
 using TimeSteps = std::vector<TimeStep>;
 
-/// The data set of a step; null where the step is composite.
+/// Returns the dataset of a step, or null if the step is composite.
 vtkDataSet* GetDataSet(const TimeStep& step);
 
-/// \a grid at every time: cells are shared, points and arrays are copies.
+/// Returns a step with \a grid for every time. Steps share cells but have their own points and
+/// arrays.
 TimeSteps RepeatGrid(vtkDataSet* grid, const std::vector<double>& times);
 
-/// A function of place, time and point.
+/// A function of position, time and point id.
 using SpaceTimeFunction =
   std::function<double(const std::array<double, 3>& x, double time, vtkIdType point)>;
 
@@ -40,28 +41,28 @@ using SpaceTimeFunction =
 void AddSpaceTimeField(
   const TimeSteps& steps, const SpaceTimeFunction& function, const char* name = "f");
 
-/// The same with independent random numbers, uniform in [0,1), at every point and time.
+/// Adds independent random numbers, uniform in [0,1), for every point and time.
 void AddRandomTimeField(const TimeSteps& steps, unsigned int seed, const char* name = "f");
 
-/// The same with random integers in [0, values).
+/// Adds random integers in [0, values).
 void AddIntegerTimeField(
   const TimeSteps& steps, int values, unsigned int seed, const char* name = "f");
 
-/// The same with one random number a point, in [0,1), plus \a rate times the time: on tetrahedra
-/// that do not move it is linear in space and time in each.
+/// Adds a random number in [0,1) for each point, plus \a rate * time. On static tetrahedra, this
+/// field is linear in space and time in each tetrahedron.
 void AddDriftingField(
   const TimeSteps& steps, double rate, unsigned int seed, const char* name = "f");
 
-/// Moves every point of a step of vtkPointSet.
+/// Moves every point of a step, which must be a vtkPointSet.
 using Motion = std::function<void(std::array<double, 3>& x, double time)>;
 void MovePoints(const TimeSteps& steps, const Motion& motion);
 
-/// A motion under which planes across an axis stay planes, in space and time as well: each
-/// coordinate is scaled and shifted by amounts linear in time.
+/// Scales and shifts each coordinate by amounts that are linear in time. Planes perpendicular to an
+/// axis therefore remain planes, also in space-time.
 void Stretch(std::array<double, 3>& x, double time);
 
-/// Moves the points that are not on the boundary of the box that holds them by up to \a reach along
-/// each axis, at random and differently in each step. std::invalid_argument where there are none.
+/// Moves the points that are not on the bounding box at random by up to \a reach along each axis,
+/// differently in each step. Throws std::invalid_argument if there is no such point.
 void MoveInside(const TimeSteps& steps, double reach, unsigned int seed);
 
 struct SpaceTimeGrid
@@ -70,15 +71,15 @@ struct SpaceTimeGrid
   vtkSmartPointer<vtkDataSet> Data;
 };
 
-/// A grid of every type and, of unstructured ones, of every kind of AllMeshKinds() with its cells
-/// turned and its points renumbered. All but the image and the rectilinear grid may be moved. The
-/// domain of each but honeycomb and Kelvin is a box.
+/// Returns a grid of every dataset type. There is an unstructured grid of every kind in
+/// AllMeshKinds(), with randomly rotated cells and renumbered points. MovePoints() supports all
+/// except the image and the rectilinear grid. The domain is a box, except for honeycomb and Kelvin.
 std::vector<SpaceTimeGrid> AllSpaceTimeGrids(const std::array<int, 3>& cells, unsigned int seed);
 
-/// Whether the grid is of tetrahedra only.
+/// Returns whether all cells are tetrahedra.
 bool IsTetrahedral(vtkDataSet* data);
 
-/// Whether the cells fill the box that holds them.
+/// Returns whether the cells fill their bounding box.
 bool HasBoxDomain(vtkDataSet* data);
 
 }

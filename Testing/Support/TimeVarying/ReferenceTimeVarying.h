@@ -15,7 +15,7 @@
 namespace reference
 {
 
-/// What the filter under test is set to; points are in double.
+/// Settings of the filter under test. Points are in double precision.
 struct TimeVaryingSettings
 {
   std::vector<Interval> Intervals;
@@ -28,7 +28,7 @@ struct TimeVaryingSettings
 
 void Apply(const TimeVaryingSettings& settings, vtkTimeVaryingIntervalVolume* filter);
 
-/// A source of time steps and the filter under test behind it.
+/// A source of time steps, connected to the filter under test.
 struct TimeVaryingPipeline
 {
   vtkNew<TemporalGrids> Source;
@@ -45,7 +45,7 @@ struct TimeVaryingExtraction
   ReportCopy Report;
 };
 
-/// The filter under test run once over the active scalars.
+/// Executes the filter under test once with the active scalars.
 TimeVaryingExtraction ExtractTimeVarying(
   const TimeSteps& steps, const TimeVaryingSettings& settings);
 

@@ -2,7 +2,7 @@
 #ifndef ReferenceWalls_h
 #define ReferenceWalls_h
 
-#include "Support/Meshes/ReferenceBoundary.h"       // for domains that are no box
+#include "Support/Meshes/ReferenceBoundary.h"       // for domains other than boxes
 #include "Support/TimeVarying/ReferenceTimeSteps.h" // for the steps
 
 #include <array>  // for boxes
@@ -14,9 +14,9 @@ namespace reference
 
 /**
  * @class   DomainWalls
- * @brief   the boundary of a domain, at all times between the first and the last step
+ * @brief   side walls of a domain at all times between the first and the last step
  *
- * The domain is a box whose sides move linearly from step to step, or any that does not move.
+ * The domain is static, or a box whose sides move linearly from step to step.
  */
 class DomainWalls
 {
@@ -29,8 +29,8 @@ public:
     double Time;
   };
 
-  /// Whether one side of the box, or one face of a cell, holds all points, within 1e-10 of the
-  /// size.
+  /// Returns whether one side of the box, or one boundary face, contains all points, with a
+  /// tolerance of 1e-10 of the domain's size.
   bool Hold(const std::vector<Event>& events) const;
 
 private:
@@ -41,7 +41,7 @@ private:
   std::vector<double> Times;
   std::vector<Box> Boxes;
   double Tolerance;
-  std::unique_ptr<DomainBoundary> Faces; ///< where the domain is no box
+  std::unique_ptr<DomainBoundary> Faces; ///< if the domain is not a box
 };
 
 }

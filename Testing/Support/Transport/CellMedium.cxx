@@ -16,7 +16,7 @@ CellMedium::CellMedium(const glm::dvec3& lower, const glm::dvec3& size,
 {
   if (this->Albedo.size() != 1 && this->Albedo.size() != this->Extinction.size())
   {
-    throw std::invalid_argument("another number of albedos than of extinctions");
+    throw std::invalid_argument("the number of albedos must be 1 or the number of extinctions");
   }
   std::vector<ExtinctionRange> ranges;
   for (const double value : this->Extinction)
@@ -27,9 +27,9 @@ CellMedium::CellMedium(const glm::dvec3& lower, const glm::dvec3& size,
     lower, lower + size * glm::dvec3(counts[0], counts[1], counts[2]), counts, std::move(ranges));
 }
 
-std::size_t CellMedium::GetCell(const glm::dvec3& place) const
+std::size_t CellMedium::GetCell(const glm::dvec3& position) const
 {
-  const glm::dvec3 at = (place - this->GetLower()) / this->Size;
+  const glm::dvec3 at = (position - this->GetLower()) / this->Size;
   std::size_t cell = 0;
   for (int axis = 2; axis >= 0; --axis)
   {
@@ -39,14 +39,14 @@ std::size_t CellMedium::GetCell(const glm::dvec3& place) const
   return cell;
 }
 
-double CellMedium::GetExtinction(const glm::dvec3& place) const
+double CellMedium::GetExtinction(const glm::dvec3& position) const
 {
-  return this->Extinction[this->GetCell(place)];
+  return this->Extinction[this->GetCell(position)];
 }
 
-glm::dvec3 CellMedium::GetAlbedo(const glm::dvec3& place) const
+glm::dvec3 CellMedium::GetAlbedo(const glm::dvec3& position) const
 {
-  return this->Albedo.size() == 1 ? this->Albedo.front() : this->Albedo[this->GetCell(place)];
+  return this->Albedo.size() == 1 ? this->Albedo.front() : this->Albedo[this->GetCell(position)];
 }
 
 }

@@ -2,16 +2,16 @@
 #ifndef CloudCase_h
 #define CloudCase_h
 
-#include "Support/Pictures/ShadowScene.h"
+#include "Support/Images/ShadowScene.h"
 
 namespace reference
 {
 
-/// The mean cosine of the angle by which drops of water turn light.
+/// Mean cosine of the scattering angle of water drops.
 constexpr double CloudAnisotropy = 0.85;
 
-/// A cumulus of an optical depth of about 25 in the sun, which stands behind it and above, so many
-/// cells along its longest edge, in a square picture. It absorbs nothing.
+/// Returns a cumulus with an optical depth of about 25, lit by the sun from behind and above, in a
+/// square image. The grid has \a cells cells along its longest edge. There is no absorption.
 ShadowScene MakeCloudCase(int cells, int pixels);
 
 }

@@ -11,7 +11,7 @@ namespace reference
 
 /**
  * @class   FunctionMedium
- * @brief   a medium by formulas
+ * @brief   medium defined by functions
  */
 class FunctionMedium : public TransportMedium
 {
@@ -19,15 +19,21 @@ public:
   using Extinction = std::function<double(const glm::dvec3&)>;
   using Albedo = std::function<glm::dvec3(const glm::dvec3&)>;
 
-  /// The \a extinction is nowhere outside of \a range, and counts within the box alone.
+  /// The \a extinction must be in \a range everywhere. It applies only in the box.
   FunctionMedium(const glm::dvec3& lower, const glm::dvec3& upper, const ExtinctionRange& range,
     const Extinction& extinction, const Albedo& albedo);
 
-  /// Matter that is the same everywhere between z = 0 and \a thickness, without end in x and y.
+  /// Returns a homogeneous medium between z = 0 and \a thickness, infinite in x and y.
   static FunctionMedium Slab(double thickness, double extinction, const glm::dvec3& albedo);
 
-  double GetExtinction(const glm::dvec3& place) const override { return this->GetValue(place); }
-  glm::dvec3 GetAlbedo(const glm::dvec3& place) const override { return this->GetColor(place); }
+  double GetExtinction(const glm::dvec3& position) const override
+  {
+    return this->GetValue(position);
+  }
+  glm::dvec3 GetAlbedo(const glm::dvec3& position) const override
+  {
+    return this->GetColor(position);
+  }
 
 private:
   Extinction GetValue;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Support/Transport/SceneTransport.h"
 
-#include "Support/Pictures/ReferenceRay.h"
+#include "Support/Images/ReferenceRay.h"
 #include "Support/Transport/VolumeMedium.h"
 
 #include <glm/geometric.hpp>
@@ -19,7 +19,7 @@ TransportLight ToTransport(vtkLight* light)
 {
   if (light->GetPositional() != 0)
   {
-    throw std::invalid_argument("a light that has a place");
+    throw std::invalid_argument("positional lights are not supported");
   }
   glm::dvec3 position;
   glm::dvec3 focus;
@@ -31,14 +31,14 @@ TransportLight ToTransport(vtkLight* light)
 
 }
 
-TransportPicture TraceScene(const ShadowScene& scene, const SceneTransportSettings& settings)
+TransportImage TraceScene(const ShadowScene& scene, const SceneTransportSettings& settings)
 {
   if (scene.Matrix || !scene.Actors.empty())
   {
-    throw std::invalid_argument("a volume with a matrix, or opaque surfaces");
+    throw std::invalid_argument("volume matrices and opaque actors are not supported");
   }
   const VolumeMedium medium(scene.Image, scene.Property, settings.Albedo);
-  PictureTransportSettings traced;
+  ImageTransportSettings traced;
   traced.Phase = settings.Phase;
   for (const auto& light : scene.Lights)
   {
@@ -58,7 +58,7 @@ TransportPicture TraceScene(const ShadowScene& scene, const SceneTransportSettin
     };
     return TransportRay{ toVector(ray.Origin), toVector(ray.Direction) };
   };
-  return TracePicture(medium, scene.Size[0], scene.Size[1], lines, traced);
+  return TraceImage(medium, scene.Size[0], scene.Size[1], lines, traced);
 }
 
 }

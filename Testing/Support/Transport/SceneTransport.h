@@ -2,8 +2,8 @@
 #ifndef SceneTransport_h
 #define SceneTransport_h
 
-#include "Support/Pictures/ShadowScene.h"
-#include "Support/Transport/PictureTransport.h"
+#include "Support/Images/ShadowScene.h"
+#include "Support/Transport/ImageTransport.h"
 
 #include <cstdint>
 
@@ -11,26 +11,26 @@ namespace reference
 {
 
 /**
- * How light is scattered in a volume, and how many paths follow it.
+ * Settings of scattering and path tracing in a volume.
  */
 struct SceneTransportSettings
 {
   TransportPhase Phase;
-  /// The volume's colours where it is null.
+  /// Albedo function. If null, the colors of the volume are used.
   vtkSmartPointer<vtkColorTransferFunction> Albedo;
-  /// As PictureTransportSettings have it.
+  /// Maximum number of scattering events, or 0 for no limit.
   int MaximumScatterings = 0;
   std::uint64_t PathsPerPixel = 64;
   std::uint64_t Seed = 1;
 };
 
 /**
- * Traces the picture that vtkShadowedSliceMapper draws of a volume whose light is scattered,
- * through the middles of the pixels. The image has no axes of its own and the volume no matrix, all
- * lights are directional, and nothing is opaque: std::invalid_argument for others, and as
+ * Renders a volume with scattered light, as vtkShadowedSliceMapper does, with view rays through the
+ * pixel centers. The image data must be axis-aligned, the volume must not have a matrix, all lights
+ * must be directional, and no actor is allowed. Throws std::invalid_argument otherwise, and like
  * VolumeMedium.
  */
-TransportPicture TraceScene(const ShadowScene& scene, const SceneTransportSettings& settings);
+TransportImage TraceScene(const ShadowScene& scene, const SceneTransportSettings& settings);
 
 }
 

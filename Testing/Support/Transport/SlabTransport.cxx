@@ -16,18 +16,18 @@ namespace reference
 namespace
 {
 
-/// Paths whose sums are made by one thread, so that none depends on how many there are.
-constexpr std::uint64_t PathsOfBatch = 4096;
+/// Number of paths that one thread sums up, so that sums do not depend on the number of threads.
+constexpr std::uint64_t PathsPerBatch = 4096;
 
 struct PathScore
 {
   double Reflected = 0.0;
   double Transmitted = 0.0;
-  /// The martingale where the path ends less where it began.
+  /// Value of the martingale at the end of the path minus its value at the start.
   double Control = 0.0;
 };
 
-/// Sums over paths of a score, the control, and their products.
+/// Sums over paths of a score, the control variate, and their products.
 struct ControlledSums
 {
   double Score = 0.0;
@@ -112,7 +112,7 @@ public:
         score.Control += (isBack ? 0.0 : this->Settings.Depth) + ray.Direction.z * this->Reach;
         return score;
       }
-      // The slab is the same everywhere across, and digits are kept near 0.
+      // The slab is infinite and homogeneous in x and y, so only z is updated.
       ray.Origin.z += distance * ray.Direction.z;
     }
   }
@@ -140,7 +140,7 @@ private:
 SlabTransportResult TraceSlab(const SlabTransportSettings& settings)
 {
   const SlabPaths paths(settings);
-  const std::uint64_t batches = (settings.Paths + PathsOfBatch - 1) / PathsOfBatch;
+  const std::uint64_t batches = (settings.Paths + PathsPerBatch - 1) / PathsPerBatch;
   std::vector<SlabSums> sums(batches);
   vtkSMPTools::For(0, static_cast<vtkIdType>(batches), 1,
     [&](vtkIdType begin, vtkIdType end)
@@ -148,8 +148,8 @@ SlabTransportResult TraceSlab(const SlabTransportSettings& settings)
       for (vtkIdType batch = begin; batch < end; ++batch)
       {
         SlabSums& sum = sums[static_cast<std::size_t>(batch)];
-        const std::uint64_t first = static_cast<std::uint64_t>(batch) * PathsOfBatch;
-        for (std::uint64_t i = first; i < std::min(first + PathsOfBatch, settings.Paths); ++i)
+        const std::uint64_t first = static_cast<std::uint64_t>(batch) * PathsPerBatch;
+        for (std::uint64_t i = first; i < std::min(first + PathsPerBatch, settings.Paths); ++i)
         {
           const PathScore score = paths.Follow(i);
           sum.Reflected.Add(score.Reflected, score.Control);

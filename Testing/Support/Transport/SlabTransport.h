@@ -11,44 +11,44 @@ namespace reference
 {
 
 /**
- * A slab of matter that is the same everywhere, without reflection at its surfaces, in parallel
- * light.
+ * A homogeneous slab in directional light, without reflection at its surfaces.
  */
 struct SlabTransportSettings
 {
-  /// Extinction times thickness; above 0.
+  /// Optical depth: extinction times thickness, above 0.
   double Depth = 1.0;
   /// 0 to 1.
   double Albedo = 1.0;
   TransportPhase Phase;
-  /// Of the angle between light and the slab's normal; above 0, at most 1.
+  /// Cosine of the angle between the light and the slab's normal, above 0, at most 1.
   double Cosine = 1.0;
-  /// What delta tracking takes for the largest extinction, times the true one; 1 or more.
+  /// Majorant of delta tracking relative to the extinction, at least 1.
   double Majorant = 1.0;
   std::uint64_t Paths = 1000000;
   std::uint64_t Seed = 1;
 };
 
 /**
- * Flux over incident flux, through the slab's surfaces.
+ * Flux through the slab's surfaces relative to the incident flux.
  */
 struct SlabTransportResult
 {
   TransportEstimate Reflected;
-  /// Scattered at least once.
+  /// Flux of light that was scattered at least once.
   TransportEstimate Transmitted;
-  /// Never scattered: exp(-depth / cosine).
+  /// Flux of unscattered light: exp(-depth / cosine).
   double Direct = 0.0;
 };
 
 /**
- * Computes reflection and transmission of a slab by paths of light. Every path is made to collide;
- * what that takes is its weight. The same for any number of threads.
+ * Computes reflection and transmission of a slab by path tracing. Every path is forced to collide
+ * and weighted by the probability of a collision. The result is independent of the number of
+ * threads.
  *
- * Between collisions that scatter, the depth light has reached plus mu / (1 - g), mu the cosine of
- * its direction, is a martingale: its mean where paths end is that where they began. So it is a
- * control variate: a path's score less a multiple of it has the same mean and less variance, a
- * hundredth for deep slabs that do not absorb.
+ * Between scattering events, the current depth plus mu / (1 - g), where mu is the cosine of the
+ * direction, is a martingale: its mean at the end of paths equals its mean at the start. It is
+ * therefore used as a control variate. Subtracting a multiple of it from a path's score keeps the
+ * mean and reduces the variance, to a hundredth for deep slabs without absorption.
  */
 SlabTransportResult TraceSlab(const SlabTransportSettings& settings);
 

@@ -6,7 +6,7 @@ namespace reference
 {
 
 /**
- * A mean over paths, and the standard deviation of that mean.
+ * A mean over paths and its standard error.
  */
 struct TransportEstimate
 {

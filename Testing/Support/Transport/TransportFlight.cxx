@@ -19,7 +19,7 @@ double TransportFlight::SampleCollision(
       while (depth < range.Largest * (b - a))
       {
         a += depth / range.Largest;
-        if (range.Least == range.Largest ||
+        if (range.Minimum == range.Largest ||
           random.Get() * range.Largest < medium.GetExtinction(ray.At(a)))
         {
           collision = a;
@@ -40,8 +40,8 @@ double TransportFlight::EstimateTransmittance(
   medium.Walk(ray, end,
     [&](double a, double b, const ExtinctionRange& range)
     {
-      transmittance *= std::exp(-range.Least * (b - a));
-      const double rest = range.Largest - range.Least;
+      transmittance *= std::exp(-range.Minimum * (b - a));
+      const double rest = range.Largest - range.Minimum;
       while (rest > 0.0)
       {
         a -= std::log(random.Get()) / rest;
@@ -58,18 +58,18 @@ double TransportFlight::EstimateTransmittance(
 
 bool TransportFlight::Survives(glm::dvec3& weight, TransportRandom& random)
 {
-  constexpr double little = 0.1;
+  constexpr double threshold = 0.1;
   const double largest = std::max({ weight.x, weight.y, weight.z });
-  if (largest >= little)
+  if (largest >= threshold)
   {
     return true;
   }
-  if (random.Get() * little >= largest)
+  if (random.Get() * threshold >= largest)
   {
     weight = glm::dvec3(0.0);
     return false;
   }
-  weight *= little / largest;
+  weight *= threshold / largest;
   return true;
 }
 

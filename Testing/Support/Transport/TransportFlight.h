@@ -10,29 +10,29 @@ namespace reference
 {
 
 /**
- * What happens to light between two collisions, without bias for any medium.
+ * Unbiased sampling of light between two collisions in any medium.
  */
 namespace TransportFlight
 {
 /**
- * Returns the distance to where light meets matter next, infinite where it leaves. Delta tracking:
- * E. Woodcock et al., "Techniques used in the GEM code for Monte Carlo neutronics calculations",
- * 1965.
+ * Returns the distance to the next collision, or infinity if the light leaves the medium. Uses
+ * delta tracking: E. Woodcock et al., "Techniques used in the GEM code for Monte Carlo neutronics
+ * calculations", 1965.
  */
 double SampleCollision(
   const TransportMedium& medium, const TransportRay& ray, TransportRandom& random);
 
 /**
- * Returns an estimate of the share of light that comes through up to \a end. Residual ratio
- * tracking: J. Novak et al., "Residual ratio tracking for estimating attenuation in participating
- * media", 2014; exact in cells where the extinction is the same everywhere.
+ * Returns an estimate of the transmittance up to \a end. Uses residual ratio tracking: J. Novak et
+ * al., "Residual ratio tracking for estimating attenuation in participating media", 2014. The
+ * estimate is exact in homogeneous cells.
  */
 double EstimateTransmittance(
   const TransportMedium& medium, const TransportRay& ray, double end, TransportRandom& random);
 
 /**
- * Ends paths that carry little, by chance, without bias: returns false where the path ends, else
- * multiplies \a weight by what makes up for those that have.
+ * Applies Russian roulette to paths with a small weight. Returns false if the path ends, otherwise
+ * scales \a weight to compensate for ended paths.
  */
 bool Survives(glm::dvec3& weight, TransportRandom& random);
 }

@@ -12,7 +12,7 @@ void TransportMedium::SetCells(const glm::dvec3& lower, const glm::dvec3& upper,
 {
   if (ranges.size() != static_cast<std::size_t>(counts[0]) * counts[1] * counts[2])
   {
-    throw std::invalid_argument("another number of ranges than of cells");
+    throw std::invalid_argument("the number of extinction ranges differs from the number of cells");
   }
   this->Lower = lower;
   this->Upper = upper;

@@ -13,7 +13,7 @@ namespace reference
 {
 
 /**
- * A line in the world; the direction has length 1.
+ * A ray in world coordinates. The direction has length 1.
  */
 struct TransportRay
 {
@@ -24,41 +24,41 @@ struct TransportRay
 };
 
 /**
- * Between what the extinction stays in a part of a medium.
+ * Bounds of the extinction in part of a medium.
  */
 struct ExtinctionRange
 {
-  double Least = 0.0;
+  double Minimum = 0.0;
   double Largest = 0.0;
 };
 
 /**
  * @class   TransportMedium
- * @brief   matter that absorbs and scatters light, in a box
+ * @brief   absorbing and scattering medium in a box
  *
- * Extinction is per unit of length; the albedo is what is scattered of what is taken out, 0 to 1,
- * for red, green and blue. Cells of the box know the range of the extinction in them, which need
- * not be tight but has to hold: the nearer it is, the fewer steps paths take.
+ * The extinction is per unit length. The albedo is the scattered fraction of the extinction, 0 to
+ * 1, for red, green and blue. The box is divided into cells, each with a range that contains its
+ * extinction. Ranges need not be tight. Tighter ranges reduce the number of steps of paths.
  */
 class TransportMedium
 {
 public:
   virtual ~TransportMedium() = default;
 
-  virtual double GetExtinction(const glm::dvec3& place) const = 0;
-  virtual glm::dvec3 GetAlbedo(const glm::dvec3& place) const = 0;
+  virtual double GetExtinction(const glm::dvec3& position) const = 0;
+  virtual glm::dvec3 GetAlbedo(const glm::dvec3& position) const = 0;
 
-  /// Reduces [begin, end] to where the ray is in the box; false where nothing is left.
+  /// Clips [begin, end] to the box. Returns false if the result is empty.
   bool Clip(const TransportRay& ray, double& begin, double& end) const;
 
-  /// Calls visit(a, b, range) for the parts of the ray that lie in a cell each, in order, until it
-  /// returns false or the ray leaves the box.
+  /// Calls visit(a, b, range) for the intervals of the ray in each cell, in order, until it returns
+  /// false or the ray leaves the box.
   template <typename Visit>
   void Walk(const TransportRay& ray, double end, const Visit& visit) const;
 
 protected:
-  /// Sets the box and \a counts of cells along its axes, x first in \a ranges. An axis with one
-  /// cell may be without end.
+  /// Sets the box and the number of cells along its axes, with x fastest in \a ranges. An axis with
+  /// one cell may be infinite.
   void SetCells(const glm::dvec3& lower, const glm::dvec3& upper, const std::array<int, 3>& counts,
     std::vector<ExtinctionRange> ranges);
 

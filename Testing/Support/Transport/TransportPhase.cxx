@@ -19,7 +19,8 @@ TransportPhase TransportPhase::HenyeyGreenstein(double g)
 {
   if (!(std::abs(g) < 1.0))
   {
-    throw std::invalid_argument("the mean cosine is not between -1 and 1");
+    throw std::invalid_argument(
+      "HenyeyGreenstein: the mean cosine must be between -1 and 1, exclusive");
   }
   TransportPhase phase;
   phase.MeanCosine = g;
@@ -33,32 +34,33 @@ TransportPhase TransportPhase::Table(
     cosines.back() != 1.0 || !std::is_sorted(cosines.begin(), cosines.end()) ||
     *std::min_element(values.begin(), values.end()) < 0.0)
   {
-    throw std::invalid_argument("no table of values at cosines from -1 to 1");
+    throw std::invalid_argument(
+      "Table: the cosines must rise from -1 to 1, with one nonnegative value each");
   }
   TransportPhase phase;
   phase.Cosines = cosines;
   phase.Values = values;
-  phase.Shares = { 0.0 };
+  phase.Cumulative = { 0.0 };
   for (std::size_t i = 1; i < cosines.size(); ++i)
   {
     const double width = cosines[i] - cosines[i - 1];
-    phase.Shares.push_back(phase.Shares.back() + 0.5 * width * (values[i - 1] + values[i]));
-    // The integral of the cosine times a straight piece.
+    phase.Cumulative.push_back(phase.Cumulative.back() + 0.5 * width * (values[i - 1] + values[i]));
+    // The integral of the cosine times a linear piece.
     phase.MeanCosine += width *
       (cosines[i - 1] * (2.0 * values[i - 1] + values[i]) +
         cosines[i] * (values[i - 1] + 2.0 * values[i])) /
       6.0;
   }
-  const double sum = phase.Shares.back();
+  const double sum = phase.Cumulative.back();
   if (!(sum > 0.0))
   {
-    throw std::invalid_argument("a table of no light");
+    throw std::invalid_argument("Table: at least one value must be positive");
   }
   phase.MeanCosine /= sum;
   for (std::size_t i = 0; i < cosines.size(); ++i)
   {
     phase.Values[i] /= sum;
-    phase.Shares[i] /= sum;
+    phase.Cumulative[i] /= sum;
   }
   return phase;
 }
@@ -79,31 +81,32 @@ double TransportPhase::GetValue(double cosine) const
   return ((1.0 - t) * this->Values[i - 1] + t * this->Values[i]) / (2.0 * Pi);
 }
 
-double TransportPhase::SampleTable(double share) const
+double TransportPhase::SampleTable(double cumulative) const
 {
-  const auto above = std::upper_bound(this->Shares.begin() + 1, this->Shares.end() - 1, share);
-  const std::size_t i = static_cast<std::size_t>(above - this->Shares.begin());
+  const auto above =
+    std::upper_bound(this->Cumulative.begin() + 1, this->Cumulative.end() - 1, cumulative);
+  const std::size_t i = static_cast<std::size_t>(above - this->Cumulative.begin());
   const double width = this->Cosines[i] - this->Cosines[i - 1];
   const double low = this->Values[i - 1];
   const double slope = this->Values[i] - low;
-  // share = width (low t + slope t^2 / 2); the form of the root that loses no digits.
-  const double rest = width > 0.0 ? (share - this->Shares[i - 1]) / width : 0.0;
+  // Solves cumulative = width (low t + slope t^2 / 2) in the numerically stable form of the root.
+  const double rest = width > 0.0 ? (cumulative - this->Cumulative[i - 1]) / width : 0.0;
   const double root = std::sqrt(std::max(low * low + 2.0 * slope * rest, 0.0));
   const double t = low + root > 0.0 ? 2.0 * rest / (low + root) : 0.0;
   return this->Cosines[i - 1] + width * std::min(t, 1.0);
 }
 
-double TransportPhase::SampleCosine(double share) const
+double TransportPhase::SampleCosine(double cumulative) const
 {
   if (!this->Cosines.empty())
   {
-    return this->SampleTable(share);
+    return this->SampleTable(cumulative);
   }
   const double g = this->MeanCosine;
-  const double across = 2.0 * share - 1.0;
+  const double across = 2.0 * cumulative - 1.0;
   if (std::abs(g) < 1e-3)
   {
-    // To second order in g, where the formula below loses its digits.
+    // Second-order expansion for small g, for which the formula below loses precision.
     return across + g * (1.0 - across * across) * (1.5 - 2.0 * g * across);
   }
   const double ratio = (1.0 - g * g) / (1.0 + g * across);
@@ -113,17 +116,17 @@ double TransportPhase::SampleCosine(double share) const
 glm::dvec3 TransportPhase::Scatter(const glm::dvec3& direction, TransportRandom& random) const
 {
   const double cosine = std::clamp(this->SampleCosine(random.Get()), -1.0, 1.0);
-  const double turn = 2.0 * Pi * random.Get();
+  const double azimuth = 2.0 * Pi * random.Get();
   const double sine = std::sqrt((1.0 - cosine) * (1.0 + cosine));
-  // Axes across a direction: T. Duff et al., "Building an orthonormal basis, revisited", 2017.
+  // Orthonormal basis: T. Duff et al., "Building an orthonormal basis, revisited", 2017.
   const double sign = std::copysign(1.0, direction.z);
   const double a = -1.0 / (sign + direction.z);
   const double b = direction.x * direction.y * a;
   const glm::dvec3 first(1.0 + sign * direction.x * direction.x * a, sign * b, -sign * direction.x);
   const glm::dvec3 second(b, sign + direction.y * direction.y * a, -direction.y);
   const glm::dvec3 to =
-    cosine * direction + sine * (std::cos(turn) * first + std::sin(turn) * second);
-  // Steps of rounding would add up over thousands of scatterings.
+    cosine * direction + sine * (std::cos(azimuth) * first + std::sin(azimuth) * second);
+  // Without normalization, rounding errors would accumulate over thousands of scattering events.
   return to / std::sqrt(to.x * to.x + to.y * to.y + to.z * to.z);
 }
 

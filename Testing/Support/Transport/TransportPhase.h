@@ -13,40 +13,41 @@ class TransportRandom;
 
 /**
  * @class   TransportPhase
- * @brief   how light is turned where it is scattered
+ * @brief   phase function of scattering
  *
- * p(c) per steradian, c the cosine of the angle by which light turns, 1 straight on; its integral
- * over the sphere is 1. Isotropic; Henyey and Greenstein's (1 - g^2) / (4 pi (1 + g^2 - 2 g
- * c)^(3/2)); or a table, straight between its nodes.
+ * p(c) is per steradian, where c is the cosine of the scattering angle, 1 for forward scattering.
+ * Its integral over the sphere is 1. It is isotropic, the Henyey-Greenstein function (1 - g^2) / (4
+ * pi (1 + g^2 - 2 g c)^(3/2)), or a piecewise linear table.
  */
 class TransportPhase
 {
 public:
-  /// Isotropic.
+  /// Creates an isotropic phase function.
   TransportPhase() = default;
-  /// \a g between -1 and 1, neither of which it is.
+  /// Returns a Henyey-Greenstein function. \a g must be between -1 and 1, exclusive.
   static TransportPhase HenyeyGreenstein(double g);
-  /// Values of any scale, not negative, at cosines that rise from -1 to 1. std::invalid_argument
-  /// for others.
+  /// Returns a tabulated function from nonnegative values of any scale at cosines that rise from -1
+  /// to 1. Throws std::invalid_argument for other input.
   static TransportPhase Table(
     const std::vector<double>& cosines, const std::vector<double>& values);
 
   /// Returns p at a cosine, per steradian.
   double GetValue(double cosine) const;
-  /// Returns the mean of the cosine, g.
+  /// Returns the mean cosine g.
   double GetMeanCosine() const { return this->MeanCosine; }
-  /// Returns a direction into which light that goes along \a direction is scattered.
+  /// Returns a random direction after scattering of light with the given direction.
   glm::dvec3 Scatter(const glm::dvec3& direction, TransportRandom& random) const;
 
 private:
-  double SampleCosine(double share) const;
-  double SampleTable(double share) const;
+  double SampleCosine(double cumulative) const;
+  double SampleTable(double cumulative) const;
 
   double MeanCosine = 0.0;
-  /// The table's nodes, p at them times 2 pi, and the share of light up to them; empty for none.
+  /// Nodes of the table, p times 2 pi and the cumulative distribution at the nodes. Empty if there
+  /// is no table.
   std::vector<double> Cosines;
   std::vector<double> Values;
-  std::vector<double> Shares;
+  std::vector<double> Cumulative;
 };
 
 }

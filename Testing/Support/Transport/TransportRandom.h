@@ -9,11 +9,11 @@ namespace reference
 
 /**
  * @class   TransportRandom
- * @brief   numbers at random of one path, by its seed and number alone
+ * @brief   random numbers of one path, determined by its seed and index
  *
  * The n-th number is a hash of a counter (G. Steele, D. Lea and C. Flood, "Fast splittable
- * pseudorandom number generators", OOPSLA 2014), so that a path has the same numbers whichever
- * thread follows it.
+ * pseudorandom number generators", OOPSLA 2014). Therefore, a path has the same numbers in any
+ * thread.
  */
 class TransportRandom
 {
@@ -23,7 +23,7 @@ public:
   {
   }
 
-  /// Returns a number between 0 and 1, neither of which it is.
+  /// Returns a number between 0 and 1, exclusive.
   double Get()
   {
     this->Counter += Golden;

@@ -20,9 +20,9 @@ namespace
 {
 
 constexpr int NumberOfColumns = 4096;
-/// Cells of the image along an edge of a block whose range is known.
+/// Number of image cells along the edge of a block with a common extinction range.
 constexpr int BlockSize = 4;
-/// exp(-OpticalDepthOfOpaque) is nothing.
+/// exp(-OpticalDepthOfOpaque) is negligible.
 constexpr double OpticalDepthOfOpaque = 700.0;
 
 }
@@ -34,7 +34,7 @@ VolumeMedium::VolumeMedium(
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   if (!scalars || scalars->GetNumberOfComponents() != 1)
   {
-    throw std::invalid_argument("no scalars of one component at the points");
+    throw std::invalid_argument("the image has no one-component point scalars");
   }
   image->GetDimensions(this->Points.data());
   double range[2];
@@ -86,7 +86,7 @@ std::vector<ExtinctionRange> VolumeMedium::GetBlockRanges(const std::array<int, 
       BlockSize * (block / blocks[0] % blocks[1]), BlockSize * (block / blocks[0] / blocks[1]) } };
     float low = NumberOfColumns;
     float high = 0.0F;
-    bool isWhole = true;
+    bool isInside = true;
     for (int corner = 0; corner < (BlockSize + 1) * (BlockSize + 1) * (BlockSize + 1); ++corner)
     {
       const int i = first[0] + corner % (BlockSize + 1);
@@ -101,67 +101,67 @@ std::vector<ExtinctionRange> VolumeMedium::GetBlockRanges(const std::array<int, 
       }
       else
       {
-        isWhole = false;
+        isInside = false;
       }
     }
     const auto begin = this->Extinction.begin() + static_cast<int>(low);
     const auto end =
       this->Extinction.begin() + std::min(static_cast<int>(high) + 2, NumberOfColumns);
-    // A block at the image's end is in part outside, where nothing is.
+    // A block at the upper boundary of the image extends outside it, where the extinction is 0.
     ranges.push_back(
-      { isWhole ? *std::min_element(begin, end) : 0.0, *std::max_element(begin, end) });
+      { isInside ? *std::min_element(begin, end) : 0.0, *std::max_element(begin, end) });
   }
   return ranges;
 }
 
-double VolumeMedium::GetColumn(const glm::dvec3& place) const
+double VolumeMedium::GetColumn(const glm::dvec3& position) const
 {
   std::array<vtkIdType, 3> cell;
-  glm::dvec3 share;
+  glm::dvec3 fraction;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double at = (place[axis] - this->GetLower()[axis]) / this->Spacing[axis];
+    const double at = (position[axis] - this->GetLower()[axis]) / this->Spacing[axis];
     if (!(at >= 0.0 && at <= this->Points[axis] - 1))
     {
       return -1.0;
     }
     cell[axis] = std::min(static_cast<int>(at), std::max(this->Points[axis] - 2, 0));
-    share[axis] = at - static_cast<double>(cell[axis]);
+    fraction[axis] = at - static_cast<double>(cell[axis]);
   }
   const vtkIdType row = this->Points[0];
   const vtkIdType layer = row * this->Points[1];
   const float* values = this->Columns.data() + cell[0] + row * cell[1] + layer * cell[2];
   const auto along = [&](const float* at)
-  { return at[0] + share[0] * (static_cast<double>(at[1]) - at[0]); };
+  { return at[0] + fraction[0] * (static_cast<double>(at[1]) - at[0]); };
   const auto across = [&](const float* at)
   {
     const double first = along(at);
-    return first + share[1] * (along(at + row) - first);
+    return first + fraction[1] * (along(at + row) - first);
   };
   const double first = across(values);
-  return first + share[2] * (across(values + layer) - first);
+  return first + fraction[2] * (across(values + layer) - first);
 }
 
-double VolumeMedium::GetExtinction(const glm::dvec3& place) const
+double VolumeMedium::GetExtinction(const glm::dvec3& position) const
 {
-  const double column = this->GetColumn(place);
+  const double column = this->GetColumn(position);
   if (column < 0.0)
   {
     return 0.0;
   }
   const std::size_t i =
     std::min(static_cast<std::size_t>(column), std::size_t(NumberOfColumns - 2));
-  const double share = column - static_cast<double>(i);
-  return (1.0 - share) * this->Extinction[i] + share * this->Extinction[i + 1];
+  const double fraction = column - static_cast<double>(i);
+  return (1.0 - fraction) * this->Extinction[i] + fraction * this->Extinction[i + 1];
 }
 
-glm::dvec3 VolumeMedium::GetAlbedo(const glm::dvec3& place) const
+glm::dvec3 VolumeMedium::GetAlbedo(const glm::dvec3& position) const
 {
-  const double column = std::max(this->GetColumn(place), 0.0);
+  const double column = std::max(this->GetColumn(position), 0.0);
   const std::size_t i =
     std::min(static_cast<std::size_t>(column), std::size_t(NumberOfColumns - 2));
-  const double share = column - static_cast<double>(i);
-  return (1.0 - share) * this->Albedo[i] + share * this->Albedo[i + 1];
+  const double fraction = column - static_cast<double>(i);
+  return (1.0 - fraction) * this->Albedo[i] + fraction * this->Albedo[i + 1];
 }
 
 }

@@ -13,26 +13,27 @@ namespace reference
 
 /**
  * @class   VolumeMedium
- * @brief   an image as a medium, by the transfer functions of its volume
+ * @brief   medium defined by an image and the transfer functions of a volume
  *
- * Active scalars of points, of one component, interpolated in each cell between them; the
- * extinction is -ln(1 - opacity) per ScalarOpacityUnitDistance, the albedo the volume's colour or
- * that of a function of its own. Functions are taken from tables of 4,096 columns over the range of
- * the data, straight between them.
+ * Uses the active one-component point scalars with trilinear interpolation. The extinction is -ln(1
+ * - opacity) per ScalarOpacityUnitDistance. The albedo is the volume's color or a separate
+ * function. Functions are sampled in tables of 4,096 columns over the range of the data and
+ * interpolated linearly.
  */
 class VolumeMedium : public TransportMedium
 {
 public:
-  /// \a albedo may be null. std::invalid_argument without such scalars.
+  /// \a albedo may be null. Throws std::invalid_argument if the image has no active one-component
+  /// point scalars.
   VolumeMedium(
     vtkImageData* image, vtkVolumeProperty* property, vtkColorTransferFunction* albedo = nullptr);
 
-  double GetExtinction(const glm::dvec3& place) const override;
-  glm::dvec3 GetAlbedo(const glm::dvec3& place) const override;
+  double GetExtinction(const glm::dvec3& position) const override;
+  glm::dvec3 GetAlbedo(const glm::dvec3& position) const override;
 
 private:
-  /// Returns the interpolated scalar in columns of the tables.
-  double GetColumn(const glm::dvec3& place) const;
+  /// Returns the interpolated scalar in table columns.
+  double GetColumn(const glm::dvec3& position) const;
   std::vector<ExtinctionRange> GetBlockRanges(const std::array<int, 3>& blocks) const;
 
   glm::dvec3 Spacing{};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Layers of several processes over each other, in any order of the processes, are what one process
-// composites of all of them.
+// Tests that layers of several processes, composited in any order of processes, equal the layers
+// composited by one process.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "Pieces/PieceExchange.h"
@@ -24,7 +24,7 @@ using reference::Check;
 
 constexpr std::size_t PIXELS = 501;
 
-/// The layer of a process: clear, opaque and in between.
+/// Returns the layer of a process, with transparent, opaque and translucent pixels.
 std::vector<float> MakeLayer(int rank, unsigned int seed)
 {
   std::mt19937 random(seed + 97u * static_cast<unsigned int>(rank));
@@ -42,22 +42,22 @@ std::vector<float> MakeLayer(int rank, unsigned int seed)
   return colors;
 }
 
-std::vector<double> CompositeAlone(const std::vector<int>& order, unsigned int seed)
+std::vector<double> CompositeSerially(const std::vector<int>& order, unsigned int seed)
 {
-  std::vector<double> picture(4 * PIXELS, 0.0);
+  std::vector<double> image(4 * PIXELS, 0.0);
   for (const int rank : order)
   {
     const std::vector<float> layer = MakeLayer(rank, seed);
     for (std::size_t p = 0; p < PIXELS; ++p)
     {
-      const double through = 1.0 - picture[4 * p + 3];
+      const double transmittance = 1.0 - image[4 * p + 3];
       for (std::size_t c = 4 * p; c < 4 * p + 4; ++c)
       {
-        picture[c] += through * static_cast<double>(layer[c]);
+        image[c] += transmittance * static_cast<double>(layer[c]);
       }
     }
   }
-  return picture;
+  return image;
 }
 
 }
@@ -76,7 +76,7 @@ int main(int argc, char* argv[])
     std::shuffle(order.begin(), order.end(), random);
     std::vector<float> colors = MakeLayer(exchange.GetRank(), round);
     exchange.Composite(colors, order);
-    const std::vector<double> expected = CompositeAlone(order, round);
+    const std::vector<double> expected = CompositeSerially(order, round);
     double error = 0.0;
     for (std::size_t i = 0; i < expected.size(); ++i)
     {

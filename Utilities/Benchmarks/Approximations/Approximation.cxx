@@ -15,16 +15,16 @@ namespace approximations
 namespace
 {
 const char* const IsDefault = "default";
-const char* const IsPeer = "peer";
+const char* const IsBaseline = "peer";
 const char* const ProcessorSeconds = "processor_seconds";
 
-/// The counts that are sizes, in words.
+/// Returns the counts that are sizes, as text.
 std::string SizesOf(const BenchRow& row)
 {
   std::string text;
   for (const auto& count : row.Counts.items())
   {
-    if (count.key() != IsDefault && count.key() != IsPeer && count.key() != ProcessorSeconds)
+    if (count.key() != IsDefault && count.key() != IsBaseline && count.key() != ProcessorSeconds)
     {
       text +=
         (text.empty() ? " " : ", ") + count.key() + " " + NumberText(count.value().get<double>());
@@ -70,7 +70,7 @@ void Trials::Run(
     }
     if (trial.By != Maker::Own)
     {
-      row.Counts[trial.By == Maker::Peer ? IsPeer : IsDefault] = 1;
+      row.Counts[trial.By == Maker::Baseline ? IsBaseline : IsDefault] = 1;
     }
     rows.Add(row);
   }
@@ -80,10 +80,10 @@ BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows)
 {
   BenchPlot plot = BenchPlot::OfErrors(question.Name, question.Title, question.TimeLabel,
     "error: " + question.ErrorNorm, question.Text, question.Conditions);
-  bool isWatched = false;
+  bool hasProcessorTimes = false;
   for (const BenchRow& row : rows)
   {
-    // An error of nothing has no place on a logarithmic axis.
+    // Zero cannot be drawn on a logarithmic axis.
     if (row.Case != question.Name || !(*row.Error > 0.0))
     {
       continue;
@@ -92,17 +92,17 @@ BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows)
     {
       plot.Conditions += SizesOf(row);
     }
-    isWatched = row.Counts.contains(ProcessorSeconds);
+    hasProcessorTimes = row.Counts.contains(ProcessorSeconds);
     const double seconds =
-      isWatched ? row.Counts[ProcessorSeconds].get<double>() : row.Seconds->Value;
+      hasProcessorTimes ? row.Counts[ProcessorSeconds].get<double>() : row.Seconds->Value;
     const std::string setting = row.Parameter.is_null() ? std::string() : row.GetParameterText();
-    plot.AddPoint(row.Method, row.Counts.contains(IsPeer), seconds, *row.Error, setting);
+    plot.AddPoint(row.Method, row.Counts.contains(IsBaseline), seconds, *row.Error, setting);
     if (row.Counts.contains(IsDefault))
     {
       plot.SetDefault(row.Method, setting);
     }
   }
-  if (isWatched)
+  if (hasProcessorTimes)
   {
     plot.XLabel = "processor " + question.TimeLabel;
     plot.Conditions += " Times are the processor's, of all threads.";
@@ -116,9 +116,9 @@ BenchClaim CheckDefaults(const std::vector<Family>& families, const std::vector<
   claim.Text = "the default at most 1.1 times the time of what has no larger error";
   for (const Family& family : families)
   {
-    if (const auto over = GetCostOverFront(MakePlot(family.Asked, rows)))
+    if (const auto over = GetCostOverFront(MakePlot(family.Query, rows)))
     {
-      claim.Cases.push_back({ family.Asked.Name, *over, *over <= FrontTolerance });
+      claim.Cases.push_back({ family.Query.Name, *over, *over <= FrontTolerance });
     }
   }
   return claim;
@@ -130,7 +130,7 @@ BenchPart MakeFamilyPart(const std::vector<Family>& families)
     {
       for (const Family& family : families)
       {
-        family.AddRows(family.Asked, options, rows);
+        family.AddRows(family.Query, options, rows);
       }
     },
     [families](const std::vector<BenchRow>& rows)
@@ -138,7 +138,7 @@ BenchPart MakeFamilyPart(const std::vector<Family>& families)
       std::vector<BenchPlot> plots;
       for (const Family& family : families)
       {
-        plots.push_back(MakePlot(family.Asked, rows));
+        plots.push_back(MakePlot(family.Query, rows));
       }
       return plots;
     },

@@ -12,60 +12,60 @@
 class vtkRenderWindow;
 
 /**
- * Settings by which something is only approximately right: how wrong against how long it takes.
+ * Error against run time of approximate methods, over the values of a setting.
  */
 namespace approximations
 {
-/// What one plot answers.
+/// A question that one plot answers.
 struct Question
 {
-  /// The case of its rows and the name of its plot.
+  /// Case of the question's rows, and name of its plot.
   std::string Name;
   std::string Title;
   std::string Text;
-  /// What is measured on what, and what it is compared with, for the caption; numbers of sizes
-  /// stand in the rows, see Trials::SetSize.
+  /// Data, method and baseline, for the caption. Sizes are added from the rows, see
+  /// Trials::SetSize.
   std::string Conditions;
   std::string TimeLabel;
   std::string ErrorNorm;
 };
 
-/// Who makes a trial: ours, ours as nobody has to ask for, another project's.
+/// Origin of a trial: a setting of Interlume, its default setting, or another project.
 enum class Maker
 {
   Own,
   Default,
-  Peer
+  Baseline
 };
 
-/// What the times of a plot are of: the clock on the wall, or the processor time of all threads,
-/// which what else the machine does is not in.
+/// Clock of the times of a plot: wall time, or the processor time of all threads. Processor time
+/// excludes other programs.
 enum class Clock
 {
   Wall,
   Processor
 };
 
-/// The clock of what draws into a window: the processor's where OpenGL is software, whose threads
-/// are this process's, and the one on the wall where a graphics card draws.
+/// Returns Processor if OpenGL renders in software, with threads of this process. Returns Wall if a
+/// graphics card renders.
 Clock ClockOf(vtkRenderWindow* window);
 
 /**
- * The ways to do one thing, which are timed in turn and then compared with a reference.
+ * Alternative methods for one task. They are timed alternately and then compared with a reference.
  */
 class Trials
 {
 public:
-  /// \a setting is written beside the point; empty for nothing. \a measure is called after the
-  /// runs and once for each trial, in their order.
+  /// Adds a trial. \a setting labels its point in the plot; it may be empty. \a measure returns the
+  /// error and is called once for each trial after all runs, in the order of the trials.
   void Add(const std::string& method, const std::string& setting, Maker maker,
     const BenchWork& work, const std::function<double()>& measure);
 
-  /// Adds a number to all rows, such as cells or pixels along an edge, for the caption.
+  /// Stores a size, such as the number of pixels along an edge, in all rows for the caption.
   void SetSize(const std::string& name, double number) { this->Sizes[name] = number; }
 
-  /// Measures, and adds a row for each trial: in its counts `default` or `peer`, 1 where it is
-  /// that, the sizes, and by the processor's clock `processor_seconds` beside the seconds.
+  /// Measures all trials and adds a row for each. Counts: `default` or `peer` with value 1 if the
+  /// trial is one of these, the sizes, and, with Clock::Processor, `processor_seconds`.
   void Run(const Question& question, const BenchOptions& options, BenchRows& rows,
     Clock clock = Clock::Wall) const;
 
@@ -83,25 +83,25 @@ private:
   nlohmann::ordered_json Sizes = nlohmann::ordered_json::object();
 };
 
-/// A question and who measures it.
+/// A question and the function that measures its rows.
 struct Family
 {
-  Question Asked;
+  Question Query;
   void (*AddRows)(const Question& question, const BenchOptions& options, BenchRows& rows);
 };
 
-/// The plot of a question's rows: a series for each method, the default's point ringed. Where the
-/// rows have processor seconds, these are its times, and the axis and caption say so.
+/// Returns the plot of a question's rows: a series for each method, with a ring around the default.
+/// If the rows have processor times, the plot shows these and its axis and caption state so.
 BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows);
 
-/// Returns the claim that each default is on its front, by GetCostOverFront.
+/// Returns the claim that each default is on its Pareto front, see GetCostOverFront.
 BenchClaim CheckDefaults(const std::vector<Family>& families, const std::vector<BenchRow>& rows);
 
-/// Returns a part whose cases are questions, each with a plot of errors against run times, and
-/// whose target is that each default is on its front.
+/// Returns a part of a suite whose cases are questions, each with a plot of error against run time.
+/// The target is that each default is on its Pareto front.
 BenchPart MakeFamilyPart(const std::vector<Family>& families);
 
-/// A number in a setting: 0.5, 64.
+/// Formats the value of a setting, such as 0.5 or 64.
 std::string NumberText(double number);
 }
 

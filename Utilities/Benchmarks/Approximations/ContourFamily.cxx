@@ -15,7 +15,8 @@ namespace approximations
 {
 namespace
 {
-/// The root mean square, over the area, of how far triangles are from the level of a field.
+/// Returns the root mean square distance of triangles from a level set of a field, weighted by
+/// area.
 double MeasureLevel(vtkDataSet* triangles, const AnalyticCase& field, double value)
 {
   const auto evaluate = [&field](const double at[3], double gradient[3])
@@ -72,9 +73,9 @@ void AddContourRows(const Question& question, const BenchOptions& options, Bench
       [image, value]() { return methods::IsotableContour(image, value, true); });
     add("isotable, hexahedra", Maker::Own,
       [grid, value]() { return methods::IsotableContour(grid, value, true); });
-    add("flyingedges, image", Maker::Peer,
+    add("flyingedges, image", Maker::Baseline,
       [image, value]() { return methods::FlyingEdges(image, value); });
-    add("contour3dlinear, hexahedra", Maker::Peer,
+    add("contour3dlinear, hexahedra", Maker::Baseline,
       [grid, value]() { return methods::Contour3DLinearGrid(grid, value, true); });
   }
   trials.Run(question, options, rows);
@@ -83,11 +84,13 @@ void AddContourRows(const Question& question, const BenchOptions& options, Bench
 
 Family MakeContourFamily()
 {
-  return { { "contour-error", "Contours: error against run time as the grid gets finer, 1 thread",
-             "How far is a contour from the surface, by which filter?",
-             "A contour of the gyroid, points along an edge of the grid at each point; distances "
-             "of triangles from the formula's own surface, integrated over their area.",
-             "run time (s)", "distance from the surface, rms, share of the domain's edge" },
-    AddContourRows };
+  return {
+    { "contour-error", "Contours: error against run time as the grid gets finer, 1 thread",
+      "Which contour filter is closest to the surface for its run time?",
+      "A contour of the gyroid; labels are grid points along an edge. The error is the distance "
+      "of the triangles from the exact level set, integrated over their area.",
+      "run time (s)", "distance from the surface, rms, share of the domain's edge" },
+    AddContourRows
+  };
 }
 }

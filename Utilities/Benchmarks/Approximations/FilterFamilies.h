@@ -5,25 +5,25 @@
 #include "Benchmarks/Approximations/Approximation.h"
 
 /**
- * The questions of the suite `filter-errors`: results of filters against formulas.
+ * Questions of the suite `filter-errors`: results of filters compared with formulas.
  */
 namespace approximations
 {
-/// vtkIsotableContour by points of the grid, beside vtkFlyingEdges3D and vtkContour3DLinearGrid.
+/// vtkIsotableContour, vtkFlyingEdges3D and vtkContour3DLinearGrid at several grid resolutions.
 Family MakeContourFamily();
 
-/// vtkTetrahedralMesher by MaximumVolume and QualityBound, beside vtkDelaunay3D; no rows where it
-/// was not built.
+/// vtkTetrahedralMesher with several values of MaximumVolume and QualityBound, and vtkDelaunay3D.
+/// Adds no rows if the mesher was not built.
 Family MakeMesherFamily();
 
-/// vtkFlowCriticalPoints by points of the grid, beside vtkVectorFieldTopology.
+/// vtkFlowCriticalPoints and vtkVectorFieldTopology at several grid resolutions.
 Family MakeCriticalPointFamily();
-/// vtkVortexAxis by points of the grid.
+/// vtkVortexAxis at several grid resolutions.
 Family MakeVortexAxisFamily();
-/// vtkStreamSurfaceParameters by Resolution.
+/// vtkStreamSurfaceParameters with several values of Resolution.
 Family MakeStreamSurfaceFamily();
 
-/// vtkFlowLIC by StepLength.
+/// vtkFlowLIC with several values of StepLength.
 Family MakeLicStepFamily();
 }
 

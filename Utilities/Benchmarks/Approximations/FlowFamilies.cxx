@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Approximations/FilterFamilies.h"
-#include "Support/AnalyticFlows/ReferenceFlowAnswers.h"
+#include "Support/AnalyticFlows/ReferenceFlowResults.h"
 
 #include "vtkFlowCriticalPoints.h"
 #include "vtkFlowVolume.h"
@@ -34,7 +34,7 @@ using Vector = std::array<double, 3>;
 
 const char* const TimeLabel = "run time (s)";
 
-/// A velocity on points^3 points of the cube from -1 to 1.
+/// Returns an image with points^3 points in the cube from -1 to 1 and a velocity array.
 vtkSmartPointer<vtkImageData> SampleFlow(
   int points, const std::function<Vector(const Vector&)>& velocity)
 {
@@ -57,7 +57,8 @@ vtkSmartPointer<vtkImageData> SampleFlow(
 constexpr double Wave = 4.1;
 const Vector Phase = { { 0.7, -0.4, 1.1 } };
 
-/// Waves along each axis, mixed: zeros where all three waves are zero.
+/// Returns a velocity that combines waves along all axes. It is zero where all three waves are
+/// zero.
 Vector Waves(const Vector& x)
 {
   const double a = std::sin(Wave * x[0] + Phase[0]);
@@ -66,26 +67,26 @@ Vector Waves(const Vector& x)
   return { { a, b + 0.4 * a, c + 0.3 * b * (1.0 + 0.5 * a) } };
 }
 
-/// The places along an axis where its wave is zero, inside the cube.
+/// Returns the coordinates of the zeros, inside the cube, of the wave along an axis.
 std::vector<double> ZerosAlong(int axis)
 {
   std::vector<double> zeros;
   for (int k = -5; k <= 5; ++k)
   {
-    const double place = (k * vtkMath::Pi() - Phase[axis]) / Wave;
-    if (std::abs(place) < 1.0)
+    const double x = (k * vtkMath::Pi() - Phase[axis]) / Wave;
+    if (std::abs(x) < 1.0)
     {
-      zeros.push_back(place);
+      zeros.push_back(x);
     }
   }
   return zeros;
 }
 
-/// The mean distance of zeros of the waves from the nearest point; at most one quarter, which is
-/// what a zero that was missed counts.
+/// Returns the mean distance of the zeros of the waves from the nearest point found. A missed zero
+/// counts as 0.25, the maximum.
 double MeasureZeros(vtkPolyData* found)
 {
-  constexpr double most = 0.25;
+  constexpr double maximum = 0.25;
   double sum = 0.0;
   int number = 0;
   for (const double x : ZerosAlong(0))
@@ -94,7 +95,7 @@ double MeasureZeros(vtkPolyData* found)
     {
       for (const double z : ZerosAlong(2))
       {
-        double nearest = most;
+        double nearest = maximum;
         for (vtkIdType id = 0; id < found->GetNumberOfPoints(); ++id)
         {
           double point[3];
@@ -124,24 +125,25 @@ void AddCriticalPointRows(const Question& question, const BenchOptions& options,
     trials.Add("vtkFlowCriticalPoints", NumberText(points),
       points == sizes.back() ? Maker::Default : Maker::Own, WithThreads(1, Again(own)),
       [own]() { return MeasureZeros(own->GetOutput()); });
-    auto peer = vtkSmartPointer<vtkVectorFieldTopology>::New();
-    peer->SetInputData(image);
-    // Separatrices are not asked for here, and cannot be switched off.
-    peer->SetMaxNumSteps(1);
-    trials.Add("vtkVectorFieldTopology", NumberText(points), Maker::Peer,
-      WithThreads(1, Again(peer)),
-      [peer]() { return MeasureZeros(vtkPolyData::SafeDownCast(peer->GetOutputDataObject(0))); });
+    auto baseline = vtkSmartPointer<vtkVectorFieldTopology>::New();
+    baseline->SetInputData(image);
+    // Separatrices are not compared. They cannot be switched off, so they are limited to one step.
+    baseline->SetMaxNumSteps(1);
+    trials.Add("vtkVectorFieldTopology", NumberText(points), Maker::Baseline,
+      WithThreads(1, Again(baseline)),
+      [baseline]()
+      { return MeasureZeros(vtkPolyData::SafeDownCast(baseline->GetOutputDataObject(0))); });
   }
   trials.Run(question, options, rows);
 }
 
-/// The axis of the vortex at a height.
+/// Returns the center of the vortex at a height.
 std::array<double, 2> AxisAt(double z)
 {
   return { { 0.3 * std::sin(2.0 * z), 0.2 * std::cos(3.0 * z) } };
 }
 
-/// A vortex around a bent axis, of a Gaussian's speed.
+/// Velocity of a vortex around a curved axis, with a Gaussian speed profile.
 Vector BentVortex(const Vector& x)
 {
   const std::array<double, 2> axis = AxisAt(x[2]);
@@ -151,34 +153,34 @@ Vector BentVortex(const Vector& x)
   return { { -speed * b, speed * a, 0.5 } };
 }
 
-/// The mean distance of a polyline from the axis at even heights, between its points too; all of
-/// its extent at heights that it does not reach.
+/// Returns the mean distance of a polyline from the axis at equidistant heights, with linear
+/// interpolation between its points. Heights that the polyline does not reach count as 1.
 double MeasureAxis(vtkPolyData* line)
 {
   constexpr int heights = 400;
-  std::vector<Vector> places(static_cast<std::size_t>(line->GetNumberOfPoints()));
-  for (std::size_t i = 0; i < places.size(); ++i)
+  std::vector<Vector> points(static_cast<std::size_t>(line->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
-    line->GetPoint(static_cast<vtkIdType>(i), places[i].data());
+    line->GetPoint(static_cast<vtkIdType>(i), points[i].data());
   }
-  std::sort(places.begin(), places.end(),
+  std::sort(points.begin(), points.end(),
     [](const Vector& first, const Vector& second) { return first[2] < second[2]; });
   double sum = 0.0;
   for (int k = 0; k < heights; ++k)
   {
     const double z = 2.0 * (k + 0.5) / heights - 1.0;
     const auto above = std::find_if(
-      places.begin(), places.end(), [z](const Vector& place) { return place[2] >= z; });
-    if (above == places.begin() || above == places.end())
+      points.begin(), points.end(), [z](const Vector& point) { return point[2] >= z; });
+    if (above == points.begin() || above == points.end())
     {
       sum += 1.0;
       continue;
     }
     const Vector& below = *(above - 1);
-    const double share = (z - below[2]) / ((*above)[2] - below[2]);
+    const double fraction = (z - below[2]) / ((*above)[2] - below[2]);
     const std::array<double, 2> axis = AxisAt(z);
-    sum += std::hypot(below[0] + share * ((*above)[0] - below[0]) - axis[0],
-      below[1] + share * ((*above)[1] - below[1]) - axis[1]);
+    sum += std::hypot(below[0] + fraction * ((*above)[0] - below[0]) - axis[0],
+      below[1] + fraction * ((*above)[1] - below[1]) - axis[1]);
   }
   return sum / heights;
 }
@@ -232,8 +234,9 @@ struct RoundSurface
   }
 };
 
-/// The mean difference of s at the triangles' corners from the circle's arc, in turns, the better
-/// way round; where contours start is as it comes.
+/// Returns the mean difference between s and the arc length of the circle at the points of the
+/// triangles, in turns. The start and the orientation of a contour are arbitrary, so the better
+/// orientation is used and the mean offset is removed.
 double MeasureArcs(vtkPolyData* surface)
 {
   vtkDataArray* texture = surface->GetPointData()->GetArray("StreamTexture");
@@ -297,32 +300,33 @@ void AddStreamSurfaceRows(const Question& question, const BenchOptions& options,
 Family MakeCriticalPointFamily()
 {
   return { { "critical-points", "Critical points: error against run time as the grid gets finer",
-             "How near to the zeros of a flow are those of its samples?",
-             "Waves with known zeros on images, points along an edge at each point; "
-             "vtkVectorFieldTopology is the peer, with separatrices of one step; 1 thread.",
+             "How accurately are the zeros of a sampled flow located?",
+             "Waves with known zeros on images; labels are points along an edge. The baseline is "
+             "vtkVectorFieldTopology with separatrices of one step; 1 thread.",
              TimeLabel, "mean distance of a zero from the nearest point, at most 0.25" },
     AddCriticalPointRows };
 }
 
 Family MakeVortexAxisFamily()
 {
-  return { { "vortex-axis", "The axis of a vortex: error against run time as the grid gets finer",
-             "How near to a vortex's axis is that of its samples?",
-             "A vortex around a bent axis on images, points along an edge at each point; the "
-             "polyline against the formula's axis at even heights; 1 thread.",
-             TimeLabel, "mean distance from the axis (unit of length)" },
-    AddVortexAxisRows };
+  return {
+    { "vortex-axis", "The axis of a vortex: error against run time as the grid gets finer",
+      "How accurately is the axis of a sampled vortex located?",
+      "A vortex around a curved axis on images; labels are points along an edge. The polyline is "
+      "compared with the exact axis at equidistant heights; 1 thread.",
+      TimeLabel, "mean distance from the axis (unit of length)" },
+    AddVortexAxisRows
+  };
 }
 
 Family MakeStreamSurfaceFamily()
 {
-  return {
-    { "stream-surface-resolution",
-      "Parameters of stream surfaces: error against run time, 1 thread",
-      "How fine is the grid to be by which inflow contours are followed?",
-      "A stream surface through a circle, Resolution at each point; s against the circle's arc.",
-      TimeLabel, "mean difference of s, share of the contour's length" },
-    AddStreamSurfaceRows
-  };
+  return { { "stream-surface-resolution",
+             "Parameters of stream surfaces: error against run time, 1 thread",
+             "Which grid resolution is sufficient for tracing inflow contours?",
+             "A stream surface through a circle; labels are values of Resolution. s is compared "
+             "with the arc length of the circle.",
+             TimeLabel, "mean difference of s, share of the contour's length" },
+    AddStreamSurfaceRows };
 }
 }

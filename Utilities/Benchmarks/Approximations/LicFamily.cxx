@@ -27,7 +27,7 @@ using Vector = std::array<double, 3>;
 constexpr double Scale = 0.02;
 constexpr int Seed = 7;
 constexpr double Length = 10.0 * Scale;
-/// In noise scales.
+/// In units of the noise scale.
 constexpr double DefaultStep = 0.25;
 
 /// Returns a rotation about the z-axis, which trilinear interpolation reproduces exactly.
@@ -41,7 +41,7 @@ vtkSmartPointer<vtkImageData> MakeRotation()
   return image;
 }
 
-/// The place at an arc length on the circle through \a x.
+/// Returns the point at an arc length along the circle through \a x.
 Vector Along(const Vector& x, double arc)
 {
   const double angle = arc / std::hypot(x[0], x[1]);
@@ -50,26 +50,26 @@ Vector Along(const Vector& x, double arc)
   return { { c * x[0] - s * x[1], s * x[0] + c * x[1], x[2] } };
 }
 
-/// Places in a ring that streamlines do not leave, spread by the golden angle.
-std::vector<Vector> MakePlaces(int number)
+/// Returns points in an annulus that streamlines do not leave, distributed by the golden angle.
+std::vector<Vector> MakePoints(int number)
 {
-  std::vector<Vector> places;
+  std::vector<Vector> points;
   for (int i = 0; i < number; ++i)
   {
     const double radius = std::sqrt(0.09 + 0.72 * (i + 0.5) / number);
-    places.push_back(
+    points.push_back(
       { { radius * std::cos(2.399963 * i), radius * std::sin(2.399963 * i), 0.013 } });
   }
-  return places;
+  return points;
 }
 
 /// Returns a filter that computes LIC only at the given positions.
 vtkSmartPointer<vtkFlowLIC> NewFilter(
-  vtkImageData* field, const std::vector<Vector>& places, int kernel, double step)
+  vtkImageData* field, const std::vector<Vector>& positions, int kernel, double step)
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  for (const Vector& x : places)
+  for (const Vector& x : positions)
   {
     points->InsertNextPoint(x.data());
   }
@@ -86,7 +86,8 @@ vtkSmartPointer<vtkFlowLIC> NewFilter(
   return filter;
 }
 
-/// The mean of the noise over the circle through \a x, by a fine rule on the circle itself.
+/// Returns the mean of the noise along the circle through \a x, by a fine quadrature rule on the
+/// exact circle.
 double IntegrateNoise(const Vector& x, int kernel)
 {
   constexpr int parts = 800;
@@ -103,8 +104,8 @@ double IntegrateNoise(const Vector& x, int kernel)
   return sum / weights;
 }
 
-/// The root mean square of what is left of the values when the means are stretched to fit them, in
-/// standard deviations; values held to 0 and 1 do not count.
+/// Returns the root mean square residual of the values after a least-squares fit of the means, in
+/// standard deviations. Values clamped to 0 or 1 are excluded.
 double MeasureMeans(vtkFlowLIC* filter, const std::vector<double>& means)
 {
   vtkDataArray* values =
@@ -132,21 +133,21 @@ double MeasureMeans(vtkFlowLIC* filter, const std::vector<double>& means)
 
 void AddStepRows(const Question& question, const BenchOptions& options, BenchRows& rows)
 {
-  const std::vector<Vector> places = MakePlaces(options.Pick(20000, 4000, 200));
+  const std::vector<Vector> positions = MakePoints(options.Pick(20000, 4000, 200));
   auto field = MakeRotation();
   Trials trials;
-  trials.SetSize("points", static_cast<double>(places.size()));
+  trials.SetSize("points", static_cast<double>(positions.size()));
   for (const int kernel : { vtkFlowLIC::HANN, vtkFlowLIC::BOX })
   {
     const auto means = std::make_shared<std::vector<double>>();
-    for (const Vector& x : places)
+    for (const Vector& x : positions)
     {
       means->push_back(IntegrateNoise(x, kernel));
     }
     for (const double step : options.Pick<std::vector<double>>(
            { 2.0, 1.0, 0.5, 0.25, 0.125, 0.0625 }, { 2.0, 1.0, 0.5, 0.25, 0.125 }, { 0.5, 0.25 }))
     {
-      auto filter = NewFilter(field, places, kernel, step);
+      auto filter = NewFilter(field, positions, kernel, step);
       trials.Add(kernel == vtkFlowLIC::HANN ? "Hann" : "box", NumberText(step),
         kernel == vtkFlowLIC::HANN && step == DefaultStep ? Maker::Default : Maker::Own,
         WithThreads(1, Again(filter)), [filter, means]() { return MeasureMeans(filter, *means); });
@@ -159,9 +160,10 @@ void AddStepRows(const Question& question, const BenchOptions& options, BenchRow
 Family MakeLicStepFamily()
 {
   return { { "lic-step", "Steps of line integral convolution: error against run time, 1 thread",
-             "How long a step along streamlines for line integral convolution?",
-             "A rotation, steps in noise scales at each point, both kernels; against the integral "
-             "over the circles in double precision.",
+             "Which step length is sufficient for line integral convolution?",
+             "A rotation, both kernels; labels are steps in units of the noise scale. The "
+             "reference is the "
+             "integral along circles in double precision.",
              "run time (s)", "difference, rms, in standard deviations" },
     AddStepRows };
 }

@@ -8,14 +8,14 @@ namespace approximations
 {
 namespace
 {
-/// The mesher is under another licence, and measured by a program of its own beside this one, where
-/// it was built.
+/// Starts interlume-bench-mesher from the directory of this program, if it was built. The mesher
+/// has another license and is therefore measured by a separate program.
 void AddMesherRows(const Question&, const BenchOptions& options, BenchRows& rows)
 {
-  const std::filesystem::path own = options.Program;
+  const std::filesystem::path self = options.Program;
   const std::filesystem::path program =
-    own.parent_path() / ("interlume-bench-mesher" + own.extension().string());
-  if (own.empty() || !std::filesystem::exists(program))
+    self.parent_path() / ("interlume-bench-mesher" + self.extension().string());
+  if (self.empty() || !std::filesystem::exists(program))
   {
     return;
   }
@@ -28,16 +28,18 @@ void AddMesherRows(const Question&, const BenchOptions& options, BenchRows& rows
 
 Family MakeMesherFamily()
 {
-  return {
-    { "mesher-bounds", "Tetrahedra of a ball: error against run time, 1 thread",
-      "How fine and how well shaped are tetrahedra to be for the values within them?",
-      "vtkTetrahedralMesher fills a ball of triangles that have x^2 - y^2 in their points; by "
-      "MaximumVolume in parts of the ball, by QualityBound, or by both; vtkDelaunay3D of the "
-      "points; the linear interpolation of all against x^2 - y^2, which is what the values on the "
-      "boundary mean within. Without a bound the mesher adds no point, which is why that stays the "
-      "default; the peer fills the convex hull alone, and no surface that is not convex.",
-      "run time (s)", "interpolation within, rms, share of the values' range" },
-    AddMesherRows
-  };
+  return { { "mesher-bounds", "Tetrahedra of a ball: error against run time, 1 thread",
+             "Which bounds on tetrahedra are required for accurate values inside?",
+             "vtkTetrahedralMesher fills a triangulated sphere with x^2 - y^2 at its points, with "
+             "MaximumVolume "
+             "(labels are fractions of the sphere's volume), with QualityBound, or with both. The "
+             "baseline is "
+             "vtkDelaunay3D on the same points. The linear interpolation in all meshes is compared "
+             "with x^2 - y^2. "
+             "Without bounds the mesher inserts no points, and this is its default. vtkDelaunay3D "
+             "fills the convex "
+             "hull and cannot mesh nonconvex surfaces.",
+             "run time (s)", "interpolation within, rms, share of the values' range" },
+    AddMesherRows };
 }
 }

@@ -13,11 +13,11 @@ namespace costs
 {
 namespace
 {
-/// The counts that are 0 of a feature that is off.
+/// The counts that must be 0 for a feature that is off.
 const std::vector<std::string> Counters = { "passes", "buffers", "bytes", "words", "arrays",
   "own" };
 
-/// The rows that a summary is made of.
+/// Rows of one feature in several scenes.
 using Group = std::vector<BenchRow>;
 
 std::vector<double> GetCounts(const Group& group, const std::string& name)
@@ -33,7 +33,7 @@ std::vector<double> GetCounts(const Group& group, const std::string& name)
   return counts;
 }
 
-/// The number with the largest magnitude.
+/// Returns the number with the largest magnitude.
 double GetLargest(const std::vector<double>& numbers)
 {
   return numbers.empty() ? 0.0
@@ -96,7 +96,7 @@ BenchClaim MakeClaim(const std::string& text, const std::vector<BenchRow>& rows,
   return claim;
 }
 
-double GetMostLeft(const BenchRow& row)
+double GetLargestRemainder(const BenchRow& row)
 {
   std::vector<double> left;
   for (const std::string& name : Counters)
@@ -131,7 +131,8 @@ std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows)
   const auto isWithin = [](const BenchRow& row)
   { return row.Counts.value("within_noise", 1) != 0; };
   return { MakeClaim("a feature that is off has no pass, buffer, byte, word of a shader or array",
-             rows, &GetMostLeft, [](const BenchRow& row) { return GetMostLeft(row) == 0.0; }),
+             rows, &GetLargestRemainder,
+             [](const BenchRow& row) { return GetLargestRemainder(row) == 0.0; }),
     MakeClaim("a feature that is off takes no time, ms, but for noise", rows, ms, isWithin) };
 }
 }

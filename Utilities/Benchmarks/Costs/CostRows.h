@@ -9,29 +9,33 @@
 #include <vector>
 
 /**
- * Rows of interlume-bench-costs, of the suite `scene-costs`.
+ * Rows of interlume-bench-costs, suite `scene-costs`.
  *
- * The case is a scene, the method a class, the parameter a feature, by the name of its setting,
- * that an object of the class does not use there. Seconds are those of an object that never had it,
- * medians. The counts `passes`, `buffers`, `bytes`, `words` and `arrays` are what is left of it
- * once it was on, `own` is its share of reports while it is off, `ms` the milliseconds that are
- * left, `noise_ms` the differences without reason, `within_noise` 1 if `ms` is no more; with `on_`
- * what it adds while it is on.
+ * In each row, the case is a scene, the method is a class, and the parameter is a feature that an
+ * object of the class does not use in the scene. A feature is named after its setting. Seconds are
+ * the median time of an object that never used the feature.
  *
- * Summaries have the case AllScenes: the number of `scenes` that do not use the feature, the
- * largest of what is left, medians of times and of what it adds, and how many scenes are
- * `within_noise`.
+ * The counts `passes`, `buffers`, `bytes`, `words` and `arrays` are the resources that remain after
+ * the feature was switched on and off again. `own` is the number that the report of the object
+ * shows for the feature while it is off. `ms` is the remaining time in milliseconds, `noise_ms` the
+ * noise of the times, and `within_noise` is 1 if `ms` is not larger than the noise. Counts with the
+ * prefix `on_` are the cost of the feature while it is on.
+ *
+ * Summaries have the case AllScenes. Their counts are `scenes`, the number of scenes that do not
+ * use the feature, the largest remaining resources, median times, medians of the `on_` counts, and
+ * the number of scenes `within_noise`.
  */
 namespace costs
 {
 extern const char* const Suite;
 extern const char* const AllScenes;
 
-/// Returns the summaries of rows that are none themselves.
+/// Returns the summaries of rows of single scenes.
 std::vector<BenchRow> Summarize(const std::vector<BenchRow>& rows);
 
-/// That nothing is left of any feature in any scene, and no time but for noise; cases are the rows
-/// where it is not so, and the number of the others.
+/// Returns two claims: no resources remain of any feature in any scene, and remaining times are
+/// within the noise. Their cases are the rows that miss the target, and the number of rows that
+/// meet it.
 std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows);
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures what scenes of the gallery pay for features that they do not use, and what these would
-// add: see gallery::MeasureSceneCosts. Prints rows, see CostRows.h, and writes them as JSON, which
-// `interlume-bench report --costs` makes tables of.
+// Measures the cost of unused features in scenes of the gallery, and the cost of enabling them: see
+// gallery::MeasureSceneCosts. Prints rows, see CostRows.h, and writes them as JSON.
+// `interlume-bench report --costs` shows them as tables.
 #include "Benchmarks/Costs/CostRows.h"
 #include "Benchmarks/Results/BenchMachine.h"
 #include "Benchmarks/Results/BenchResults.h"
 #include "Gallery/Costs/SceneCosts.h"
-#include "Gallery/Picture.h"
+#include "Gallery/GalleryImage.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stopwatch.h"
 
@@ -26,7 +26,7 @@
 
 namespace
 {
-/// Milliseconds with as many digits as a clock has.
+/// Returns milliseconds, rounded to microseconds.
 double Milliseconds(double seconds)
 {
   return std::round(1e6 * seconds) / 1e3;
@@ -59,10 +59,10 @@ BenchRow MakeRow(
   return row;
 }
 
-/// Rows by scene, without their summaries.
+/// Rows by scene, without summaries.
 using SceneRows = std::map<std::string, std::vector<BenchRow>>;
 
-/// Puts what a file has of its scenes in the place of what there was of these.
+/// Replaces the rows of the scenes that a file contains.
 void Take(const BenchResults& file, SceneRows& scenes)
 {
   SceneRows taken;
@@ -79,8 +79,7 @@ void Take(const BenchResults& file, SceneRows& scenes)
   }
 }
 
-/// Sets the rows of scenes, in the order of the gallery, with their summaries and what is wanted of
-/// them.
+/// Sets the rows of scenes in the order of the gallery, with their summaries and claims.
 void SetRows(BenchResults& results, const SceneRows& scenes)
 {
   std::vector<BenchRow> rows;
@@ -98,7 +97,7 @@ void SetRows(BenchResults& results, const SceneRows& scenes)
   results.Rows = rows;
 }
 
-/// What files have, under the conditions of all, see JoinConditions.
+/// Combines the rows of files. Conditions are combined by JoinConditions.
 BenchResults ReadAll(const std::vector<std::string>& paths)
 {
   SceneRows scenes;
@@ -146,7 +145,7 @@ void Measure(const std::vector<std::string>& names, const gallery::CostSettings&
       rows.Add(MakeRow(rows, scene.Id, feature));
     }
     scenes[scene.Id] = rows.Get();
-    // Scene by scene, so that a run that is ended has a file too.
+    // Write after each scene, so that an interrupted run also leaves a file.
     results.Suites[costs::Suite]["took"] = std::round(watch.Seconds());
     SetRows(results, scenes);
     if (!json.empty())
@@ -168,31 +167,32 @@ int main(int argc, char* argv[])
   std::string json;
   std::vector<std::string> from;
   gallery::CostSettings settings;
-  CLI::App app("Measures what scenes of the gallery pay for features that they do not use, and "
-               "what these would add.");
-  auto* scenes = app.add_option("SCENE", names, "Scenes; default all of the gallery")
+  CLI::App app("Measures the cost of unused features in scenes of the gallery, and the cost of "
+               "enabling them.");
+  auto* scenes = app.add_option("SCENE", names, "Scenes; default: all scenes of the gallery")
                    ->check(CLI::IsMember(known));
   auto* file = app.add_option("--json", json, "Write the rows to this file");
   app
     .add_option("--from", from,
-      "Put together what runs have written, of each scene what the last of these files has, "
-      "instead of measuring")
+      "Combine the rows of these files instead of measuring. If several files contain a scene, the "
+      "last one is used")
     ->check(CLI::ExistingFile)
     ->excludes(scenes)
     ->needs(file);
-  app.add_option("--width", settings.Width, "Pixels of a panel")
+  app.add_option("--width", settings.Width, "Width of a panel in pixels")
     ->check(CLI::Range(16, 8192))
     ->capture_default_str();
-  app.add_option("--height", settings.Height, "Pixels of a panel")
+  app.add_option("--height", settings.Height, "Height of a panel in pixels")
     ->check(CLI::Range(16, 8192))
     ->capture_default_str();
   app
     .add_option("--pairs", settings.Pairs,
-      "Pairs of runs of each state, of which the median counts; 0 for no times")
+      "Pairs of runs of each state; their median is reported. 0 measures no times")
     ->check(CLI::Range(0, 1000))
     ->capture_default_str();
   app
-    .add_option("--limit", settings.Limit, "Seconds after which a state has no more pairs, but two")
+    .add_option("--limit", settings.Limit,
+      "Time in seconds after which a state gets no more pairs; at least two are run")
     ->check(CLI::NonNegativeNumber)
     ->capture_default_str();
   CLI11_PARSE(app, argc, argv);

@@ -38,7 +38,7 @@ std::vector<AnalyticCase> MakeAnalyticCases()
   cases.push_back({ "torus", "distance from a circle of radius 0.6",
     [](double x, double y, double z) { return std::hypot(std::hypot(x, y) - 0.6, z); }, -1.0, 1.0,
     0.13, 0.29, 2.0 * pi * pi * 0.6 * (0.29 * 0.29 - 0.13 * 0.13) });
-  // The volume of { xyz <= c } in the unit cube.
+  // Volume of { xyz <= c } in the unit cube.
   auto below = [](double c)
   {
     const double logarithm = std::log(c);

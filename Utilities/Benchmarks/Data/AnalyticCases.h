@@ -11,13 +11,13 @@
 #include <vector>
 
 /**
- * A field in a cube, an interval of its values, and, where there is a closed form, the volume
- * between them.
+ * A field in a cube, an interval of its values, and the volume of the interval region if it has a
+ * closed form.
  */
 struct AnalyticCase
 {
   std::string Name;
-  /// How the field is defined, for the report.
+  /// Definition of the field, for the report.
   std::string Formula;
   std::function<double(double x, double y, double z)> Field;
   /// The cube is [Low, High]^3.
@@ -27,12 +27,13 @@ struct AnalyticCase
   double Upper;
   std::optional<double> Volume;
 
-  /// The field sampled, in double, on points^3 points.
+  /// Returns the field sampled in double precision on points^3 points.
   vtkSmartPointer<vtkImageData> Sample(int points) const;
 };
 
 /**
- * `sphere`, `torus`, `product` (which is trilinear, so that sampling adds no error) and `gyroid`.
+ * Returns the cases `sphere`, `torus`, `product` (trilinear, so sampling adds no error) and
+ * `gyroid`.
  */
 std::vector<AnalyticCase> MakeAnalyticCases();
 

@@ -19,7 +19,7 @@
 
 namespace
 {
-/// A file in Data/, the point array and the interval taken of it.
+/// A file in Data/ with the point array and the interval to extract.
 struct RealSet
 {
   const char* Case;
@@ -37,7 +37,6 @@ const RealSet RealSets[] = {
   { "disk-out", "disk_out_ref.vtu", "Temp", 400.0, 600.0, true },
 };
 
-/// The dataset \a from without any array but the point array \a name.
 BenchData ReadRealSet(const RealSet& set)
 {
   BenchData data;
@@ -48,7 +47,7 @@ BenchData ReadRealSet(const RealSet& set)
   return data;
 }
 
-/// A cell of a type: its corners as VTK orders them.
+/// A cell type with its corners in VTK order.
 struct CellShape
 {
   int Type;
@@ -75,7 +74,8 @@ const CellShape& ShapeOf(int cellType)
       return shape;
     }
   }
-  throw std::runtime_error("no shape for cell type " + std::to_string(cellType));
+  throw std::runtime_error(
+    "Random cells of VTK cell type " + std::to_string(cellType) + " are not supported");
 }
 }
 
@@ -84,7 +84,7 @@ vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& na
   vtkDataArray* array = from->GetPointData()->GetArray(name.c_str());
   if (!array)
   {
-    throw std::runtime_error("no point array " + name);
+    throw std::runtime_error("The dataset has no point array \"" + name + "\"");
   }
   auto data = vtk::TakeSmartPointer(from->NewInstance());
   data->CopyStructure(from);
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& na
 
 vtkSmartPointer<vtkRTAnalyticSource> MakeWaveletSource(int points)
 {
-  // The source scales its field to its extent: every size has the same waves.
+  // The source scales its field to its extent, so every size has the same waves.
   auto source = vtkSmartPointer<vtkRTAnalyticSource>::New();
   const int half = points / 2;
   source->SetWholeExtent(
@@ -148,7 +148,7 @@ BenchData MakeSpeedCase(const std::string& name, const BenchOptions& options)
       return ReadRealSet(set);
     }
   }
-  throw std::runtime_error("no case " + name);
+  throw std::runtime_error("The suites interval and contour have no case " + name);
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> ToHexahedra(vtkDataSet* data)
@@ -168,7 +168,8 @@ vtkSmartPointer<vtkUnstructuredGrid> ToHexahedra(vtkDataSet* data)
     from->GetCellPoints(cell, ids);
     if (type == VTK_VOXEL)
     {
-      // A voxel's corners run along x first; a hexahedron's go around its bottom, then its top.
+      // Voxels order their points along x first; hexahedra order them around the bottom, then
+      // around the top.
       std::swap(*ids->GetPointer(2), *ids->GetPointer(3));
       std::swap(*ids->GetPointer(6), *ids->GetPointer(7));
       type = VTK_HEXAHEDRON;
@@ -195,8 +196,8 @@ BenchData MakeRandomCells(int cellType, int numberOfCells, unsigned int seed)
   {
     for (std::size_t i = 0; i < corners; ++i)
     {
-      // All cells lie at the origin: they share no point, and so no rounding of a large coordinate
-      // is mistaken for an inversion.
+      // All cells are located at the origin. This prevents rounding errors of large coordinates
+      // from looking like inversions.
       ids[i] = points->InsertNextPoint(shape.Corners[i].data());
       values->InsertNextValue(uniform(generator));
     }

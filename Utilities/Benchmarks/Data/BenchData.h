@@ -15,8 +15,8 @@
 class vtkRTAnalyticSource;
 
 /**
- * A dataset with nothing on it but the point scalars it is extracted by, and the interval that is
- * extracted. The lower bound is also the contour value.
+ * A dataset with one point array, the scalars, and the interval to extract. The lower bound is also
+ * the isovalue of contours.
  */
 struct BenchData
 {
@@ -27,8 +27,8 @@ struct BenchData
 };
 
 /**
- * The structure of \a from with nothing on it but that point array, as the scalars. Throws
- * std::runtime_error where there is no such array.
+ * Returns the structure of \a from with the point array \a name as the scalars and no other arrays.
+ * Throws std::runtime_error if the array does not exist.
  */
 vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& name);
 
@@ -36,40 +36,43 @@ constexpr double WaveletLower = 140.0;
 constexpr double WaveletUpper = 180.0;
 
 /**
- * A source of points^3 points.
+ * Returns a wavelet source with points^3 points.
  */
 vtkSmartPointer<vtkRTAnalyticSource> MakeWaveletSource(int points);
 
 /**
- * The scalars of vtkRTAnalyticSource on points^3 points, 140 <= f <= 180: `wavelet-<points>`.
+ * Returns the case `wavelet-<points>`: vtkRTAnalyticSource on points^3 points, 140 <= f <= 180.
  */
 BenchData MakeWavelet(int points);
 
 /**
- * The points of the wavelet that stands for the size: 97, 41 or 13.
+ * Returns the number of points of the wavelet along each axis: 97, 41 or 13.
  */
 int WaveletPoints(const BenchOptions& options);
 
 /**
- * The wavelet and the real sets of the interval and contour suites: image data, a curvilinear grid
- * and an unstructured hexahedral grid. Throws std::runtime_error where a set cannot be read.
+ * Returns the wavelet and the data files of the suites interval and contour: image data, a
+ * curvilinear grid and an unstructured hexahedral grid. Throws std::runtime_error if a file cannot
+ * be read.
  */
 std::vector<BenchData> MakeSpeedCases(const BenchOptions& options);
 
 /**
- * The case of MakeSpeedCases() with that name. Throws std::runtime_error where there is none.
+ * Returns the case of MakeSpeedCases() with this name. Throws std::runtime_error if it does not
+ * exist.
  */
 BenchData MakeSpeedCase(const std::string& name, const BenchOptions& options);
 
 /**
- * The same points, cells and point scalars as a vtkUnstructuredGrid; voxels become hexahedra.
+ * Returns the points, cells and point scalars of \a data as a vtkUnstructuredGrid, with voxels
+ * converted to hexahedra.
  */
 vtkSmartPointer<vtkUnstructuredGrid> ToHexahedra(vtkDataSet* data);
 
 /**
- * Many cells that share no point, of type VTK_TETRA, VTK_PYRAMID, VTK_WEDGE or VTK_HEXAHEDRON, each
- * regular, of edge 1 (the pyramid's height is 1 as well), with values uniform in [0, 1]; the
- * interval is [0.3, 0.7]. `random-<type>`.
+ * Returns the case `random-<type>`: cells without shared points, of type VTK_TETRA, VTK_PYRAMID,
+ * VTK_WEDGE or VTK_HEXAHEDRON. Each cell is regular with edge length 1 (pyramids have height 1).
+ * Scalars are uniform in [0, 1], and the interval is [0.3, 0.7].
  */
 BenchData MakeRandomCells(int cellType, int numberOfCells, unsigned int seed);
 

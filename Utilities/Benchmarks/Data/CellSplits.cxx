@@ -15,7 +15,7 @@ namespace
 {
 using Tetrahedra = std::vector<std::array<int, 4>>;
 
-/// Corner c of a cell lies at (c & 1, c >> 1 & 1, c >> 2 & 1).
+/// Corner c of a cell is at (c & 1, c >> 1 & 1, c >> 2 & 1).
 const Tetrahedra FiveEven = { { { 0, 3, 6, 5 } }, { { 0, 1, 3, 5 } }, { { 0, 3, 2, 6 } },
   { { 0, 6, 4, 5 } }, { { 3, 6, 5, 7 } } };
 const Tetrahedra FiveOdd = { { { 1, 7, 2, 4 } }, { { 0, 1, 2, 4 } }, { { 1, 3, 2, 7 } },
@@ -28,7 +28,8 @@ vtkSmartPointer<vtkUnstructuredGrid> SplitIntoTetrahedra(vtkImageData* image, in
 {
   if (pieces != 5 && pieces != 6)
   {
-    throw std::invalid_argument("no split into " + std::to_string(pieces) + " tetrahedra");
+    throw std::invalid_argument(
+      "A cell cannot be split into " + std::to_string(pieces) + " tetrahedra; use 5 or 6");
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();

@@ -7,11 +7,11 @@
 #include "vtkUnstructuredGrid.h"
 
 /**
- * The cells of \a image as tetrahedra of positive volume that match at every face, with the point
- * scalars. \a pieces of a cell:
- * - 5, a tetrahedron in the middle and one at every other corner, mirrored from cell to cell;
- * - 6, around the diagonal from the first corner to the last.
- * Throws std::invalid_argument for another number.
+ * Splits the cells of \a image into tetrahedra of positive volume that match at all faces, and
+ * passes the point scalars. \a pieces is the number of tetrahedra per cell:
+ * - 5: one in the center and one at every other corner, mirrored from cell to cell;
+ * - 6: around the diagonal from the first to the last corner.
+ * Throws std::invalid_argument for other numbers.
  */
 vtkSmartPointer<vtkUnstructuredGrid> SplitIntoTetrahedra(vtkImageData* image, int pieces);
 

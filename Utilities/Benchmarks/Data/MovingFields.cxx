@@ -29,7 +29,7 @@ MovingField MakeField(
 
 MovingField MakeWave(const BenchOptions& options)
 {
-  // The wave is long along y, and the field is linear along z.
+  // The wave is long in y, and the field is linear in z.
   const std::array<int, 3> points =
     options.Pick<std::array<int, 3>>({ { 161, 31, 16 } }, { { 121, 21, 11 } }, { { 41, 11, 6 } });
   MovingField wave = MakeField("wave", vtkAnalyticFieldSource::WAVE, points, -0.15, 0.15);
@@ -38,11 +38,11 @@ MovingField MakeWave(const BenchOptions& options)
   return wave;
 }
 
-MovingField MakeBall(const BenchOptions& options)
+MovingField MakeShell(const BenchOptions& options)
 {
   const int points = options.Pick(65, 49, 13);
-  MovingField ball =
-    MakeField("ball", vtkAnalyticFieldSource::BALL, { { points, points, points } }, -0.1, 0.1);
+  MovingField ball = MakeField(
+    "ball", vtkAnalyticFieldSource::SPHERE_DISTANCE, { { points, points, points } }, -0.1, 0.1);
   ball.Source->SetCenter(-0.5, 0.0, 0.0);
   ball.Source->SetVelocity(0.5, 0.0, 0.0);
   ball.Source->SetRadius(0.3);
@@ -60,7 +60,7 @@ MovingField MakeLinear(const BenchOptions& options)
   const int points = options.Pick(21, 11, 5);
   MovingField linear =
     MakeField("linear", vtkAnalyticFieldSource::LINEAR, { { points, points, points } }, -0.1, 0.1);
-  // No plane of the slab meets z = -1 or z = 1.
+  // The planes that bound the region do not intersect z = -1 or z = 1.
   linear.Source->SetGradient(0.5, 0.3, 1.0);
   linear.Source->SetConstant(-0.05);
   linear.Source->SetRate(0.05);
@@ -90,6 +90,6 @@ double MovingField::GetDistance(const double point[3], double bound, double time
 
 std::vector<MovingField> MakeMovingFields(const BenchOptions& options)
 {
-  return { MakeWave(options), MakeBall(options), MakeLinear(options) };
+  return { MakeWave(options), MakeShell(options), MakeLinear(options) };
 }
 }

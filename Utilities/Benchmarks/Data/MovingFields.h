@@ -14,8 +14,8 @@
 namespace interval4d
 {
 /**
- * A field of space and time in a box whose region between two values is known at every time from
- * MovingField::FirstTime to LastTime.
+ * A time-dependent field in a box. From FirstTime to LastTime, the volume of the region between two
+ * values is known.
  */
 struct MovingField
 {
@@ -23,22 +23,25 @@ struct MovingField
   static constexpr double LastTime = 2.0;
 
   std::string Name;
-  /// In double precision; steps are set by who uses it.
+  /// The source, in double precision. Callers set its time steps.
   vtkSmartPointer<vtkAnalyticFieldSource> Source;
   double Lower;
   double Upper;
-  /// The volume of the region at a time.
+  /// Returns the volume of the region at a time.
   std::function<double(double time)> Volume;
 
-  /// How far a point is from the surface of a bound at a time, along the gradient.
+  /// Returns the distance, along the gradient, of a point from the isosurface f = \a bound at a
+  /// time.
   double GetDistance(const double point[3], double bound, double time) const;
 };
 
 /**
- * - `wave`: WAVE in (-2, 2) x (-1, 1) x (-1, 1), -0.15 <= f <= 0.15, whose volume is always 2.4;
- * - `ball`: BALL of radius 0.3 + 0.025 t around (-0.5 + 0.5 t, 0, 0), -0.1 <= f <= 0.1: a shell;
- * - `linear`: LINEAR, 0.5 x + 0.3 y + z + 0.05 (t - 1), -0.1 <= f <= 0.1, whose volume is always
- * 0.8. The last two are in (-1, 1)^3.
+ * - `wave`: WAVE in (-2, 2) x (-1, 1) x (-1, 1), -0.15 <= f <= 0.15, with a constant volume of 2.4;
+ * - `ball`: SPHERE_DISTANCE with radius 0.3 + 0.025 t around (-0.5 + 0.5 t, 0, 0), -0.1 <= f <=
+ *   0.1, a spherical shell;
+ * - `linear`: LINEAR, 0.5 x + 0.3 y + z + 0.05 (t - 1), -0.1 <= f <= 0.1, with a constant volume of
+ *   0.8.
+ * The last two are defined in (-1, 1)^3.
  */
 std::vector<MovingField> MakeMovingFields(const BenchOptions& options);
 }

@@ -19,9 +19,9 @@ constexpr double Pi = 3.14159265358979323846;
 }
 
 ExplicitFlowVolume::ExplicitFlowVolume(
-  vtkImageData* field, const flow::Disc& disc, double time, const Settings& settings)
+  vtkImageData* field, const flow::Disk& disk, double time, const Settings& settings)
   : Field(field)
-  , Inflow(disc)
+  , Inflow(disk)
   , Time(time)
   , Options(settings)
 {
@@ -32,7 +32,7 @@ ExplicitFlowVolume::ExplicitFlowVolume(
 void ExplicitFlowVolume::MakePatch()
 {
   this->Streamlines.push_back({ { { this->Inflow.X, this->Inflow.Y, this->Inflow.Z } } });
-  // Ring k has 6 k points, from the point of that id on.
+  // Ring k has 6 k points; this returns the id of a point of a ring.
   const auto getPoint = [](int ring, int at) -> vtkIdType
   { return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + at % (6 * ring); };
   for (int ring = 1; ring <= this->Options.Rings; ++ring)
@@ -67,63 +67,64 @@ void ExplicitFlowVolume::Trace()
   const double layer = this->Time / this->Options.Layers;
   const int steps =
     std::max(1, static_cast<int>(std::ceil(layer * vectors->GetMaxNorm() / halfCell)));
-  for (std::vector<Vector>& places : this->Streamlines)
+  for (std::vector<Vector>& positions : this->Streamlines)
   {
-    while (places.size() <= static_cast<std::size_t>(this->Options.Layers))
+    while (positions.size() <= static_cast<std::size_t>(this->Options.Layers))
     {
-      Vector place = places.back();
+      Vector position = positions.back();
       for (int step = 0; step < steps; ++step)
       {
         double time = layer / steps;
         double error = 0.0;
         Vector next;
         if (integrator->ComputeNextStep(
-              place.data(), next.data(), 0.0, time, 0.0, error, nullptr) != 0)
+              position.data(), next.data(), 0.0, time, 0.0, error, nullptr) != 0)
         {
           break;
         }
-        place = next;
+        position = next;
       }
-      places.push_back(place);
+      positions.push_back(position);
     }
   }
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> ExplicitFlowVolume::MakeTetrahedra() const
 {
-  const auto places = static_cast<vtkIdType>(this->Options.Layers) + 1;
+  const auto layers = static_cast<vtkIdType>(this->Options.Layers) + 1;
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(this->Streamlines.size()) * places);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(this->Streamlines.size()) * layers);
   vtkIdType id = 0;
   for (const std::vector<Vector>& streamline : this->Streamlines)
   {
-    for (const Vector& place : streamline)
+    for (const Vector& position : streamline)
     {
-      points->SetPoint(id++, place.data());
+      points->SetPoint(id++, position.data());
     }
   }
   vtkNew<vtkCellArray> cells;
   for (Triangle triangle : this->Patch)
   {
-    // By the order of ids alone, so that prisms cut their common faces alike.
-    const int turned = (triangle[0] > triangle[1] ? 1 : 0) + (triangle[1] > triangle[2] ? 1 : 0) +
-      (triangle[0] > triangle[2] ? 1 : 0);
+    // Split prisms by the order of point ids only, so that neighbors split their common face in the
+    // same way.
+    const int inversions = (triangle[0] > triangle[1] ? 1 : 0) +
+      (triangle[1] > triangle[2] ? 1 : 0) + (triangle[0] > triangle[2] ? 1 : 0);
     std::sort(triangle.begin(), triangle.end());
-    for (vtkIdType layer = 0; layer + 1 < places; ++layer)
+    for (vtkIdType layer = 0; layer + 1 < layers; ++layer)
     {
       vtkIdType low[3];
       vtkIdType high[3];
       for (std::size_t i = 0; i < 3; ++i)
       {
-        low[i] = triangle[i] * places + layer;
+        low[i] = triangle[i] * layers + layer;
         high[i] = low[i] + 1;
       }
       vtkIdType tetrahedra[3][4] = { { low[0], low[1], low[2], high[2] },
         { low[0], low[1], high[2], high[1] }, { low[0], high[1], high[2], high[0] } };
       for (vtkIdType* tetrahedron : tetrahedra)
       {
-        if (turned % 2 == 1)
+        if (inversions % 2 == 1)
         {
           std::swap(tetrahedron[0], tetrahedron[1]);
         }

@@ -2,7 +2,7 @@
 #ifndef ExplicitFlowVolume_h
 #define ExplicitFlowVolume_h
 
-#include "Benchmarks/Flow/FlowDisc.h"
+#include "Benchmarks/Flow/FlowDisk.h"
 
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
@@ -14,28 +14,28 @@
 #include <vector>
 
 /**
- * The explicit flow volume of a disc, in the manner of N. Max, B. Becker and R. Crawfis, "Flow
- * volumes for interactive vector field visualization", IEEE Visualization 1993: a patch of
- * triangles is carried along the field, and each triangle sweeps out prisms from layer to layer,
- * which are cut into tetrahedra.
+ * Explicit flow volume of a disk, following N. Max, B. Becker and R. Crawfis, "Flow volumes for
+ * interactive vector field visualization", IEEE Visualization 1993. A triangle patch is advected
+ * along the field. Each triangle sweeps out prisms from layer to layer, which are split into
+ * tetrahedra.
  *
- * Streamlines by vtkRungeKutta4 in equal steps of at most half a cell, through
- * VTK's interpolation; one that leaves the field stays where it was.
+ * Streamlines are integrated by vtkRungeKutta4 in equal steps of at most half a cell, with VTK's
+ * interpolation. A streamline that leaves the field stops at its last position.
  */
 class ExplicitFlowVolume
 {
 public:
   struct Settings
   {
-    /// Rings of triangles around the middle of the disc.
+    /// Number of rings of triangles around the center of the disk.
     int Rings = 8;
     int Layers = 32;
   };
 
   ExplicitFlowVolume(
-    vtkImageData* field, const flow::Disc& disc, double time, const Settings& settings);
+    vtkImageData* field, const flow::Disk& disk, double time, const Settings& settings);
 
-  /// Tetrahedra, right-handed where the flow carries triangles without turning them over.
+  /// Returns the tetrahedra. They are right-handed unless the flow flips triangles.
   vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra() const;
   std::size_t GetNumberOfStreamlines() const { return this->Streamlines.size(); }
 
@@ -47,11 +47,11 @@ private:
   void Trace();
 
   vtkSmartPointer<vtkImageData> Field;
-  flow::Disc Inflow;
+  flow::Disk Inflow;
   double Time;
   Settings Options;
   std::vector<Triangle> Patch;
-  /// Of each point of the patch: its place on each layer.
+  /// Positions of each point of the patch at all layers.
   std::vector<std::vector<Vector>> Streamlines;
 };
 

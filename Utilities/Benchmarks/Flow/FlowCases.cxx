@@ -19,7 +19,7 @@ namespace flow
 {
 namespace
 {
-/// The field at the points of \a grid, which are moved before.
+/// Displaces the points of \a grid and samples the field at them.
 void MoveAndSample(vtkUnstructuredGrid* grid, const vtkAnalyticFlowSource* source, double width)
 {
   constexpr double pi = 3.14159265358979323846;
@@ -35,12 +35,12 @@ void MoveAndSample(vtkUnstructuredGrid* grid, const vtkAnalyticFlowSource* sourc
   {
     double x[3];
     points->GetPoint(i, x);
-    const double bend = 0.1 * width * std::sin(3.0 * pi * x[0]) * std::sin(2.0 * pi * x[1]) *
+    const double shift = 0.1 * width * std::sin(3.0 * pi * x[0]) * std::sin(2.0 * pi * x[1]) *
       std::sin(4.0 * pi * x[2]);
-    const double place[3] = { x[0] + bend, x[1] - bend, x[2] + bend };
+    const double position[3] = { x[0] + shift, x[1] - shift, x[2] + shift };
     double v[3];
-    source->Evaluate(place, v);
-    moved->SetPoint(i, place);
+    source->Evaluate(position, v);
+    moved->SetPoint(i, position);
     velocity->SetTuple(i, v);
   }
   grid->SetPoints(moved);
@@ -48,7 +48,7 @@ void MoveAndSample(vtkUnstructuredGrid* grid, const vtkAnalyticFlowSource* sourc
   grid->GetPointData()->SetVectors(velocity);
 }
 
-vtkSmartPointer<vtkImageData> MakeLattice(int points)
+vtkSmartPointer<vtkImageData> MakeImage(int points)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   image->SetDimensions(points, points, points);
@@ -106,11 +106,11 @@ std::vector<Case> MakeSpeedCases(const BenchOptions& options)
     cases.push_back({ "image-" + std::to_string(points), source->GetOutput(), seeds, box, true });
   }
   const auto source = MakeBeltrami(2);
-  const auto lattice = MakeLattice(cells);
-  const auto hexahedra = ToHexahedra(lattice);
+  const auto image = MakeImage(cells);
+  const auto hexahedra = ToHexahedra(image);
   MoveAndSample(hexahedra, source, 2.0 / (cells - 1));
   cases.push_back({ "hexahedra-" + std::to_string(cells), hexahedra, seeds, box });
-  const auto tetrahedra = SplitIntoTetrahedra(lattice, 5);
+  const auto tetrahedra = SplitIntoTetrahedra(image, 5);
   MoveAndSample(tetrahedra, source, 2.0 / (cells - 1));
   cases.push_back({ "tetrahedra-" + std::to_string(cells), tetrahedra, seeds, box });
   return cases;

@@ -14,12 +14,12 @@
 #include <vector>
 
 /**
- * What the suites of flow measure on.
+ * Data of the flow suites.
  */
 namespace flow
 {
 /**
- * A field, where streamlines begin, and the box in which all of them end.
+ * A field, the start points of streamlines, and the box where they end.
  */
 struct Case
 {
@@ -27,20 +27,21 @@ struct Case
   vtkSmartPointer<vtkDataSet> Field;
   vtkSmartPointer<vtkPolyData> Seeds;
   std::array<double, 6> Box;
-  /// Whether VTK finds cells of the field by arithmetic.
-  bool IsLattice = false;
+  /// Whether the field is an image, in which VTK locates cells by index arithmetic.
+  bool IsBoxGrid = false;
 };
 
-/// ABC flow in [-1, 1]^3, one period, on points^3 points.
+/// Returns one period of ABC flow in [-1, 1]^3 on points^3 points.
 vtkSmartPointer<vtkAnalyticFlowSource> MakeBeltrami(int points);
 
-/// So many points, pseudo-random and even in the box of \a half around the origin.
+/// Returns \a number pseudo-random points, uniform in the cube with half edge \a half around the
+/// origin.
 vtkSmartPointer<vtkPolyData> MakeSeeds(int number, double half, unsigned int seed);
 
 /**
- * ABC flow on images (`image-64`, `image-128`), and, with the points moved by up to a tenth of a
- * cell, on unstructured grids of hexahedra and of five tetrahedra a cell (`hexahedra-64`,
- * `tetrahedra-64`); smaller ones by \a options.
+ * Returns ABC flow on images (`image-64`, `image-128`) and on unstructured grids of hexahedra and
+ * of five tetrahedra per cell (`hexahedra-64`, `tetrahedra-64`), with points displaced by up to a
+ * tenth of a cell. \a options may select smaller sizes.
  */
 std::vector<Case> MakeSpeedCases(const BenchOptions& options);
 }

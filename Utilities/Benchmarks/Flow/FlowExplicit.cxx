@@ -23,10 +23,10 @@ const char* const Again = "implicit-again";
 const char* const Refined = "implicit-refined";
 constexpr int Levels = 2;
 
-/// Sets the error of tetrahedra and counts, against the tube itself.
+/// Sets the error of tetrahedra relative to the exact stream volume, and counts.
 void SetErrors(const Tube& tube, vtkUnstructuredGrid* tetrahedra, BenchRow& row)
 {
-  double whole = 0.0;
+  double total = 0.0;
   double outside = 0.0;
   vtkNew<vtkIdList> ids;
   for (vtkIdType cell = 0; cell < tetrahedra->GetNumberOfCells(); ++cell)
@@ -40,16 +40,16 @@ void SetErrors(const Tube& tube, vtkUnstructuredGrid* tetrahedra, BenchRow& row)
     const double volume = std::abs(vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]));
     double center[3];
     vtkTetra::TetraCenter(x[0], x[1], x[2], x[3], center);
-    whole += volume;
+    total += volume;
     if (tube.IsShadow(center) || tube.GetExcess(center) > 0.0)
     {
       outside += volume;
     }
   }
   row.SetError("volume outside of the tube and volume missing, of the tube's",
-    (outside + std::abs(tube.Volume - (whole - outside))) / tube.Volume);
+    (outside + std::abs(tube.Volume - (total - outside))) / tube.Volume);
   row.Set({ { "tetrahedra", tetrahedra->GetNumberOfCells() },
-    { "volume_error", std::abs(whole - tube.Volume) / tube.Volume } });
+    { "volume_error", std::abs(total - tube.Volume) / tube.Volume } });
 }
 
 void AddExplicit(const Tube& tube, int rings, BenchRows& rows)
@@ -70,7 +70,7 @@ void AddExplicit(const Tube& tube, int rings, BenchRows& rows)
   rows.Add(row);
 }
 
-/// Samples behind the disc's plane, the first of them on it.
+/// Samples the box behind the disk's plane; the first layer of samples is on the plane.
 void SetSamples(const Tube& tube, int samples, vtkImplicitFlowField* field)
 {
   double bounds[6];
@@ -80,14 +80,14 @@ void SetSamples(const Tube& tube, int samples, vtkImplicitFlowField* field)
   field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
   field->SetSampleBounds(bounds);
   field->SetSampleDimensions(samples, samples, samples);
-  // Cells across the end need answers behind it.
+  // Cells that contain the end time need results at later times.
   field->SetMaximumTime(1.3 * tube.Time);
 }
 
 void AddImplicit(
   const Tube& tube, int samples, int levels, const BenchOptions& options, BenchRows& rows)
 {
-  DiscVolume pipeline(tube.Inflow);
+  DiskVolume pipeline(tube.Inflow);
   SetSamples(tube, samples, pipeline.Field);
   pipeline.Field->SetRefinementLevels(levels);
   pipeline.Volume->SetTimeRange(0.0, tube.Time);
@@ -104,7 +104,7 @@ void AddImplicit(
   };
   BenchRow row = rows.Make(tube.Name, levels > 0 ? Refined : Implicit, samples);
   row.Seconds = TimeOnce(work);
-  row.Counts["streamlines"] = GetCount(pipeline.Field->GetReport(), "Samples");
+  row.Counts["streamlines"] = pipeline.Field->GetReport()->GetCount("Samples");
   const BenchSeconds seconds = MeasureAlternately({ again }, options.GetRepeats()).front();
   SetErrors(tube, pipeline.Volume->GetOutput(), row);
   rows.Add(row);
@@ -119,12 +119,12 @@ void AddImplicit(
 }
 
 /**
- * The cases of MakeTubes, by one thread. Methods, with their parameters:
- * - `explicit`: ExplicitFlowVolume; its rings, four layers for each;
- * - `implicit`: DiscVolume, from the field to the volume; samples along each side of a box behind
- *   the disc's plane;
+ * Measures the cases of MakeTubes with one thread. Methods and their parameters:
+ * - `explicit`: ExplicitFlowVolume; the number of rings, with four layers per ring;
+ * - `implicit`: DiskVolume, including the flow field; samples along each side of a box behind the
+ *   disk's plane;
  * - `implicit-again`: the same volume after a change of the inflow mapping;
- * - `implicit-refined`: as `implicit`, with two levels of refinement.
+ * - `implicit-refined`: `implicit` with two levels of refinement.
  */
 void AddExplicitRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -159,10 +159,10 @@ std::vector<BenchPlot> MakeExplicitPlots(const std::vector<BenchRow>& rows)
       BenchPlot& plot = FindOrAdd(plots,
         BenchPlot::OfErrors("flow-explicit-" + row.Case,
           "Stream volume, " + row.Case + ", 1 thread", "run time (s)", "misplaced volume / volume",
-          "How fine are samples to be for the volume of the stream volume " + row.Case + "?",
-          "Implicit by samples along an edge, cells refined or not; explicit, the peer, by rings "
-          "of "
-          "streamlines. Ringed: the finest samples without refinement."));
+          "Which sample resolution is required for an accurate stream volume (" + row.Case + ")?",
+          "Implicit stream volumes: labels are samples along an edge, with or without refined "
+          "cells. The baseline is the explicit stream volume: labels are rings of streamlines. "
+          "Ringed: the highest resolution without refinement."));
       plot.AddRow(row, row.Method == Explicit);
       plot.SetDefault(Implicit);
     }

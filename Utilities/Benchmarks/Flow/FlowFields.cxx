@@ -15,7 +15,7 @@ namespace flow
 namespace
 {
 using reference::FlowVector;
-/// Where a field carries a point in a time.
+/// Returns the position of a point after a time in the field.
 using Formula = std::function<FlowVector(const FlowVector&, double)>;
 
 constexpr double Pi = 3.14159265358979323846;
@@ -38,7 +38,7 @@ public:
     return source;
   }
 
-  /// Without a formula: the field as it is interpolated.
+  /// Without a formula, the reference is the interpolated field.
   void Add(const std::string& name, vtkAnalyticFlowSource* source, const Formula& formula = nullptr,
     bool isStiff = false)
   {
@@ -51,13 +51,13 @@ public:
       this->Cases.push_back({ what, Reference::OfInterpolation(what), isStiff });
       return;
     }
-    const vtkSmartPointer<vtkAnalyticFlowSource> kept = source;
+    const vtkSmartPointer<vtkAnalyticFlowSource> reused = source;
     const Reference exact(
-      what.Seeds, [kept](const double x[3], double v[3]) { kept->Evaluate(x, v); },
+      what.Seeds, [reused](const double x[3], double v[3]) { reused->Evaluate(x, v); },
       [formula](double x[3], double time)
       {
-        const FlowVector place = formula({ { x[0], x[1], x[2] } }, time);
-        std::copy(place.begin(), place.end(), x);
+        const FlowVector position = formula({ { x[0], x[1], x[2] } }, time);
+        std::copy(position.begin(), position.end(), x);
       });
     this->Cases.push_back({ what, exact, isStiff });
   }

@@ -9,7 +9,7 @@
 #include <vector>
 
 /**
- * The fields on which the suites `flow` and `flow-sharing` measure errors.
+ * Fields for the error measurements in the suites `flow` and `flow-sharing`.
  */
 namespace flow
 {
@@ -17,22 +17,22 @@ struct FieldCase
 {
   Case What;
   Reference Exact;
-  /// A saddle that explicit methods take a hundred thousand steps in.
+  /// Whether the field is a saddle in which explicit methods require a hundred thousand steps.
   bool IsStiff = false;
 };
 
 /**
- * On images over [-1, 1]^3. Linear fields, which interpolation keeps, with formulas as their
- * references: `uniform`, `rotation` around an axis outside of the image, `saddle`, `spiral`, and
- * `stiff-<ratio>`, saddles of that ratio of eigenvalues. With TrilinearFlow: `source-sink`, both
- * outside of the image, `sphere` and `abc`.
+ * Returns fields on images over [-1, 1]^3. Linear fields are reproduced exactly by interpolation
+ * and have formulas as references: `uniform`, `rotation` around an axis outside the image,
+ * `saddle`, `spiral`, and `stiff-<ratio>`, saddles with this ratio of eigenvalues. TrilinearFlow is
+ * the reference of `source-sink` (both outside the image), `sphere` and `abc`.
  */
 std::vector<FieldCase> MakeFieldCases(const BenchOptions& options);
 
 /**
- * On such images too: `shear`, a layer of a tenth of the width in which the velocity turns round,
- * `rotation`, `source-sink`, `sphere`, `abc`, `hurricane`, and `stiff-1e2`. Their seeds are those
- * of MakeFieldCases.
+ * Returns fields on images over [-1, 1]^3, with the seeds of MakeFieldCases: `shear`, a layer of a
+ * tenth of the width across which the velocity reverses, `rotation`, `source-sink`, `sphere`,
+ * `abc`, `hurricane`, and `stiff-1e2`.
  */
 std::vector<Case> MakeSharingCases(const BenchOptions& options);
 }

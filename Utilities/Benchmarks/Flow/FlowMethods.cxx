@@ -29,7 +29,8 @@ double GetLargestSpeed(const Case& what)
   return what.Field->GetPointData()->GetVectors()->GetMaxNorm();
 }
 
-/// Where ours ends; what follows would be steps for nothing.
+/// Terminates streamlines outside the box, as vtkImplicitFlowField does, to avoid unnecessary
+/// steps.
 bool HasLeftBox(void* bounds, vtkPoints* points, vtkDataArray*, int)
 {
   const vtkIdType number = points->GetNumberOfPoints();
@@ -47,21 +48,22 @@ vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
   box->SetBounds(bounds);
   box->SetId(0);
   auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();
-  // An explicit method may reach nothing where a field is stiff: its row says so.
-  vtkNew<vtkCallbackCommand> nothing;
-  filter->AddObserver(vtkCommand::WarningEvent, nothing);
+  // An explicit method may reach no surface if the field is stiff. The warning is ignored, since
+  // the row shows this.
+  vtkNew<vtkCallbackCommand> ignore;
+  filter->AddObserver(vtkCommand::WarningEvent, ignore);
   filter->SetInputData(what.Field);
   filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
   filter->SetSampleData(what.Seeds);
   filter->AddTerminationSurface(box);
-  filter->SetMaximumTime(LongestTime);
-  filter->SetMaximumNumberOfSteps(MostSteps);
+  filter->SetMaximumTime(MaximumTime);
+  filter->SetMaximumNumberOfSteps(MaximumSteps);
   filter->SetIntegrator(integrator);
   filter->SetMaximumError(tolerance * GetLargestSpeed(what));
   return filter;
 }
 
-Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter)
+MethodResult ReadAdvection(const Case& what, vtkImplicitFlowField* filter)
 {
   vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
   vtkPointData* data = output->GetPointData();
@@ -70,24 +72,24 @@ Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter)
   vtkDataArray* parameters = data->GetArray(vtkFlowStatus::ParametersArray());
   vtkDataArray* times = data->GetArray(vtkFlowStatus::TimeArray());
   vtkTerminationSurface* box = filter->GetTerminationSurface(0);
-  Answer answer;
-  answer.Ends.resize(static_cast<std::size_t>(what.Seeds->GetNumberOfPoints()));
+  MethodResult result;
+  result.Ends.resize(static_cast<std::size_t>(what.Seeds->GetNumberOfPoints()));
   for (vtkIdType i = 0; i < output->GetNumberOfPoints(); ++i)
   {
-    End& end = answer.Ends[static_cast<std::size_t>(i)];
-    end.HasAnswer = statuses->GetTuple1(i) == vtkFlowStatus::REACHED_SURFACE;
+    End& end = result.Ends[static_cast<std::size_t>(i)];
+    end.HasResult = statuses->GetTuple1(i) == vtkFlowStatus::REACHED_SURFACE;
     end.Time = times->GetTuple1(i);
-    answer.Time += end.Time;
-    if (end.HasAnswer)
+    result.Time += end.Time;
+    if (end.HasResult)
     {
       double uv[2];
       parameters->GetTuple(i, uv);
-      box->EvaluatePoint(static_cast<int>(ids->GetTuple1(i)), uv, end.Place.data());
+      box->EvaluatePoint(static_cast<int>(ids->GetTuple1(i)), uv, end.Position.data());
     }
   }
   vtkInterlumeReport* report = filter->GetReport();
-  answer.Steps = GetCount(report, "Steps") + GetCount(report, "StiffSteps");
-  return answer;
+  result.Steps = report->GetCount("Steps") + report->GetCount("StiffSteps");
+  return result;
 }
 
 BenchSeconds RunOnce(vtkAlgorithm* filter)
@@ -128,7 +130,7 @@ vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSetting
     tracer->SetInitialIntegrationStep(settings.Parameter);
   }
   tracer->SetMaximumNumberOfSteps(1000000);
-  tracer->SetMaximumPropagation(LongestWay);
+  tracer->SetMaximumPropagation(MaximumLength);
   tracer->SetTerminalSpeed(1e-9 * GetLargestSpeed(what));
   tracer->SetComputeVorticity(false);
   tracer->AddCustomTerminationCallback(&HasLeftBox, const_cast<double*>(what.Box.data()),
@@ -146,11 +148,11 @@ BenchWork MakeTracing(const Case& what, const TracerSettings& settings)
   };
 }
 
-Answer ReadTracer(const Case& what, vtkStreamTracer* tracer)
+MethodResult ReadTracer(const Case& what, vtkStreamTracer* tracer)
 {
   vtkPolyData* output = tracer->GetOutput();
-  Answer answer;
-  answer.Ends.resize(static_cast<std::size_t>(what.Seeds->GetNumberOfPoints()));
+  MethodResult result;
+  result.Ends.resize(static_cast<std::size_t>(what.Seeds->GetNumberOfPoints()));
   vtkDataArray* seeds = output->GetCellData()->GetArray("SeedIds");
   vtkDataArray* times = output->GetPointData()->GetArray("IntegrationTime");
   for (vtkIdType line = 0; line < output->GetNumberOfLines(); ++line)
@@ -162,19 +164,19 @@ Answer ReadTracer(const Case& what, vtkStreamTracer* tracer)
     {
       continue;
     }
-    End& end = answer.Ends[static_cast<std::size_t>(seeds->GetTuple1(line))];
+    End& end = result.Ends[static_cast<std::size_t>(seeds->GetTuple1(line))];
     vtkIdType last = number - 1;
-    answer.Time += std::abs(times->GetTuple1(points[last]));
-    answer.Steps += last;
+    result.Time += std::abs(times->GetTuple1(points[last]));
+    result.Steps += last;
     const vtkBoundingBox box(what.Box.data());
     while (last > 0 && !box.ContainsPoint(output->GetPoint(points[last])))
     {
       --last;
     }
-    end.HasAnswer = last > 0;
+    end.HasResult = last > 0;
     end.Time = std::abs(times->GetTuple1(points[last]));
-    output->GetPoint(points[last], end.Place.data());
+    output->GetPoint(points[last], end.Position.data());
   }
-  return answer;
+  return result;
 }
 }

@@ -17,73 +17,70 @@
 #include <vector>
 
 /**
- * The two ways of following streamlines backward, and where they end.
+ * Two methods of integrating streamlines backward, vtkImplicitFlowField and vtkStreamTracer, and
+ * the endpoints of their streamlines.
  */
 namespace flow
 {
-inline const char* const Peer = "streamtracer";
+inline const char* const Baseline = "streamtracer";
 
-/// The most that a streamline goes on, in time, in length and in our steps: explicit methods are
-/// to show what they take where a field is stiff.
-constexpr double LongestTime = 5.0;
-constexpr double LongestWay = 12.0;
-constexpr int MostSteps = 100000;
+/// Limits of a streamline in time, length and steps of vtkImplicitFlowField. They are large, so
+/// that rows show the cost of explicit methods in stiff fields.
+constexpr double MaximumTime = 5.0;
+constexpr double MaximumLength = 12.0;
+constexpr int MaximumSteps = 100000;
 
-/// Where and when one streamline ends.
+/// Endpoint of one streamline and the time to reach it.
 struct End
 {
-  bool HasAnswer = false;
+  bool HasResult = false;
   double Time = 0.0;
-  std::array<double, 3> Place{};
+  std::array<double, 3> Position{};
 };
 
-/// All streamlines of a run.
-struct Answer
+/// Endpoints of all streamlines of a run.
+struct MethodResult
 {
   std::vector<End> Ends;
   vtkIdType Steps = 0;
-  /// The sum of all times.
+  /// Sum of all times.
   double Time = 0.0;
 };
 
 /**
- * vtkImplicitFlowField from the seeds to the box, not yet run. \a tolerance: MaximumError over the
- * largest speed of the field. Ready with the answer: those that reached the box.
+ * Returns a filter that traces from the seeds to the box and has not been executed. \a tolerance is
+ * MaximumError divided by the maximum speed of the field. ReadAdvection() returns its endpoints.
+ * HasResult is true for streamlines that reached the box.
  */
 vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
   const Case& what, int integrator, double tolerance);
-Answer ReadAdvection(const Case& what, vtkImplicitFlowField* filter);
+MethodResult ReadAdvection(const Case& what, vtkImplicitFlowField* filter);
 
-/// Returns a count of a report, as an integer for JSON.
-inline vtkIdType GetCount(vtkInterlumeReport* report, const char* name)
-{
-  return static_cast<vtkIdType>(report->GetNumber(name));
-}
-
-/// Wall seconds of an update by one thread.
+/// Returns the wall time of an update with one thread.
 BenchSeconds RunOnce(vtkAlgorithm* filter);
 
-/// How vtkStreamTracer is set.
+/// Settings of vtkStreamTracer.
 struct TracerSettings
 {
-  /// One of vtkStreamTracer's: RUNGE_KUTTA2, RUNGE_KUTTA4 or RUNGE_KUTTA45.
+  /// RUNGE_KUTTA2, RUNGE_KUTTA4 or RUNGE_KUTTA45 of vtkStreamTracer.
   int Integrator = vtkStreamTracer::RUNGE_KUTTA4;
-  /// RUNGE_KUTTA45: MaximumError; the others: the step in lengths of a cell.
+  /// MaximumError for RUNGE_KUTTA45, otherwise the step in cell lengths.
   double Parameter = 0.5;
-  /// How cells are found where the last one is left.
+  /// Search method for the next cell after a streamline leaves a cell.
   CellSearch Search = CellSearch::CLOSEST_POINT;
 
   std::string GetName() const;
 };
 
 /**
- * vtkStreamTracer from the seeds until a step ends outside of the box, without vorticity, not yet
- * run. Its answers are its last points inside the box. \a what has to outlive it.
+ * Returns a filter that traces from the seeds, without vorticity, and has not been executed. A
+ * streamline stops when a step ends outside the box. Its endpoints are the last points inside the
+ * box. \a what must outlive it.
  */
 vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSettings& settings);
-/// A new one at each run.
+/// Returns work that creates and executes a new tracer.
 BenchWork MakeTracing(const Case& what, const TracerSettings& settings);
-Answer ReadTracer(const Case& what, vtkStreamTracer* tracer);
+MethodResult ReadTracer(const Case& what, vtkStreamTracer* tracer);
 }
 
 #endif

@@ -34,7 +34,7 @@ double Mean(const std::vector<double>& numbers)
     : std::accumulate(numbers.begin(), numbers.end(), 0.0) / static_cast<double>(numbers.size());
 }
 
-/// Streamlines through VTK's own interpolation.
+/// Streamlines of the field as VTK interpolates it.
 class InterpolatedFlow
 {
 public:
@@ -47,8 +47,8 @@ public:
 
   void GetVelocity(const double x[3], double v[3]) const
   {
-    double place[4] = { x[0], x[1], x[2], 0.0 };
-    if (this->Interpolation->FunctionValues(place, v) == 0)
+    double position[4] = { x[0], x[1], x[2], 0.0 };
+    if (this->Interpolation->FunctionValues(position, v) == 0)
     {
       std::fill(v, v + 3, 0.0);
     }
@@ -76,7 +76,7 @@ public:
 
 private:
   vtkSmartPointer<vtkAbstractInterpolatedVelocityField> Interpolation;
-  /// A tenth of a cell.
+  /// Time to cross a tenth of a cell at the maximum speed.
   double LongestStep;
 };
 
@@ -106,49 +106,51 @@ Reference Reference::OfInterpolation(const Case& what)
   return MakeReference(what.Seeds, std::make_shared<InterpolatedFlow>(what));
 }
 
-Difference Reference::Compare(const Answer& answer, vtkIdType stride, double error) const
+Difference Reference::Compare(const MethodResult& result, vtkIdType stride, double error) const
 {
-  // What rounding may do to a place.
+  // Bound of the rounding error of a position.
   constexpr double rounding = 1e-13;
-  std::vector<double> aside;
+  std::vector<double> distances;
   std::vector<double> times;
   std::vector<double> within;
   for (vtkIdType i = 0; i < this->Seeds->GetNumberOfPoints(); i += stride)
   {
-    const End& end = answer.Ends[static_cast<std::size_t>(i)];
-    if (!end.HasAnswer)
+    const End& end = result.Ends[static_cast<std::size_t>(i)];
+    if (!end.HasResult)
     {
       continue;
     }
-    double place[3];
-    this->Seeds->GetPoint(i, place);
+    double position[3];
+    this->Seeds->GetPoint(i, position);
     double time = -end.Time;
-    this->Follow(place, time);
-    const double carried = std::sqrt(vtkMath::Distance2BetweenPoints(place, end.Place.data()));
-    // To the point of the streamline that is closest to the end.
+    this->Follow(position, time);
+    const double carried =
+      std::sqrt(vtkMath::Distance2BetweenPoints(position, end.Position.data()));
+    // Moves to the point of the streamline that is closest to the endpoint.
     for (int iteration = 0; iteration < 4; ++iteration)
     {
       double v[3];
-      this->GetVelocity(place, v);
-      double apart[3];
-      vtkMath::Subtract(end.Place.data(), place, apart);
+      this->GetVelocity(position, v);
+      double difference[3];
+      vtkMath::Subtract(end.Position.data(), position, difference);
       const double speed2 = vtkMath::Dot(v, v);
       if (speed2 == 0.0)
       {
         break;
       }
-      const double along = vtkMath::Dot(apart, v) / speed2;
-      this->Follow(place, along);
+      const double along = vtkMath::Dot(difference, v) / speed2;
+      this->Follow(position, along);
       time += along;
     }
     if (!std::isfinite(time) || !std::isfinite(carried))
     {
-      throw std::runtime_error("the reference of seed " + std::to_string(i) + " is no number");
+      throw std::runtime_error(
+        "The reference position of seed " + std::to_string(i) + " is not finite");
     }
-    aside.push_back(std::sqrt(vtkMath::Distance2BetweenPoints(place, end.Place.data())));
+    distances.push_back(std::sqrt(vtkMath::Distance2BetweenPoints(position, end.Position.data())));
     times.push_back(std::abs(end.Time + time));
     within.push_back(carried <= error * end.Time + rounding ? 1.0 : 0.0);
   }
-  return { Mean(aside), Median(aside), Mean(times), Mean(within) };
+  return { Mean(distances), Median(distances), Mean(times), Mean(within) };
 }
 }

@@ -13,41 +13,43 @@
 
 namespace flow
 {
-/// How far an answer is from the reference.
+/// Difference between a MethodResult and the reference.
 struct Difference
 {
-  /// Mean and median distance of the ends from the streamlines: the error of (u,v), world units.
+  /// Mean and median distance of the endpoints from the streamlines, in world units: the error of
+  /// (u,v).
   double Mean = 0.0;
   double Median = 0.0;
-  /// Mean difference of the time at which a streamline is where it ends: the error of t.
+  /// Mean difference between the time at an endpoint and the reference: the error of t.
   double Time = 0.0;
-  /// The share of the answers that are no further than an error times their time from where the
-  /// field carries the seed in that time.
+  /// Fraction of the endpoints whose distance from the exact position after the same time is at
+  /// most the error bound multiplied by that time.
   double Within = 0.0;
 };
 
 /**
- * Where streamlines really are, by a formula or by integration that is not this project's.
+ * Exact streamlines, from a formula or from an integrator that is not part of this project.
  */
 class Reference
 {
 public:
   using VelocityFunction = std::function<void(const double x[3], double v[3])>;
-  /// Moves x along the field for a time of any sign.
+  /// Moves x along the field for a positive or negative time.
   using FollowFunction = std::function<void(double x[3], double time)>;
 
   Reference(vtkPolyData* seeds, const VelocityFunction& velocity, const FollowFunction& follow);
 
   /**
-   * That of the field as VTK interpolates it: TrilinearFlow on images. On other grids by Boost's
-   * method of Runge, Kutta and Fehlberg, order 7(8), in steps of at most a tenth of a cell through
-   * VTK's interpolation, which is good to some 1e-8.
+   * Returns the reference of the field as VTK interpolates it. Images use TrilinearFlow. Other
+   * grids use Boost's Runge-Kutta-Fehlberg 7(8) in steps of at most a tenth of a cell with VTK's
+   * interpolation, with an accuracy of about 1e-8.
    */
   static Reference OfInterpolation(const Case& what);
 
-  /// Over every \a stride-th seed with an answer. \a error: that of Difference::Within, world units
-  /// per unit of time. Throws std::runtime_error where a reference is no number.
-  Difference Compare(const Answer& answer, vtkIdType stride, double error = 0.0) const;
+  /// Compares every \a stride-th seed that reached the box. \a error is the error bound of
+  /// Difference::Within in world units per unit of time. Throws std::runtime_error if a reference
+  /// position is not finite.
+  Difference Compare(const MethodResult& result, vtkIdType stride, double error = 0.0) const;
 
 private:
   vtkSmartPointer<vtkPolyData> Seeds;

@@ -23,7 +23,7 @@ namespace
 {
 const char* const Shared = "shared";
 constexpr double Within = 10.0;
-/// What JSON has for an infinite error.
+/// Replaces an infinite error, which JSON cannot represent.
 constexpr double Infinite = 1e30;
 
 vtkSmartPointer<vtkImageData> MakeSamples(int side, double half)
@@ -36,7 +36,7 @@ vtkSmartPointer<vtkImageData> MakeSamples(int side, double half)
   return samples;
 }
 
-/// The case with samples on an image, which have the place of seeds.
+/// Returns the case with the points of an image as seeds.
 Case OnImage(const Case& what, vtkImageData* samples)
 {
   Case own = what;
@@ -59,25 +59,25 @@ double GetValue(vtkImplicitFlowField* filter, const char* name, vtkIdType sample
     ->GetComponent(sample, 0);
 }
 
-/// The errors of samples in tolerances.
+/// Errors of samples in units of the tolerance.
 struct Errors
 {
-  /// Those of the samples that were interpolated, in ascending order.
+  /// Errors of the interpolated samples, in ascending order.
   std::vector<double> Shared;
   vtkIdType Within = 0;
 
-  double GetQuantile(double part) const
+  double GetQuantile(double fraction) const
   {
     const std::size_t last = this->Shared.size();
-    const auto at = static_cast<std::size_t>(std::ceil(part * static_cast<double>(last)));
+    const auto at = static_cast<std::size_t>(std::ceil(fraction * static_cast<double>(last)));
     return last == 0 ? 0.0 : std::min(Infinite, this->Shared[std::max<std::size_t>(at, 1) - 1]);
   }
 };
 
 Errors FindErrors(const Case& what, vtkImplicitFlowField* all, vtkImplicitFlowField* some)
 {
-  const Answer exact = ReadAdvection(what, all);
-  const Answer found = ReadAdvection(what, some);
+  const MethodResult exact = ReadAdvection(what, all);
+  const MethodResult found = ReadAdvection(what, some);
   const double speed = some->GetReport()->GetNumber("MaximumSpeed");
   Errors errors;
   for (std::size_t i = 0; i < exact.Ends.size(); ++i)
@@ -90,16 +90,17 @@ Errors FindErrors(const Case& what, vtkImplicitFlowField* all, vtkImplicitFlowFi
     double error = std::numeric_limits<double>::infinity();
     if (isSame(vtkFlowStatus::StatusArray()) && isSame(vtkFlowStatus::IdArray()))
     {
-      const double distance = a.HasAnswer
-        ? std::hypot(a.Place[0] - b.Place[0], a.Place[1] - b.Place[1], a.Place[2] - b.Place[2])
+      const double distance = a.HasResult
+        ? std::hypot(a.Position[0] - b.Position[0], a.Position[1] - b.Position[1],
+            a.Position[2] - b.Position[2])
         : 0.0;
       constexpr double rounding = 1e-13;
       error = std::max(distance, speed * std::abs(a.Time - b.Time)) /
         (some->GetMaximumError() * a.Time + rounding);
     }
     errors.Within += error <= Within ? 1 : 0;
-    // No step was taken for an answer that was interpolated.
-    if (b.HasAnswer && GetValue(some, "AdvectionSteps", sample) == 0.0 &&
+    // Interpolated results took no advection steps.
+    if (b.HasResult && GetValue(some, "AdvectionSteps", sample) == 0.0 &&
       GetValue(all, "AdvectionSteps", sample) > 0.0)
     {
       errors.Shared.push_back(error);
@@ -116,9 +117,9 @@ void AddRow(const Case& what, vtkImageData* samples, double tolerance, BenchRows
   for (vtkImplicitFlowField* filter : { all.GetPointer(), some.GetPointer() })
   {
     filter->SetSampleData(samples);
-    filter->KeepStepsOn();
+    filter->StoreStepCountsOn();
   }
-  some->ShareStreamlinesOn();
+  some->InterpolateStreamlinesOn();
   const std::vector<BenchSeconds> seconds =
     MeasureAlternately({ WithThreads(1, Again(some)), WithThreads(1, Again(all)) }, 3);
   vtkInterlumeReport* report = some->GetReport();
@@ -126,26 +127,28 @@ void AddRow(const Case& what, vtkImageData* samples, double tolerance, BenchRows
   const double number = report->GetNumber("Samples");
   BenchRow row = rows.Make(what.Name, Shared, tolerance);
   row.SetTimes(seconds[0].OfProcessor(), "all streamlines", seconds[1].OfProcessor());
-  row.Set({ { "samples", GetCount(report, "Samples") },
+  row.Set({ { "samples", report->GetCount("Samples") },
     { "share", report->GetNumber("InterpolatedSamples") / number },
     { "median", errors.GetQuantile(0.5) }, { "q99", errors.GetQuantile(0.99) },
     { "q999", errors.GetQuantile(0.999) }, { "largest", errors.GetQuantile(1.0) },
     { "within", static_cast<double>(errors.Within) / number },
-    { "checks", GetCount(report, "InterpolationChecks") },
+    { "checks", report->GetCount("InterpolationChecks") },
     { "largest_checked_error", report->GetNumber("LargestInterpolationError") },
-    { "steps", GetCount(report, "Steps") },
-    { "peer_steps", GetCount(all->GetReport(), "Steps") } });
+    { "steps", report->GetCount("Steps") },
+    { "peer_steps", all->GetReport()->GetCount("Steps") } });
   rows.Add(row);
 }
 
 /**
- * The fields of MakeSharingCases, about 100,000 samples on an image each, a quarter as wide for
- * `dense`. Method `shared`, the parameter being MaximumError over the largest speed: processor time
- * of vtkImplicitFlowField with ShareStreamlines against that without. The error of a sample is the
- * distance of the ends, or the difference of times at the largest speed, whichever is more, over
- * MaximumError times the time of the streamline; infinite where status or id differ, written as
- * 1e30. `median`, `q99`, `q999` and `largest` are of the samples that were interpolated, `within`
- * is the share of all samples whose error is at most 10.
+ * Measures the fields of MakeSharingCases with about 100,000 samples on an image, which is a
+ * quarter as wide for `dense`. Method `shared`: processor time of vtkImplicitFlowField with
+ * InterpolateStreamlines; the baseline has it off. The parameter is MaximumError divided by the
+ * maximum speed.
+ *
+ * The error of a sample is the larger of the distance of the endpoints and the difference of times
+ * multiplied by the maximum speed, divided by MaximumError times the advection time. It is infinite
+ * (written as 1e30) if status or id differ. `median`, `q99`, `q999` and `largest` are quantiles for
+ * the interpolated samples. `within` is the fraction of all samples with an error of at most 10.
  */
 void AddSharingRows(const BenchOptions& options, BenchRows& rows)
 {

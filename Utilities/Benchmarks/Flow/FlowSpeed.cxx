@@ -24,16 +24,16 @@ const char* const EqualError = "equal-error";
 const char* const EqualAgain = "equal-error-again";
 const char* const Norm = "mean distance of the ends from the streamlines";
 constexpr double DefaultTolerance = 1e-6;
-/// vtkStreamTracer's points are in single precision on images, which rounds places near 1 by that.
+/// Rounding error of vtkStreamTracer's points near 1, which have single precision on images.
 constexpr double TracerRounding = 3e-8;
 
-/// What an answer costs, and how good it is.
+/// A run of one method: setting, times, endpoints and error.
 struct Trial
 {
   double Parameter = 0.0;
   BenchSeconds Seconds;
-  Answer Found;
-  Difference Apart;
+  MethodResult Found;
+  Difference Deviation;
 };
 
 BenchWork MakeAdvection(const Case& what, double tolerance)
@@ -46,13 +46,14 @@ BenchWork MakeAdvection(const Case& what, double tolerance)
   };
 }
 
-/// Without what is done before the first step, as far as clocks tell the two apart.
+/// Returns the steps per second without the setup, whose measured time may exceed the total for
+/// short runs.
 double StepsPerSecond(vtkIdType steps, double seconds, double setup)
 {
   return static_cast<double>(steps) / std::max(seconds - setup, 0.01 * seconds);
 }
 
-/// All rows of one case.
+/// Adds all rows of one case.
 class CaseRows
 {
 public:
@@ -77,7 +78,7 @@ public:
       trial.Parameter = tolerance;
       trial.Seconds = RunOnce(filter);
       trial.Found = ReadAdvection(this->What, filter);
-      trial.Apart = this->Exact.Compare(trial.Found, this->Stride);
+      trial.Deviation = this->Exact.Compare(trial.Found, this->Stride);
       this->AddTrial(Advection, trial);
       if (tolerance == DefaultTolerance)
       {
@@ -88,7 +89,8 @@ public:
     {
       TracerSettings settings;
       settings.Integrator = integrator;
-      const Trial equal = this->AddPeer(settings, std::max(2.0 * best.Apart.Mean, TracerRounding));
+      const Trial equal =
+        this->AddBaseline(settings, std::max(2.0 * best.Deviation.Mean, TracerRounding));
       settings.Parameter = equal.Parameter;
       this->AddEqual(best, settings, equal);
     }
@@ -99,30 +101,31 @@ private:
   {
     BenchRow row = this->Rows.Make(this->What.Name, method, trial.Parameter);
     row.Seconds = trial.Seconds;
-    row.SetError(Norm, trial.Apart.Mean);
-    row.Set({ { "steps", trial.Found.Steps }, { "time_error", trial.Apart.Time },
+    row.SetError(Norm, trial.Deviation.Mean);
+    row.Set({ { "steps", trial.Found.Steps }, { "time_error", trial.Deviation.Time },
       { "steps_per_second", static_cast<double>(trial.Found.Steps) / trial.Seconds } });
     this->Rows.Add(row);
   }
 
-  /// Until the error is small enough, or as long as that gets anywhere.
-  Trial AddPeer(TracerSettings settings, double wanted)
+  /// Runs the tracer with finer settings until its error is at most \a target or the number of
+  /// settings is exhausted.
+  Trial AddBaseline(TracerSettings settings, double target)
   {
     const bool isAdaptive = settings.Integrator == vtkStreamTracer::RUNGE_KUTTA45;
-    const int most = this->Options.Pick(isAdaptive ? 10 : 8, isAdaptive ? 8 : 6, 2);
+    const int maximumRuns = this->Options.Pick(isAdaptive ? 10 : 8, isAdaptive ? 8 : 6, 2);
     settings.Search =
-      this->What.IsLattice ? CellSearch::CLOSEST_POINT : CellSearch::STATIC_CELL_LOCATOR;
+      this->What.IsBoxGrid ? CellSearch::CLOSEST_POINT : CellSearch::STATIC_CELL_LOCATOR;
     settings.Parameter = isAdaptive ? 1e-4 : 0.5;
     Trial trial;
-    for (int i = 0; i < most; ++i)
+    for (int i = 0; i < maximumRuns; ++i)
     {
       const auto tracer = NewTracer(this->What, settings);
       trial.Parameter = settings.Parameter;
       trial.Seconds = RunOnce(tracer);
       trial.Found = ReadTracer(this->What, tracer);
-      trial.Apart = this->Exact.Compare(trial.Found, this->Stride);
+      trial.Deviation = this->Exact.Compare(trial.Found, this->Stride);
       this->AddTrial(settings.GetName(), trial);
-      if (trial.Apart.Mean <= wanted)
+      if (trial.Deviation.Mean <= target)
       {
         break;
       }
@@ -134,11 +137,11 @@ private:
   void AddEqual(const Trial& own, TracerSettings settings, const Trial& other)
   {
     settings.Search =
-      this->What.IsLattice ? CellSearch::CLOSEST_POINT : CellSearch::STATIC_CELL_LOCATOR;
-    // What is made of the field first, such as faces and locators, shows with one streamline.
+      this->What.IsBoxGrid ? CellSearch::CLOSEST_POINT : CellSearch::STATIC_CELL_LOCATOR;
+    // A run with one streamline shows the time of preprocessing, such as faces and locators.
     Case one = this->What;
     one.Seeds = MakeSeeds(1, 0.01, this->Options.Seed);
-    if (!this->What.IsLattice)
+    if (!this->What.IsBoxGrid)
     {
       this->AddAgain(own, settings, other);
     }
@@ -148,38 +151,38 @@ private:
                            MakeTracing(one, settings) },
         3);
     BenchRow row = this->Rows.Make(this->What.Name, EqualError, DefaultTolerance);
-    row.SetError(Norm, own.Apart.Mean);
-    row.SetTimes(seconds[0], std::string(Peer) + "-" + settings.GetName(), seconds[1]);
+    row.SetError(Norm, own.Deviation.Mean);
+    row.SetTimes(seconds[0], std::string(Baseline) + "-" + settings.GetName(), seconds[1]);
     const auto samples = static_cast<double>(this->What.Seeds->GetNumberOfPoints());
     const double rate = StepsPerSecond(own.Found.Steps, seconds[0].Processor, seconds[2].Processor);
-    const double peerRate =
+    const double baselineRate =
       StepsPerSecond(other.Found.Steps, seconds[1].Processor, seconds[3].Processor);
     row.Set({ { "steps", own.Found.Steps }, { "steps_per_second", rate },
       { "samples_per_second", samples / seconds[0] }, { "processor_seconds", seconds[0].Processor },
-      { "setup_seconds", seconds[2].Value }, { "time_error", own.Apart.Time },
+      { "setup_seconds", seconds[2].Value }, { "time_error", own.Deviation.Time },
       { "peer_processor_seconds", seconds[1].Processor },
       { "peer_setup_seconds", seconds[3].Value }, { "peer_parameter", other.Parameter },
-      { "peer_error", other.Apart.Mean }, { "peer_time_error", other.Apart.Time },
-      { "peer_steps", other.Found.Steps }, { "peer_steps_per_second", peerRate },
+      { "peer_error", other.Deviation.Mean }, { "peer_time_error", other.Deviation.Time },
+      { "peer_steps", other.Found.Steps }, { "peer_steps_per_second", baselineRate },
       { "peer_samples_per_second", samples / seconds[1] },
-      { "steps_per_second_ratio", rate / peerRate } });
+      { "steps_per_second_ratio", rate / baselineRate } });
     this->Rows.Add(row);
   }
 
-  /// What is found of the faces of a mesh is kept.
+  /// Adds a row for a repeated execution, which reuses the face matches of the mesh.
   void AddAgain(const Trial& own, const TracerSettings& settings, const Trial& other)
   {
-    const auto known = NewAdvection(this->What, vtkImplicitFlowField::AUTOMATIC, DefaultTolerance);
-    known->Update();
+    const auto filter = NewAdvection(this->What, vtkImplicitFlowField::AUTOMATIC, DefaultTolerance);
+    filter->Update();
     const std::vector<BenchSeconds> seconds = MeasureAlternately(
-      { WithThreads(1, Again(known)), WithThreads(1, MakeTracing(this->What, settings)) }, 3);
+      { WithThreads(1, Again(filter)), WithThreads(1, MakeTracing(this->What, settings)) }, 3);
     BenchRow row = this->Rows.Make(this->What.Name, EqualAgain, DefaultTolerance);
-    row.SetError(Norm, own.Apart.Mean);
-    row.SetTimes(seconds[0], std::string(Peer) + "-" + settings.GetName(), seconds[1]);
+    row.SetError(Norm, own.Deviation.Mean);
+    row.SetTimes(seconds[0], std::string(Baseline) + "-" + settings.GetName(), seconds[1]);
     row.Set({ { "processor_seconds", seconds[0].Processor },
       { "peer_processor_seconds", seconds[1].Processor },
-      { "kept_faces", GetCount(known->GetReport(), "ReusedFaceMatches") },
-      { "peer_error", other.Apart.Mean } });
+      { "kept_faces", filter->GetReport()->GetCount("ReusedFaceMatches") },
+      { "peer_error", other.Deviation.Mean } });
     this->Rows.Add(row);
   }
 
@@ -198,7 +201,8 @@ void AddSecondThread(Case what, const BenchOptions& options, BenchRows& rows)
   rows.Add(row);
 }
 
-/// The number of rows of equal error on images, or on other grids.
+/// Returns a function that evaluates \a number for rows of method `equal-error` on images, or on
+/// other grids.
 template <typename Number>
 std::function<std::optional<double>(const BenchRow&)> OfEqualError(bool isImage, Number number)
 {
@@ -213,13 +217,14 @@ std::function<std::optional<double>(const BenchRow&)> OfEqualError(bool isImage,
 }
 
 /**
- * Streamlines of ABC flow to a box, by one thread. Methods:
- * - `advection`, and the peer's `RK4` and `RK45`: error against run time, the parameter being
- *   MaximumError over the largest speed, the step in cells, and MaximumError;
- * - `equal-error`: the default of the advection against the peers `streamtracer-RK4` and
- *   `streamtracer-RK45` at the first of their settings, halved or divided by ten each time, of an
- *   error no more than twice that of the advection;
- * - `threads-2`: two threads against one.
+ * Measures streamlines of ABC flow from seeds to a box, with one thread unless stated otherwise.
+ * Methods:
+ * - `advection`, and `RK4` and `RK45` of the baseline: error against run time. The parameter is
+ *   MaximumError divided by the maximum speed, the step in cells, and MaximumError;
+ * - `equal-error`: the default settings of the advection. The baselines `streamtracer-RK4` and
+ *   `streamtracer-RK45` use their first setting with an error at most twice as large. Each setting
+ *   halves the step or divides MaximumError by ten;
+ * - `threads-2`: two threads relative to one.
  */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -262,10 +267,12 @@ std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
     BenchPlot& plot = FindOrAdd(plots,
       BenchPlot::OfErrors("flow-error-" + row.Case,
         "Streamlines of ABC flow, " + row.Case + ", 1 thread", "run time (s)",
-        "mean distance from the streamline", "Which tolerance for streamlines on " + row.Case + "?",
-        "vtkImplicitFlowField by tolerance over the largest speed, vtkStreamTracer by its steps "
-        "and tolerances; ends against streamlines of the interpolation in double precision."));
-    plot.AddRow(row, !isOwn, isOwn ? row.Method : std::string(Peer) + " " + row.Method);
+        "mean distance from the streamline",
+        "Which tolerance is required for streamlines on " + row.Case + "?",
+        "vtkImplicitFlowField: labels are tolerances divided by the maximum speed. "
+        "vtkStreamTracer: labels are steps or tolerances. The reference is streamlines of the "
+        "interpolated field in double precision."));
+    plot.AddRow(row, !isOwn, isOwn ? row.Method : std::string(Baseline) + " " + row.Method);
     if (isOwn && row.Parameter.get<double>() == DefaultTolerance)
     {
       plot.SetDefault(row.Method, row.GetParameterText());

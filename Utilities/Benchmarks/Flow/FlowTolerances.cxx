@@ -32,16 +32,16 @@ struct OwnTrial
 };
 
 /// vtkStreamTracer at one of its settings.
-struct PeerTrial
+struct BaselineTrial
 {
   TracerSettings Settings;
   BenchRow Row;
 };
 
-/// Median times, all trials in turn and those of the peer with them, after a run of each that is
-/// not counted; a stiff case takes seconds, is run once, and has no peer.
+/// Measures median times of all trials and baselines, run alternately after one untimed run each. A
+/// stiff case takes seconds, so it is run once and has no baseline.
 void Measure(const FieldCase& field, const BenchOptions& options, std::vector<OwnTrial>& trials,
-  std::vector<PeerTrial>& peers)
+  std::vector<BaselineTrial>& baselines)
 {
   std::vector<BenchWork> works;
   for (OwnTrial& trial : trials)
@@ -53,7 +53,7 @@ void Measure(const FieldCase& field, const BenchOptions& options, std::vector<Ow
   {
     return;
   }
-  for (const PeerTrial& trial : peers)
+  for (const BaselineTrial& trial : baselines)
   {
     works.push_back(WithThreads(1, MakeTracing(field.What, trial.Settings)));
   }
@@ -62,28 +62,29 @@ void Measure(const FieldCase& field, const BenchOptions& options, std::vector<Ow
   {
     trials[i].Row.Seconds = seconds[i];
   }
-  for (std::size_t i = 0; i < peers.size(); ++i)
+  for (std::size_t i = 0; i < baselines.size(); ++i)
   {
-    peers[i].Row.Seconds = seconds[trials.size() + i];
+    baselines[i].Row.Seconds = seconds[trials.size() + i];
   }
 }
 
-/// \a error: 0, or that of Difference::Within.
-void SetErrors(const FieldCase& field, const BenchOptions& options, const Answer& answer,
+/// Sets the errors of a row. \a error is the error bound of Difference::Within; if it is 0, the
+/// count `within` is omitted.
+void SetErrors(const FieldCase& field, const BenchOptions& options, const MethodResult& result,
   double error, BenchRow& row)
 {
-  const auto answers = std::count_if(
-    answer.Ends.begin(), answer.Ends.end(), [](const End& end) { return end.HasAnswer; });
-  row.Counts["answers"] = answers;
-  if (answers > 0)
+  const auto results = std::count_if(
+    result.Ends.begin(), result.Ends.end(), [](const End& end) { return end.HasResult; });
+  row.Counts["answers"] = results;
+  if (results > 0)
   {
     const vtkIdType stride = field.IsStiff ? 1 : options.Pick(1, 4, 1);
-    const Difference apart = field.Exact.Compare(answer, stride, error);
-    row.SetError(Norm, apart.Mean);
-    row.Counts["time_error"] = apart.Time;
+    const Difference difference = field.Exact.Compare(result, stride, error);
+    row.SetError(Norm, difference.Mean);
+    row.Counts["time_error"] = difference.Time;
     if (error > 0.0)
     {
-      row.Counts["within"] = apart.Within;
+      row.Counts["within"] = difference.Within;
     }
   }
 }
@@ -122,22 +123,22 @@ void AddOwnRows(const FieldCase& field, const BenchOptions& options, std::vector
     SetErrors(field, options, ReadAdvection(field.What, trial.Filter),
       10.0 * trial.Filter->GetMaximumError(), row);
     vtkInterlumeReport* report = trial.Filter->GetReport();
-    row.Set({ { "samples", GetCount(report, "Samples") }, { "steps", GetCount(report, "Steps") },
-      { "stiff_steps", GetCount(report, "StiffSteps") },
-      { "rejected", GetCount(report, "RejectedSteps") + GetCount(report, "RejectedStiffSteps") },
-      { "evaluations", GetCount(report, "Evaluations") } });
+    row.Set({ { "samples", report->GetCount("Samples") }, { "steps", report->GetCount("Steps") },
+      { "stiff_steps", report->GetCount("StiffSteps") },
+      { "rejected", report->GetCount("RejectedSteps") + report->GetCount("RejectedStiffSteps") },
+      { "evaluations", report->GetCount("Evaluations") } });
     rows.Add(row);
   }
 }
 
-std::vector<PeerTrial> MakePeerTrials(
+std::vector<BaselineTrial> MakeBaselineTrials(
   const FieldCase& field, const BenchOptions& options, const BenchRows& rows)
 {
   const auto steps = options.Pick<std::vector<double>>(
     { 0.5, 0.25, 0.125, 0.0625, 0.03125 }, { 0.5, 0.125 }, { 0.5, 0.25 });
   const auto errors = options.Pick<std::vector<double>>(
     { 1e-4, 1e-6, 1e-8, 1e-10, 1e-12 }, { 1e-5, 1e-8 }, { 1e-5, 1e-7 });
-  std::vector<PeerTrial> trials;
+  std::vector<BaselineTrial> trials;
   for (const int integrator : { vtkStreamTracer::RUNGE_KUTTA4, vtkStreamTracer::RUNGE_KUTTA45 })
   {
     for (const double parameter : integrator == vtkStreamTracer::RUNGE_KUTTA45 ? errors : steps)
@@ -152,39 +153,39 @@ std::vector<PeerTrial> MakePeerTrials(
   return trials;
 }
 
-void AddPeerRows(const FieldCase& field, const BenchOptions& options,
-  std::vector<PeerTrial>& trials, BenchRows& rows)
+void AddBaselineRows(const FieldCase& field, const BenchOptions& options,
+  std::vector<BaselineTrial>& trials, BenchRows& rows)
 {
-  for (PeerTrial& trial : trials)
+  for (BaselineTrial& trial : trials)
   {
     const auto tracer = NewTracer(field.What, trial.Settings);
     tracer->Update();
-    const Answer answer = ReadTracer(field.What, tracer);
-    SetErrors(field, options, answer, 0.0, trial.Row);
-    trial.Row.Counts["steps"] = answer.Steps;
+    const MethodResult result = ReadTracer(field.What, tracer);
+    SetErrors(field, options, result, 0.0, trial.Row);
+    trial.Row.Counts["steps"] = result.Steps;
     rows.Add(trial.Row);
   }
 }
 
 /**
- * The cases of FlowFields, by one thread. Methods: each integrator of vtkImplicitFlowField at each
- * tolerance, which is the parameter: MaximumError over the largest speed, but in fields that are
- * stiff MaximumError; and, where the field is not stiff, the peer's `RK4` by step in cells and
- * `RK45` by MaximumError.
+ * Measures the cases of MakeFieldCases with one thread. Methods: each integrator of
+ * vtkImplicitFlowField, with the tolerance as the parameter: MaximumError divided by the maximum
+ * speed, or MaximumError itself in stiff fields. Fields that are not stiff also have the baselines
+ * `RK4` (step in cells) and `RK45` (MaximumError).
  */
 void AddToleranceRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const FieldCase& field : MakeFieldCases(options))
   {
     std::vector<OwnTrial> own = MakeOwnTrials(field, options, rows);
-    std::vector<PeerTrial> peers;
+    std::vector<BaselineTrial> baselines;
     if (!field.IsStiff)
     {
-      peers = MakePeerTrials(field, options, rows);
+      baselines = MakeBaselineTrials(field, options, rows);
     }
-    Measure(field, options, own, peers);
+    Measure(field, options, own, baselines);
     AddOwnRows(field, options, own, rows);
-    AddPeerRows(field, options, peers, rows);
+    AddBaselineRows(field, options, baselines, rows);
   }
 }
 
@@ -215,11 +216,12 @@ std::vector<BenchPlot> MakeTolerancePlots(const std::vector<BenchRow>& rows)
       BenchPlot::OfErrors("flow-tolerance-" + row.Case,
         "Place (u,v) of the end, " + row.Case + ", 1 thread", "run time (s)",
         "mean distance from the streamline (unit of length)",
-        "Which integrator, at which tolerance, for the place at which a streamline of " + row.Case +
-          " ends?",
-        "vtkImplicitFlowField at tolerances over the largest speed, vtkStreamTracer at steps and "
-        "tolerances; ends against the streamlines themselves."));
-    plot.AddRow(row, !isOwn, isOwn ? row.Method : std::string(Peer) + " " + row.Method);
+        "Which integrator and tolerance locate the endpoint of a streamline (" + row.Case +
+          ") accurately?",
+        "vtkImplicitFlowField: labels are tolerances divided by the maximum speed. "
+        "vtkStreamTracer: labels are steps or tolerances. Endpoints are compared with the exact "
+        "streamlines."));
+    plot.AddRow(row, !isOwn, isOwn ? row.Method : std::string(Baseline) + " " + row.Method);
     if (row.Method == Automatic && row.Parameter.get<double>() == ClaimedTolerance &&
       row.Case.rfind("stiff", 0) != 0)
     {

@@ -45,7 +45,7 @@ Tube MakeContraction(int points)
   tube.Inflow = { 0.1, 0.05, 0.1, 0.6 };
   tube.Time = 2.0;
   const double first = tube.Inflow.X;
-  // x r^2 is the same along a streamline.
+  // x r^2 is constant along a streamline.
   tube.Origin = [first](const double x[3])
   {
     const double factor = std::sqrt(std::max(0.0, x[0] / first));
@@ -56,23 +56,23 @@ Tube MakeContraction(int points)
   return tube;
 }
 
-/// Stokes' stream function over r^2 / 2, of the distance from the centre.
+/// Stokes' stream function divided by r^2 / 2, as a function of the distance from the center.
 double GetStreamFactor(double distance)
 {
   return 1.0 - 1.0 / (distance * distance * distance);
 }
 
-Tube MakeRoundSphere(const std::string& name, const Disc& inflow, double time, int points)
+Tube MakeRoundSphere(const std::string& name, const Disk& inflow, double time, int points)
 {
   const reference::FlowFunction velocity = [flow = reference::Flow::RoundSphere()](
                                              const FlowVector& x)
   {
-    // The formula goes on a little into the sphere, so that cells at its face have no jump.
+    // Continue the formula a little into the sphere, so that cells at its surface contain no jump.
     constexpr double core = 0.6;
     const double factor = std::max(1.0, core / std::max(1e-12, std::hypot(x[0], x[1], x[2])));
-    const double place[3] = { factor * x[0], factor * x[1], factor * x[2] };
+    const double position[3] = { factor * x[0], factor * x[1], factor * x[2] };
     FlowVector v;
-    flow.Velocity(place, v.data());
+    flow.Velocity(position, v.data());
     return v;
   };
   Tube tube;
@@ -84,19 +84,19 @@ Tube MakeRoundSphere(const std::string& name, const Disc& inflow, double time, i
   tube.Origin = [first](const double x[3])
   {
     const double across = std::hypot(x[1], x[2]);
-    const double wanted =
+    const double target =
       across * across * std::max(0.0, GetStreamFactor(std::hypot(x[0], across)));
-    double radius = std::sqrt(wanted);
+    double radius = std::sqrt(target);
     for (int iteration = 0; iteration < 8 && radius > 0.0; ++iteration)
     {
       const double distance = std::hypot(first, radius);
       const double factor = GetStreamFactor(distance);
       const double slope =
         2.0 * radius * factor + 3.0 * std::pow(radius, 3) / std::pow(distance, 5);
-      radius -= (radius * radius * factor - wanted) / slope;
+      radius -= (radius * radius * factor - target) / slope;
     }
-    const double turn = across > 0.0 ? radius / across : 0.0;
-    return std::array<double, 2>{ { turn * x[1], turn * x[2] } };
+    const double scale = across > 0.0 ? radius / across : 0.0;
+    return std::array<double, 2>{ { scale * x[1], scale * x[2] } };
   };
   tube.IsShadow = [](const double x[3]) { return std::hypot(x[0], x[1], x[2]) < 1.0; };
   SetVolume(tube, velocity);

@@ -2,7 +2,7 @@
 #ifndef FlowTubes_h
 #define FlowTubes_h
 
-#include "Benchmarks/Flow/FlowDisc.h"
+#include "Benchmarks/Flow/FlowDisk.h"
 
 #include "vtkImageData.h"
 #include "vtkSmartPointer.h"
@@ -13,34 +13,35 @@
 #include <vector>
 
 /**
- * Stream volumes that are known by formulas.
+ * Stream volumes with closed-form solutions.
  */
 namespace flow
 {
 /**
- * What a field without divergence carries from a disc across x in a time.
+ * The stream volume of a divergence-free field, from a disk perpendicular to x, after a given time.
  */
 struct Tube
 {
   std::string Name;
   vtkSmartPointer<vtkImageData> Field;
-  Disc Inflow;
+  Disk Inflow;
   double Time = 0.0;
-  /// Its volume: what flows through the disc in that time.
+  /// Volume, which is the flux through the disk multiplied by the time.
   double Volume = 0.0;
-  /// Where on the disc's plane, (y,z), the streamline through a place comes from.
+  /// Returns the point (y,z) of the disk's plane on the streamline through x.
   std::function<std::array<double, 2>(const double x[3])> Origin;
-  /// Whether no streamline from the plane comes to a place.
+  /// Returns whether no streamline from the plane reaches x.
   std::function<bool(const double x[3])> IsShadow;
 
-  /// How far the streamline through a place begins from the disc, negative inside.
+  /// Returns the distance from the disk's edge to the start of the streamline through x, negative
+  /// for starts inside the disk.
   double GetExcess(const double x[3]) const;
 };
 
 /**
- * On so many points a side: `contraction`, of the field (x, -y/2, -z/2), which interpolation keeps;
- * `beside` and `around`, in potential flow of speed 1 round a sphere of radius 1, beside the sphere
- * and around it.
+ * Returns tubes on images with \a points points along each axis: `contraction`, in the field (x,
+ * -y/2, -z/2), which interpolation reproduces exactly; `beside` and `around`, in potential flow of
+ * speed 1 around a sphere of radius 1, next to the sphere and around it.
  */
 std::vector<Tube> MakeTubes(int points);
 }

@@ -23,7 +23,7 @@ namespace
 {
 const char* const NewMapping = "new-mapping";
 
-/// A field of samples, a mapping, and two volumes of it.
+/// A sampled flow field, an inflow mapping, and two stream volumes.
 class Volumes
 {
 public:
@@ -39,17 +39,17 @@ public:
     this->Field->SetSampleDimensions(samples, samples, samples);
     this->Field->SetMaximumTime(10.0);
     this->Mapping->SetInputConnection(this->Field->GetOutputPort());
-    for (vtkFlowVolume* volume : { this->Whole.Get(), this->Clipped.Get() })
+    for (vtkFlowVolume* volume : { this->Full.Get(), this->Clipped.Get() })
     {
       volume->SetInputConnection(this->Mapping->GetOutputPort());
     }
     this->ChangeMapping();
-    this->ChangeInterval(this->Whole);
+    this->ChangeInterval(this->Full);
     this->ChangeInterval(this->Clipped);
     this->ChangeTimes();
   }
 
-  /// Stripes of another width than before.
+  /// Changes the width of the stripes.
   void ChangeMapping()
   {
     this->IsWide = !this->IsWide;
@@ -70,7 +70,7 @@ public:
   }
 
   const vtkNew<vtkImplicitFlowField> Field;
-  const vtkNew<vtkFlowVolume> Whole;
+  const vtkNew<vtkFlowVolume> Full;
   const vtkNew<vtkFlowVolume> Clipped;
 
 private:
@@ -93,10 +93,10 @@ BenchSeconds AddSamples(
   vtkInterlumeReport* report = volumes.Field->GetReport();
   BenchRow row = rows.Make(name, "samples", ThreadsParameter(options.Threads));
   row.Seconds = seconds;
-  const vtkIdType samples = GetCount(report, "Samples");
-  const vtkIdType steps = GetCount(report, "Steps") + GetCount(report, "StiffSteps");
+  const vtkIdType samples = report->GetCount("Samples");
+  const vtkIdType steps = report->GetCount("Steps") + report->GetCount("StiffSteps");
   row.Set(
-    { { "samples", samples }, { "steps", steps }, { "lane_steps", GetCount(report, "SimdSteps") },
+    { { "samples", samples }, { "steps", steps }, { "lane_steps", report->GetCount("SimdSteps") },
       { "steps_per_second", static_cast<double>(steps) / seconds },
       { "microseconds_per_sample", 1e6 * seconds / static_cast<double>(samples) },
       { "reached",
@@ -106,7 +106,7 @@ BenchSeconds AddSamples(
   return seconds;
 }
 
-/// One thing that changes, and the volume of it.
+/// A change of a setting, and the stream volume that depends on it.
 struct Change
 {
   std::string Method;
@@ -118,13 +118,13 @@ void AddChanges(const std::string& name, Volumes& volumes, const BenchSeconds& a
   int threads, const BenchOptions& options, BenchRows& rows)
 {
   const Change changes[] = {
-    { NewMapping, volumes.Whole, [&]() { volumes.ChangeMapping(); } },
-    { "new-interval", volumes.Whole, [&]() { volumes.ChangeInterval(volumes.Whole); } },
+    { NewMapping, volumes.Full, [&]() { volumes.ChangeMapping(); } },
+    { "new-interval", volumes.Full, [&]() { volumes.ChangeInterval(volumes.Full); } },
     { "new-times", volumes.Clipped, [&]() { volumes.ChangeTimes(); } },
   };
   for (const Change& change : changes)
   {
-    const vtkIdType before = GetCount(volumes.Field->GetReport(), "Executions");
+    const vtkIdType before = volumes.Field->GetReport()->GetCount("Executions");
     const auto work = WithThreads(threads,
       [&change]()
       {
@@ -137,20 +137,20 @@ void AddChanges(const std::string& name, Volumes& volumes, const BenchSeconds& a
       MeasureAlternately({ work }, options.GetRepeats()).front(), "advection", advection);
     vtkInterlumeReport* report = change.Volume->GetReport();
     row.Set({ { "tetrahedra", change.Volume->GetOutput()->GetNumberOfCells() },
-      { "advections", GetCount(volumes.Field->GetReport(), "Executions") - before },
-      { "inflow_passes", GetCount(report, "InflowPasses") },
-      { "time_passes", GetCount(report, "TimePasses") } });
+      { "advections", volumes.Field->GetReport()->GetCount("Executions") - before },
+      { "inflow_passes", report->GetCount("InflowPasses") },
+      { "time_passes", report->GetCount("TimePasses") } });
     rows.Add(row);
   }
 }
 
 /**
- * The field HURRICANE, followed back to the domain's faces, but at most 10 units of time; samples
- * are the points of an image of that many points a side, twice those of the field. Methods:
- * - `samples`: the advection, all threads, once;
+ * Measures stream volumes of the field HURRICANE, advected backward to the faces of the domain for
+ * at most 10 units of time. The samples have twice the resolution of the field. Methods:
+ * - `samples`: the advection with all threads, run once;
  * - `new-mapping`, `new-interval`, `new-times`: a new stream volume after a change of the inflow
- *   mapping, of its interval alone, of the range of times alone; the peer `advection` is that of
- *   `samples`, the count `advections` how often it was done again.
+ *   mapping, of its interval only, or of the time range only. The baseline `advection` is the time
+ *   of `samples`. The count `advections` is the number of advections that the change caused.
  */
 void AddVolumeRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -9,13 +9,13 @@
 #include <algorithm>
 #include <cmath>
 
-/// Where it is, and the velocities of its corners in cells per unit of time, x fastest.
+/// A cell: its indices, and the velocities of its corners in cells per unit of time, x fastest.
 struct TrilinearFlow::Cell
 {
   std::array<int, 3> At{};
   std::array<Vector, 8> Corners{};
 
-  /// The polynomial of the cell, outside of it too.
+  /// Evaluates the trilinear polynomial of the cell, also outside of it.
   Vector GetRate(const Vector& p) const
   {
     const double x = p[0] - this->At[0];
@@ -46,12 +46,13 @@ struct TrilinearFlow::Cell
 
 namespace
 {
-/// How a step from \a p to \a q leaves the unit cell at \a at first: axis -1 where it does not.
+/// The face through which a step from \a p to \a q first leaves the unit cell \a at. Axis is -1 if
+/// the step stays inside.
 struct Exit
 {
   int Axis = -1;
   int Side = 0;
-  double Part = 1.0;
+  double Fraction = 1.0;
 };
 
 Exit FindExit(
@@ -62,13 +63,13 @@ Exit FindExit(
   {
     const auto axis = static_cast<std::size_t>(i);
     const int side = q[axis] < at[axis] ? 0 : 1;
-    const double beyond = side == 0 ? at[axis] - q[axis] : q[axis] - at[axis] - 1.0;
-    if (beyond > 0.0)
+    const double outside = side == 0 ? at[axis] - q[axis] : q[axis] - at[axis] - 1.0;
+    if (outside > 0.0)
     {
-      const double part = std::max(0.0, 1.0 - beyond / std::abs(q[axis] - p[axis]));
-      if (exit.Axis < 0 || part < exit.Part)
+      const double fraction = std::max(0.0, 1.0 - outside / std::abs(q[axis] - p[axis]));
+      if (exit.Axis < 0 || fraction < exit.Fraction)
       {
-        exit = { i, side, part };
+        exit = { i, side, fraction };
       }
     }
   }
@@ -81,7 +82,7 @@ TrilinearFlow::TrilinearFlow(vtkImageData* image)
 {
 }
 
-TrilinearFlow::Vector TrilinearFlow::ToLattice(const double x[3]) const
+TrilinearFlow::Vector TrilinearFlow::ToIndices(const double x[3]) const
 {
   const double* origin = this->Image->GetOrigin();
   const double* spacing = this->Image->GetSpacing();
@@ -147,7 +148,7 @@ bool TrilinearFlow::Locate(const Vector& p, Cell& cell) const
 
 void TrilinearFlow::GetVelocity(const double x[3], double v[3]) const
 {
-  const Vector p = this->ToLattice(x);
+  const Vector p = this->ToIndices(x);
   Cell cell;
   const Vector rate = this->Locate(p, cell) ? cell.GetRate(p) : Vector{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -158,43 +159,43 @@ void TrilinearFlow::GetVelocity(const double x[3], double v[3]) const
 
 void TrilinearFlow::Follow(double x[3], double time) const
 {
-  constexpr double longest = 0.05;
-  constexpr int mostSteps = 1000000;
-  constexpr int mostIterations = 6;
-  Vector p = this->ToLattice(x);
+  constexpr double longestStep = 0.05;
+  constexpr int maximumSteps = 1000000;
+  constexpr int maximumIterations = 6;
+  Vector p = this->ToIndices(x);
   const double sign = time < 0.0 ? -1.0 : 1.0;
-  double left = std::abs(time);
+  double remaining = std::abs(time);
   Cell cell;
-  bool goesOn = this->Locate(p, cell);
-  for (int step = 0; goesOn && left > 0.0 && step < mostSteps; ++step)
+  bool isInside = this->Locate(p, cell);
+  for (int step = 0; isInside && remaining > 0.0 && step < maximumSteps; ++step)
   {
     Vector rate = cell.GetRate(p);
     const double speed =
       std::max(std::max(std::abs(rate[0]), std::abs(rate[1])), std::abs(rate[2]));
-    double part = speed * left > longest ? longest / speed : left;
-    Vector next = cell.Step(p, sign * part);
+    double duration = speed * remaining > longestStep ? longestStep / speed : remaining;
+    Vector next = cell.Step(p, sign * duration);
     const Exit exit = FindExit(p, next, cell.At);
     if (exit.Axis >= 0)
     {
       const auto axis = static_cast<std::size_t>(exit.Axis);
       const double face = cell.At[axis] + exit.Side;
-      part *= exit.Part;
-      for (int iteration = 0; iteration < mostIterations; ++iteration)
+      duration *= exit.Fraction;
+      for (int iteration = 0; iteration < maximumIterations; ++iteration)
       {
-        next = cell.Step(p, sign * part);
+        next = cell.Step(p, sign * duration);
         rate = cell.GetRate(next);
         if (rate[axis] == 0.0)
         {
           break;
         }
-        part = std::max(0.0, part - (next[axis] - face) / (sign * rate[axis]));
+        duration = std::max(0.0, duration - (next[axis] - face) / (sign * rate[axis]));
       }
       next[axis] = face;
       cell.At[axis] += exit.Side == 0 ? -1 : 1;
-      goesOn = this->Load(cell);
+      isInside = this->Load(cell);
     }
     p = next;
-    left -= part;
+    remaining -= duration;
   }
   this->ToWorld(p, x);
 }

@@ -8,27 +8,28 @@
 class vtkDataSet;
 
 /**
- * VTK's interpolation of velocities, as vtkStreamTracer takes it, with a choice of how cells are
- * found where the last one is left.
+ * VTK's velocity interpolation, as vtkStreamTracer uses it, with a choice of the search method for
+ * the next cell.
  *
- * VTK 9.1 has a class for each way, vtkInterpolatedVelocityField and
- * vtkCellLocatorInterpolatedVelocityField; they are deprecated from 9.2 on and gone from 9.4 on.
- * vtkCompositeInterpolatedVelocityField with a vtkFindCellStrategy takes their place.
+ * VTK 9.1 has a class for each method, vtkInterpolatedVelocityField and
+ * vtkCellLocatorInterpolatedVelocityField. They are deprecated since 9.2 and removed in 9.4. Their
+ * replacement is vtkCompositeInterpolatedVelocityField with a vtkFindCellStrategy.
  */
 namespace flow
 {
 enum class CellSearch
 {
-  /// Walks from the cells around the closest point: the default of both.
+  /// Walks from the cells around the closest point; the default in all VTK versions.
   CLOSEST_POINT,
   /// vtkStaticCellLocator.
   STATIC_CELL_LOCATOR
 };
 
-/// Of no dataset yet: a prototype for vtkStreamTracer.
+/// Returns a prototype without a dataset, for vtkStreamTracer.
 vtkSmartPointer<vtkAbstractInterpolatedVelocityField> NewInterpolation(CellSearch search);
 
-/// Of the point vectors of \a field, which must outlive it; for one thread.
+/// Returns an interpolation of the point vectors of \a field, which must outlive it. Not
+/// thread-safe.
 vtkSmartPointer<vtkAbstractInterpolatedVelocityField> NewInterpolation(
   CellSearch search, vtkDataSet* field);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/FlowTexture/FlowTextureError.h"
-#include "Support/Pictures/FlowPictures.h"
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/FlowImages.h"
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/VolumeStage.h"
 
 #include "vtkImplicitFlowVolumeMapper.h"
 
@@ -20,18 +20,19 @@ namespace
 {
 using Mapper = vtkImplicitFlowVolumeMapper;
 
-/// View rays along the edge of a pixel of the reference image.
+/// Number of view rays along each edge of a pixel in the reference image.
 constexpr int Finer = 3;
 
-/// A flow along x that bends to and fro; places where it starts are u and v.
-reference::FlowEnd Bent(const reference::Place3& x)
+/// Returns the end of a streamline in a curved flow along x. u and v are the coordinates where it
+/// starts.
+reference::FlowEnd Bent(const reference::Position3& x)
 {
   const double a = x[0] + 0.5;
   return { true, 0, 0.5 + 0.8 * x[1] + 0.08 * std::sin(5.0 * a + 3.0 * x[2]),
     0.5 + 0.8 * x[2] + 0.08 * std::cos(4.0 * a + 2.0 * x[1]), a };
 }
 
-/// Stripes and spots, soft enough for an image of 257 x 257 to hold.
+/// Returns the color of stripes and spots that a texture of 257 x 257 texels resolves.
 reference::Color4 Paint(double u, double v)
 {
   const double stripes = 0.5 + 0.5 * std::sin(60.0 * u);
@@ -40,20 +41,20 @@ reference::Color4 Paint(double u, double v)
 }
 
 /// Returns the image whose pixels are the means of Finer x Finer pixels.
-reference::RgbaPicture MakeCoarser(const reference::RgbaPicture& fine)
+reference::RgbaImage MakeCoarser(const reference::RgbaImage& fine)
 {
-  reference::RgbaPicture picture(fine.Width / Finer, fine.Height / Finer);
+  reference::RgbaImage image(fine.Width / Finer, fine.Height / Finer);
   for (int j = 0; j < fine.Height; ++j)
   {
     for (int i = 0; i < fine.Width; ++i)
     {
       for (int c = 0; c < 4; ++c)
       {
-        picture.At(i / Finer, j / Finer)[c] += fine.At(i, j)[c] / (Finer * Finer);
+        image.At(i / Finer, j / Finer)[c] += fine.At(i, j)[c] / (Finer * Finer);
       }
     }
   }
-  return picture;
+  return image;
 }
 
 reference::FlowScene MakeScene(int pixels)
@@ -70,8 +71,8 @@ void AddVoxelRows(const Question& question, const BenchOptions& options, BenchRo
 {
   const int pixels = options.Pick(192, 64, 16);
   const reference::FlowScene scene = MakeScene(pixels);
-  const reference::RgbaPicture expected =
-    MakeCoarser(reference::MakeFlowPicture(scene, options.Pick(1500, 500, 200)));
+  const reference::RgbaImage expected =
+    MakeCoarser(reference::MakeFlowReferenceImage(scene, options.Pick(1500, 500, 200)));
   reference::VolumeStage stage(std::array<int, 2>{ { pixels, pixels } });
   vtkNew<vtkVolumeProperty> property;
   property->SetScalarOpacityUnitDistance(scene.UnitDistance);
@@ -89,7 +90,7 @@ void AddVoxelRows(const Question& question, const BenchOptions& options, BenchRo
       mapper->SetInputData(
         static_cast<vtkDataSet*>(reference::MakeFlowVoxels(points, &Bent).GetPointer()));
       mapper->SetInflowTexture(Mapper::ALL, paint);
-      mapper->SetPaintFilter(isFiltered);
+      mapper->SetTextureFilter(isFiltered);
       trials.Add(isFiltered ? "paint filtered" : "paint looked up once", NumberText(points),
         isFiltered && points == sizes.back() ? Maker::Default : Maker::Own,
         WithThreads(options.Threads,
@@ -107,7 +108,7 @@ void AddVoxelRows(const Question& question, const BenchOptions& options, BenchRo
         {
           stage.SetVolume(mapper, property);
           stage.SetCamera(scene.Camera);
-          return reference::ComparePictures(stage.Capture(), expected).Mean;
+          return reference::CompareImages(stage.Capture(), expected).Mean;
         });
     }
   }
@@ -118,10 +119,10 @@ void AddVoxelRows(const Question& question, const BenchOptions& options, BenchRo
 Family MakeFlowVoxelFamily()
 {
   return { { "flow-texture-voxels", "Voxels of a painted flow: error against time of a frame",
-             "How many voxels for a painted flow, and is its paint to be filtered?",
-             "A bent flow painted with stripes and spots, voxels along an edge at each point, "
-             "drawn by vtkImplicitFlowVolumeMapper; against the formula's own picture, nine lines "
-             "of sight a pixel.",
+             "How many voxels are required for a painted flow, and should its texture be filtered?",
+             "A curved flow painted with stripes and spots, rendered by "
+             "vtkImplicitFlowVolumeMapper; labels are voxels along an edge. The reference is "
+             "rendered from the formula with nine view rays per pixel.",
              "time of a frame (s)", "channel difference, mean" },
     AddVoxelRows };
 }

@@ -6,7 +6,7 @@
 
 namespace approximations
 {
-/// vtkImplicitFlowVolumeMapper by the number of voxels, with and without PaintFilter.
+/// vtkImplicitFlowVolumeMapper at several voxel resolutions, with TextureFilter on and off.
 Family MakeFlowVoxelFamily();
 }
 

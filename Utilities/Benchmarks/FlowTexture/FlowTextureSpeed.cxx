@@ -2,8 +2,8 @@
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Results/SpeedPlots.h"
 #include "Benchmarks/Suites/BenchParts.h"
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/VolumeStage.h"
 
 #include "vtkAnalyticFlowSource.h"
 #include "vtkCamera.h"
@@ -29,7 +29,7 @@ namespace
 {
 constexpr int TEXELS = 256;
 
-/// Paint of coloured squares, half of them nearly transparent.
+/// Returns an inflow texture of colored squares, half of them nearly transparent.
 vtkSmartPointer<vtkImageData> MakePaint()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkImageData> MakePaint()
   return image;
 }
 
-/// An implicit flow field of n^3 samples in the cube from -1 to 1.
+/// Returns an implicit flow field with n^3 samples in the cube from -0.8 to 0.8.
 vtkSmartPointer<vtkImageData> MakeFlow(const std::string& name, int n)
 {
   vtkNew<vtkAnalyticFlowSource> source;
@@ -69,7 +69,7 @@ vtkSmartPointer<vtkImageData> MakeFlow(const std::string& name, int n)
   const double inner[6] = { -0.8, 0.8, -0.8, 0.8, -0.8, 0.8 };
   flow->SetSampleBounds(inner);
   vtkNew<vtkTerminationPlane> plane;
-  vtkNew<vtkTerminationCylinder> rim;
+  vtkNew<vtkTerminationCylinder> cylinder;
   if (name == "uniform")
   {
     flow->DomainFacesOn();
@@ -77,10 +77,10 @@ vtkSmartPointer<vtkImageData> MakeFlow(const std::string& name, int n)
   else if (isHurricane)
   {
     source->SetHeight(2.6);
-    rim->SetPoint1(0.0, 0.0, -1.3);
-    rim->SetPoint2(0.0, 0.0, 1.3);
-    rim->SetRadius(1.25);
-    flow->AddTerminationSurface(rim);
+    cylinder->SetPoint1(0.0, 0.0, -1.3);
+    cylinder->SetPoint2(0.0, 0.0, 1.3);
+    cylinder->SetRadius(1.25);
+    flow->AddTerminationSurface(cylinder);
   }
   else
   {
@@ -94,7 +94,7 @@ vtkSmartPointer<vtkImageData> MakeFlow(const std::string& name, int n)
   return vtkImageData::SafeDownCast(flow->GetOutputDataObject(0));
 }
 
-/// Status, u, v and time as four components of floats, 0 to 1.
+/// Returns u, v, time and status as four floating-point components from 0 to 1.
 vtkSmartPointer<vtkImageData> MakeFourComponents(vtkImageData* flow)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
@@ -102,20 +102,20 @@ vtkSmartPointer<vtkImageData> MakeFourComponents(vtkImageData* flow)
   vtkNew<vtkFloatArray> values;
   values->SetNumberOfComponents(4);
   values->SetNumberOfTuples(flow->GetNumberOfPoints());
-  vtkDataArray* places = flow->GetPointData()->GetArray("TerminationUV");
+  vtkDataArray* parameters = flow->GetPointData()->GetArray("TerminationUV");
   vtkDataArray* times = flow->GetPointData()->GetArray("AdvectionTime");
   vtkDataArray* statuses = flow->GetPointData()->GetArray("FlowStatus");
   const double longest = std::max(times->GetRange()[1], 1e-30);
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
-    values->SetTuple4(i, places->GetComponent(i, 0), places->GetComponent(i, 1),
+    values->SetTuple4(i, parameters->GetComponent(i, 0), parameters->GetComponent(i, 1),
       times->GetComponent(i, 0) / longest, statuses->GetComponent(i, 0) == 0.0 ? 1.0 : 0.0);
   }
   image->GetPointData()->SetScalars(values);
   return image;
 }
 
-/// A window with one volume; each frame is seen from half a degree further.
+/// A window with one volume. The camera rotates by half a degree between frames.
 struct Frames
 {
   Frames(vtkVolumeMapper* mapper, vtkVolumeProperty* property, int pixels)
@@ -173,12 +173,12 @@ vtkSmartPointer<vtkGPUVolumeRayCastMapper> NewRayCaster(vtkImageData* image, dou
 }
 
 BenchRow MakeRow(const BenchRows& rows, const std::string& name, const char* method, int n,
-  const BenchSeconds& seconds, const char* peer, const BenchSeconds& peerSeconds)
+  const BenchSeconds& seconds, const char* baseline, const BenchSeconds& baselineSeconds)
 {
   BenchRow row = rows.Make(name, method, n);
-  row.SetTimes(seconds, peer, peerSeconds);
+  row.SetTimes(seconds, baseline, baselineSeconds);
   row.Set({ { "processor_seconds", seconds.Processor },
-    { "peer_processor_seconds", peerSeconds.Processor } });
+    { "peer_processor_seconds", baselineSeconds.Processor } });
   return row;
 }
 
@@ -201,7 +201,7 @@ void AddRows(
   {
     mappers.push_back(NewMapper(flow, paint));
     mappers.back()->SetSampleDistance(0.5 * voxel);
-    mappers.back()->SetPaintFilter(isFiltered);
+    mappers.back()->SetTextureFilter(isFiltered);
     add(mappers.back(), true);
   }
   for (const bool isIndependent : { true, false })
@@ -210,23 +210,22 @@ void AddRows(
   }
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
   const char* methods[] = { "textures", "textures, unfiltered" };
-  const char* peers[] = { "gpu", "gpu-rgba" };
+  const char* baselines[] = { "gpu", "gpu-rgba" };
   for (std::size_t method = 0; method < 2; ++method)
   {
-    for (std::size_t peer = 0; peer < 2; ++peer)
+    for (std::size_t baseline = 0; baseline < 2; ++baseline)
     {
-      BenchRow row =
-        MakeRow(rows, name, methods[method], n, seconds[method], peers[peer], seconds[2 + peer]);
+      BenchRow row = MakeRow(rows, name, methods[method], n, seconds[method], baselines[baseline],
+        seconds[2 + baseline]);
       vtkInterlumeReport* report = mappers[method]->GetReport();
-      row.Set({ { "texture_bytes", static_cast<vtkIdType>(report->GetNumber("TextureBytes")) },
-        { "split_cells", static_cast<vtkIdType>(report->GetNumber("SplitCells")) },
-        { "pixels", pixels } });
+      row.Set({ { "texture_bytes", report->GetCount("TextureBytes") },
+        { "split_cells", report->GetCount("SplitCells") }, { "pixels", pixels } });
       rows.Add(row);
     }
   }
 }
 
-/// What shadows cost, and a light that moves from frame to frame beside one that stays.
+/// Measures the cost of shadows, and the cost of a moving light.
 void AddShadowRows(int n, int pixels, const BenchOptions& options, BenchRows& rows)
 {
   const vtkSmartPointer<vtkImageData> flow = MakeFlow("rotation", n);
@@ -244,10 +243,10 @@ void AddShadowRows(int n, int pixels, const BenchOptions& options, BenchRows& ro
       std::make_unique<Frames>(mappers[i], MakeProperty(flow->GetSpacing()[0], true), pixels);
     frames[i]->Stage.SetLights({ light.Get() });
     works.push_back(
-      [draw = frames[i].get(), light = light.Get(), isMoving = i == 2, turn = 0.0]() mutable
+      [draw = frames[i].get(), light = light.Get(), isMoving = i == 2, angle = 0.0]() mutable
       {
-        turn += isMoving ? 0.02 : 0.0;
-        light->SetPosition(std::sin(turn), -2.0, 0.5);
+        angle += isMoving ? 0.02 : 0.0;
+        light->SetPosition(std::sin(angle), -2.0, 0.5);
         return draw->Draw();
       });
   }
@@ -257,9 +256,8 @@ void AddShadowRows(int n, int pixels, const BenchOptions& options, BenchRows& ro
   {
     BenchRow row = MakeRow(rows, "rotation", names[i], n, seconds[i], names[i - 1], seconds[i - 1]);
     vtkInterlumeReport* report = mappers[i]->GetReport();
-    row.Set({ { "slices", static_cast<vtkIdType>(report->GetNumber("Slices")) },
-      { "light_buffer_size", static_cast<vtkIdType>(report->GetNumber("LightBufferSize")) },
-      { "pixels", pixels } });
+    row.Set({ { "slices", report->GetCount("Slices") },
+      { "light_buffer_size", report->GetCount("LightBufferSize") }, { "pixels", pixels } });
     rows.Add(row);
   }
 }
@@ -275,11 +273,12 @@ void AddAllRows(const BenchOptions& options, BenchRows& rows)
 
 std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows)
 {
-  const auto ratioTo = [](const std::string& peer, bool isFilteredAlone)
+  const auto ratioTo = [](const std::string& baseline, bool onlyFiltered)
   {
     return [=](const BenchRow& row) -> std::optional<double>
     {
-      const bool concerned = row.Peer == peer && (!isFilteredAlone || row.Method == "textures");
+      const bool concerned =
+        row.Baseline == baseline && (!onlyFiltered || row.Method == "textures");
       return concerned ? row.GetRatio() : std::nullopt;
     };
   };

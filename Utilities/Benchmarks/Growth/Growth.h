@@ -10,77 +10,81 @@
 #include <vector>
 
 /**
- * What the suite `growth` measures: cost against N.
+ * Quantities of the suite `growth`, which measures cost as a function of N.
  */
 namespace growth
 {
 /**
- * The exponent of N that is expected, from Least to Most if two terms share the cost, and why.
+ * Expected exponent of N and the reason for it. It is a range from Minimum to Maximum if two terms
+ * contribute to the cost.
  */
 struct Theory
 {
-  double Least;
-  double Most;
+  double Minimum;
+  double Maximum;
   std::string Reason;
 };
 
 /**
- * The work of one size, with its input made.
+ * Work on an input of one size.
  */
 struct Job
 {
-  /// By a filter made anew, so that no memory is retained from run to run.
+  /// Uses a new filter, so that no memory is retained between runs.
   BenchWork Work;
-  /// N, known after an execution at the latest.
+  /// Returns N. Call it after an execution of Work.
   std::function<double()> GetN;
   double InputKib = 0.0;
 };
 
 /**
- * Something that cost grows with.
+ * A quantity N that cost grows with.
  */
 struct Quantity
 {
-  /// The case of its rows.
+  /// Case of its rows.
   std::string Name;
-  /// What Make is called with, from the smallest.
+  /// Arguments of Make, in ascending order.
   std::vector<int> Sizes;
-  /// Of the processor time of all threads.
+  /// Expected growth of the processor time of all threads.
   Theory Time;
   Theory Memory;
   std::function<Job(int size, const BenchOptions& options)> Make;
 };
 
-/// Every quantity, with the sizes of \a options, in the order of the report.
+/// Returns all quantities, with the sizes of \a options, in the order of the report.
 std::vector<Quantity> MakeQuantities(const BenchOptions& options);
 
-/// The methods of rows: of one size, and of the exponents of processor time and of KiB.
+/// Names of the methods of rows: a single size, the exponent of processor time, the exponent of
+/// memory in KiB.
 extern const char* const SizeMethod;
 extern const char* const TimeExponent;
 extern const char* const MemoryExponent;
 
-/// How far a fitted exponent may be from theory's.
+/// Tolerance of a fitted exponent.
 constexpr double Margin = 0.15;
-/// Memory below this is the pages of the allocator, and is fitted as this.
-constexpr double LeastKib = 64.0;
+/// Smaller amounts of memory are allocator pages, and are fitted as this amount.
+constexpr double MinimumKib = 64.0;
 
 /**
- * The row of a size: `n`, which is its parameter, `input_kib`, `seconds`, `processor_seconds` and,
- * if the system reports memory, `kib`.
+ * Creates the row of a size. Counts: `n`, which is also the parameter, `input_kib`,
+ * `processor_seconds` and, if the system reports memory, `kib`.
  */
 BenchRow MakeSizeRow(const BenchRows& rows, const Quantity& quantity,
   const nlohmann::ordered_json& found, const BenchOptions& options);
 
 /**
- * Adds the fitted exponents of \a quantity, from its rows among \a rows, if there are two sizes:
- * the reason of theory's is the parameter; counts `exponent`, the slope of a line through the
- * logarithms by least squares; `least` and `most`, theory's; `sizes`, how many were fitted; and
- * `factor`, the largest n over the smallest.
+ * Adds the fitted exponents of \a quantity, from its rows in \a rows, if there are at least two
+ * sizes. The parameter is the reason of the theory. Counts:
+ * - `exponent`: the slope of a least-squares line through the logarithms;
+ * - `least` and `most`: the theoretical exponents;
+ * - `sizes`: the number of sizes;
+ * - `factor`: the largest n divided by the smallest.
  */
 void AddExponentRows(const Quantity& quantity, BenchRows& rows);
 
 /**
- * The claims that every exponent, of time and memory, is within Margin of theory's.
+ * Returns the claims that all exponents of time and memory are within Margin of the theory.
  */
 std::vector<BenchClaim> CheckExponents(const std::vector<BenchRow>& rows);
 }

@@ -10,7 +10,7 @@ namespace growth
 {
 namespace
 {
-/// What an exponent is fitted to, and how its rows are called.
+/// A cost that exponents are fitted to, and the method of its rows.
 struct Measure
 {
   const char* Method;
@@ -19,14 +19,14 @@ struct Measure
 
 std::optional<double> GetSeconds(const BenchRow& row)
 {
-  // The clock of processors has ticks.
+  // The processor clock has finite resolution and may report 0.
   return std::max(row.Counts["processor_seconds"].get<double>(), 1e-6);
 }
 
 std::optional<double> GetKib(const BenchRow& row)
 {
   return row.Counts.contains("kib")
-    ? std::optional<double>(std::max(row.Counts["kib"].get<double>(), LeastKib))
+    ? std::optional<double>(std::max(row.Counts["kib"].get<double>(), MinimumKib))
     : std::nullopt;
 }
 
@@ -39,7 +39,7 @@ struct Points
   std::vector<double> Cost;
 };
 
-/// The sizes of a quantity.
+/// Returns the sizes and costs of a quantity.
 Points GetPoints(const std::string& name, const Measure& measure, const std::vector<BenchRow>& rows)
 {
   Points points;
@@ -68,8 +68,8 @@ void AddExponent(
   }
   const auto range = std::minmax_element(points.N.begin(), points.N.end());
   BenchRow row = rows.Make(name, measure.Method, theory.Reason);
-  row.Set({ { "exponent", FitExponent(points.N, points.Cost) }, { "least", theory.Least },
-    { "most", theory.Most }, { "sizes", points.N.size() },
+  row.Set({ { "exponent", FitExponent(points.N, points.Cost) }, { "least", theory.Minimum },
+    { "most", theory.Maximum }, { "sizes", points.N.size() },
     { "factor", *range.second / *range.first } });
   rows.Add(row);
 }

@@ -4,7 +4,7 @@
 #include "Benchmarks/Data/BenchData.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
 #include "Benchmarks/Measures/TemporaryFolder.h"
-#include "Benchmarks/SpaceTime/VortexShares.h"
+#include "Benchmarks/SpaceTime/VortexFractions.h"
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkAnalyticFlowSource.h"
@@ -22,7 +22,7 @@ namespace growth
 {
 namespace
 {
-/// Extracts from a wavelet, which has the same waves at every size.
+/// Extracts from a wavelet, whose waves are the same at every resolution.
 Job MakeWaveletJob(
   int points, const std::function<vtkSmartPointer<vtkObjectBase>(const BenchData&)>& method)
 {
@@ -42,7 +42,8 @@ std::vector<int> GetPoints(const BenchOptions& options)
 constexpr double Lower = 0.0;
 constexpr double Upper = 0.3;
 
-/// The slabs between steps a unit of time apart. By symmetry each has as much to do.
+/// Returns a moving gyroid with one time step per unit of time. By symmetry all slabs require the
+/// same work.
 vtkSmartPointer<vtkAnalyticFieldSource> MakeGyroid(int points, int slabs)
 {
   auto source = vtkSmartPointer<vtkAnalyticFieldSource>::New();
@@ -53,17 +54,17 @@ vtkSmartPointer<vtkAnalyticFieldSource> MakeGyroid(int points, int slabs)
   return source;
 }
 
-interval4d::Case KeepGyroid(int points, int slabs)
+interval4d::Case MakeGyroidCase(int points, int slabs)
 {
   interval4d::Case made;
-  made.Steps = vtkSmartPointer<KeptTimeSteps>::New();
+  made.Steps = vtkSmartPointer<StoredTimeSteps>::New();
   made.Steps->AddStepsOf(MakeGyroid(points, slabs));
   made.Lower = Lower;
   made.Upper = Upper;
   return made;
 }
 
-/// N counts the 4-simplices, unless \a n is given.
+/// Returns a job whose N is \a n or, if it is empty, the number of 4-simplices.
 Job MakeTimeJob(const interval4d::Case& what, std::optional<double> n)
 {
   const auto simplices = std::make_shared<double>(0.0);
@@ -109,7 +110,7 @@ Job MakeWriterJob(int points, int slabs)
       writer->SetFileName((folder->Path / "slabs.vtm").string().c_str());
       if (!writer->Write() || writer->GetNumberOfWrittenSlabs() != slabs)
       {
-        throw std::runtime_error("slabs cannot be written to " + folder->Path.string());
+        throw std::runtime_error("Cannot write time slabs to " + folder->Path.string());
       }
       return vtkSmartPointer<vtkObjectBase>(writer);
     });
@@ -147,10 +148,10 @@ Quantity MakeCells(const BenchOptions& options)
 {
   return { "cells", GetPoints(options),
     { 2.0 / 3.0, 1.0,
-      "N to classify the cells and to fill the inside, N^(2/3) at the surfaces, where a cell takes "
-      "most; N dominates in the end" },
+      "N to classify the cells and to fill the interior, N^(2/3) at the surfaces, where cells cost "
+      "most; N dominates for large N" },
     { 2.0 / 3.0, 1.0,
-      "tetrahedra fill a constant share of the volume, N, and N^(2/3) more are at the surfaces" },
+      "tetrahedra fill a constant fraction of the volume, N, plus N^(2/3) at the surfaces" },
     [](int points, const BenchOptions&)
     {
       return MakeWaveletJob(points,
@@ -163,9 +164,9 @@ Quantity MakeContour(const BenchOptions& options)
 {
   return { "cells of a contour", GetPoints(options),
     { 2.0 / 3.0, 1.0,
-      "N to classify the cells, N^(2/3) to make the triangles of those that the surface meets: "
-      "which dominates depends on the size" },
-    { 2.0 / 3.0, 2.0 / 3.0, "the surface meets N^(2/3) cells" },
+      "N to classify the cells, N^(2/3) to create triangles in cells that the surface intersects; "
+      "the size determines which dominates" },
+    { 2.0 / 3.0, 2.0 / 3.0, "the surface intersects N^(2/3) cells" },
     [](int points, const BenchOptions&)
     {
       return MakeWaveletJob(points,
@@ -179,13 +180,13 @@ Quantity MakeSimplices(const BenchOptions& options)
   return { "4-simplices",
     options.Pick<std::vector<int>>({ 10, 20, 40, 80, 160 }, { 10, 20, 40, 80, 160 }, { 20, 60 }),
     { 1.0, 1.0,
-      "each 4-simplex is projected and cut by itself; classifying the cells is a constant that is "
-      "less" },
-    { 1.0, 1.0, "the tetrahedra of each 4-simplex are in the output" },
+      "each 4-simplex is projected and split separately; classifying the cells is a smaller "
+      "constant" },
+    { 1.0, 1.0, "the output contains the tetrahedra of each 4-simplex" },
     [](int thousandths, const BenchOptions& sizes)
     {
-      interval4d::VortexShares vortex(sizes.Pick(65, 33, 13));
-      vortex.SetShare(0.001 * thousandths);
+      interval4d::VortexFractions vortex(sizes.Pick(65, 33, 13));
+      vortex.SetFraction(0.001 * thousandths);
       return MakeTimeJob(vortex.Get(), std::nullopt);
     } };
 }
@@ -193,17 +194,17 @@ Quantity MakeSimplices(const BenchOptions& options)
 Quantity MakeSteps(const BenchOptions& options)
 {
   return { "time steps", GetSlabs(options),
-    { 1.0, 1.0, "each slab is extracted by itself, and has as much in it" },
-    { 1.0, 1.0, "the output holds every slab; of the steps, two are at work" },
+    { 1.0, 1.0, "each slab is extracted separately and requires the same work" },
+    { 1.0, 1.0, "the output contains all slabs; the filter works on two steps at a time" },
     [](int slabs, const BenchOptions& sizes)
-    { return MakeTimeJob(KeepGyroid(GetPointsOfSlabs(sizes), slabs), slabs); } };
+    { return MakeTimeJob(MakeGyroidCase(GetPointsOfSlabs(sizes), slabs), slabs); } };
 }
 
 Quantity MakeWrittenSteps(const BenchOptions& options)
 {
   return { "time steps, written slab by slab", GetSlabs(options),
-    { 1.0, 1.0, "each slab is extracted and written by itself" },
-    { 0.0, 0.0, "two steps and one slab are held at a time" },
+    { 1.0, 1.0, "each slab is extracted and written separately" },
+    { 0.0, 0.0, "two steps and one slab are in memory at a time" },
     [](int slabs, const BenchOptions& sizes)
     { return MakeWriterJob(GetPointsOfSlabs(sizes), slabs); } };
 }
@@ -212,8 +213,8 @@ Quantity MakeSamples(const BenchOptions& options)
 {
   return { "samples",
     options.Pick<std::vector<int>>({ 24, 32, 48, 64, 80 }, { 16, 24, 32, 48 }, { 5, 7, 9 }),
-    { 1.0, 1.0, "each sample has a streamline of its own, of the same mean length" },
-    { 1.0, 1.0, "each sample has its answer in the output" }, MakeFlowJob };
+    { 1.0, 1.0, "each sample has its own streamline, of the same mean length" },
+    { 1.0, 1.0, "the output contains one result per sample" }, MakeFlowJob };
 }
 }
 

@@ -41,13 +41,13 @@ void AddRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-/// Measures in this process, which was started for it: memory in a second execution, when code and
-/// tables are loaded.
+/// Measures in this process, which was started for this purpose. Memory is measured in the second
+/// execution, after code and tables have been loaded.
 nlohmann::ordered_json Measure(const Quantity& quantity, int size, const BenchOptions& options)
 {
   const Job job = quantity.Make(size, options);
   job.Work();
-  ForgetPeakMemory();
+  ResetPeakMemory();
   const std::optional<long> before = ResidentKib();
   const vtkSmartPointer<vtkObjectBase> result = job.Work();
   const std::optional<long> peak = PeakResidentKib();
@@ -61,7 +61,7 @@ nlohmann::ordered_json Measure(const Quantity& quantity, int size, const BenchOp
   return found;
 }
 
-/// \a argument is a size and the name of a quantity.
+/// Measures one size. \a argument is the size and the name of a quantity.
 nlohmann::ordered_json MeasureSize(const std::string& argument, const BenchOptions& options)
 {
   const std::size_t space = argument.find(' ');
@@ -72,7 +72,7 @@ nlohmann::ordered_json MeasureSize(const std::string& argument, const BenchOptio
       return Measure(quantity, std::stoi(argument), options);
     }
   }
-  throw std::runtime_error("there is no quantity " + argument);
+  throw std::runtime_error("The suite growth has no quantity for the task: " + argument);
 }
 }
 

@@ -18,27 +18,28 @@ const char* const OnImage = "isotable-image";
 const char* const OnHexahedra = "isotable-hexahedra";
 const char* const OnHexahedraUnmerged = "isotable-hexahedra-unmerged";
 
-/// The number of triangles of a work's result.
+/// Returns the number of triangles of a result.
 vtkIdType TrianglesOf(const BenchWork& work)
 {
   return vtkDataSet::SafeDownCast(work())->GetNumberOfCells();
 }
 
-/// The time of each of \a works by so many threads; the first is ours, the others are the peers.
-void AddRows(const BenchRow& common, int threads, const std::vector<std::string>& peers,
+/// Adds rows of \a works with the given number of threads. The first is Interlume's, the others are
+/// baselines.
+void AddRows(const BenchRow& common, int threads, const std::vector<std::string>& baselines,
   std::vector<BenchWork> works, const BenchOptions& options, BenchRows& rows)
 {
   for (BenchWork& work : works)
   {
     work = WithThreads(threads, work);
   }
-  // Short runs: three times as many to have a steady median.
+  // Runs are short, so three times as many give a stable median.
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, 3 * options.GetRepeats());
-  for (std::size_t i = 0; i < peers.size(); ++i)
+  for (std::size_t i = 0; i < baselines.size(); ++i)
   {
     BenchRow row = common;
     row.Parameter = ThreadsParameter(threads);
-    row.SetTimes(seconds[0], peers[i], seconds[i + 1]);
+    row.SetTimes(seconds[0], baselines[i], seconds[i + 1]);
     row.Set({ { "threads", threads }, { "triangles", TrianglesOf(works[0]) },
       { "peer_triangles", TrianglesOf(works[i + 1]) } });
     rows.Add(row);
@@ -52,7 +53,8 @@ BenchRow MakeRow(const BenchData& data, const char* method, BenchRows& rows)
   return row;
 }
 
-/// vtkContour3DLinearGrid takes float and double only; both get the same.
+/// vtkContour3DLinearGrid accepts only float and double, so both filters get the same converted
+/// data.
 vtkSmartPointer<vtkUnstructuredGrid> ToHexahedraOfFloats(vtkDataSet* data)
 {
   auto grid = ToHexahedra(data);
@@ -114,7 +116,7 @@ void AddContourRows(const BenchOptions& options, BenchRows& rows)
 std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows)
 {
   std::vector<BenchPlot> plots;
-  // The plot of another method against a peer of the first has a name of its own.
+  // Plots of different methods against the same baseline need different names.
   for (const auto& [name, method] :
     { std::make_pair("contour", OnHexahedra), std::make_pair("contour", OnImage),
       std::make_pair("contour-unmerged", OnHexahedraUnmerged) })

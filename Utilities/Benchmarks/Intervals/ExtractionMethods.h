@@ -11,47 +11,48 @@ class vtkImageData;
 class vtkIntervalVolume;
 
 /**
- * The ways compared with each other, each made anew so that nothing is kept from run to run. All
- * take the active point scalars, one thread or several as vtkSMPTools is set.
+ * Extraction methods that the suites compare. Each creates a new filter, so that no memory is
+ * reused between runs. All use the active point scalars and the threads set in vtkSMPTools.
  */
 namespace methods
 {
 /**
- * vtkIntervalVolume of one interval, not yet run.
+ * Returns vtkIntervalVolume with one interval, not yet executed.
  */
 vtkSmartPointer<vtkIntervalVolume> NewIntervalVolume(vtkDataSet* data, double lower, double upper);
 
 /**
- * vtkIntervalVolume: tetrahedra.
+ * Returns the tetrahedra of vtkIntervalVolume.
  */
 vtkSmartPointer<vtkUnstructuredGrid> IntervalVolume(vtkDataSet* data, double lower, double upper);
 
 /**
- * vtkTableBasedClipDataSet by lower, then by upper: mixed cells. \a precision as that of the
- * filter's output points.
+ * Clips with vtkTableBasedClipDataSet at \a lower, then at \a upper. The cells of the result have
+ * several types. \a precision is the precision of the output points.
  */
 vtkSmartPointer<vtkUnstructuredGrid> ClipTwice(
   vtkDataSet* data, double lower, double upper, int precision);
 
 /**
- * vtkDataSetTriangleFilter: the three-dimensional cells of \a grid as tetrahedra.
+ * Returns the three-dimensional cells of \a grid as tetrahedra, by vtkDataSetTriangleFilter.
  */
 vtkSmartPointer<vtkUnstructuredGrid> ToTetrahedra(vtkUnstructuredGrid* grid);
 
 /**
- * vtkIsotableContour with or without merged points.
+ * Returns the output of vtkIsotableContour with or without merged points.
  */
 vtkSmartPointer<vtkUnstructuredGrid> IsotableContour(
   vtkDataSet* data, double value, bool mergePoints);
 
 /**
- * vtkContour3DLinearGrid with or without merged points; neither normals nor attributes.
+ * Returns the output of vtkContour3DLinearGrid with or without merged points, without normals and
+ * attributes.
  */
 vtkSmartPointer<vtkPolyData> Contour3DLinearGrid(
   vtkUnstructuredGrid* grid, double value, bool mergePoints);
 
 /**
- * vtkFlyingEdges3D without normals and gradients.
+ * Returns the output of vtkFlyingEdges3D without normals and gradients.
  */
 vtkSmartPointer<vtkPolyData> FlyingEdges(vtkImageData* image, double value);
 }

@@ -23,14 +23,14 @@ namespace interval
 {
 namespace
 {
-/// Where in the range of values a bound is dragged.
-struct DragPlace
+/// Position of a dragged bound in the range of the scalars.
+struct BoundPosition
 {
   const char* Name;
-  double Share;
+  double Fraction;
 };
 
-constexpr DragPlace Places[] = { { "low", 0.1 }, { "middle", 0.5 }, { "high", 0.9 } };
+constexpr BoundPosition Positions[] = { { "low", 0.1 }, { "middle", 0.5 }, { "high", 0.9 } };
 
 struct DragCase
 {
@@ -38,7 +38,7 @@ struct DragCase
   vtkSmartPointer<vtkImageData> Image;
 };
 
-/// CT of 256^3 points: the bonsai as it is, the head by linear interpolation.
+/// CT data with 256^3 points: the original bonsai, and the head resampled by linear interpolation.
 std::vector<DragCase> MakeCases(const BenchOptions& options)
 {
   if (options.Size != BenchOptions::FULL)
@@ -64,7 +64,7 @@ std::vector<DragCase> MakeCases(const BenchOptions& options)
   return cases;
 }
 
-/// The number of cells that have values on both sides of [first, second], or between.
+/// Returns the number of cells whose range of values intersects [first, second].
 vtkIdType CountCells(vtkImageData* image, double first, double second)
 {
   int dimensions[3];
@@ -72,7 +72,7 @@ vtkIdType CountCells(vtkImageData* image, double first, double second)
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   const vtkIdType row = dimensions[0];
   const vtkIdType layer = row * dimensions[1];
-  // -1 below, 1 above, 0 between.
+  // -1 for values below the range, 1 above, 0 inside.
   std::vector<signed char> sides(scalars->GetNumberOfTuples());
   for (std::size_t i = 0; i < sides.size(); ++i)
   {
@@ -87,38 +87,39 @@ vtkIdType CountCells(vtkImageData* image, double first, double second)
       for (int i = 0; i + 1 < dimensions[0]; ++i)
       {
         const signed char* corner = sides.data() + k * layer + j * row + i;
-        int least = 1;
-        int greatest = -1;
+        int lowest = 1;
+        int highest = -1;
         for (const vtkIdType step : { vtkIdType(0), row, layer, layer + row })
         {
-          least = std::min<int>({ least, corner[step], corner[step + 1] });
-          greatest = std::max<int>({ greatest, corner[step], corner[step + 1] });
+          lowest = std::min<int>({ lowest, corner[step], corner[step + 1] });
+          highest = std::max<int>({ highest, corner[step], corner[step + 1] });
         }
-        number += least <= 0 && greatest >= 0;
+        number += lowest <= 0 && highest >= 0;
       }
     }
   }
   return number;
 }
 
-/// A filter whose lower bound goes up and down by the same step.
+/// A filter whose lower bound moves up and down by a constant step.
 class Drag
 {
 public:
-  Drag(vtkImageData* image, double first, double step, double upper, bool keepsMemory)
+  Drag(vtkImageData* image, double first, double step, double upper, bool reusesMemory)
     : Filter(methods::NewIntervalVolume(image, first, upper))
     , First(first)
     , Step(step)
     , Upper(upper)
   {
-    this->Filter->SetKeepMemory(keepsMemory);
+    this->Filter->SetReuseMemory(reusesMemory);
     this->Filter->Update();
   }
 
   vtkSmartPointer<vtkObjectBase> Move()
   {
-    constexpr int turns[] = { 1, 2, 3, 2, 1, 0 };
-    this->Filter->SetInterval(0, this->First + this->Step * turns[this->Run++ % 6], this->Upper);
+    constexpr int multiples[] = { 1, 2, 3, 2, 1, 0 };
+    this->Filter->SetInterval(
+      0, this->First + this->Step * multiples[this->Run++ % 6], this->Upper);
     this->Filter->Update();
     return this->Filter->GetOutput();
   }
@@ -132,57 +133,57 @@ private:
   int Run = 0;
 };
 
-void AddDragRow(const DragCase& one, const DragPlace& place, bool isTied, int threads,
+void AddDragRow(const DragCase& one, const BoundPosition& position, bool isTied, int threads,
   const BenchOptions& options, BenchRows& rows)
 {
   double range[2];
   one.Image->GetPointData()->GetScalars()->GetRange(range);
   const double length = range[1] - range[0];
-  const double at = std::floor(range[0] + place.Share * length);
+  const double at = std::floor(range[0] + position.Fraction * length);
   const double first = isTied ? at : at + 0.4;
   const double step = isTied ? std::max(std::floor(length / 200), 1.0) : length / 200;
   const double upper = isTied ? range[1] : range[1] + 0.5;
-  Drag kept(one.Image, first, step, upper, true);
+  Drag reused(one.Image, first, step, upper, true);
   Drag plain(one.Image, first, step, upper, false);
-  const std::size_t kib = kept.Filter->GetOutput()->GetActualMemorySize();
+  const std::size_t kib = reused.Filter->GetOutput()->GetActualMemorySize();
   const std::vector<BenchSeconds> seconds =
-    MeasureAlternately({ WithThreads(threads, [&]() { return kept.Move(); }),
+    MeasureAlternately({ WithThreads(threads, [&]() { return reused.Move(); }),
                          WithThreads(threads, [&]() { return plain.Move(); }) },
       options.GetRepeats());
 
-  const auto count = [&kept](const char* name)
-  { return static_cast<vtkIdType>(kept.Filter->GetReport()->GetNumber(name)); };
+  const auto count = [&reused](const char* name)
+  { return reused.Filter->GetReport()->GetCount(name); };
   const vtkIdType changed = CountCells(one.Image, first + step, first + 2 * step);
   BenchRow row = rows.Make(
-    one.Name + "-" + place.Name, isTied ? "drag-tied" : "drag", ThreadsParameter(threads));
+    one.Name + "-" + position.Name, isTied ? "drag-tied" : "drag", ThreadsParameter(threads));
   row.SetTimes(seconds[0], "new-memory", seconds[1]);
   row.Set({ { "threads", threads }, { "cells", count("Cells") }, { "changed", changed },
     { "share", static_cast<double>(changed) / static_cast<double>(count("Cells")) },
     { "with_output", count("CellsWithOutput") },
-    { "tetrahedra", kept.Filter->GetOutput()->GetNumberOfCells() }, { "output_kib", kib },
+    { "tetrahedra", reused.Filter->GetOutput()->GetNumberOfCells() }, { "output_kib", kib },
     { "reused_kib", count("ReusedBytes") / 1024 }, { "idle_kib", count("IdleBytes") / 1024 } });
   rows.Add(row);
 }
 
 /**
- * Methods `drag` and, with bounds that equal values of the data, `drag-tied`: the lower bound of an
- * interval up to the end of the range of values goes on by a two hundredth of the range, low, in
- * the middle and high in it, with KeepMemory, by one thread and by all; against the peer
- * `new-memory`, the same without. Counts: `changed`, the cells that the bound passes through
- * between two updates, and `share`, their share; the size of the output; what is used again and
- * held.
+ * Measures updates after small changes of a bound. Methods: `drag`, and `drag-tied` with bounds
+ * that equal scalars of the data. The upper bound is the maximum of the scalars. The lower bound
+ * moves by 1/200 of the scalar range between updates, in the low, middle or high part of the range.
+ * ReuseMemory is on; the baseline `new-memory` has it off. Rows use one thread and all threads.
+ * Count `changed` is the number of cells that the bound passes through between two updates, `share`
+ * their fraction. Other counts are the size of the output and the reused and idle memory.
  */
 void AddDragRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const DragCase& one : MakeCases(options))
   {
-    for (const DragPlace& place : Places)
+    for (const BoundPosition& position : Positions)
     {
       for (const int threads : options.GetThreadCounts())
       {
         for (const bool isTied : { false, true })
         {
-          AddDragRow(one, place, isTied, threads, options, rows);
+          AddDragRow(one, position, isTied, threads, options, rows);
         }
       }
     }

@@ -29,7 +29,7 @@ const char* const VolumeNorm = "volume, relative";
 const char* const SurfaceNorm = "surface distance, rms, share of the domain's edge";
 const char* const SampledNorm = "volume, relative, with sampling";
 
-/// A way to the interval volume: the grid that it takes and whether the peer does it.
+/// A method of extracting the interval volume: its input grid and whether it is the baseline.
 struct Method
 {
   std::string Name;
@@ -59,7 +59,7 @@ std::vector<Method> MakeMethods(vtkImageData* image)
   return methods;
 }
 
-/// The tetrahedra of the result, and triangles among which are those of its boundary.
+/// The tetrahedra of a result, and triangles that include its boundary.
 struct Result
 {
   vtkSmartPointer<vtkUnstructuredGrid> Tetrahedra;
@@ -90,7 +90,7 @@ Result Extract(const Method& method, double lower, double upper)
   return result;
 }
 
-/// Root mean square over the area of the boundary inside the box.
+/// Returns the root mean square distance of the boundary inside the box from the exact surface.
 double SurfaceDistance(
   vtkPointSet* boundary, const TrilinearRegion& region, double lower, double upper)
 {
@@ -156,8 +156,8 @@ void AddRowsOf(
     row.Seconds = seconds[i];
     if (!method.IsClip)
     {
-      row.Peer = "clip2";
-      row.PeerSeconds = seconds.back();
+      row.Baseline = "clip2";
+      row.BaselineSeconds = seconds.back();
     }
     row.Set({ { "threads", 1 }, { "cells", method.Data->GetNumberOfCells() },
       { "tetrahedra", sums.Tetrahedra } });
@@ -185,11 +185,11 @@ BenchPlot MakeErrorPlot(const std::string& theCase, const char* norm, const std:
   BenchPlot plot = BenchPlot::OfErrors("interval-" + theCase + "-" + name,
     theCase + ": error against run time as the grid gets finer, 1 thread", "run time (s)",
     std::string("error: ") + norm,
-    "Are tables of hexahedra worth their time for the " + name + " of an interval volume (" +
-      theCase + ")?",
-    "vtkIntervalVolume on hexahedra and on their splits into tetrahedra, vtkClipDataSet twice as "
-    "the peer; points along an edge of the grid at each point. Ringed: hexahedra on the finest "
-    "grid.");
+    "Are case tables of hexahedra worth their run time for the " + name +
+      " of an interval volume (" + theCase + ")?",
+    "vtkIntervalVolume on hexahedra and on hexahedra split into tetrahedra; two passes of "
+    "vtkTableBasedClipDataSet are the baseline. Labels are points along an edge of the grid. "
+    "Ringed: hexahedra on the finest grid.");
   for (const BenchRow& row : rows)
   {
     if (row.Case == theCase && row.ErrorNorm == norm)
@@ -202,13 +202,15 @@ BenchPlot MakeErrorPlot(const std::string& theCase, const char* norm, const std:
 }
 
 /**
- * Methods `hexahedra` (image data, as it is), `hexahedra-unstructured`, `tetrahedra-5`, `-6`
- * (the cells split beforehand; the time to split is `split_seconds`) and `clip2`, on the analytic
- * cases. The parameter is the number of points along an axis. One row for each norm:
- * - `volume, relative`: of the volume of the exact trilinear region;
- * - `surface distance, rms, share of the domain's edge`: from the result's boundary inside the
- * domain to the exact trilinear surface;
- * - `volume, relative, with sampling`: of the volume of the analytic region, where it is known.
+ * Measures errors in the analytic cases. Methods: `hexahedra` (the image data),
+ * `hexahedra-unstructured`, `tetrahedra-5` and `tetrahedra-6` (cells split beforehand in
+ * `split_seconds`), and `clip2`. The parameter is the number of points along an axis. There is one
+ * row for each norm:
+ * - `volume, relative`: error relative to the volume of the exact trilinear region;
+ * - `surface distance, rms, share of the domain's edge`: distance of the result's boundary inside
+ *   the domain from the exact trilinear surface;
+ * - `volume, relative, with sampling`: error relative to the volume of the analytic region, if it
+ *   is known.
  */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {

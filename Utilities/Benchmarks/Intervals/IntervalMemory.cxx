@@ -18,7 +18,7 @@ namespace
 const char* const MemoryTask = "memory";
 const char* const HexahedraTask = "memory-hexahedra";
 
-/// Loads the code and fills the tables for hexahedra in image data and in unstructured grids.
+/// Loads the code and fills the case tables for hexahedra in image data and in unstructured grids.
 void UseOnce()
 {
   const BenchData wavelet = MakeWavelet(9);
@@ -28,10 +28,13 @@ void UseOnce()
 }
 
 /**
- * What one extraction of the case takes, in KiB: `input_kib` and `output_kib`, the data's own
- * sizes; `working_kib`, as the filter reports; `peak_kib`, the input and the largest growth of the
- * resident memory of this process; `first_use_kib`, what tables and code took before. The last two
- * are absent if the system cannot tell.
+ * Measures the memory of one extraction of the case in KiB:
+ * - `input_kib` and `output_kib`: sizes of the data;
+ * - `working_kib`: as reported by the filter;
+ * - `peak_kib`: the input plus the largest growth of the resident memory of this process;
+ * - `first_use_kib`: the memory of tables and code, loaded before the extraction.
+ *
+ * `peak_kib` and `first_use_kib` are absent if the system does not report resident memory.
  */
 nlohmann::ordered_json MeasureMemory(
   const std::string& theCase, bool asHexahedra, const BenchOptions& options)
@@ -41,10 +44,10 @@ nlohmann::ordered_json MeasureMemory(
   {
     data.Data = ToHexahedra(data.Data);
   }
-  ForgetPeakMemory();
+  ResetPeakMemory();
   const std::optional<long> fresh = ResidentKib();
   UseOnce();
-  ForgetPeakMemory();
+  ResetPeakMemory();
   const std::optional<long> before = ResidentKib();
   auto filter = methods::NewIntervalVolume(data.Data, data.Lower, data.Upper);
   filter->Update();
@@ -54,8 +57,7 @@ nlohmann::ordered_json MeasureMemory(
   const auto inputKib = data.Data->GetActualMemorySize();
   json["input_kib"] = inputKib;
   json["output_kib"] = filter->GetOutput()->GetActualMemorySize();
-  json["working_kib"] =
-    static_cast<vtkIdType>(filter->GetReport()->GetNumber("WorkingBytes")) / 1024;
+  json["working_kib"] = filter->GetReport()->GetCount("WorkingBytes") / 1024;
   if (fresh && before && peak)
   {
     json["peak_kib"] = static_cast<long>(inputKib) + *peak - *before;
@@ -64,7 +66,7 @@ nlohmann::ordered_json MeasureMemory(
   return json;
 }
 
-/// Memory of every case, structured and as unstructured hexahedra.
+/// Adds rows for all cases, as structured data and as unstructured hexahedra.
 void AddMemoryRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const BenchData& data : MakeSpeedCases(options))

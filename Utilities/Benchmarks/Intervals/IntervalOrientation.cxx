@@ -20,15 +20,15 @@ void AddOrientationRow(const BenchData& data, BenchRows& rows)
   filter->Update();
   const TetrahedronSums sums = SumTetrahedra(filter->GetOutput());
   BenchRow row = rows.Make(data.Case, "inverted");
-  row.SetError("share of the volume", sums.GetInvertedVolumeShare());
+  row.SetError("share of the volume", sums.GetInvertedVolumeFraction());
   row.Set({ { "cells", data.Data->GetNumberOfCells() }, { "tetrahedra", sums.Tetrahedra },
-    { "inverted", sums.Inverted }, { "share", sums.GetInvertedShare() } });
+    { "inverted", sums.Inverted }, { "share", sums.GetInvertedFraction() } });
   rows.Add(row);
 }
 
 /**
- * Method `inverted`: which share of the tetrahedra is inverted, and which share of the volume they
- * hold (the error), on cells of each shape with random values and on real data.
+ * Counts inverted tetrahedra for cells of each shape with random values and for the data files. The
+ * method is `inverted`, and the error is their fraction of the volume.
  */
 void AddOrientationRows(const BenchOptions& options, BenchRows& rows)
 {

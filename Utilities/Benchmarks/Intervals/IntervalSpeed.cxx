@@ -15,7 +15,7 @@ void AddRowsOf(const BenchData& data, int threads, const BenchOptions& options, 
 {
   vtkIdType tetrahedra = 0;
   vtkIdType mixedCells = 0;
-  vtkIdType peerTetrahedra = 0;
+  vtkIdType baselineTetrahedra = 0;
   const BenchWork ours = [&]()
   {
     auto grid = methods::IntervalVolume(data.Data, data.Lower, data.Upper);
@@ -33,7 +33,7 @@ void AddRowsOf(const BenchData& data, int threads, const BenchOptions& options, 
   {
     auto grid = methods::ToTetrahedra(
       methods::ClipTwice(data.Data, data.Lower, data.Upper, vtkAlgorithm::DEFAULT_PRECISION));
-    peerTetrahedra = grid->GetNumberOfCells();
+    baselineTetrahedra = grid->GetNumberOfCells();
     return grid;
   };
   const std::vector<BenchSeconds> seconds =
@@ -46,19 +46,20 @@ void AddRowsOf(const BenchData& data, int threads, const BenchOptions& options, 
   row.Set({ { "threads", threads }, { "cells", data.Data->GetNumberOfCells() },
     { "tetrahedra", tetrahedra } });
   BenchRow againstClip = row;
-  againstClip.Peer = "clip2";
-  againstClip.PeerSeconds = seconds[1];
+  againstClip.Baseline = "clip2";
+  againstClip.BaselineSeconds = seconds[1];
   againstClip.Counts["peer_cells"] = mixedCells;
   rows.Add(againstClip);
   BenchRow againstTetrahedra = row;
-  againstTetrahedra.Peer = "clip2-tetrahedra";
-  againstTetrahedra.PeerSeconds = seconds[2];
-  againstTetrahedra.Counts["peer_cells"] = peerTetrahedra;
+  againstTetrahedra.Baseline = "clip2-tetrahedra";
+  againstTetrahedra.BaselineSeconds = seconds[2];
+  againstTetrahedra.Counts["peer_cells"] = baselineTetrahedra;
   rows.Add(againstTetrahedra);
 }
 
 /**
- * Method `interval-volume`: against `clip2` and `clip2-tetrahedra`, by one thread and by all.
+ * Measures the method `interval-volume`, with the baselines `clip2` and `clip2-tetrahedra`, with
+ * one thread and with all threads.
  */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -72,7 +73,7 @@ void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 }
 
 /**
- * Method `threads-2`: two threads against the peer `threads-1`.
+ * Measures the method `threads-2`, two threads, with the baseline `threads-1`, one thread.
  */
 void AddThreadRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -86,7 +87,6 @@ void AddThreadRows(const BenchOptions& options, BenchRows& rows)
     rows.Add(row);
   }
 }
-
 }
 
 BenchPart MakeSpeedPart()

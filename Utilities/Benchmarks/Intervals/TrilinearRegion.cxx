@@ -11,7 +11,8 @@
 
 namespace
 {
-/// The length of { z in [0,1] : value <= bound } of the linear function from bottom to top.
+/// Returns the length of { z in [0,1] : value <= bound } for the linear function from bottom to
+/// top.
 double LengthBelow(double bottom, double top, double bound)
 {
   const bool bottomInside = bottom <= bound;
@@ -23,7 +24,7 @@ double LengthBelow(double bottom, double top, double bound)
   return bottomInside ? crossing : 1.0 - crossing;
 }
 
-/// The bilinear function of the unit square with values a (0,0), b (1,0), c (0,1), d (1,1).
+/// Bilinear function on the unit square with values a (0,0), b (1,0), c (0,1), d (1,1).
 struct Bilinear
 {
   double A, B, C, D;
@@ -40,7 +41,7 @@ struct Square
   double X, Y, Size;
 };
 
-/// The lines along z through a cell: their values at the bottom and at the top face.
+/// Lines along z through a cell, given by the values on the bottom and top faces.
 class CellColumns
 {
 public:
@@ -50,7 +51,7 @@ public:
   {
   }
 
-  /// The volume below \a bound over \a square.
+  /// Returns the volume below \a bound over \a square.
   double VolumeBelow(double bound, const Square& square, int depth) const
   {
     if (depth > 0 &&
@@ -69,8 +70,8 @@ public:
   }
 
 private:
-  /// Whether the contour of \a face may pass through \a square; a bilinear function lies between
-  /// its values at the corners of any square of its axes.
+  /// Returns whether the contour of \a face may intersect \a square. On an axis-aligned square a
+  /// bilinear function is bounded by its values at the corners.
   static bool IsCrossed(const Bilinear& face, double bound, const Square& square)
   {
     const double x = square.X + square.Size;
@@ -131,7 +132,7 @@ TrilinearRegion::Corners TrilinearRegion::GetCorners(int i, int j, int k) const
 
 double TrilinearRegion::GetVolume(double lower, double upper, int depth) const
 {
-  const Square whole = { 0.0, 0.0, 1.0 };
+  const Square unitSquare = { 0.0, 0.0, 1.0 };
   double cells = 0.0;
   for (int k = 0; k + 1 < this->Dimensions[2]; ++k)
   {
@@ -151,8 +152,8 @@ double TrilinearRegion::GetVolume(double lower, double upper, int depth) const
           continue;
         }
         const CellColumns columns(corners);
-        cells +=
-          columns.VolumeBelow(upper, whole, depth) - columns.VolumeBelow(lower, whole, depth);
+        cells += columns.VolumeBelow(upper, unitSquare, depth) -
+          columns.VolumeBelow(lower, unitSquare, depth);
       }
     }
   }

@@ -12,8 +12,8 @@
  * @class   TrilinearRegion
  * @brief   the exact region { lower <= g <= upper } of the trilinear interpolant g of an image
  *
- * A reference that shares no code with the filters: everything is computed in double from the
- * values at the eight corners of a cell.
+ * A reference that shares no code with the filters. It is computed in double precision from the
+ * values at the eight corners of each cell.
  */
 class TrilinearRegion
 {
@@ -21,20 +21,20 @@ public:
   explicit TrilinearRegion(vtkImageData* image);
 
   /**
-   * The volume of { lower <= g <= upper }. Along z the interpolant is linear, so the length inside
-   * is known in closed form; across x and y it is integrated by Gauss' rule of 3 x 3 points on a
-   * square that is halved \a depth times where the length has a kink (a face or an edge of the cell
-   * is crossed).
+   * Returns the volume of { lower <= g <= upper }. Along z the interpolant is linear, so the length
+   * inside the region has a closed form. This length is integrated over x and y by a Gauss rule of
+   * 3 x 3 points. Squares in which the length has a kink, where the isosurface crosses a face or an
+   * edge of the cell, are subdivided \a depth times.
    */
   double GetVolume(double lower, double upper, int depth = 4) const;
 
   /**
-   * How far \a point is from { g = value }, along the gradient of g.
+   * Returns the distance of \a point from { g = value }, along the gradient of g.
    */
   double GetDistance(const double point[3], double value) const;
 
   /**
-   * Whether all three points lie in one face of the image's box.
+   * Returns whether all three points are on the same face of the image's bounding box.
    */
   bool IsOnBox(const double a[3], const double b[3], const double c[3]) const;
 

@@ -50,8 +50,9 @@ BenchWork WithThreads(int threads, const BenchWork& work)
 {
   return [threads, work]()
   {
-    // TBB in VTK 9.6 takes no more threads than it had, unless all were asked for in between; then
-    // VTK up to 9.5 does not take the number that it had before all, unless there was another.
+    // With TBB, VTK 9.6 only lowers the number of threads, unless Initialize() is called for all
+    // processors in between. VTK up to 9.5 ignores a call with the same number as before, unless
+    // another number is set in between.
     vtkSMPTools::Initialize();
     vtkSMPTools::Initialize(static_cast<int>(std::thread::hardware_concurrency()));
     vtkSMPTools::Initialize(threads);
@@ -81,8 +82,9 @@ double Median(std::vector<double> numbers)
     return 0.0;
   }
   std::sort(numbers.begin(), numbers.end());
-  const std::size_t middle = numbers.size() / 2;
-  return numbers.size() % 2 == 1 ? numbers[middle] : 0.5 * (numbers[middle - 1] + numbers[middle]);
+  const std::size_t midpoint = numbers.size() / 2;
+  return numbers.size() % 2 == 1 ? numbers[midpoint]
+                                 : 0.5 * (numbers[midpoint - 1] + numbers[midpoint]);
 }
 
 BenchSeconds MedianOf(const std::vector<double>& runs)

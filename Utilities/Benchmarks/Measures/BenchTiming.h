@@ -12,54 +12,55 @@
 #include <vector>
 
 /**
- * Something to be timed. What it returns is kept until the clock is stopped, so that freeing a
- * result is not part of the time.
+ * Work to be timed. Its result is held until the clock stops, so that the time excludes freeing it.
  */
 using BenchWork = std::function<vtkSmartPointer<vtkObjectBase>()>;
 
 /**
- * This moment, in seconds of std::chrono::steady_clock.
+ * Returns the current time in seconds of std::chrono::steady_clock.
  */
 double GetSteadySeconds();
 
 /**
- * Wall seconds of one run of \a work.
+ * Returns the wall and processor time of one run of \a work.
  */
 BenchSeconds TimeOnce(const BenchWork& work);
 
 /**
- * Median wall seconds of each of \a works: each is run once unmeasured, then all take turns,
- * A B C A B C ..., \a repeats times, so that what else the machine does falls on all alike.
+ * Returns the median times of all \a works. Each is run once untimed; then they run alternately, A
+ * B C A B C ..., \a repeats times. Other activity on the machine thus affects all of them equally.
  */
 std::vector<BenchSeconds> MeasureAlternately(const std::vector<BenchWork>& works, int repeats);
 
 /**
- * \a work by so many threads of vtkSMPTools, which stays set so afterwards.
+ * Returns \a work with the number of threads of vtkSMPTools set to \a threads. It remains set
+ * afterward.
  */
 BenchWork WithThreads(int threads, const BenchWork& work);
 
 /**
- * Executes \a filter again, with its inputs as they are, by the threads that are set.
+ * Returns work that executes \a filter again with unchanged inputs and the current number of
+ * threads.
  */
 BenchWork Again(const vtkSmartPointer<vtkAlgorithm>& filter);
 
 /**
- * `1 thread`, `2 threads`, ...: the parameter of a row.
+ * Returns the parameter of a row: `1 thread`, `2 threads`, ...
  */
 std::string ThreadsParameter(int threads);
 
 /**
- * The middle of \a numbers, or the mean of the two in the middle; 0 for none.
+ * Returns the median of \a numbers, or 0 if there are none.
  */
 double Median(std::vector<double> numbers);
 
 /**
- * The median of the seconds of so many runs.
+ * Returns the median of the times of runs, in seconds.
  */
 BenchSeconds MedianOf(const std::vector<double>& runs);
 
 /**
- * The median of single runs, with the spans of all.
+ * Returns the medians of single runs, with all their spans.
  */
 BenchSeconds MedianOf(const std::vector<BenchSeconds>& runs);
 

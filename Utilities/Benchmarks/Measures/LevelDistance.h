@@ -5,10 +5,10 @@
 #include <cmath>
 
 /**
- * How far \a point is from the surface of a function where it has that value, along its gradient:
- * Newton steps until what is left is below 1e-14 of \a length.
+ * Returns the distance of \a point from the level set of a function at \a value, along its
+ * gradient. Newton steps continue until the remaining distance is below 1e-14 of \a length.
  *
- * \a evaluate(at, gradient) returns the function and fills in its gradient.
+ * \a evaluate(at, gradient) returns the value of the function and sets its gradient.
  */
 template <typename Function>
 double DistanceToLevel(Function&& evaluate, const double point[3], double value, double length)

@@ -5,8 +5,8 @@
 #include <vector>
 
 /**
- * The exponent p of y = c x^p through positive numbers: the slope of a straight line through their
- * logarithms, by least squares.
+ * Returns the exponent p of y = c x^p, fitted to positive numbers by least squares in their
+ * logarithms.
  */
 double FitExponent(const std::vector<double>& x, const std::vector<double>& y);
 

@@ -10,7 +10,7 @@
 
 namespace
 {
-/// A line `name: N kB` of /proc/self/status.
+/// Returns N of the line `name: N kB` of /proc/self/status.
 std::optional<long> StatusKib(const std::string& name)
 {
   std::ifstream status("/proc/self/status");
@@ -35,7 +35,7 @@ std::optional<long> PeakResidentKib()
   return StatusKib("VmHWM");
 }
 
-void ForgetPeakMemory()
+void ResetPeakMemory()
 {
 #ifdef __GLIBC__
   malloc_trim(0);

@@ -6,16 +6,16 @@
 
 ///@{
 /**
- * Resident memory of this process in KiB, now and at its highest since ForgetPeakMemory(); nothing
- * where the system cannot tell.
+ * Return the current resident memory of this process in KiB, and its maximum since
+ * ResetPeakMemory(). Empty if the system does not report it.
  */
 std::optional<long> ResidentKib();
 std::optional<long> PeakResidentKib();
 ///@}
 
 /**
- * Gives freed memory back and starts the high-water mark of the resident memory anew.
+ * Returns freed memory to the system and resets the high-water mark of the resident memory.
  */
-void ForgetPeakMemory();
+void ResetPeakMemory();
 
 #endif

@@ -5,7 +5,7 @@
 
 void MeasureSecondThread(const BenchWork& work, const BenchOptions& options, BenchRow& row)
 {
-  // Cheap, and the more runs, the less another process on the machine matters.
+  // More runs reduce the influence of other processes, and these runs are short.
   const std::vector<BenchSeconds> seconds =
     MeasureAlternately({ WithThreads(1, work), WithThreads(2, work) }, 3 * options.GetRepeats());
   row.SetTimes(seconds[1], "threads-1", seconds[0]);

@@ -7,7 +7,8 @@
 #include "Benchmarks/Suites/BenchOptions.h"
 
 /**
- * Fills in the seconds of \a work by two threads, and by one as the peer `threads-1`.
+ * Measures \a work with two threads and with one thread, and stores the times in \a row. One thread
+ * is the baseline `threads-1`.
  */
 void MeasureSecondThread(const BenchWork& work, const BenchOptions& options, BenchRow& row);
 

@@ -5,21 +5,22 @@
 #include <functional>
 
 /**
- * Distances of a triangulated surface from another one, integrated over its area.
+ * Distances of a triangulated surface from another surface, integrated over its area.
  */
 struct SurfaceDistances
 {
   double Area = 0.0;
-  /// Of the distance: to first order the volume between the two surfaces.
+  /// Integral of the distance: to first order, the volume between the two surfaces.
   double Integral = 0.0;
-  /// Of the distance's square.
+  /// Integral of the squared distance.
   double SquareIntegral = 0.0;
 
-  /// Adds a triangle by a rule of degree 2, of three points. \a distance is that of a point.
+  /// Adds a triangle by a three-point rule of degree 2. \a distance returns the distance of a point
+  /// from the other surface.
   void AddTriangle(
     const double x[3][3], const std::function<double(const double point[3])>& distance);
 
-  /// 0 without area.
+  /// Returns the root mean square distance, or 0 if the total area is 0.
   double GetRootMeanSquare() const;
 };
 

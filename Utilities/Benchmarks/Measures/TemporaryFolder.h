@@ -8,7 +8,7 @@
 #include <system_error>
 
 /**
- * A temporary directory that is removed with this.
+ * A temporary directory, removed by the destructor.
  */
 class TemporaryFolder
 {

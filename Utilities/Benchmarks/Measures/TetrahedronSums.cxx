@@ -10,12 +10,12 @@
 #include <algorithm>
 #include <cmath>
 
-double TetrahedronSums::GetInvertedShare() const
+double TetrahedronSums::GetInvertedFraction() const
 {
   return this->Tetrahedra > 0 ? static_cast<double>(this->Inverted) / this->Tetrahedra : 0.0;
 }
 
-double TetrahedronSums::GetInvertedVolumeShare() const
+double TetrahedronSums::GetInvertedVolumeFraction() const
 {
   return this->AbsoluteVolume > 0.0 ? this->InvertedVolume / this->AbsoluteVolume : 0.0;
 }

@@ -7,27 +7,27 @@
 class vtkUnstructuredGrid;
 
 /**
- * Volumes of the tetrahedra of a grid, added up. A tetrahedron is inverted when its signed volume
- * is below -1e-12 of the cube of its longest edge: what is flatter than rounding has no
- * orientation.
+ * Sums of the volumes of tetrahedra. A tetrahedron is inverted if its signed volume is below -1e-12
+ * of the cube of its longest edge. Flatter tetrahedra have no reliable orientation.
  */
 struct TetrahedronSums
 {
   vtkIdType Tetrahedra = 0;
   vtkIdType Inverted = 0;
-  /// Signed, so that what an inverted one covers twice is taken off once.
+  /// Sum of signed volumes, so that an inverted tetrahedron cancels the volume that its neighbors
+  /// cover twice.
   double Volume = 0.0;
-  /// Volume of the inverted ones, positive.
+  /// Volume of the inverted tetrahedra, positive.
   double InvertedVolume = 0.0;
-  /// Every volume taken positive.
+  /// Sum of absolute volumes.
   double AbsoluteVolume = 0.0;
 
-  double GetInvertedShare() const;
-  double GetInvertedVolumeShare() const;
+  double GetInvertedFraction() const;
+  double GetInvertedVolumeFraction() const;
 };
 
 /**
- * The sums over the VTK_TETRA cells of \a grid.
+ * Returns the sums over the VTK_TETRA cells of \a grid.
  */
 TetrahedronSums SumTetrahedra(vtkUnstructuredGrid* grid);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures vtkTetrahedralMesher for the suite filter-errors of interlume-bench, which starts this
-// program, since the mesher is not part of its package: prints rows as JSON.
+// Measures vtkTetrahedralMesher for the suite filter-errors of interlume-bench. The mesher is not
+// part of that program's package, so interlume-bench starts this program, which prints rows as
+// JSON.
 #include "Benchmarks/Approximations/FilterFamilies.h"
 
 #include "vtkTetrahedralMesher.h"
@@ -37,9 +38,8 @@ double Evaluate(const double x[3])
 }
 constexpr double Range = 2.0;
 
-/// Triangles of nearly the same size on a ball of radius 1, with the field's values in their
-/// points.
-vtkSmartPointer<vtkPolyData> MakeBall(int subdivisions)
+/// Returns a unit sphere of nearly equal triangles, with the field's values at its points.
+vtkSmartPointer<vtkPolyData> MakeSphere(int subdivisions)
 {
   vtkNew<vtkPlatonicSolidSource> solid;
   solid->SetSolidTypeToIcosahedron();
@@ -47,7 +47,7 @@ vtkSmartPointer<vtkPolyData> MakeBall(int subdivisions)
   finer->SetInputConnection(solid->GetOutputPort());
   finer->SetNumberOfSubdivisions(subdivisions);
   finer->Update();
-  auto ball = vtkSmartPointer<vtkPolyData>::New();
+  auto sphere = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkDoubleArray> values;
@@ -60,14 +60,14 @@ vtkSmartPointer<vtkPolyData> MakeBall(int subdivisions)
     points->InsertNextPoint(x);
     values->InsertNextValue(Evaluate(x));
   }
-  ball->SetPoints(points);
-  ball->SetPolys(finer->GetOutput()->GetPolys());
-  ball->GetPointData()->SetScalars(values);
-  return ball;
+  sphere->SetPoints(points);
+  sphere->SetPolys(finer->GetOutput()->GetPolys());
+  sphere->GetPointData()->SetScalars(values);
+  return sphere;
 }
 
-/// The root mean square over all tetrahedra of what is interpolated less the field, by four points
-/// in each.
+/// Returns the root mean square difference between the interpolated values and the field over all
+/// tetrahedra, by a four-point rule.
 double MeasureInterpolation(vtkUnstructuredGrid* mesh)
 {
   constexpr double near = 0.58541019662496852;
@@ -89,7 +89,7 @@ double MeasureInterpolation(vtkUnstructuredGrid* mesh)
     const double size = std::abs(vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]));
     for (int point = 0; point < 4; ++point)
     {
-      double place[3] = { 0.0, 0.0, 0.0 };
+      double position[3] = { 0.0, 0.0, 0.0 };
       double value = 0.0;
       for (int corner = 0; corner < 4; ++corner)
       {
@@ -97,61 +97,62 @@ double MeasureInterpolation(vtkUnstructuredGrid* mesh)
         value += weight * f[corner];
         for (int axis = 0; axis < 3; ++axis)
         {
-          place[axis] += weight * x[corner][axis];
+          position[axis] += weight * x[corner][axis];
         }
       }
-      const double off = value - Evaluate(place);
-      sum += 0.25 * size * off * off;
+      const double difference = value - Evaluate(position);
+      sum += 0.25 * size * difference * difference;
     }
     volume += size;
   }
   return std::sqrt(sum / volume) / Range;
 }
 
-void AddMesher(vtkPolyData* ball, const std::string& method, double quality, double share,
+void AddMesher(vtkPolyData* sphere, const std::string& method, double quality, double fraction,
   const std::string& setting, Maker maker, Trials& trials)
 {
   auto mesher = vtkSmartPointer<vtkTetrahedralMesher>::New();
-  // TetGen 1.6 does not reach every quality bound; the row shows the error in any case.
+  // TetGen 1.6 does not reach every quality bound. Warnings about this are ignored, since the row
+  // shows the error.
   vtkNew<vtkCallbackCommand> ignore;
   mesher->AddObserver(vtkCommand::WarningEvent, ignore);
-  mesher->SetInputData(ball);
+  mesher->SetInputData(sphere);
   mesher->SetQualityBound(quality);
-  mesher->SetMaximumVolume(share * 4.0 / 3.0 * vtkMath::Pi());
+  mesher->SetMaximumVolume(fraction * 4.0 / 3.0 * vtkMath::Pi());
   trials.Add(method, setting, maker, WithThreads(1, Again(mesher)),
     [mesher]() { return MeasureInterpolation(mesher->GetOutput()); });
 }
 
-void AddPeer(vtkPolyData* ball, Trials& trials)
+void AddBaseline(vtkPolyData* sphere, Trials& trials)
 {
-  auto peer = vtkSmartPointer<vtkDelaunay3D>::New();
-  peer->SetInputData(ball);
-  trials.Add("vtkDelaunay3D", "", Maker::Peer, WithThreads(1, Again(peer)),
-    [peer]() { return MeasureInterpolation(peer->GetOutput()); });
+  auto baseline = vtkSmartPointer<vtkDelaunay3D>::New();
+  baseline->SetInputData(sphere);
+  trials.Add("vtkDelaunay3D", "", Maker::Baseline, WithThreads(1, Again(baseline)),
+    [baseline]() { return MeasureInterpolation(baseline->GetOutput()); });
 }
 
 BenchRows Measure(const BenchOptions& options)
 {
-  const vtkSmartPointer<vtkPolyData> ball = MakeBall(options.Pick(4, 3, 1));
+  const vtkSmartPointer<vtkPolyData> sphere = MakeSphere(options.Pick(4, 3, 1));
   Trials trials;
-  trials.SetSize("triangles", static_cast<double>(ball->GetNumberOfPolys()));
-  AddMesher(ball, "bounds", 0.0, 0.0, "none", Maker::Default, trials);
-  const auto shares = options.Pick<std::vector<double>>(
+  trials.SetSize("triangles", static_cast<double>(sphere->GetNumberOfPolys()));
+  AddMesher(sphere, "bounds", 0.0, 0.0, "none", Maker::Default, trials);
+  const auto fractions = options.Pick<std::vector<double>>(
     { 1e-2, 1e-3, 1e-4, 1e-5, 1e-6 }, { 1e-2, 1e-3, 1e-4 }, { 1e-2 });
-  for (const double share : shares)
+  for (const double fraction : fractions)
   {
-    AddMesher(ball, "largest volume", 0.0, share, NumberText(share), Maker::Own, trials);
-    AddMesher(
-      ball, "largest volume, quality 1.2", 1.2, share, NumberText(share), Maker::Own, trials);
+    AddMesher(sphere, "largest volume", 0.0, fraction, NumberText(fraction), Maker::Own, trials);
+    AddMesher(sphere, "largest volume, quality 1.2", 1.2, fraction, NumberText(fraction),
+      Maker::Own, trials);
   }
   for (const double quality :
     options.Pick<std::vector<double>>({ 2.0, 1.6, 1.4, 1.2 }, { 2.0, 1.4 }, { 2.0 }))
   {
-    AddMesher(ball, "quality", quality, 0.0, NumberText(quality), Maker::Own, trials);
+    AddMesher(sphere, "quality", quality, 0.0, NumberText(quality), Maker::Own, trials);
   }
-  AddPeer(ball, trials);
+  AddBaseline(sphere, trials);
   BenchRows rows("filter-errors");
-  trials.Run(MakeMesherFamily().Asked, options, rows);
+  trials.Run(MakeMesherFamily().Query, options, rows);
   return rows;
 }
 }
@@ -161,7 +162,7 @@ int main(int argc, char* argv[])
   BenchOptions options;
   bool quick = false;
   bool tiny = false;
-  CLI::App app("Measures the mesher of tetrahedra for interlume-bench", "interlume-bench-mesher");
+  CLI::App app("Measures vtkTetrahedralMesher for interlume-bench", "interlume-bench-mesher");
   app.add_flag("--quick", quick, "Smaller cases");
   app.add_flag("--tiny", tiny)->group("");
   app.add_option("--threads", options.Threads)->group("");
@@ -170,7 +171,7 @@ int main(int argc, char* argv[])
   options.Size = tiny ? BenchOptions::TINY : quick ? BenchOptions::QUICK : BenchOptions::FULL;
   try
   {
-    // Rows are printed as they come; what is read is the JSON alone.
+    // Redirect the rows that are printed while measuring; standard output contains only the JSON.
     std::streambuf* output = std::cout.rdbuf(std::cerr.rdbuf());
     auto json = nlohmann::ordered_json::array();
     const BenchRows rows = Measure(options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Mixed/MixedCases.h"
 
-#include "Support/Pictures/ShadowCases.h"
+#include "Support/Images/ShadowCases.h"
 
 #include "vtkCubeSource.h"
 #include "vtkMath.h"
@@ -46,16 +46,16 @@ SceneSurface MakeBox(const Box& bounds)
   return MakeSurface(box);
 }
 
-/// Of about so many triangles.
-SceneSurface MakeBall(const Double3& center, double radius, int triangles)
+/// Returns a sphere with about \a triangles triangles.
+SceneSurface MakeSphere(const Double3& center, double radius, int triangles)
 {
-  vtkNew<vtkSphereSource> ball;
-  ball->SetCenter(center[0], center[1], center[2]);
-  ball->SetRadius(radius);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(center[0], center[1], center[2]);
+  sphere->SetRadius(radius);
   const int rows = std::max(static_cast<int>(std::sqrt(triangles / 4.0)), 6);
-  ball->SetPhiResolution(rows);
-  ball->SetThetaResolution(2 * rows);
-  return MakeSurface(ball);
+  sphere->SetPhiResolution(rows);
+  sphere->SetThetaResolution(2 * rows);
+  return MakeSurface(sphere);
 }
 
 SceneSurface MakeFloor(double height, double half)
@@ -67,23 +67,24 @@ SceneSurface MakeFloor(double height, double half)
   return MakeSurface(plane);
 }
 
-/// Balls in a circle around what is in the middle, on a plane as large as they need.
-void AddBalls(MixedScene& scene, const double bounds[6], int triangles)
+/// Adds spheres in two circles around the center of \a bounds, and a plane below them.
+void AddSpheres(MixedScene& scene, const double bounds[6], int triangles)
 {
   constexpr int count = 16;
   const double half = 0.5 * std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
-  const double middle[2] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]) };
+  const double center[2] = { 0.5 * (bounds[0] + bounds[1]), 0.5 * (bounds[2] + bounds[3]) };
   const double radius = 0.2 * half;
   for (int i = 0; i < count; ++i)
   {
     const double angle = 2.0 * vtkMath::Pi() * i / count;
     const double reach = (i % 2 == 0 ? 0.75 : 1.15) * half;
-    scene.Surfaces.push_back(MakeBall({ { middle[0] + reach * std::cos(angle),
-                                        middle[1] + reach * std::sin(angle), bounds[4] + radius } },
-      radius, triangles / count));
+    scene.Surfaces.push_back(
+      MakeSphere({ { center[0] + reach * std::cos(angle), center[1] + reach * std::sin(angle),
+                   bounds[4] + radius } },
+        radius, triangles / count));
   }
   SceneSurface floor = MakeFloor(bounds[4], 1.5 * half);
-  floor.Actor->SetPosition(middle[0], middle[1], 0.0);
+  floor.Actor->SetPosition(center[0], center[1], 0.0);
   scene.Surfaces.push_back(floor);
 }
 }
@@ -102,16 +103,16 @@ Case MakePosts(int pixels, int triangles)
   camera->SetClippingRange(0.5, 8.0);
   made.Scene.Camera = camera;
   made.LightPosition = { { -1.5, 0.4, 3.4 } };
-  auto lamp = vtkSmartPointer<vtkLight>::New();
-  lamp->SetLightTypeToSceneLight();
-  lamp->PositionalOn();
-  lamp->SetConeAngle(23.0);
-  lamp->SetPosition(made.LightPosition.data());
-  lamp->SetFocalPoint(0.0, 0.0, 0.0);
-  lamp->SetShadowAttenuation(1.0F);
-  made.Scene.Lights = { { lamp, {} } };
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SetLightTypeToSceneLight();
+  light->PositionalOn();
+  light->SetConeAngle(23.0);
+  light->SetPosition(made.LightPosition.data());
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  light->SetShadowAttenuation(1.0F);
+  made.Scene.Lights = { { light, {} } };
   made.Scene.Surfaces = { MakeFloor(Floor, 1.0), MakeBox({ { -0.8, -0.4, -0.3, 0.3, -0.4, 0.0 } }),
-    MakeBall({ { 0.1, 0.5, -0.1 } }, 0.25, triangles) };
+    MakeSphere({ { 0.1, 0.5, -0.1 } }, 0.25, triangles) };
   for (int i = 0; i < 9; ++i)
   {
     const double x = 0.1 + 0.2 * (i % 3);
@@ -121,7 +122,7 @@ Case MakePosts(int pixels, int triangles)
   return made;
 }
 
-Case MakeAmongBalls(
+Case MakeAmongSpheres(
   const std::string& name, const reference::ShadowScene& volume, int pixels, int triangles)
 {
   Case made;
@@ -142,7 +143,7 @@ Case MakeAmongBalls(
   sun->SetShadowAttenuation(1.0F);
   sun->GetPosition(made.LightPosition.data());
   made.Scene.Lights = { { sun, {} } };
-  AddBalls(made.Scene, bounds, triangles);
+  AddSpheres(made.Scene, bounds, triangles);
   return made;
 }
 }

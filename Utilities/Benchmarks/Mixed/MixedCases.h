@@ -2,13 +2,13 @@
 #ifndef MixedCases_h
 #define MixedCases_h
 
-#include "Support/Pictures/MixedScene.h"
-#include "Support/Pictures/ShadowScene.h"
+#include "Support/Images/MixedScene.h"
+#include "Support/Images/ShadowScene.h"
 
 #include <string>
 
 /**
- * The scenes of the suite `mixed`: white media and surfaces without ambient and specular light.
+ * Scenes of the suite `mixed`: white media and surfaces without ambient and specular light.
  */
 namespace mixed
 {
@@ -16,16 +16,16 @@ struct Case
 {
   std::string Name;
   reference::MixedScene Scene;
-  /// Position of the first light: frames that move lights leave them elsewhere.
+  /// Position of the first light. Frames that move lights change it.
   reference::Double3 LightPosition{};
 };
 
-/// A box, a ball and nine posts on the plane z = -0.6, of about so many triangles, under a
-/// spotlight; seen from above.
+/// Returns a box, a sphere and nine posts on the plane z = -0.6 under a spotlight, seen from above.
+/// The sphere has about \a triangles triangles.
 Case MakePosts(int pixels, int triangles);
 
-/// Balls of about so many triangles in all around a volume.
-Case MakeAmongBalls(
+/// Returns spheres with about \a triangles triangles in total around a volume.
+Case MakeAmongSpheres(
   const std::string& name, const reference::ShadowScene& volume, int pixels, int triangles);
 }
 

@@ -37,7 +37,8 @@ vtkSmartPointer<vtkRenderPass> MakeShadowMaps(int resolution)
   return camera;
 }
 
-/// The same surface by a mapper of its own: what one window holds is not made again for another.
+/// Returns the same surface with a separate mapper, so that each window keeps its own graphics
+/// resources.
 vtkSmartPointer<vtkActor> Copy(vtkActor* actor)
 {
   vtkNew<vtkPolyDataMapper> mapper;
@@ -101,7 +102,7 @@ Drawing::~Drawing()
   this->Pass->ReleaseGraphicsResources(this->Stage.GetWindow());
 }
 
-reference::RgbaPicture Drawing::Capture()
+reference::RgbaImage Drawing::Capture()
 {
   this->Stage.SetPass(this->Pass);
   return this->Stage.Capture();

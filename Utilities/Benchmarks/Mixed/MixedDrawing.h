@@ -3,9 +3,9 @@
 #define MixedDrawing_h
 
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Support/Pictures/MixedScene.h"
-#include "Support/Pictures/RgbaPicture.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/MixedScene.h"
+#include "Support/Images/RgbaImage.h"
+#include "Support/Images/VolumeStage.h"
 
 #include "vtkShadowedScenePass.h"
 #include "vtkShadowedSliceMapper.h"
@@ -18,7 +18,7 @@ class vtkLight;
 class vtkRenderPass;
 
 /**
- * What the suite `mixed` draws, and how.
+ * Rendering of the scenes of the suite `mixed`.
  */
 namespace mixed
 {
@@ -26,19 +26,19 @@ enum class Method
 {
   /// vtkShadowedScenePass.
   ScenePass,
-  /// vtkShadowMapPass, which draws opaque actors alone, under spotlights and parallel light.
+  /// vtkShadowMapPass, which renders only opaque actors, under spotlights and directional lights.
   ShadowMaps,
-  /// What the renderer does without a pass: volumes have their own shadows, actors none.
+  /// The default of the renderer without a pass: volumes shadow themselves, actors cast no shadows.
   Plain
 };
 
 /**
- * A scene in a window of its own. Volumes are drawn by vtkShadowedSliceMapper at full quality.
+ * A scene in its own window. Volumes are rendered by vtkShadowedSliceMapper at full quality.
  */
 class Drawing
 {
 public:
-  /// \a resolution is that of depth maps.
+  /// \a resolution is the resolution of the shadow maps.
   Drawing(const reference::MixedScene& scene, Method method, int resolution = 1024);
   ~Drawing();
   Drawing(const Drawing&) = delete;
@@ -50,16 +50,19 @@ public:
     this->Stage.SetLights(lights);
   }
 
-  /// The picture in floating point, by the camera and lights last set; at first the scene's.
-  reference::RgbaPicture Capture();
+  /// Returns the image in floating point, with the current camera and lights. Initially they are
+  /// the camera and lights of the scene.
+  reference::RgbaImage Capture();
 
-  /// One frame until it is done, with so many threads of vtkSMPTools: the camera has moved on by
-  /// half a degree, and where \a areLightsMoved the lights by a fifth of one around z, so that
-  /// depth maps have to be drawn anew. The drawing must outlive the work.
+  /// Returns work that renders one frame, until it is complete, with \a threads threads of
+  /// vtkSMPTools. The camera rotates by half a degree per frame. If \a areLightsMoved, the lights
+  /// rotate by a fifth of a degree around z, so that shadow maps are rendered again. The drawing
+  /// must outlive the work.
   BenchWork GetFrame(int threads, bool areLightsMoved = false);
 
-  /// Null where another method draws, and where there is no volume.
+  /// Returns the report of the pass, or null for methods other than ScenePass.
   vtkInterlumeReport* GetReport() const;
+  /// Returns the mapper of the first volume, or null if there is no volume.
   vtkShadowedSliceMapper* GetSlices() const { return this->Slices; }
 
 private:

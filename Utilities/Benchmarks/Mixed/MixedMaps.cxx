@@ -3,7 +3,7 @@
 
 #include "Benchmarks/Mixed/MixedCases.h"
 #include "Benchmarks/Mixed/MixedDrawing.h"
-#include "Support/Pictures/ReferenceMixedPicture.h"
+#include "Support/Images/ReferenceMixedImage.h"
 
 #include <array>
 
@@ -14,27 +14,27 @@ namespace
 const char* const ScenePass = "scene-pass";
 const char* const Moving = "scene-pass, light moves";
 const char* const ShadowMaps = "shadow-maps";
-const char* const OverPeer = "over_peer";
-const char* const ErrorOverPeer = "error_over_peer";
+const char* const OverBaseline = "over_peer";
+const char* const ErrorOverBaseline = "error_over_peer";
 constexpr int DefaultResolution = 1024;
 
 void SetError(
-  BenchRow& row, const reference::RgbaPicture& picture, const reference::RgbaPicture& expected)
+  BenchRow& row, const reference::RgbaImage& image, const reference::RgbaImage& expected)
 {
-  row.SetError("channel difference, mean", reference::ComparePictures(picture, expected).Mean);
+  row.SetError("channel difference, mean", reference::CompareImages(image, expected).Mean);
 }
 
 /**
- * Surfaces alone under a spotlight, by vtkShadowedScenePass, whose peer is vtkShadowMapPass with
- * depth maps of the same resolution, the parameter; errors against the ray caster in double
- * precision. `scene-pass` and `shadow-maps`: only the camera moves; over_peer, processor_over_peer
- * and error_over_peer are ours over the peer's. `scene-pass, light moves`: maps are drawn for each
- * frame.
+ * Measures frames of surfaces under a spotlight, without a volume, by vtkShadowedScenePass. The
+ * baseline is vtkShadowMapPass with shadow maps of the same resolution, which is the parameter.
+ * Errors are relative to a ray caster in double precision. `scene-pass` and `shadow-maps`: only the
+ * camera moves. over_peer, processor_over_peer and error_over_peer are Interlume's numbers divided
+ * by the baseline's. `scene-pass, light moves`: shadow maps are rendered for each frame.
  */
 void AddMapRows(const BenchOptions& options, BenchRows& rows)
 {
   const Case what = MakePosts(options.Pick(512, 256, 64), options.Pick(400000, 100000, 1000));
-  const reference::RgbaPicture expected = reference::MakeMixedPicture(what.Scene);
+  const reference::RgbaImage expected = reference::MakeMixedImage(what.Scene);
   for (const int resolution : options.Pick<std::vector<int>>(
          { 128, 256, 512, 1024, 2048, 4096 }, { 256, 512, 1024, 2048 }, { 32, 64 }))
   {
@@ -58,13 +58,13 @@ void AddMapRows(const BenchOptions& options, BenchRows& rows)
     {
       BenchRow row = rows.Make(what.Name, isMoving ? Moving : ScenePass, resolution);
       row.SetTimes(seconds[isMoving][0], ShadowMaps, seconds[isMoving][1]);
-      row.Set({ { OverPeer, *row.Seconds / *row.PeerSeconds },
+      row.Set({ { OverBaseline, *row.Seconds / *row.BaselineSeconds },
         { "processor_over_peer",
           seconds[isMoving][0].Processor / seconds[isMoving][1].Processor } });
       if (!isMoving)
       {
         SetError(row, ours.Capture(), expected);
-        row.Counts[ErrorOverPeer] = *row.Error / *theirs.Error;
+        row.Counts[ErrorOverBaseline] = *row.Error / *theirs.Error;
       }
       rows.Add(row);
     }
@@ -75,11 +75,11 @@ void AddMapRows(const BenchOptions& options, BenchRows& rows)
 std::vector<BenchClaim> CheckMapClaims(const std::vector<BenchRow>& rows)
 {
   return { BenchClaim::AtMost("surfaces alone: no slower than vtkShadowMapPass", 1.0, rows,
-             CountOf(ScenePass, OverPeer)),
+             CountOf(ScenePass, OverBaseline)),
     BenchClaim::AtMost("surfaces alone, light moves: no slower than vtkShadowMapPass", 1.0, rows,
-      CountOf(Moving, OverPeer)),
+      CountOf(Moving, OverBaseline)),
     BenchClaim::AtMost("surfaces alone: no larger error than vtkShadowMapPass", 1.0, rows,
-      CountOf(ScenePass, ErrorOverPeer)) };
+      CountOf(ScenePass, ErrorOverBaseline)) };
 }
 
 std::vector<BenchPlot> MakeMapPlots(const std::vector<BenchRow>& rows)
@@ -87,15 +87,15 @@ std::vector<BenchPlot> MakeMapPlots(const std::vector<BenchRow>& rows)
   BenchPlot plot = BenchPlot::OfErrors("mixed-surfaces",
     "Surfaces alone: error against run time, depth maps of growing resolution",
     "time of a frame (s)", "error: channel difference, mean",
-    "How fine are the depth maps of surfaces to be?",
-    "Posts under one light, columns of a map at each point, vtkShadowMapPass as the peer; against "
-    "a ray caster in double precision.");
+    "Which shadow map resolution is required for surfaces?",
+    "Posts under one light; labels are columns of the shadow maps. vtkShadowMapPass is the "
+    "baseline. The reference is a ray caster in double precision.");
   for (const BenchRow& row : rows)
   {
-    const bool isPeer = row.Method == ShadowMaps;
-    if (isPeer || row.Peer == ShadowMaps)
+    const bool isBaseline = row.Method == ShadowMaps;
+    if (isBaseline || row.Baseline == ShadowMaps)
     {
-      plot.AddRow(row, isPeer);
+      plot.AddRow(row, isBaseline);
     }
   }
   plot.SetDefault(ScenePass, std::to_string(DefaultResolution));

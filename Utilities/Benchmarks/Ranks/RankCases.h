@@ -8,17 +8,17 @@ class vtkImplicitFlowField;
 class vtkIntervalVolume;
 
 /**
- * What several processes execute, each its piece. Every process makes the same pipeline; a source
- * makes its piece alone.
+ * Pipelines for several processes. Each process creates the same pipeline and executes its piece.
+ * Sources create only the requested piece.
  */
 namespace ranks
 {
-/// The interval volume of a wave of \a periods along x, each of \a cells, and one along y and z:
-/// the same work in every period.
+/// Returns the interval volume of a wave with \a periods periods along x, of \a cells cells each,
+/// and one period along y and z. All periods require the same work.
 vtkSmartPointer<vtkIntervalVolume> MakeVolume(int cells, int periods);
 
-/// The ABC flow, which is periodic, for a time in which no streamline goes far: the same work in
-/// every period, of \a points and \a samples along an axis.
+/// Returns the implicit flow of the periodic ABC field, advected for a short time. Each period has
+/// \a points points and \a samples samples along each axis; all periods require the same work.
 vtkSmartPointer<vtkImplicitFlowField> MakeFlow(int points, int periods, int samples);
 }
 

@@ -15,7 +15,7 @@ namespace ranks
 {
 namespace
 {
-/// A number of every process, in the first one.
+/// Gathers a number of each process in process 0.
 std::vector<double> Gather(vtkMultiProcessController* controller, double own)
 {
   std::vector<double> all(static_cast<std::size_t>(controller->GetNumberOfProcesses()));
@@ -61,7 +61,7 @@ Times MeasureTimes(vtkMultiProcessController* controller, vtkAlgorithm* filter, 
 
 std::vector<double> MeasureMemory(vtkMultiProcessController* controller, vtkAlgorithm* filter)
 {
-  ForgetPeakMemory();
+  ResetPeakMemory();
   const auto before = ResidentKib();
   filter->UpdateInformation();
   UpdatePiece(controller, filter);

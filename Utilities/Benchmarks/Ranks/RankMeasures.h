@@ -9,28 +9,28 @@ class vtkAlgorithm;
 class vtkMultiProcessController;
 
 /**
- * Measures of what all processes execute together; the numbers are those of process 0, and the
- * lists have one for each process there and are empty elsewhere.
+ * Measurements of filters that all processes execute together. Numbers are valid in process 0.
+ * Lists have one entry per process in process 0 and are empty in other processes.
  */
 namespace ranks
 {
 struct Times
 {
-  /// Wall time of the slowest process, median of the runs.
+  /// Wall time of the slowest process, median of all runs.
   double Seconds = 0.0;
   int Runs = 0;
-  /// Of each process, medians of its runs.
+  /// Median processor time of each process.
   std::vector<double> ProcessorSeconds;
-  /// What each did, as getWork tells.
+  /// Work of each process, as returned by getWork.
   std::vector<double> Work;
 };
 
-/// Times \a repeats executions of a filter whose input is there.
+/// Times \a repeats executions of a filter whose input is up to date.
 Times MeasureTimes(vtkMultiProcessController* controller, vtkAlgorithm* filter, int repeats,
   const std::function<double()>& getWork);
 
-/// Returns how many KiB resident memory grows at most while a filter and its input are executed for
-/// the first time; empty where the system cannot tell.
+/// Returns the largest growth of resident memory in KiB during the first execution of a filter and
+/// its input. Empty if the system does not report resident memory.
 std::vector<double> MeasureMemory(vtkMultiProcessController* controller, vtkAlgorithm* filter);
 }
 

@@ -19,7 +19,7 @@ double GetMean(const std::vector<double>& values)
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-/// A count of the row of one process with the same case and method, or 0.
+/// Returns a count of the row with one process and the same case and method, or 0.
 double GetOfOne(const std::vector<BenchRow>& rows, const BenchRow& like, const char* count)
 {
   const auto found = std::find_if(rows.begin(), rows.end(),

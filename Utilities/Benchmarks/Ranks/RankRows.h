@@ -9,24 +9,26 @@
 #include <vector>
 
 /**
- * The rows of what several processes take. Their parameter is how many there are.
+ * Rows of measurements with several processes. The parameter is the number of processes.
  */
 namespace ranks
 {
 constexpr const char* Suite = "ranks";
 
-/// Every process has as much to do, however many there are: `seconds` of the slowest; counts
-/// `processor_seconds` and `work`, means of the processes, and `most_processor_seconds`.
+/// Returns the row of weak scaling: the work per process is constant. `seconds` is the time of the
+/// slowest process. Counts: `processor_seconds` and `work`, means over the processes, and
+/// `most_processor_seconds`.
 BenchRow MakeWeakRow(const BenchRows& rows, const std::string& theCase, const Times& times);
 
-/// The same work for any number: counts `kib`, of the process that takes most.
+/// Returns the row of memory for a constant total amount of work. Count `kib` is the largest value
+/// of all processes.
 BenchRow MakeMemoryRow(
   const BenchRows& rows, const std::string& theCase, int ranks, const std::vector<double>& kib);
 
 /**
- * Combines the rows of runs with several numbers of processes: adds `efficiency`, the mean
- * processor time of one process over that of each, and `share`, the memory over that of one
- * process.
+ * Combines the rows of runs with several numbers of processes. Adds `efficiency`, the processor
+ * time of a single process divided by the mean processor time of the processes, and `share`, the
+ * memory divided by the memory of a single process.
  */
 BenchResults Join(const std::vector<BenchResults>& runs);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures extraction and implicit flow by several processes, one thread each. To be started by
-// mpiexec with 1, 2, 4, ... processes, each with a JSON of its own; --from puts these together.
-// See RankRows.h.
+// Measures extraction and implicit flow in several processes with one thread each. Start it by
+// mpiexec with 1, 2, 4, ... processes and a separate JSON file for each run; --from combines these
+// files. See RankRows.h.
 #include "Benchmarks/Ranks/RankCases.h"
 #include "Benchmarks/Ranks/RankMeasures.h"
 #include "Benchmarks/Ranks/RankRows.h"
@@ -24,7 +24,7 @@
 
 namespace
 {
-/// Adds rows in process 0; the others take part in what is measured.
+/// Adds rows in process 0. All processes take part in the measurements.
 void Measure(vtkMultiProcessController* controller, const BenchOptions& options, BenchRows& rows)
 {
   const int ranks = controller->GetNumberOfProcesses();
@@ -37,7 +37,7 @@ void Measure(vtkMultiProcessController* controller, const BenchOptions& options,
       rows.Add(makeRow());
     }
   };
-  // Memory first, while none was given back by anything else.
+  // Measure memory first, before other measurements free memory that could be reused.
   const std::vector<double> flowKib =
     ranks::MeasureMemory(controller, ranks::MakeFlow(options.Pick(201, 61, 17), 1, 8));
   add([&]() { return ranks::MakeMemoryRow(rows, "flow", ranks, flowKib); });
@@ -81,13 +81,13 @@ int main(int argc, char* argv[])
   bool isTiny = false;
   std::string json;
   std::vector<std::string> from;
-  CLI::App app("Measures extraction and implicit flow by the processes that mpiexec starts.");
+  CLI::App app("Measures extraction and implicit flow in the processes that mpiexec starts");
   app.add_flag("--quick", isQuick, "Smaller cases and fewer repetitions");
   app.add_flag("--tiny", isTiny, "The smallest cases, for tests");
   auto* file = app.add_option("--json", json, "Write the rows to this file");
   app
     .add_option("--from", from,
-      "Put together what runs of several numbers of processes have written, instead of measuring")
+      "Combine the files of runs with different numbers of processes instead of measuring")
     ->check(CLI::ExistingFile)
     ->needs(file);
   int status = 0;

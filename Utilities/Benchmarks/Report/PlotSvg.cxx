@@ -19,7 +19,7 @@ constexpr double Right = 850.0;
 constexpr double Top = 60.0;
 constexpr double Bottom = 730.0;
 
-/// Closed shapes, then strokes; around the origin.
+/// SVG paths of the marks, centered at the origin: filled shapes, then strokes.
 const char* const Shapes[] = { "M-9 0a9 9 0 1 0 18 0a9 9 0 1 0-18 0z", "M-8-8h16v16h-16z",
   "M0-11L11 0L0 11L-11 0z", "M0-10L10 8H-10z", "M0 10L10-8H-10z", "M-9-9H9L-9 9H9z",
   "M-10 0H10M0-10V10", "M-8-8L8 8M8-8L-8 8" };
@@ -35,7 +35,7 @@ std::string Number(double number)
   return text.str();
 }
 
-/// A range of numbers and the pixels that it is drawn on.
+/// A range of numbers and the range of pixels that it is drawn on.
 struct Axis
 {
   double Low = 0.0;
@@ -48,12 +48,13 @@ struct Axis
   double At(double number) const
   {
     const double low = this->Scaled(this->Low);
-    const double share = (this->Scaled(number) - low) / (this->Scaled(this->High) - low);
-    return this->First + share * (this->Last - this->First);
+    const double fraction = (this->Scaled(number) - low) / (this->Scaled(this->High) - low);
+    return this->First + fraction * (this->Last - this->First);
   }
 };
 
-/// The range of the numbers of every series: whole decades, or from 0 with room above.
+/// Returns an axis for the numbers of all series: full decades if logarithmic, otherwise from 0
+/// with some space above.
 Axis MakeAxis(const BenchPlot& plot, std::vector<double> BenchPlot::Series::*numbers,
   bool isLogarithmic, double first, double last)
 {
@@ -92,8 +93,8 @@ std::vector<double> TicksOf(const Axis& axis)
     return ticks;
   }
   const double decade = std::pow(10.0, std::floor(std::log10(axis.High)));
-  const double share = axis.High / decade;
-  const double step = decade * (share > 5.0 ? 2.0 : share > 2.0 ? 1.0 : 0.25);
+  const double mantissa = axis.High / decade;
+  const double step = decade * (mantissa > 5.0 ? 2.0 : mantissa > 2.0 ? 1.0 : 0.25);
   for (double tick = 0.0; tick <= axis.High; tick += step)
   {
     ticks.push_back(tick);
@@ -101,7 +102,7 @@ std::vector<double> TicksOf(const Axis& axis)
   return ticks;
 }
 
-/// An SVG image that is written from back to front.
+/// Writes an SVG image from back to front.
 class Svg
 {
 public:
@@ -169,8 +170,8 @@ private:
     {
       for (const double tick : TicksOf(this->X))
       {
-        const std::string place = Number(this->X.At(tick));
-        this->AddPath("M" + place + " " + Number(Top) + "V" + Number(Bottom), "stroke=\"#e1e1e1\"");
+        const std::string x = Number(this->X.At(tick));
+        this->AddPath("M" + x + " " + Number(Top) + "V" + Number(Bottom), "stroke=\"#e1e1e1\"");
         this->AddText(this->X.At(tick), Bottom + 26.0, "middle", Number(tick));
       }
     }
@@ -223,7 +224,7 @@ private:
     this->AddRings(this->Plot.DefaultPoint, isNamed);
   }
 
-  /// The front as stairs: points above and right of them are worse than another one.
+  /// Draws the front as a staircase. Points above and to the right of it are dominated.
   void AddFront()
   {
     std::string path;
@@ -251,25 +252,25 @@ private:
     return (!this->Plot.LogX || x > 0.0) && (!this->Plot.LogY || y > 0.0);
   }
 
-  void AddSeries(const BenchPlot::Series& series, std::size_t position)
+  void AddSeries(const BenchPlot::Series& series, std::size_t index)
   {
-    const std::string color = ColorOf(position);
+    const std::string color = ColorOf(index);
     const std::string look = std::string("class=\"line") +
-      (!series.IsChoice   ? " no-choice\" stroke-dasharray=\"12 4 3 4"
-          : series.IsPeer ? " peer\" stroke-dasharray=\"9 6"
-                          : "") +
+      (!series.IsChoice       ? " no-choice\" stroke-dasharray=\"12 4 3 4"
+          : series.IsBaseline ? " peer\" stroke-dasharray=\"9 6"
+                              : "") +
       "\" stroke-width=\"3\" stroke=\"" + color + "\"";
-    const auto addMark = [&](const std::string& place)
+    const auto addMark = [&](const std::string& at)
     {
-      this->Text << "<path " << MarkOf(position) << " color=\"" << color
-                 << "\" transform=\"translate(" << place << ")\"/>\n";
+      this->Text << "<path " << MarkOf(index) << " color=\"" << color << "\" transform=\"translate("
+                 << at << ")\"/>\n";
     };
     std::string path;
     for (std::size_t i = 0; i < series.X.size(); ++i)
     {
       if (this->IsDrawn(series.X[i], series.Y[i]))
       {
-        path += (path.empty() ? "M" : "L") + this->PlaceOf(series, i);
+        path += (path.empty() ? "M" : "L") + this->PositionOf(series, i);
       }
     }
     this->AddPath(path, look);
@@ -277,17 +278,17 @@ private:
     {
       if (this->IsDrawn(series.X[i], series.Y[i]))
       {
-        addMark(this->PlaceOf(series, i));
+        addMark(this->PositionOf(series, i));
         this->AddText(this->X.At(series.X[i]) + 11.0, this->Y.At(series.Y[i]) - 9.0, "start",
           i < series.Names.size() ? series.Names[i] : std::string(), " font-size=\"13\"");
       }
     }
-    const std::string place = this->AddLegend(series.Label +
-      (!series.IsChoice   ? " (no choice)"
-          : series.IsPeer ? " (peer)"
-                          : ""));
-    this->AddPath("M" + place + "h-40", look);
-    addMark(place + ") translate(-20");
+    const std::string position = this->AddLegend(series.Label +
+      (!series.IsChoice       ? " (no choice)"
+          : series.IsBaseline ? " (peer)"
+                              : ""));
+    this->AddPath("M" + position + "h-40", look);
+    addMark(position + ") translate(-20");
   }
 
   void AddRings(const BenchPlot::Series& series, bool& isNamed)
@@ -296,22 +297,22 @@ private:
                              "16 0 1 0 32 0a16 16 0 1 0-32 0z\" transform=\"translate(";
     for (std::size_t i = 0; i < series.X.size(); ++i)
     {
-      this->Text << "<path " << look << this->PlaceOf(series, i) << ")\"/>\n";
+      this->Text << "<path " << look << this->PositionOf(series, i) << ")\"/>\n";
     }
     if (!series.X.empty() && !isNamed)
     {
       isNamed = true;
-      const std::string place = this->AddLegend("default");
-      this->Text << "<path " << look << place << ") translate(-20) scale(0.7)\"/>\n";
+      const std::string position = this->AddLegend("default");
+      this->Text << "<path " << look << position << ") translate(-20) scale(0.7)\"/>\n";
     }
   }
 
-  std::string PlaceOf(const BenchPlot::Series& series, std::size_t i) const
+  std::string PositionOf(const BenchPlot::Series& series, std::size_t i) const
   {
     return Number(this->X.At(series.X[i])) + " " + Number(this->Y.At(series.Y[i]));
   }
 
-  /// Adds a line to the legend and returns the right end of its sample.
+  /// Adds an entry to the legend and returns the right end of its sample line.
   std::string AddLegend(const std::string& label)
   {
     this->LegendHeight += 30.0;
@@ -369,7 +370,7 @@ std::vector<BenchPlot> WritePlots(
       file << MakeSvg(plot, caption);
       if (!file)
       {
-        throw std::runtime_error("cannot write " + path);
+        throw std::runtime_error("Cannot write the file " + path);
       }
       drawn.push_back(plot);
     }

@@ -8,24 +8,25 @@
 #include <string>
 #include <vector>
 
-/// The number of marks that differ in shape, so that lines can be told apart without colors.
+/// Number of distinct marks. They differ in shape, so that lines are distinguishable without
+/// colors.
 constexpr std::size_t NumberOfMarks = 14;
 
-/// Returns the SVG attributes of the mark of a series: its path, and whether it is filled.
+/// Returns the SVG attributes of the mark of a series: path and fill.
 std::string MarkOf(std::size_t series);
 
-/// Returns the color of a series, #rrggbb. The first five differ in brightness, for bars.
+/// Returns the color of a series, #rrggbb. The first five differ in brightness, for use in bars.
 std::string ColorOf(std::size_t series);
 
 /**
- * Returns \a plot as an SVG image. Elements have classes: `line` (also `peer` or `no-choice`,
- * which are dashed), `bar`, `default` for the rings of the default, `front` for the Pareto front.
- * Points without a position on a logarithmic axis are skipped.
+ * Returns \a plot as an SVG image. Elements have classes: `line` (also `peer` or `no-choice`, which
+ * are dashed), `bar`, `default` for rings around the default, and `front` for the Pareto front.
+ * Points that cannot be drawn on a logarithmic axis are skipped.
  */
 std::string MakeSvg(const BenchPlot& plot, const std::string& caption);
 
 /**
- * Writes `<name>.svg` of each plot that has points into \a folder, and returns these plots. Throws
+ * Writes `<name>.svg` for each plot with points into \a folder, and returns these plots. Throws
  * std::runtime_error if a file cannot be written.
  */
 std::vector<BenchPlot> WritePlots(

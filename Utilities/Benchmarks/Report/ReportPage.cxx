@@ -33,8 +33,8 @@ td.number { text-align: right; font-variant-numeric: tabular-nums; white-space: 
 .failed { color: #a00; font-weight: 600; }
 summary { cursor: pointer; }
 )";
-/// The rows of interlume-bench-costs: features over all scenes, then, folded, of each scene. Empty
-/// without rows.
+/// Returns the rows of interlume-bench-costs: summaries of features over all scenes, then a
+/// collapsed section with the rows of each scene. Empty if there are no rows.
 std::string CostsOf(const BenchResults& results)
 {
   std::vector<BenchRow> rows = results.RowsOf(costs::Suite);
@@ -46,9 +46,10 @@ std::string CostsOf(const BenchResults& results)
   }
   const std::vector<BenchRow> ofScenes(scenes, rows.end());
   rows.erase(scenes, rows.end());
-  return "<p>What is left of each feature that a scene of the gallery does not use, after it was "
-         "switched on and off: the largest numbers over the scenes; ms is processor time against "
-         "the same scene that never had the feature. With on_ what it adds, medians. " +
+  return "<p>Resources that remain of each feature that a gallery scene does not use, after the "
+         "feature was switched on and off again: the largest numbers of all scenes. ms is the "
+         "remaining processor time, relative to the same scene without the feature. Columns with "
+         "the prefix on_ are the cost while the feature is on, as medians. " +
     html::Escaped(MachineInOneLine(results.Machine, results.Vtk)) + "; " +
     html::Escaped(ConditionsInOneLine(results.Conditions)) + "; " +
     html::Escaped(results.Conditions.value("command", "")) + ".</p>\n" + html::TableOf(rows) +
@@ -100,7 +101,7 @@ void ReportPage::AddCatalogue(const std::vector<StabilityCase>& cases)
   std::ostringstream text;
   const std::vector<StabilityCount> counts = CountByClass(cases);
   text << "<h2 id=\"stability\">stability</h2>\n<p>" << passed << " of " << cases.size()
-       << " cases of extreme and stiff input passed.</p>\n"
+       << " cases of extreme and stiff inputs passed.</p>\n"
        << html::Folded(std::to_string(counts.size()) + " classes", html::TableOf(counts))
        << html::Folded(std::to_string(cases.size()) + " cases", html::TableOf(cases));
   this->Body += text.str();
@@ -108,7 +109,7 @@ void ReportPage::AddCatalogue(const std::vector<StabilityCase>& cases)
 
 void ReportPage::AddCosts(const BenchResults& costs)
 {
-  this->Body += "<h2 id=\"costs\">What scenes pay</h2>\n" + CostsOf(costs);
+  this->Body += "<h2 id=\"costs\">Cost of unused features</h2>\n" + CostsOf(costs);
   for (const BenchClaim& claim : costs::CheckClaims(costs.RowsOf(costs::Suite)))
   {
     this->Claims.push_back({ "costs", claim });
@@ -126,9 +127,10 @@ void ReportPage::Write(const std::string& path) const
        << html::Escaped(MachineInOneLine(this->Results.Machine, this->Results.Vtk)) << "; "
        << html::Escaped(this->Results.Machine.value("system", "")) << "; "
        << html::Escaped(ConditionsInOneLine(this->Results.Conditions)) << ".</p>\n"
-       << "<p>Times are wall time, medians of as many runs as the column says. A method and its "
-          "peers take turns in the same run; the ratio is the peer's time divided by the method's: "
-          "above 1 the method is faster. The same numbers are in <a "
+       << "<p>Times are wall times, medians of the number of runs in the column runs. A method and "
+          "its baselines (column peer) run alternately in the same process. The ratio is the "
+          "baseline's time divided by the method's time: above 1, the method is faster. The same "
+          "numbers are in <a "
           "href=\"rows.json\">rows.json</a>.</p>\n<nav><a href=\"#claims\">claims</a><a "
           "href=\"#questions\">questions</a>";
   for (const BenchRow& row : this->Results.Rows)
@@ -138,12 +140,12 @@ void ReportPage::Write(const std::string& path) const
       file << "<a href=\"#" << row.Suite << "\">" << html::Escaped(row.Suite) << "</a>";
     }
   }
-  file << (this->HasCosts ? "<a href=\"#costs\">what scenes pay</a>" : "")
+  file << (this->HasCosts ? "<a href=\"#costs\">unused features</a>" : "")
        << "<a href=\"#stability\">stability</a></nav>\n<h2 id=\"claims\">claims</h2>\n"
        << html::TableOf(this->Claims) << "<h2 id=\"questions\">questions</h2>\n"
        << html::FiguresOf(this->Questions) << this->Body << "</body>\n</html>\n";
   if (!file)
   {
-    throw std::runtime_error("cannot write " + path);
+    throw std::runtime_error("Cannot write the file " + path);
   }
 }

@@ -12,10 +12,10 @@
 #include <vector>
 
 /**
- * The page of `interlume-bench report`: what was measured on, all claims with those that are not
- * met first, the questions, each with its plot and the sentence that answers it, then a section for
- * each suite with its description and its other plots, its rows folded below, what scenes of the
- * gallery pay, and the stability catalogue, folded too.
+ * The page of `interlume-bench report`. It starts with the machine, the conditions, and all claims,
+ * missed claims first. The questions follow, each with a plot and a conclusion. Each suite then has
+ * a section with its description, other plots and collapsed rows. The costs of gallery scenes and
+ * the collapsed stability catalog are last.
  */
 class ReportPage
 {
@@ -23,18 +23,18 @@ public:
   explicit ReportPage(const BenchResults& results);
 
   /**
-   * A section with the rows of \a suite, its claims and \a plots, which are drawn in PNG files
-   * beside the page.
+   * Adds a section with the rows of \a suite and \a plots, which are SVG files next to the page,
+   * and adds its claims.
    */
   void AddSuite(const BenchSuite& suite, const std::vector<BenchPlot>& plots);
 
-  /// What interlume-bench-costs wrote, with its claims.
+  /// Adds the rows of interlume-bench-costs and their claims.
   void AddCosts(const BenchResults& costs);
 
   void AddCatalogue(const std::vector<StabilityCase>& cases);
 
   /**
-   * Throws std::runtime_error, with the path, where the file cannot be written.
+   * Throws std::runtime_error with the path if the file cannot be written.
    */
   void Write(const std::string& path) const;
 

@@ -12,25 +12,25 @@
 
 namespace
 {
-/// A table cell in HTML.
+/// A table cell.
 struct Cell
 {
   std::string Html;
   bool IsNumber = false;
 };
 
-/// A row as named cells, in the order of the columns.
+/// A table row as named cells, in the order of the columns.
 using Cells = std::vector<std::pair<std::string, Cell>>;
 
 std::string Number(double number)
 {
   std::ostringstream text;
-  const bool isWhole = number == std::floor(number) && std::abs(number) < 1e15;
-  if (isWhole)
+  const bool isInteger = number == std::floor(number) && std::abs(number) < 1e15;
+  if (isInteger)
   {
     text << std::fixed;
   }
-  text << std::setprecision(isWhole ? 0 : 4) << number;
+  text << std::setprecision(isInteger ? 0 : 4) << number;
   return text.str();
 }
 
@@ -63,7 +63,7 @@ Cells CellsOf(const BenchRow& row)
   return cells;
 }
 
-/// The names of all cells; a new name follows the one that it follows in its row.
+/// Returns the names of all cells. A new name is inserted after its predecessor in the row.
 std::vector<std::string> ColumnsOf(const std::vector<Cells>& rows)
 {
   std::vector<std::string> columns;
@@ -138,7 +138,7 @@ Cells CellsOf(const StabilityCase& one)
 {
   using html::Escaped;
   return { { "class", { Escaped(one.Class) } }, { "case", { Escaped(one.Name) } },
-    { "what is extreme", { Escaped(one.Extreme) } }, { "expected", { Escaped(one.Expected) } },
+    { "extreme input", { Escaped(one.Extreme) } }, { "expected", { Escaped(one.Expected) } },
     { "measured", { Escaped(one.Measured) } },
     { "bound", { std::isnan(one.Bound) ? "" : Number(one.Bound), true } },
     { "method and steps", { Escaped(one.Method) } },
@@ -178,8 +178,8 @@ std::string FiguresOf(const std::vector<SuitePlot>& questions)
     onFront += isOnFront ? 1 : 0;
     figures << "<figure id=\"" << Escaped(plot.Name) << "\"><h3>" << Escaped(plot.Question)
             << "</h3>\n<p class=\"answer\">"
-            << (over ? Verdict(isOnFront, Escaped(AnswerOf(plot)))
-                     : "No point of this size is the default's.")
+            << (over ? Verdict(isOnFront, Escaped(SummaryOf(plot)))
+                     : "The default settings are not among the measured points.")
             << "</p>\n<a href=\"" << Escaped(plot.Name) << ".svg\"><img src=\""
             << Escaped(plot.Name) << ".svg\" alt=\"" << Escaped(plot.Title)
             << "\"></a>\n<figcaption>" << Escaped(plot.Conditions) << " Rows: <a href=\"#"
@@ -189,8 +189,9 @@ std::string FiguresOf(const std::vector<SuitePlot>& questions)
   std::ostringstream html;
   html << "<p>" << questions.size() << " questions; the default, ringed, is on the Pareto front in "
        << onFront << " of " << withDefault
-       << " plots with its point: no other point has less time and no more error, but for "
-       << std::lround(100.0 * (FrontTolerance - 1.0)) << " % of its time.</p>\n"
+       << " plots that contain it: no other point has an error at most as large in less time, with "
+          "a tolerance of "
+       << std::lround(100.0 * (FrontTolerance - 1.0)) << " % of the time.</p>\n"
        << "<div class=\"plots\">\n"
        << figures.str() << "</div>\n";
   return html.str();

@@ -11,46 +11,46 @@
 #include <vector>
 
 /**
- * The parts of the report's page, as HTML. Nothing to show gives an empty text.
+ * Parts of the report page in HTML. Functions return an empty string if there is nothing to show.
  */
 namespace html
 {
-/// A claim, and the suite that measures it.
+/// A claim and its suite.
 struct SuiteClaim
 {
   std::string Suite;
   BenchClaim Claim;
 };
 
-/// A plot, and the suite that measures it.
+/// A plot and its suite.
 struct SuitePlot
 {
   std::string Suite;
   BenchPlot Plot;
 };
 
-/// What is read by those who ask for it.
+/// Returns a collapsed section.
 std::string Folded(const std::string& summary, const std::string& content);
 
 /**
- * How many defaults are on their front, then each question with its plot, which links to its
- * picture, the sentence that answers it and the plot's conditions.
+ * Returns the number of defaults on their Pareto fronts, then each question with its plot, linked
+ * to the image file, its conclusion and the plot's conditions.
  */
 std::string FiguresOf(const std::vector<SuitePlot>& questions);
 
 /**
- * What is claimed, and for each case what was measured: claims that are not met first, and what is
- * not met stands out.
+ * Returns a table of claims with the measured number of each case. Claims that are not met come
+ * first, and missed cases are highlighted.
  */
 std::string TableOf(const std::vector<SuiteClaim>& claims);
 
 /**
- * One table, with a column for each field that a row has, in the order that they come in.
+ * Returns one table with a column for each field of the rows, in order of appearance.
  */
 std::string TableOf(const std::vector<BenchRow>& rows);
 
 /**
- * The stability catalogue, and the numbers of its cases a class.
+ * Return the stability catalog, and the number of cases per class.
  */
 std::string TableOf(const std::vector<StabilityCase>& cases);
 std::string TableOf(const std::vector<StabilityCount>& counts);

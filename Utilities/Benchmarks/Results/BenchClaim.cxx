@@ -8,7 +8,7 @@
 
 namespace
 {
-/// A row's case, and what tells it from the others of the same case.
+/// Returns the case of a row, with the fields that distinguish it from other rows of the same case.
 std::string NameAmong(const std::vector<const BenchRow*>& rows, const BenchRow& row)
 {
   const auto differs = [&](const auto& get)
@@ -25,9 +25,9 @@ std::string NameAmong(const std::vector<const BenchRow*>& rows, const BenchRow& 
   {
     name += ", " + row.GetParameterText();
   }
-  if (differs([](const BenchRow& one) { return one.Peer; }))
+  if (differs([](const BenchRow& one) { return one.Baseline; }))
   {
-    name += ", " + row.Peer;
+    name += ", " + row.Baseline;
   }
   return name;
 }
@@ -90,12 +90,12 @@ BenchClaim BenchClaim::AtMost(const std::string& text, double bound,
 }
 
 std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
-  const std::string& method, const std::string& peer)
+  const std::string& method, const std::string& baseline)
 {
-  return [method, peer](const BenchRow& row) -> std::optional<double>
+  return [method, baseline](const BenchRow& row) -> std::optional<double>
   {
     const bool concerned =
-      row.Method == method && row.Peer == peer && row.Parameter == ThreadsParameter(1);
+      row.Method == method && row.Baseline == baseline && row.Parameter == ThreadsParameter(1);
     return concerned ? row.GetRatio() : std::nullopt;
   };
 }

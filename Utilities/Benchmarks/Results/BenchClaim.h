@@ -10,7 +10,7 @@
 #include <vector>
 
 /**
- * Something a suite wants to be true of a number in every case, and what was measured.
+ * A target for a number in every case of a suite, and the measured numbers.
  */
 struct BenchClaim
 {
@@ -21,20 +21,20 @@ struct BenchClaim
     bool Met;
   };
 
-  /// With the bound, such as "at least 3 times faster than clip2, 1 thread".
+  /// Text that states the bound, such as "at least 3 times faster than clip2, 1 thread".
   std::string Text;
   std::vector<Measured> Cases;
 
-  /// Whether it is so in every case.
+  /// Returns whether the target is met in every case.
   bool IsMet() const;
 
-  /// text, met and cases, each with case, number and met.
+  /// Returns text, met and cases; each case has case, number and met.
   nlohmann::ordered_json ToJson() const;
 
   /**
-   * The claim that \a number of every row is at least, or at most, \a bound; rows of which \a
-   * number is nothing are not concerned. Rows of one case are told apart by method,
-   * parameter and peer.
+   * Returns the claim that \a number of every row is at least, or at most, \a bound. Rows for which
+   * \a number is empty are excluded. The names of cases include method, parameter and peer if these
+   * are required to distinguish rows.
    */
   static BenchClaim AtLeast(const std::string& text, double bound,
     const std::vector<BenchRow>& rows,
@@ -44,18 +44,21 @@ struct BenchClaim
 };
 
 /**
- * A function for the above: the ratio of the rows of that method and peer with one thread.
+ * Returns a function for AtLeast() and AtMost() that returns the ratio of a row if the row is of
+ * this method and baseline with one thread, and otherwise nothing.
  */
 std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
-  const std::string& method, const std::string& peer);
+  const std::string& method, const std::string& baseline);
 
 /**
- * Likewise: the ratio of all rows of that method.
+ * Returns a function for AtLeast() and AtMost() that returns the ratio of a row if the row is of
+ * this method, and otherwise nothing.
  */
 std::function<std::optional<double>(const BenchRow&)> RatioOf(const std::string& method);
 
 /**
- * Likewise: a count of the rows of that method that have it.
+ * Returns a function for AtLeast() and AtMost() that returns a count of a row if the row is of this
+ * method and has the count, and otherwise nothing.
  */
 std::function<std::optional<double>(const BenchRow&)> CountOf(
   const std::string& method, const std::string& count);

@@ -25,7 +25,8 @@ std::string Compiler()
 #endif
 }
 
-/// The name that Linux gives; vtksys knows fewer families, but other systems as well.
+/// Returns the processor name of /proc/cpuinfo, or of vtksys on other systems. vtksys supports
+/// fewer processor families.
 std::string ProcessorName(vtksys::SystemInformation& information)
 {
   std::ifstream file("/proc/cpuinfo");
@@ -51,7 +52,7 @@ nlohmann::ordered_json DescribeMachine()
   machine["cpu"] = ProcessorName(information);
   machine["cores"] = std::thread::hardware_concurrency();
   machine["memory_gib"] = std::round(information.GetTotalPhysicalMemory() / 102.4) / 10.0;
-  // The version of the kernel, without what a machine's own build of it is called.
+  // Kernel version, without the suffix of a custom build.
   const std::string release = information.GetOSRelease();
   machine["system"] = std::string(information.GetOSName()) + " " +
     release.substr(0, release.find('-')) + " " + information.GetOSPlatform();

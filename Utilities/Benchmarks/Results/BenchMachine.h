@@ -10,30 +10,30 @@
 #include <vector>
 
 /**
- * What the numbers were measured on: cpu, cores, memory_gib, system, compiler, build, smp.
+ * Returns the machine and build: cpu, cores, memory_gib, system, compiler, build, smp.
  */
 nlohmann::ordered_json DescribeMachine();
 
 /**
- * When and how: date (UTC), size, threads, seed, and, where the system tells, load: processes that
- * ran or waited to run, the mean of the minute before.
+ * Returns the conditions: date (UTC), size, threads, seed, and, if the system reports it, load, the
+ * mean number of running or waiting processes in the last minute.
  */
 nlohmann::ordered_json DescribeConditions(const BenchOptions& options);
 
 /**
- * Conditions of runs that are put together: those of the first one, the commands of all, the first
- * and the last date, and in `parts` the command, date and load of each, which `load` itself does
- * not stand for. Those of one run stay as they are.
+ * Combines the conditions of runs: the conditions of the first run, all commands, the first and the
+ * last date, and `parts` with the command, date and load of each run instead of `load`. Conditions
+ * of a single run are returned unchanged.
  */
 nlohmann::ordered_json JoinConditions(const std::vector<nlohmann::ordered_json>& runs);
 
 /**
- * A machine so described, and the VTK version, in one line for a caption.
+ * Returns the machine from DescribeMachine() and the VTK version in one line, for a caption.
  */
 std::string MachineInOneLine(const nlohmann::ordered_json& machine, const std::string& vtk);
 
 /**
- * Conditions so described, in one line.
+ * Returns the conditions from DescribeConditions() in one line.
  */
 std::string ConditionsInOneLine(const nlohmann::ordered_json& conditions);
 

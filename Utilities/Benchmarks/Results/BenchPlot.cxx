@@ -42,7 +42,7 @@ BenchPlot BenchPlot::OfBars(
 }
 
 void BenchPlot::AddBar(
-  const std::string& group, const std::string& label, bool isPeer, double height)
+  const std::string& group, const std::string& label, bool isBaseline, double height)
 {
   const auto found = std::find(this->BarLabels.begin(), this->BarLabels.end(), group);
   const auto position = static_cast<double>(found - this->BarLabels.begin());
@@ -50,15 +50,15 @@ void BenchPlot::AddBar(
   {
     this->BarLabels.push_back(group);
   }
-  this->AddPoint(label, isPeer, position, height);
+  this->AddPoint(label, isBaseline, position, height);
 }
 
-void BenchPlot::AddRow(const BenchRow& row, bool isPeer, const std::string& label)
+void BenchPlot::AddRow(const BenchRow& row, bool isBaseline, const std::string& label)
 {
   if (row.Seconds && row.Error && *row.Error > 0.0)
   {
-    this->AddPoint(
-      label.empty() ? row.Method : label, isPeer, *row.Seconds, *row.Error, row.GetParameterText());
+    this->AddPoint(label.empty() ? row.Method : label, isBaseline, *row.Seconds, *row.Error,
+      row.GetParameterText());
   }
 }
 
@@ -70,12 +70,12 @@ BenchPlot& FindOrAdd(std::vector<BenchPlot>& plots, const BenchPlot& fresh)
 }
 
 void BenchPlot::AddPoint(
-  const std::string& label, bool isPeer, double x, double y, const std::string& name)
+  const std::string& label, bool isBaseline, double x, double y, const std::string& name)
 {
   auto found = Find(this->AllSeries, label);
   if (found == this->AllSeries.end())
   {
-    found = this->AllSeries.insert(found, Series{ label, isPeer, true, {}, {}, {} });
+    found = this->AllSeries.insert(found, Series{ label, isBaseline, true, {}, {}, {} });
   }
   found->X.push_back(x);
   found->Y.push_back(y);
@@ -103,7 +103,7 @@ void BenchPlot::SetDefault(const std::string& label, const std::string& name)
   {
     if (name.empty() || series->Names[i] == name)
     {
-      this->DefaultPoint = { label, series->IsPeer, series->IsChoice, { series->X[i] },
+      this->DefaultPoint = { label, series->IsBaseline, series->IsChoice, { series->X[i] },
         { series->Y[i] }, { series->Names[i] } };
     }
   }

@@ -8,85 +8,85 @@
 #include <vector>
 
 /**
- * A plot to be drawn: lines with markers, or bars.
+ * A plot with lines and markers, or with bars.
  */
 struct BenchPlot
 {
   struct Series
   {
     std::string Label;
-    /// Peers are drawn dashed.
-    bool IsPeer = false;
-    /// Whether it can be chosen for what the plot asks; else it is there for comparison, and in no
-    /// front.
+    /// Baselines are drawn dashed.
+    bool IsBaseline = false;
+    /// Whether the series is an answer to the plot's question. Otherwise it is drawn for comparison
+    /// only and excluded from the Pareto front.
     bool IsChoice = true;
     std::vector<double> X;
     std::vector<double> Y;
-    /// What is written beside each point, such as its setting; empty for nothing.
+    /// Labels of the points, such as settings. Labels may be empty.
     std::vector<std::string> Names;
   };
 
   enum Kinds
   {
     LINES,
-    /// One group of bars for each of BarLabels; a series has its Y in their order.
+    /// One group of bars for each of BarLabels. The Y values of a series are in the same order.
     BARS
   };
 
   Kinds Kind = LINES;
-  /// File name without its ending.
+  /// File name without extension.
   std::string Name;
   std::string Title;
-  /// What the plot answers, a sentence for the head of the report; empty for nothing.
+  /// The question that the plot answers, for the top of the report. May be empty.
   std::string Question;
-  /// What was measured on what, in sentences for the caption.
+  /// Data and methods, in sentences for the caption.
   std::string Conditions;
-  /// With units.
+  /// Axis labels with units.
   std::string XLabel;
   std::string YLabel;
   bool LogX = false;
   bool LogY = false;
-  /// Whether X is what something costs and Y how wrong it is, so that the points that no other is
-  /// better than in both are a front, which is drawn: see ErrorFront.h.
+  /// Whether X is a cost and Y an error, so that a Pareto front is drawn: see ErrorFront.h.
   bool HasFront = false;
-  /// The point that is ringed, what nobody has to ask for; or the series all of whose points are.
+  /// The point of the default settings, or the series whose points all have default settings. Rings
+  /// mark them.
   Series DefaultPoint;
   std::string DefaultSeries;
   std::vector<std::string> BarLabels;
-  /// Bars: height of a dashed line across, such as ratio 1; 0 for none.
+  /// Bars: height of a dashed reference line, such as ratio 1, or 0 to omit the line.
   double Reference = 0.0;
   std::vector<Series> AllSeries;
 
-  /// An error against run time, both on logarithmic axes, with its front.
+  /// Returns a plot of error against run time with logarithmic axes and a Pareto front.
   static BenchPlot OfErrors(const std::string& name, const std::string& title,
     const std::string& timeLabel, const std::string& errorLabel, const std::string& question = {},
     const std::string& conditions = {});
 
-  /// Bars, one group for each label.
+  /// Returns a bar plot with one group for each label.
   static BenchPlot OfBars(
     const std::string& name, const std::string& title, const std::string& label);
 
-  /// Adds a bar to the group of that label, which is appended if it is missing.
-  void AddBar(const std::string& group, const std::string& label, bool isPeer, double height);
+  /// Adds a bar to the group \a group, which is created if it is missing.
+  void AddBar(const std::string& group, const std::string& label, bool isBaseline, double height);
 
-  /// Adds a point to the series \a label, which is made where it is missing.
-  void AddPoint(const std::string& label, bool isPeer, double x, double y,
+  /// Adds a point to the series \a label, which is created if it is missing.
+  void AddPoint(const std::string& label, bool isBaseline, double x, double y,
     const std::string& name = std::string());
 
-  /// Adds the time and the error of \a row, named by its parameter, to the series \a label, by
-  /// default the row's method. An error of 0 has no place on a logarithmic axis and is skipped.
-  void AddRow(const BenchRow& row, bool isPeer, const std::string& label = {});
+  /// Adds the time and error of \a row to the series \a label, by default named after the row's
+  /// method. The parameter of the row labels the point. Errors of 0 are skipped, since the axis is
+  /// logarithmic.
+  void AddRow(const BenchRow& row, bool isBaseline, const std::string& label = {});
 
-  /// Says that the series \a label, where it is, cannot be chosen.
+  /// Excludes the series \a label, if it exists, from the possible answers.
   void SetNoChoice(const std::string& label);
 
-  /// Rings the last point of the series \a label, or its point of that name; none where there is no
-  /// such point.
+  /// Marks the last point of the series \a label, or its point named \a name, as the default. Marks
+  /// no point if it does not exist.
   void SetDefault(const std::string& label, const std::string& name = std::string());
 };
 
-/// Returns the plot of the same name among \a plots, to which \a fresh is appended if it is
-/// missing.
+/// Returns the plot of the same name in \a plots. Appends \a fresh if it is missing.
 BenchPlot& FindOrAdd(std::vector<BenchPlot>& plots, const BenchPlot& fresh);
 
 #endif

@@ -24,7 +24,7 @@ BenchResults BenchResults::Read(const std::string& path)
   std::ifstream file(path);
   if (!file)
   {
-    throw std::runtime_error("cannot read " + path);
+    throw std::runtime_error("Cannot read the file " + path);
   }
   try
   {
@@ -42,7 +42,7 @@ BenchResults BenchResults::Read(const std::string& path)
   }
   catch (const nlohmann::json::exception& error)
   {
-    throw std::runtime_error(path + ": " + error.what());
+    throw std::runtime_error("Cannot parse the file " + path + ": " + error.what());
   }
 }
 
@@ -62,7 +62,7 @@ void BenchResults::Write(const std::string& path, bool hasSpans) const
   file << json.dump(1) << "\n";
   if (!file)
   {
-    throw std::runtime_error("cannot write " + path);
+    throw std::runtime_error("Cannot write the file " + path);
   }
 }
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 /**
- * What the program writes: the machine, the VTK version, the conditions, what is said of each
- * suite, and the rows.
+ * The results that the program writes: machine, VTK version, conditions, information on each suite,
+ * and rows.
  */
 struct BenchResults
 {
@@ -19,23 +19,24 @@ struct BenchResults
   std::string Vtk;
   /// See DescribeConditions().
   nlohmann::ordered_json Conditions;
-  /// By name: `took`, the wall seconds of the suite, and `claims`, what is wanted of its rows.
+  /// By suite name: `took`, the wall time of the suite in seconds, and `claims`, the targets for
+  /// its rows.
   nlohmann::ordered_json Suites = nlohmann::ordered_json::object();
   std::vector<BenchRow> Rows;
 
-  /// This machine, this VTK and these conditions, no rows.
+  /// Returns empty results for this machine, VTK version and these conditions.
   static BenchResults Here(const BenchOptions& options);
 
-  /// Throws std::runtime_error, with the path, where the file cannot be read or is not such a file.
+  /// Reads results from a file. Throws std::runtime_error with the path if the file cannot be read
+  /// or parsed.
   static BenchResults Read(const std::string& path);
-  /// With \a hasSpans also when each run began and ended. Throws std::runtime_error, with the path,
-  /// where the file cannot be written.
+  /// Writes the results, including the begin and end of each run if \a hasSpans is set. Throws
+  /// std::runtime_error with the path if the file cannot be written.
   void Write(const std::string& path, bool hasSpans = false) const;
 
-  /// Sets what is wanted of the rows of \a suite.
+  /// Sets the targets for the rows of \a suite.
   void SetClaims(const std::string& suite, const std::vector<BenchClaim>& claims);
 
-  /// The rows of one suite.
   std::vector<BenchRow> RowsOf(const std::string& suite) const;
 };
 

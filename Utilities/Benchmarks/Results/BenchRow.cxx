@@ -23,7 +23,7 @@ void PutIf(nlohmann::ordered_json& json, const char* name, const std::optional<d
   }
 }
 
-/// The time and, beside it, how many runs it is the median of, and when these were if asked for.
+/// Adds the time, the number of runs and, if \a hasSpans is set, the begin and end of each run.
 void PutSeconds(nlohmann::ordered_json& json, const std::string& prefix,
   const std::optional<BenchSeconds>& seconds, bool hasSpans)
 {
@@ -46,7 +46,7 @@ std::optional<BenchSeconds> SecondsIn(const nlohmann::ordered_json& json, const 
     : std::nullopt;
 }
 
-/// JSON has no number for what is not one, and writes null.
+/// Reads a number. JSON represents NaN and infinity as null.
 double NumberOf(const nlohmann::ordered_json& json)
 {
   return json.is_null() ? std::numeric_limits<double>::quiet_NaN() : json.get<double>();
@@ -68,9 +68,9 @@ std::ostream& operator<<(std::ostream& os, const BenchRow& row)
   {
     os << "  " << *row.Seconds << " s";
   }
-  if (row.PeerSeconds)
+  if (row.BaselineSeconds)
   {
-    os << "  " << row.Peer << " " << *row.PeerSeconds << " s  ratio " << *row.GetRatio();
+    os << "  " << row.Baseline << " " << *row.BaselineSeconds << " s  ratio " << *row.GetRatio();
   }
   if (row.Error)
   {
@@ -85,11 +85,11 @@ std::ostream& operator<<(std::ostream& os, const BenchRow& row)
 }
 
 void BenchRow::SetTimes(
-  const BenchSeconds& seconds, const std::string& peer, const BenchSeconds& peerSeconds)
+  const BenchSeconds& seconds, const std::string& baseline, const BenchSeconds& baselineSeconds)
 {
   this->Seconds = seconds;
-  this->Peer = peer;
-  this->PeerSeconds = peerSeconds;
+  this->Baseline = baseline;
+  this->BaselineSeconds = baselineSeconds;
 }
 
 void BenchRow::SetError(const std::string& norm, double error)
@@ -111,9 +111,9 @@ std::string BenchRow::GetParameterText() const
 
 std::optional<double> BenchRow::GetRatio() const
 {
-  if (this->Seconds && this->PeerSeconds && *this->Seconds > 0.0)
+  if (this->Seconds && this->BaselineSeconds && *this->Seconds > 0.0)
   {
-    return *this->PeerSeconds / *this->Seconds;
+    return *this->BaselineSeconds / *this->Seconds;
   }
   return std::nullopt;
 }
@@ -131,8 +131,8 @@ nlohmann::ordered_json BenchRow::ToJson(bool hasSpans) const
   PutIf(json, "error", this->Error);
   PutIf(json, "error_norm", this->ErrorNorm);
   PutSeconds(json, "", this->Seconds, hasSpans);
-  PutIf(json, "peer", this->Peer);
-  PutSeconds(json, "peer_", this->PeerSeconds, hasSpans);
+  PutIf(json, "peer", this->Baseline);
+  PutSeconds(json, "peer_", this->BaselineSeconds, hasSpans);
   PutIf(json, "ratio", this->GetRatio());
   if (!this->Counts.empty())
   {
@@ -154,8 +154,8 @@ BenchRow BenchRow::FromJson(const nlohmann::ordered_json& json)
   row.Error = NumberIn(json, "error");
   row.ErrorNorm = json.value("error_norm", "");
   row.Seconds = SecondsIn(json, "");
-  row.Peer = json.value("peer", "");
-  row.PeerSeconds = SecondsIn(json, "peer_");
+  row.Baseline = json.value("peer", "");
+  row.BaselineSeconds = SecondsIn(json, "peer_");
   if (json.contains("counts"))
   {
     row.Counts = json.at("counts");

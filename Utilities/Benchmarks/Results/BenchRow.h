@@ -11,46 +11,47 @@
 #include <vector>
 
 /**
- * One measurement. What does not apply stays empty and is absent from the JSON.
+ * One measurement. Members that do not apply are empty and omitted from the JSON.
  */
 struct BenchRow
 {
   std::string Suite;
   std::string Case;
   std::string Method;
-  /// A number or a short text; null for none.
+  /// A number or a short text, or null.
   nlohmann::ordered_json Parameter;
   std::optional<double> Error;
-  /// What Error is, with its unit.
+  /// Definition of Error, with its unit.
   std::string ErrorNorm;
-  /// Wall time: the median of its runs.
+  /// Wall time, the median of all runs.
   std::optional<BenchSeconds> Seconds;
-  /// What Seconds is compared with, measured alternately in the same run.
-  std::string Peer;
-  std::optional<BenchSeconds> PeerSeconds;
-  /// Named numbers.
+  /// Name of the baseline, which runs alternately with the method.
+  std::string Baseline;
+  std::optional<BenchSeconds> BaselineSeconds;
+  /// Counts and other named numbers.
   nlohmann::ordered_json Counts = nlohmann::ordered_json::object();
 
   void SetTimes(
-    const BenchSeconds& seconds, const std::string& peer, const BenchSeconds& peerSeconds);
+    const BenchSeconds& seconds, const std::string& baseline, const BenchSeconds& baselineSeconds);
   void SetError(const std::string& norm, double error);
-  /// Sets some of the counts.
+  /// Sets or overwrites some counts.
   void Set(const nlohmann::ordered_json& counts) { this->Counts.update(counts); }
 
-  /// The parameter in words: text as it is, a real number by six digits, anything else as JSON.
+  /// Returns the parameter as text: strings unchanged, floating-point numbers with six digits,
+  /// other values as JSON.
   std::string GetParameterText() const;
 
-  /// PeerSeconds / Seconds: above 1 the method is faster than the peer.
+  /// Returns BaselineSeconds / Seconds. Above 1, the method is faster than the baseline.
   std::optional<double> GetRatio() const;
 
-  /// With \a hasSpans also when each run began and ended.
+  /// Converts to JSON, including the begin and end of each run if \a hasSpans is set.
   nlohmann::ordered_json ToJson(bool hasSpans = false) const;
-  /// Throws nlohmann::json::exception where a field is missing or of the wrong type.
+  /// Throws nlohmann::json::exception if a field is missing or of the wrong type.
   static BenchRow FromJson(const nlohmann::ordered_json& json);
 };
 
 /**
- * The rows of one suite; a row is printed as it comes, so that a long run shows where it is.
+ * Rows of one suite. Each row is printed when it is added, to show the progress of long runs.
  */
 class BenchRows
 {
@@ -58,7 +59,7 @@ public:
   explicit BenchRows(const std::string& suite);
 
   /**
-   * A row with the suite, case, method and parameter filled in.
+   * Returns a row with suite, case, method and parameter set.
    */
   BenchRow Make(const std::string& theCase, const std::string& method,
     const nlohmann::ordered_json& parameter = nullptr) const;

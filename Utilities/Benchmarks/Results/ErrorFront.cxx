@@ -14,7 +14,7 @@ ErrorPoint PointOf(const BenchPlot::Series& series, std::size_t i)
     series.Y[i] };
 }
 
-/// The point of the front that is cheapest without being worse than \a point.
+/// Returns the cheapest point of the front whose error is at most the error of \a point.
 ErrorPoint FindRival(const BenchPlot& plot, const ErrorPoint& point)
 {
   const std::vector<ErrorPoint> front = FindFront(plot);
@@ -67,28 +67,28 @@ std::optional<double> GetCostOverFront(const BenchPlot& plot)
   {
     return std::nullopt;
   }
-  const ErrorPoint usual = PointOf(plot.DefaultPoint, 0);
-  return usual.Cost / FindRival(plot, usual).Cost;
+  const ErrorPoint byDefault = PointOf(plot.DefaultPoint, 0);
+  return byDefault.Cost / FindRival(plot, byDefault).Cost;
 }
 
-std::string AnswerOf(const BenchPlot& plot)
+std::string SummaryOf(const BenchPlot& plot)
 {
   const std::optional<double> over = GetCostOverFront(plot);
   if (!over)
   {
     return {};
   }
-  const ErrorPoint usual = PointOf(plot.DefaultPoint, 0);
-  const ErrorPoint rival = FindRival(plot, usual);
+  const ErrorPoint byDefault = PointOf(plot.DefaultPoint, 0);
+  const ErrorPoint rival = FindRival(plot, byDefault);
   std::ostringstream text;
-  text << "The default, " << NameOf(usual) << " (" << NumbersOf(usual) << "), is ";
+  text << "The default, " << NameOf(byDefault) << " (" << NumbersOf(byDefault) << "), is ";
   if (*over <= 1.0)
   {
     text << "on the front.";
   }
   else
   {
-    text << (*over <= FrontTolerance ? "within what runs differ by on the front: "
+    text << (*over <= FrontTolerance ? "within the measurement noise of the front: "
                                      : "not on the front: ")
          << NameOf(rival) << " has " << NumbersOf(rival) << ".";
   }

@@ -9,40 +9,42 @@
 #include <vector>
 
 /**
- * What of a plot of errors against run times is worth choosing.
+ * Pareto front of a plot of error against run time.
  */
 
-/// A point of a plot: how it was made, what it costs, how wrong it is.
+/// A point of a plot: series, setting, cost and error.
 struct ErrorPoint
 {
   std::string Series;
-  /// Its setting; may be empty.
+  /// Setting of the point; may be empty.
   std::string Name;
   double Cost = 0.0;
   double Error = 0.0;
 };
 
 /**
- * The Pareto front: the points of all series, peers too, than which no other has both a smaller
- * cost and an error that is not larger; by rising cost and falling error.
+ * Returns the Pareto front of all series, including baselines, by ascending cost and descending
+ * error. A point is on the front if no other point has a smaller cost and an error that is not
+ * larger.
  */
 std::vector<ErrorPoint> FindFront(const BenchPlot& plot);
 
 /**
- * The cost of the default's point over that of the cheapest point whose error is not larger: 1 on
- * the front. Nothing without such a point.
+ * Returns the cost of the default divided by the cost of the cheapest point whose error is not
+ * larger. It is 1 on the front. Empty if the plot has no default.
  */
 std::optional<double> GetCostOverFront(const BenchPlot& plot);
 
 /**
- * The most of it at which the default counts as on the front: what medians of runs differ by.
+ * Largest relative cost at which the default still counts as on the front. It covers the noise of
+ * measured medians.
  */
 constexpr double FrontTolerance = 1.1;
 
 /**
- * Whether the default is on the front, in one sentence with its error and cost and, where it is
- * not, those of the point that is cheaper and not worse. Empty without a default.
+ * Returns a sentence that states whether the default is on the front, with its error and cost. If
+ * it is not, the sentence names the point that dominates it. Empty if the plot has no default.
  */
-std::string AnswerOf(const BenchPlot& plot);
+std::string SummaryOf(const BenchPlot& plot);
 
 #endif

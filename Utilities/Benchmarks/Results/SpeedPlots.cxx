@@ -5,17 +5,18 @@
 
 namespace
 {
-std::vector<std::string> PeersOf(const std::string& method, const std::vector<BenchRow>& rows)
+std::vector<std::string> BaselinesOf(const std::string& method, const std::vector<BenchRow>& rows)
 {
-  std::vector<std::string> peers;
+  std::vector<std::string> baselines;
   for (const BenchRow& row : rows)
   {
-    if (row.Method == method && std::find(peers.begin(), peers.end(), row.Peer) == peers.end())
+    if (row.Method == method &&
+      std::find(baselines.begin(), baselines.end(), row.Baseline) == baselines.end())
     {
-      peers.push_back(row.Peer);
+      baselines.push_back(row.Baseline);
     }
   }
-  return peers;
+  return baselines;
 }
 }
 
@@ -23,14 +24,14 @@ std::vector<BenchPlot> MakeRatioPlots(
   const std::string& suite, const std::string& method, const std::vector<BenchRow>& rows)
 {
   std::vector<BenchPlot> plots;
-  for (const std::string& peer : PeersOf(method, rows))
+  for (const std::string& baseline : BaselinesOf(method, rows))
   {
-    BenchPlot plot = BenchPlot::OfBars(suite + "-ratio-" + peer, method + " against " + peer,
-      "time of " + peer + " / time of " + method);
+    BenchPlot plot = BenchPlot::OfBars(suite + "-ratio-" + baseline,
+      method + " against " + baseline, "time of " + baseline + " / time of " + method);
     plot.Reference = 1.0;
     for (const BenchRow& row : rows)
     {
-      if (row.Method == method && row.Peer == peer && row.GetRatio())
+      if (row.Method == method && row.Baseline == baseline && row.GetRatio())
       {
         plot.AddBar(row.Case, row.GetParameterText(), false, *row.GetRatio());
       }

@@ -9,8 +9,9 @@
 #include <vector>
 
 /**
- * Bars of peer time divided by own time of the rows of \a method: a plot for each peer, a group of
- * bars for each case, a bar for each parameter. Named `<suite>-ratio-<peer>`.
+ * Returns bar plots of the baseline's time divided by the time of \a method: a plot for each
+ * baseline, a group of bars for each case, a bar for each parameter. Their names are
+ * `<suite>-ratio-<peer>`.
  */
 std::vector<BenchPlot> MakeRatioPlots(
   const std::string& suite, const std::string& method, const std::vector<BenchRow>& rows);

@@ -18,8 +18,9 @@ const char* const CloudName = "cloud";
 const char* const Default = "default";
 const char* const Shadowed = "shadowed";
 
-/// The mean over pixels of the difference of colours, over the mean colour of the reference.
-double GetRelativeError(const reference::RgbaPicture& found, const reference::RgbaPicture& expected)
+/// Returns the mean absolute difference of the colors over the pixels, divided by the mean color of
+/// the reference.
+double GetRelativeError(const reference::RgbaImage& found, const reference::RgbaImage& expected)
 {
   double difference = 0.0;
   double sum = 0.0;
@@ -34,22 +35,22 @@ double GetRelativeError(const reference::RgbaPicture& found, const reference::Rg
   return difference / sum;
 }
 
-/// The error of noise of known standard deviations, as the above.
-double GetNoise(const reference::TransportPicture& picture)
+/// Returns the relative error that noise with the standard errors of \a image causes on average.
+double GetNoise(const reference::TransportImage& image)
 {
-  // Of a normal distribution the mean distance from the middle, in standard deviations.
+  // Mean absolute deviation of the normal distribution, in standard deviations.
   const double mean = std::sqrt(2.0 / 3.14159265358979324);
   double sum = 0.0;
-  double colour = 0.0;
-  for (std::size_t i = 0; i < picture.Mean.Values.size(); ++i)
+  double color = 0.0;
+  for (std::size_t i = 0; i < image.Mean.Values.size(); ++i)
   {
     if (i % 4 != 3)
     {
-      sum += mean * picture.StandardError.Values[i];
-      colour += picture.Mean.Values[i];
+      sum += mean * image.StandardError.Values[i];
+      color += image.Mean.Values[i];
     }
   }
-  return sum / colour;
+  return sum / color;
 }
 
 struct Setting
@@ -104,11 +105,11 @@ BenchRow MakeRow(const BenchRows& rows, const std::string& method, const std::st
 }
 
 /**
- * Pictures of a cloud against those of reference::TraceScene. Methods `single`, `forward` and
- * `full`; the parameter is `default`, or what is not: `grid 16`, `buffer 128`, `spacing 2`, in
- * default spacings. Counts of the default of full: over_shadowed, its time over that of the same
- * picture without scattered light. `monte-carlo`: the parameter is the number of paths of a pixel,
- * the error that of its noise.
+ * Compares images of a cloud with reference::TraceScene. Methods: `single`, `forward` and `full`.
+ * The parameter is `default` or a changed setting: `grid 16`, `buffer 128`, `spacing 2` (relative
+ * to the default spacing). Rows with default settings have the count over_shadowed, their time
+ * divided by the time of the same image without scattered light. `monte-carlo`: the parameter is
+ * the number of paths per pixel, the error is its noise.
  */
 void AddCloudRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -127,7 +128,7 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
   traced.Phase = reference::TransportPhase::HenyeyGreenstein(reference::CloudAnisotropy);
   traced.PathsPerPixel = static_cast<std::uint64_t>(options.Pick(1500, 200, 10));
   traced.Seed = options.Seed;
-  reference::TransportPicture expected;
+  reference::TransportImage expected;
   const auto trace = WithThreads(options.Threads,
     [&]()
     {
@@ -153,26 +154,26 @@ void AddCloudRows(const BenchOptions& options, BenchRows& rows)
     row.Counts["reference_noise"] = noise;
     if (setting.Mode != Shadowed && setting.Parameter == Default)
     {
-      row.Peer = Shadowed;
-      row.PeerSeconds = shadowed;
+      row.Baseline = Shadowed;
+      row.BaselineSeconds = shadowed;
       row.Counts["over_shadowed"] = seconds[i] / shadowed;
     }
     rows.Add(row);
   }
-  // The noise falls with the square root of the number of paths.
+  // Noise decreases with the square root of the number of paths.
   for (std::uint64_t paths = traced.PathsPerPixel; paths > 0; paths /= 8)
   {
-    const double share = static_cast<double>(paths) / static_cast<double>(traced.PathsPerPixel);
+    const double fraction = static_cast<double>(paths) / static_cast<double>(traced.PathsPerPixel);
     rows.Add(MakeRow(rows, MonteCarlo, std::to_string(paths) + " paths",
-      { traceSeconds * share, traceSeconds.Runs }, noise / std::sqrt(share)));
+      { traceSeconds * fraction, traceSeconds.Runs }, noise / std::sqrt(fraction)));
   }
 }
 
 /**
- * Pictures of the cloud where only the view turns, so that scattered light is kept. Methods
- * `single`, `forward`, `full`; the parameter is the number of columns and rows of the picture, the
- * peer the same picture without scattered light. Counts: view_over_shadowed, the times' ratio;
- * solves, how often scattered light was found, once.
+ * Measures frames of the cloud while only the camera moves, so scattered light is reused. Methods:
+ * `single`, `forward` and `full`. The parameter is the number of pixels along an edge. The baseline
+ * is the same image without scattered light. Counts: view_over_shadowed, the ratio of the times;
+ * solves, the number of scattering solves, which is 1.
  */
 void AddViewRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -211,9 +212,9 @@ std::vector<BenchPlot> MakeCloudPlots(const std::vector<BenchRow>& rows)
 {
   BenchPlot plot = BenchPlot::OfErrors("scattering-cloud",
     "cloud: error against run time, one light", "time of a frame whose light has moved (s)",
-    std::string("error: ") + Norm, "Which method for scattered light, in how many cells?",
-    "A cloud under one light, cells along the longest edge at each point, against paths of light "
-    "by Monte Carlo, whose own error is on the plot too.");
+    std::string("error: ") + Norm, "Which scattering mode, and how many grid cells?",
+    "A cloud under one light; labels are changed settings. The reference is Monte Carlo path "
+    "tracing, whose own error is also plotted.");
   for (const BenchRow& row : rows)
   {
     if (row.Case == CloudName)

@@ -23,9 +23,9 @@ Change InMode(const std::string& mode, double g, const Change& more)
   return [=](vtkShadowedSliceMapper* mapper)
   {
     using Mapper = vtkShadowedSliceMapper;
-    mapper->SetMultipleScattering(mode == Single ? Mapper::SINGLE_SCATTERING
-        : mode == Forward                        ? Mapper::FORWARD_SCATTERING
-                                                 : Mapper::FULL_SCATTERING);
+    mapper->SetScatteringMode(mode == Single ? Mapper::SINGLE_SCATTERING
+        : mode == Forward                    ? Mapper::FORWARD_SCATTERING
+                                             : Mapper::FULL_SCATTERING);
     mapper->SetPhaseFunctionToHenyeyGreenstein();
     mapper->SetAnisotropy(g);
     if (more)

@@ -4,7 +4,7 @@
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Shadows/ShadowsMethods.h"
-#include "Support/Pictures/ShadowScene.h"
+#include "Support/Images/ShadowScene.h"
 
 #include <functional>
 #include <string>
@@ -13,7 +13,7 @@
 class vtkShadowedSliceMapper;
 
 /**
- * What the suite `scattering` measures.
+ * Scenes and methods of the suite `scattering`.
  */
 namespace scattering
 {
@@ -22,16 +22,17 @@ extern const char* const Forward;
 extern const char* const Full;
 extern const char* const MonteCarlo;
 
-/// The three modes, as the rows name them.
+/// Returns the names of the three modes, as in the rows.
 std::vector<std::string> GetModes();
 
 using Change = std::function<void(vtkShadowedSliceMapper*)>;
 
-/// Sets the mode of that name with Henyey and Greenstein's phase function, then what \a more says.
+/// Returns a change that sets this mode and the Henyey-Greenstein phase function, and then applies
+/// \a more.
 Change InMode(const std::string& mode, double g, const Change& more = nullptr);
 
-/// A frame of \a method in which the light, too, has moved on by half a degree, so that scattered
-/// light is found anew; it belongs to the scene of the method.
+/// Returns a frame of \a method in which the light also moves by half a degree, so that scattered
+/// light is computed again. The light must belong to the scene of the method.
 BenchWork GetLitFrame(shadows::Method& method, vtkLight* light, int threads);
 }
 

@@ -14,13 +14,13 @@ namespace
 {
 const char* const Norm = "relative difference of reflection or transmission, the larger one";
 
-/// H. C. van de Hulst, "Multiple Light Scattering", 1980.
+/// Results published by H. C. van de Hulst, "Multiple Light Scattering", 1980.
 struct Published
 {
   const char* Name;
-  Slab Matter;
+  Slab Medium;
   double Reflected;
-  /// Of scattered light; none published where it is 0.
+  /// Flux of scattered light, or 0 if it is not published.
   double Transmitted;
 };
 
@@ -37,7 +37,7 @@ const Published Slabs[] = {
 void AddModeRow(reference::VolumeStage& stage, const Published& slab, const std::string& mode,
   int across, const BenchOptions& options, BenchRows& rows)
 {
-  SlabDrawing drawing(stage, slab.Matter, mode, across);
+  SlabDrawing drawing(stage, slab.Medium, mode, across);
   const double reflected = drawing.GetFlux(true);
   const double transmitted = drawing.GetFlux(false);
   BenchRow row = rows.Make(slab.Name, mode, drawing.GetAcross());
@@ -54,18 +54,19 @@ void AddModeRow(reference::VolumeStage& stage, const Published& slab, const std:
 }
 
 /**
- * Slabs of van de Hulst's tables, drawn from directions on both sides and integrated over them,
- * against the published reflection and transmission. A case is a row of a table; those of light
- * that grazes are in the full suite alone. Methods `single`, `forward`, `full`; the parameter is
- * the number of cells of the grid through the slab. Errors are relative, the larger of both sides;
- * counts reflected, transmitted (scattered light alone) and what is published.
+ * Compares the reflection and transmission of slabs with van de Hulst's tables. Each slab is
+ * rendered from several directions on both sides, and the flux is integrated over them. A case is a
+ * row of a table; rows with grazing light are in the full suite only. Methods: `single`, `forward`
+ * and `full`. The parameter is the number of grid cells across the slab. The error is the larger
+ * relative error of reflection and transmission. Counts: reflected, transmitted (scattered light
+ * only) and the published values.
  */
 void AddSlabRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::array<int, 2> pixels = { { 4, 4 } };
   reference::VolumeStage stage(pixels);
   const std::vector<int> grids = options.Pick<std::vector<int>>({ 8, 16, 32 }, { 16 }, { 2 });
-  // Light that grazes takes fine slices or wide boxes, and minutes.
+  // Grazing light requires fine slices or wide boxes, and minutes per row.
   const auto number = static_cast<std::size_t>(options.Pick(7, 3, 1));
   for (std::size_t i = 0; i < number; ++i)
   {
@@ -75,8 +76,9 @@ void AddSlabRows(const BenchOptions& options, BenchRows& rows)
       int last = 0;
       for (const int across : mode == Single ? std::vector<int>{ grids.front() } : grids)
       {
-        // Wide boxes have no more cells than the largest number.
-        const int found = SlabDrawing::GetAcross(slab.Matter, across);
+        // Wide boxes reach the maximum number of cells, so several requests result in the same
+        // grid.
+        const int found = SlabDrawing::GetAcross(slab.Medium, across);
         if (found > last)
         {
           AddModeRow(stage, slab, mode, across, options, rows);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Scattering/SlabDrawing.h"
 
-#include "Support/Pictures/PictureSettings.h"
-#include "Support/Pictures/ShadowCases.h"
+#include "Support/Images/CameraSettings.h"
+#include "Support/Images/ShadowCases.h"
 
 #include "vtkCamera.h"
 #include "vtkLight.h"
@@ -16,7 +16,7 @@ namespace scattering
 {
 namespace
 {
-/// Nodes and weights of Gauss and Legendre on 0 to 1.
+/// Nodes and weights of Gauss-Legendre quadrature on [0, 1].
 constexpr std::array<double, 8> Nodes = { { 0.0198550717512319, 0.1016667612931866,
   0.2372337950418355, 0.4082826787521751, 0.5917173212478248, 0.7627662049581645,
   0.8983332387068135, 0.9801449282487682 } };
@@ -24,13 +24,13 @@ constexpr std::array<double, 8> Weights = { { 0.0506142681451884, 0.111190517226
   0.1568533229389437, 0.1813418916891810, 0.1813418916891810, 0.1568533229389437,
   0.1111905172266872, 0.0506142681451884 } };
 
-/// The columns and rows of the light's buffer where its free path is short.
+/// Size of the light buffer if the mean free path is short.
 constexpr int FineBuffer = 384;
 
-/// The largest number of cells along the box.
-constexpr int MostCells = 128;
+/// Maximum number of cells along the box.
+constexpr int MaximumCells = 128;
 
-/// Of the box, in thicknesses: what grazes a thin slab comes from far.
+/// Returns the width of the box in thicknesses. Grazing light in a thin slab arrives from far away.
 int GetWidth(const Slab& slab)
 {
   return slab.Depth < 0.1 ? 64 : slab.Depth < 4.0 ? 12 : slab.Depth < 16.0 ? 8 : 3;
@@ -42,7 +42,8 @@ reference::ShadowScene MakeScene(const Slab& slab)
   reference::ShadowScene scene;
   scene.Image = reference::MakeImage({ { 2 * width, 2 * width, 32 } }, { { 0.5, 0.5, 1.0 / 32.0 } },
     [](const reference::Double3&) { return 1.0; });
-  // The albedo is the colour; the unit makes the opacity small, the extinction depth per unit.
+  // The color is the albedo. The unit distance keeps the opacity small and sets the extinction to
+  // the optical depth.
   const double a = slab.Albedo;
   constexpr double opacity = 0.02;
   scene.Property =
@@ -56,8 +57,8 @@ reference::ShadowScene MakeScene(const Slab& slab)
   return scene;
 }
 
-/// The camera that looks at the middle of the slab's upper or lower face at a cosine.
-vtkSmartPointer<vtkCamera> MakeEye(double cosine, bool isAbove, double width)
+/// Returns a camera that views the center of the upper or lower face at a cosine to the normal.
+vtkSmartPointer<vtkCamera> MakeCamera(double cosine, bool isAbove, double width)
 {
   const double across = std::sqrt(1.0 - cosine * cosine);
   const double side = isAbove ? 1.0 : -1.0;
@@ -71,12 +72,12 @@ vtkSmartPointer<vtkCamera> MakeEye(double cosine, bool isAbove, double width)
 
 SlabDrawing::SlabDrawing(
   reference::VolumeStage& stage, const Slab& slab, const std::string& mode, int across)
-  : Matter(slab)
+  : Medium(slab)
   , Across(across)
   , Scene(MakeScene(slab))
 {
-  const int cells = std::min(across * GetWidth(slab), MostCells);
-  // The free path along the normal, of light that comes in aslant.
+  const int cells = std::min(across * GetWidth(slab), MaximumCells);
+  // Depth along the normal that obliquely incident light reaches in one mean free path.
   const double path = slab.Cosine / slab.Depth;
   const double spacing = std::min(1.0 / 32.0, 0.5 * path);
   this->Drawn = shadows::MakeSlices(stage, this->Scene,
@@ -91,7 +92,7 @@ SlabDrawing::SlabDrawing(
 
 int SlabDrawing::GetAcross(const Slab& slab, int across)
 {
-  return std::max(std::min(across * GetWidth(slab), MostCells) / GetWidth(slab), 1);
+  return std::max(std::min(across * GetWidth(slab), MaximumCells) / GetWidth(slab), 1);
 }
 
 double SlabDrawing::GetFlux(bool isReflected)
@@ -99,20 +100,21 @@ double SlabDrawing::GetFlux(bool isReflected)
   double sum = 0.0;
   for (std::size_t i = 0; i < Nodes.size(); ++i)
   {
-    // Directions of the eye are dense where light goes straight on: a lobe of g = 0.9 that is seen
-    // through a thin slab is integrated within 0.5 %.
+    // View directions are dense near the normal. A phase function of g = 0.9 seen through a thin
+    // slab is then integrated with an error below 0.5 %.
     const double rest = 1.0 - Nodes[i];
     const double cosine = 1.0 - rest * rest * rest;
-    this->Scene.Camera->DeepCopy(MakeEye(cosine, isReflected, GetWidth(this->Matter)));
+    this->Scene.Camera->DeepCopy(MakeCamera(cosine, isReflected, GetWidth(this->Medium)));
     sum += 3.0 * rest * rest * Weights[i] * cosine * this->Drawn->Capture().At(2, 2)[0];
   }
-  // A light of colour 1 has an irradiance of 4 pi across its direction; the azimuth gives 2 pi.
-  return 0.5 * sum / this->Matter.Cosine;
+  // A light of color 1 has an irradiance of 4 pi perpendicular to its direction; the integral over
+  // azimuth contributes 2 pi.
+  return 0.5 * sum / this->Medium.Cosine;
 }
 
 BenchWork SlabDrawing::GetLitFrame(int threads)
 {
-  this->Scene.Camera->DeepCopy(MakeEye(0.5, true, GetWidth(this->Matter)));
+  this->Scene.Camera->DeepCopy(MakeCamera(0.5, true, GetWidth(this->Medium)));
   return scattering::GetLitFrame(*this->Drawn, this->Scene.Lights.front(), threads);
 }
 }

@@ -9,42 +9,43 @@
 
 namespace scattering
 {
-/// Matter that is the same everywhere between two planes, in parallel light.
+/// A homogeneous medium between two planes in parallel light.
 struct Slab
 {
   double Depth;
   double Albedo;
   double G;
-  /// Of the light's angle to the normal.
+  /// Cosine of the angle between the light and the normal.
   double Cosine;
 };
 
 /**
  * @class   SlabDrawing
- * @brief   what a drawn slab reflects and lets through, integrated over pictures of it
+ * @brief   flux reflected and transmitted by a rendered slab, integrated over images
  *
- * The slab is a box of thickness 1 and as wide as it must be for its middle: light that goes
- * sideways leaves a thin one through its faces only after many thicknesses, a thick one after few.
- * Slices and the light's buffer resolve the free path of light and sight. So many cells are in the
- * grid along the box, as many as \a across through the slab, at most 128 along the box.
+ * The slab is a box of thickness 1. It is wide enough for its center to behave like an infinite
+ * slab: in optically thin slabs, light that travels sideways leaves through the faces only after
+ * many thicknesses, in thick slabs after few. Slices and the light buffer resolve the mean free
+ * path of light and view rays. The scattering grid has \a across cells across the slab, but at most
+ * 128 cells along the box.
  */
 class SlabDrawing
 {
 public:
   SlabDrawing(reference::VolumeStage& stage, const Slab& slab, const std::string& mode, int across);
 
-  /// Flux of scattered light over incident flux on the light's side, or on the other one: the
-  /// integral over Gauss's directions of cosine times radiance.
+  /// Returns the flux of scattered light divided by the incident flux, on the side of the light or
+  /// on the other side: the integral of cosine times radiance over Gauss directions.
   double GetFlux(bool isReflected);
-  /// A frame in which the light has moved.
+  /// Returns a frame in which the light has moved.
   BenchWork GetLitFrame(int threads);
-  /// The cells through the slab.
-  int GetAcross() const { return GetAcross(this->Matter, this->Across); }
-  /// The same for so many that are asked for.
+  /// Returns the number of cells across the slab.
+  int GetAcross() const { return GetAcross(this->Medium, this->Across); }
+  /// Returns the number of cells across a slab for a requested number.
   static int GetAcross(const Slab& slab, int across);
 
 private:
-  Slab Matter;
+  Slab Medium;
   int Across;
   reference::ShadowScene Scene;
   shadows::MethodPointer Drawn;

@@ -6,18 +6,18 @@
 #include "vtkVersion.h"
 
 /**
- * The volumetric shadows of vtkGPUVolumeRayCastMapper, which came with VTK 9.2.
+ * Volumetric shadows of vtkGPUVolumeRayCastMapper, available in VTK 9.2 and later.
  */
 namespace shadows
 {
-/// Whether this VTK has them.
+/// Returns whether this VTK has volumetric shadows.
 constexpr bool HasGpuShadows()
 {
   return VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0);
 }
 
-/// Shadow rays from each sample through the whole volume (GlobalIlluminationReach 1) and nothing
-/// else of the mapper's shading (VolumetricScatteringBlending 2); without effect before 9.2.
+/// Enables shadow rays from each sample through the full volume (GlobalIlluminationReach 1) without
+/// gradient shading (VolumetricScatteringBlending 2). Has no effect before VTK 9.2.
 inline void CastGpuShadows([[maybe_unused]] vtkGPUVolumeRayCastMapper* mapper)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)

@@ -5,7 +5,7 @@
 #include "Benchmarks/Shadows/GpuShadows.h"
 #include "Benchmarks/Shadows/ShadowsMethods.h"
 #include "Benchmarks/Shadows/ShadowsScene.h"
-#include "Support/Pictures/ReferenceShadowPicture.h"
+#include "Support/Images/ReferenceShadowImage.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
@@ -25,7 +25,7 @@ const char* const Buffer = "buffer";
 const char* const EqualError = "equal-error";
 const char* const Scattering = ", scattering";
 const char* const Shaded = ", shaded";
-/// The peer's shortest distance of samples is longer, in voxels.
+/// Lower limit of the baseline's sample distance, in voxels.
 constexpr double FinestSamples = 0.25;
 constexpr int Repeats = 3;
 
@@ -37,7 +37,7 @@ std::vector<Case> MakeCases(const BenchOptions& options)
     { MakeSphere(points), MakeRings(points), MakeBonsai(step, step) }, options.Pick(256, 64, 16));
 }
 
-/// The default distance of slices, in world units.
+/// Returns the default slice spacing in world units.
 double GetDefaultSpacing(reference::VolumeStage& stage, const reference::ShadowScene& scene)
 {
   const MethodPointer method = MakeSlices(stage, scene);
@@ -46,7 +46,8 @@ double GetDefaultSpacing(reference::VolumeStage& stage, const reference::ShadowS
 }
 
 std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
-  const reference::ShadowScene& scene, double spacing, bool hasPeer, const BenchOptions& options)
+  const reference::ShadowScene& scene, double spacing, bool hasBaseline,
+  const BenchOptions& options)
 {
   const auto distances = options.Pick<std::vector<double>>(
     { 0.25, 0.5, 1.0, 2.0, 4.0 }, { 0.5, 1.0, 2.0 }, { 1.0, 2.0 });
@@ -68,15 +69,15 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   }
   for (const double distance : distances)
   {
-    if (hasPeer && HasGpuShadows() && distance > FinestSamples)
+    if (hasBaseline && HasGpuShadows() && distance > FinestSamples)
     {
-      settings.push_back({ GpuShadowsPeer, distance, MakeShadowRays(stage, scene, distance) });
+      settings.push_back({ GpuShadowsBaseline, distance, MakeShadowRays(stage, scene, distance) });
     }
   }
   return settings;
 }
 
-void AddRow(const Setting& setting, const std::string& name, const reference::RgbaPicture& expected,
+void AddRow(const Setting& setting, const std::string& name, const reference::RgbaImage& expected,
   BenchRows& rows)
 {
   BenchRow row = rows.Make(name, setting.Name, setting.Parameter);
@@ -85,34 +86,34 @@ void AddRow(const Setting& setting, const std::string& name, const reference::Rg
   {
     AddReport(slices->GetReport(), row);
   }
-  const reference::PictureError error =
-    reference::ComparePictures(setting.Drawn->Capture(), expected);
+  const reference::ImageError error = reference::CompareImages(setting.Drawn->Capture(), expected);
   row.SetError(MarcherNorm, error.Mean);
   row.Counts["largest_error"] = error.Max;
   rows.Add(row);
 }
 
 void AddSceneRows(reference::VolumeStage& stage, const std::string& name,
-  const reference::ShadowScene& scene, bool hasPeer, const BenchOptions& options, BenchRows& rows)
+  const reference::ShadowScene& scene, bool hasBaseline, const BenchOptions& options,
+  BenchRows& rows)
 {
   const double spacing = GetDefaultSpacing(stage, scene);
-  std::vector<Setting> settings = MakeSettings(stage, scene, spacing, hasPeer, options);
+  std::vector<Setting> settings = MakeSettings(stage, scene, spacing, hasBaseline, options);
   MeasureFrames(settings, options.Threads, Repeats);
-  const reference::RgbaPicture expected = reference::MakeShadowPicture(scene);
+  const reference::RgbaImage expected = reference::MakeShadowImage(scene);
   for (const Setting& setting : settings)
   {
     AddRow(setting, name, expected, rows);
   }
 }
 
-/// A point of the plot.
+/// A point of a plot.
 struct Point
 {
   BenchSeconds Seconds = {};
   double Error;
 };
 
-/// The points of a method in a case, by falling error.
+/// Returns the points of a method in a case, by descending error.
 std::vector<Point> GetPoints(
   const std::vector<BenchRow>& rows, const std::string& name, const std::string& method)
 {
@@ -129,7 +130,8 @@ std::vector<Point> GetPoints(
   return points;
 }
 
-/// The time at which a line through the points has the error; that of an end beyond them.
+/// Returns the time at which a line through the points has the given error. Outside the range,
+/// returns the time of the nearest end.
 BenchSeconds GetSecondsAt(double error, const std::vector<Point>& points)
 {
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -141,9 +143,9 @@ BenchSeconds GetSecondsAt(double error, const std::vector<Point>& points)
         return points[0].Seconds;
       }
       const Point& before = points[i - 1];
-      const double share =
+      const double fraction =
         std::log(before.Error / error) / std::log(before.Error / points[i].Error);
-      return { before.Seconds * std::pow(points[i].Seconds / before.Seconds, share),
+      return { before.Seconds * std::pow(points[i].Seconds / before.Seconds, fraction),
         before.Seconds.Runs };
     }
   }
@@ -156,29 +158,30 @@ void AddEqualErrorRow(const std::string& name, BenchRows& rows)
   const auto ours = std::find_if(all.begin(), all.end(),
     [&](const BenchRow& row)
     { return row.Case == name && row.Method == Spacing && row.Parameter == 1.0; });
-  const std::vector<Point> peers = GetPoints(all, name, GpuShadowsPeer);
-  if (ours == all.end() || peers.empty())
+  const std::vector<Point> baselines = GetPoints(all, name, GpuShadowsBaseline);
+  if (ours == all.end() || baselines.empty())
   {
     return;
   }
   BenchRow row = rows.Make(name, EqualError);
   row.SetError(MarcherNorm, *ours->Error);
-  row.SetTimes(*ours->Seconds, GpuShadowsPeer, GetSecondsAt(*ours->Error, peers));
-  row.Counts["at_least"] = peers.back().Error > *ours->Error ? 1 : 0;
+  row.SetTimes(*ours->Seconds, GpuShadowsBaseline, GetSecondsAt(*ours->Error, baselines));
+  row.Counts["at_least"] = baselines.back().Error > *ours->Error ? 1 : 0;
   rows.Add(row);
 }
 
 /**
- * Pictures of one light against a ray marcher in double precision with shadow rays, as
+ * Compares images with one light with a ray marcher in double precision with shadow rays. Cases are
  * `<case>, scattering` (see MakeScattering) and `<case>, shaded` (without gpu-shadows, whose
- * shading is another). Methods:
- * - `spacing`: the parameter is the distance of slices over the default one;
- * - `buffer`: the parameter is the size of the light's buffer;
- * - `gpu-shadows`: the parameter is the distance of samples in voxels.
+ * shading model differs). Methods:
+ * - `spacing`: the parameter is the slice spacing relative to the default;
+ * - `buffer`: the parameter is the size of the light buffer;
+ * - `gpu-shadows`: the parameter is the sample distance in voxels.
  *
- * Rows of method `equal-error`: the time of the default, and as peer_seconds that of gpu-shadows
- * where its line in the log-log plot has the same error; with at_least 1 in the counts where it
- * never has, and the time is that of its smallest error.
+ * Rows of method `equal-error` have the time of the default settings. Their peer_seconds is the
+ * time of gpu-shadows at the same error, on the line through its points in the log-log plot. If
+ * gpu-shadows never reaches this error, it is the time at its smallest error, and the count
+ * at_least is 1.
  */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -196,7 +199,7 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 std::vector<BenchClaim> CheckErrorClaims(const std::vector<BenchRow>& rows)
 {
   return { BenchClaim::AtLeast(
-    std::string("at equal error at least 5 times faster than ") + GpuShadowsPeer, 5.0, rows,
+    std::string("at equal error at least 5 times faster than ") + GpuShadowsBaseline, 5.0, rows,
     RatioOf(EqualError)) };
 }
 
@@ -214,11 +217,11 @@ std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
           (row.Case.find(Scattering) == std::string::npos ? "-shaded" : "-scattering"),
         row.Case + ": error against run time, one light", "time of a frame (s)",
         std::string("error: ") + MarcherNorm,
-        "How far apart are slices to be, and how fine a light's buffer (" + row.Case + ")?",
-        "Distance of slices over the default one, columns of the light's buffer, and, from VTK 9.2 "
-        "on, distance of the peer's samples in voxels; against a ray marcher in double "
-        "precision."));
-    plot.AddRow(row, row.Method == GpuShadowsPeer);
+        "Which slice spacing and light buffer size are required (" + row.Case + ")?",
+        "Labels are the slice spacing relative to the default, columns of the light buffer, or, "
+        "with VTK 9.2 and later, the sample distance of the baseline in voxels. The reference is a "
+        "ray marcher in double precision."));
+    plot.AddRow(row, row.Method == GpuShadowsBaseline);
     if (row.Method == Spacing && row.Parameter == 1.0)
     {
       plot.SetDefault(row.Method, row.GetParameterText());

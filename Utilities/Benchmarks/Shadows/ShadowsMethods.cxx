@@ -31,8 +31,8 @@ vtkSmartPointer<vtkGPUVolumeRayCastMapper> NewRayCaster(
 }
 }
 
-const char* const GpuPeer = "gpu";
-const char* const GpuShadowsPeer = "gpu-shadows";
+const char* const GpuBaseline = "gpu";
+const char* const GpuShadowsBaseline = "gpu-shadows";
 
 Method::Method(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, vtkVolumeMapper* mapper)
@@ -78,15 +78,15 @@ BenchWork Method::GetFrame(int threads)
     });
 }
 
-reference::RgbaPicture Method::Capture()
+reference::RgbaImage Method::Capture()
 {
   this->Show(this->Scene.Camera);
   if (this->GetSlices())
   {
     return this->Stage.Capture(1);
   }
-  // vtkGPUVolumeRayCastMapper cannot take its depth buffer from the float framebuffer and draws
-  // nothing there until it has one.
+  // vtkGPUVolumeRayCastMapper cannot read its depth buffer from the floating-point framebuffer, and
+  // renders nothing there until it has a depth buffer.
   this->Stage.Render();
   return this->Stage.Capture();
 }
@@ -157,7 +157,7 @@ void AddReport(vtkInterlumeReport* report, BenchRow& row)
       Name("image_buffer_bytes", "ImageBufferBytes"), Name("texture_bytes", "TextureBytes"),
       Name("blocks", "Blocks"), Name("blocks_drawn", "BlocksDrawn") })
   {
-    row.Counts[count] = static_cast<vtkIdType>(report->GetNumber(value));
+    row.Counts[count] = report->GetCount(value);
   }
 }
 }

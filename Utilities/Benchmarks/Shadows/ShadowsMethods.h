@@ -4,8 +4,8 @@
 
 #include "Benchmarks/Measures/BenchTiming.h"
 #include "Benchmarks/Results/BenchRow.h"
-#include "Support/Pictures/ShadowScene.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/ShadowScene.h"
+#include "Support/Images/VolumeStage.h"
 
 #include "vtkShadowedSliceMapper.h"
 #include "vtkNew.h"
@@ -21,17 +21,17 @@ class vtkCamera;
 class vtkVolumeMapper;
 
 /**
- * The ways to draw a volume that the suite `shadows` measures.
+ * Methods of rendering a volume in the suite `shadows`.
  */
 namespace shadows
 {
-/// vtkGPUVolumeRayCastMapper without shadows, and with its volumetric shadows.
-extern const char* const GpuPeer;
-extern const char* const GpuShadowsPeer;
+/// Baselines: vtkGPUVolumeRayCastMapper without and with volumetric shadows.
+extern const char* const GpuBaseline;
+extern const char* const GpuShadowsBaseline;
 
 /**
- * A volume on a stage that it shares with others, one of which is seen at a time: nothing is made
- * again when methods take turns, and none compiles what another has compiled.
+ * A volume in a window shared by several methods, of which one is visible at a time. Alternating
+ * methods therefore rebuild nothing and share compiled shaders.
  */
 class Method
 {
@@ -43,13 +43,13 @@ public:
   Method(const Method&) = delete;
   Method& operator=(const Method&) = delete;
 
-  /// One frame from where the camera has moved on by half a degree, until it is done, with so many
-  /// threads of vtkSMPTools. The method must outlive the work.
+  /// Returns work that renders one frame, until it is complete, with \a threads threads of
+  /// vtkSMPTools. The camera rotates by half a degree per frame. The method must outlive the work.
   BenchWork GetFrame(int threads);
-  /// The picture from the camera's first position, in floating point.
-  reference::RgbaPicture Capture();
+  /// Returns the image at the initial camera position, in floating point.
+  reference::RgbaImage Capture();
 
-  /// Null for a mapper of VTK.
+  /// Returns null for mappers of VTK.
   vtkShadowedSliceMapper* GetSlices();
 
 private:
@@ -64,21 +64,21 @@ private:
 
 using MethodPointer = std::unique_ptr<Method>;
 
-/// vtkShadowedSliceMapper, each picture at full quality; \a set changes what is not default.
+/// Creates vtkShadowedSliceMapper at full quality. \a set changes default settings.
 MethodPointer MakeSlices(reference::VolumeStage& stage, const reference::ShadowScene& scene,
   const std::function<void(vtkShadowedSliceMapper*)>& set = nullptr);
 
 /**
- * vtkGPUVolumeRayCastMapper, a ray for each pixel, with samples so far apart in voxels. With
- * shadows as CastGpuShadows sets them: they need Shade, which is switched on. Null where this VTK
- * has none.
+ * Create vtkGPUVolumeRayCastMapper with one ray per pixel and the given sample distance in voxels.
+ * MakeShadowRays() adds shadows by CastGpuShadows() and turns Shade on, which they require. It
+ * returns null if this VTK has no volumetric shadows.
  */
 MethodPointer MakeRays(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance);
 MethodPointer MakeShadowRays(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance);
 
-/// A method at one of its settings, and what was measured.
+/// A method with one setting, and its measured time and error.
 struct Setting
 {
   std::string Name;
@@ -88,10 +88,10 @@ struct Setting
   double Error = 0.0;
 };
 
-/// Times a frame of each, in turn.
+/// Times frames of all settings alternately.
 void MeasureFrames(std::vector<Setting>& settings, int threads, int repeats);
 
-/// Adds counts of the mapper's last picture: slices, passes, lights and their buffers, bytes.
+/// Adds counts of the mapper's last frame: slices, passes, lights, light buffers, bytes.
 void AddReport(vtkInterlumeReport* report, BenchRow& row);
 }
 

@@ -36,7 +36,7 @@ struct Node
   double Opacity;
 };
 
-/// Opacities are for one unit of length.
+/// Opacities refer to the distance \a unit.
 vtkSmartPointer<vtkVolumeProperty> MakeProperty(const std::vector<Node>& nodes, double unit)
 {
   vtkNew<vtkColorTransferFunction> color;
@@ -59,7 +59,8 @@ vtkSmartPointer<vtkVolumeProperty> MakeProperty(const std::vector<Node>& nodes, 
   return property;
 }
 
-/// In perspective; a cube of that edge in the middle of the image fills most of the picture.
+/// Returns a perspective camera. A cube with edge length \a edge in the center of the image nearly
+/// fills the view.
 vtkSmartPointer<vtkCamera> MakeCamera(
   vtkImageData* image, const Double3& direction, const Double3& viewUp, double edge)
 {
@@ -92,7 +93,7 @@ reference::ShadowScene MakeScene(
   return scene;
 }
 
-/// A model on points^3 points of the cube from -half to half.
+/// Samples a model on points^3 points of the cube from -half to half.
 vtkSmartPointer<vtkImageData> Sample(vtkSpatialObject* model, int points, double half)
 {
   vtkNew<vtkConstructiveVolume> volume;
@@ -104,21 +105,22 @@ vtkSmartPointer<vtkImageData> Sample(vtkSpatialObject* model, int points, double
   return volume->GetOutput();
 }
 
-/// Directional; its direction in parts of the viewer's own, to the right and up.
+/// Returns a directional light. Its direction is given relative to the camera: forward, right and
+/// up.
 vtkSmartPointer<vtkLight> MakeLight(
   const reference::ShadowScene& scene, double forward, double right, double up, double intensity)
 {
   Double3 view;
   Double3 above;
-  Double3 aside;
+  Double3 rightward;
   scene.Camera->GetDirectionOfProjection(view.data());
-  vtkMath::Cross(view.data(), scene.Camera->GetViewUp(), aside.data());
-  vtkMath::Normalize(aside.data());
-  vtkMath::Cross(aside.data(), view.data(), above.data());
+  vtkMath::Cross(view.data(), scene.Camera->GetViewUp(), rightward.data());
+  vtkMath::Normalize(rightward.data());
+  vtkMath::Cross(rightward.data(), view.data(), above.data());
   Double3 position;
   for (int k = 0; k < 3; ++k)
   {
-    position[k] = -(forward * view[k] + right * aside[k] + up * above[k]);
+    position[k] = -(forward * view[k] + right * rightward[k] + up * above[k]);
   }
   auto light = vtkSmartPointer<vtkLight>::New();
   light->SetLightTypeToSceneLight();
@@ -132,16 +134,16 @@ vtkSmartPointer<vtkLight> MakeLight(
 
 Case MakeBonsai(int stepXY, int stepZ)
 {
-  auto whole = interlume::ReadData("bonsai.vti");
-  vtkNew<vtkExtractVOI> thin;
-  thin->SetInputData(whole);
-  thin->SetVOI(vtkImageData::SafeDownCast(whole)->GetExtent());
-  thin->SetSampleRate(stepXY, stepXY, stepZ);
-  thin->Update();
-  vtkImageData* image = thin->GetOutput();
+  auto full = interlume::ReadData("bonsai.vti");
+  vtkNew<vtkExtractVOI> subsample;
+  subsample->SetInputData(full);
+  subsample->SetVOI(vtkImageData::SafeDownCast(full)->GetExtent());
+  subsample->SetSampleRate(stepXY, stepXY, stepZ);
+  subsample->Update();
+  vtkImageData* image = subsample->GetOutput();
   if (image->GetNumberOfPoints() == 0)
   {
-    throw std::runtime_error("bonsai.vti holds no points");
+    throw std::runtime_error("The file bonsai.vti contains no points");
   }
   const int* size = image->GetDimensions();
   Case made;
@@ -207,24 +209,24 @@ Case MakeBox(int points)
   image->SetOrigin(-1.0, -1.0, -1.0);
   image->AllocateScalars(VTK_FLOAT, 1);
   auto* values = static_cast<float*>(image->GetScalarPointer());
-  // How far a place is inside a box, by a ramp of two voxels.
-  const auto isInside = [&](const double place[3], const Double3& center, const Double3& half)
+  // Returns the occupancy of a box at a point, 0 to 1, with a linear ramp of two voxels.
+  const auto occupancy = [&](const double x[3], const Double3& center, const Double3& half)
   {
-    double share = 1.0;
+    double value = 1.0;
     for (int k = 0; k < 3; ++k)
     {
-      const double depth = (half[k] - std::abs(place[k] - center[k])) / (2.0 * spacing) + 0.5;
-      share = std::min(share, std::max(depth, 0.0));
+      const double depth = (half[k] - std::abs(x[k] - center[k])) / (2.0 * spacing) + 0.5;
+      value = std::min(value, std::max(depth, 0.0));
     }
-    return share;
+    return value;
   };
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
-    double place[3];
-    image->GetPoint(i, place);
+    double x[3];
+    image->GetPoint(i, x);
     values[i] = static_cast<float>(
-      std::max(2.0 * isInside(place, { { 0.1, 0.0, 0.5 } }, { { 0.3, 0.25, 0.15 } }),
-        isInside(place, { { 0.0, 0.0, -0.45 } }, { { 0.9, 0.9, 0.4 } })));
+      std::max(2.0 * occupancy(x, { { 0.1, 0.0, 0.5 } }, { { 0.3, 0.25, 0.15 } }),
+        occupancy(x, { { 0.0, 0.0, -0.45 } }, { { 0.9, 0.9, 0.4 } })));
   }
   const Double3 glass{ { 0.75, 0.8, 0.85 } };
   const Double3 blue{ { 0.25, 0.35, 0.8 } };

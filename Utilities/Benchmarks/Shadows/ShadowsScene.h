@@ -2,71 +2,71 @@
 #ifndef ShadowsScene_h
 #define ShadowsScene_h
 
-#include "Support/Pictures/ShadowScene.h"
+#include "Support/Images/ShadowScene.h"
 
 #include <string>
 #include <vector>
 
 /**
- * What the suite `shadows` draws.
+ * Scenes of the suite `shadows`.
  */
 namespace shadows
 {
 struct Case
 {
   std::string Name;
-  /// With the light of MakeLights(1) and a picture of 512^2.
+  /// The scene with the light of MakeLights(1), rendered with 512^2 pixels.
   reference::ShadowScene Scene;
 };
 
-/// The cases with pictures of so many pixels along both edges.
+/// Returns the cases, rendered with \a pixels pixels along both edges.
 std::vector<Case> WithPixels(std::vector<Case> cases, int pixels);
 
 /**
- * bonsai.vti, a CT set of 256^3 bytes, thinned to every so many samples along x and y, and along z.
- * Opacity rises as for a surface from nothing to 0.9 a voxel within 30 of 255 values. Shade is on.
- * `bonsai-<x>x<y>x<z>`. Throws std::runtime_error where the file cannot be read.
+ * Returns the case `bonsai-<x>x<y>x<z>`: bonsai.vti, a CT scan of 256^3 bytes, subsampled by \a
+ * stepXY along x and y and by \a stepZ along z. Opacity rises steeply, from 0 to 0.9 per voxel
+ * within 30 of 255 values. Shade is on. Throws std::runtime_error if the file cannot be read.
  */
 Case MakeBonsai(int stepXY, int stepZ);
 
 /**
- * The sphere of equation 2.7 of C. Zhang (dissertation, Ohio State 2006) on points^3 points of a
- * cube: haze, of optical depth 6 through the middle if it were homogeneous. Shade is on.
- * `sphere-<points>`.
+ * Returns the case `sphere-<points>`: the sphere of equation 2.7 of C. Zhang (dissertation, Ohio
+ * State 2006) on points^3 points of a cube. It is a haze whose optical depth through the center
+ * would be 6 if it were homogeneous. Shade is on.
  */
 Case MakeSphere(int points);
 
 /**
- * Seven tori of vtkConstructiveModelSource on points^3 points of a cube, nearly opaque. Shade is
- * on. `rings-<points>`.
+ * Returns the case `rings-<points>`: seven nearly opaque tori of vtkConstructiveModelSource on
+ * points^3 points of a cube. Shade is on.
  */
 Case MakeRings(int points);
 
 /**
- * A round blob of thin smoke with holes, the displaced sphere of figure 2.12, on points^3 points.
- * `smoke-<points>`.
+ * Returns the case `smoke-<points>`: a sphere of thin smoke with holes, the displaced sphere of
+ * figure 2.12 of the dissertation, on points^3 points.
  */
 Case MakeSmoke(int points);
 
 /**
- * A nearly opaque box before a slab that lets light through, on points^3 points of a cube.
- * `box-<points>`.
+ * Returns the case `box-<points>`: a nearly opaque box in front of a translucent slab, on points^3
+ * points of a cube.
  */
 Case MakeBox(int points);
 
 /**
- * The same matter, each part of which scatters light evenly: C = c kd I T, without ambient light.
- * vtkShadowedSliceMapper draws it so with Shade off, vtkGPUVolumeRayCastMapper's volumetric shadows
- * with Shade on.
+ * Returns the case \a from with isotropic single scattering: C = c kd I T, without ambient light.
+ * vtkShadowedSliceMapper renders it with Shade off, the volumetric shadows of
+ * vtkGPUVolumeRayCastMapper with Shade on.
  */
 Case MakeScattering(const Case& from);
 
 using Lights = std::vector<vtkSmartPointer<vtkLight>>;
 
-/// White directional lights on the viewer's side, 1 to 8, together of intensity 1.
+/// Returns 1 to 8 white directional lights on the viewer's side, with a total intensity of 1.
 Lights MakeLights(const reference::ShadowScene& scene, int number);
-/// A round vtkAreaLight in the direction of MakeLights(1), one and a half diagonals of the image
-/// from its middle, of so many diagonals; positional.
+/// Returns a round, positional vtkAreaLight in the direction of MakeLights(1), at a distance of 1.5
+/// diagonals of the volume from its center. \a size is the light's diameter in diagonals.
 Lights MakeAreaLights(const reference::ShadowScene& scene, double size);
 }
 

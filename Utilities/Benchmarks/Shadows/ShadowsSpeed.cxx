@@ -41,7 +41,7 @@ std::vector<Case> MakeCases(const BenchOptions& options)
   return WithPixels(std::move(cases), options.Pick(512, 192, 32));
 }
 
-/// Methods by their names and numbers of lights.
+/// Settings that run alternately, identified by name and number of lights.
 using Turns = std::vector<Setting>;
 
 reference::ShadowScene WithLights(
@@ -77,8 +77,8 @@ Turns MakeTurns(reference::VolumeStage& stage, const reference::ShadowScene& sce
   }
   add(NoLights, 0, MakeSlices(stage, WithLights(scene, {}, true, false)));
   add(Unlit, 1, MakeSlices(stage, WithLights(scene, scene.Lights, false, false)));
-  add(GpuPeer, 1, MakeRays(stage, scene, 1.0));
-  add(GpuShadowsPeer, 1, MakeShadowRays(stage, scene, 1.0));
+  add(GpuBaseline, 1, MakeRays(stage, scene, 1.0));
+  add(GpuShadowsBaseline, 1, MakeShadowRays(stage, scene, 1.0));
   return turns;
 }
 
@@ -89,7 +89,7 @@ const Setting* Find(const Turns& turns, const std::string& name, int number)
   return found == turns.end() ? nullptr : &*found;
 }
 
-/// What the rows of one case have in common.
+/// Creates the rows of one case.
 struct RowMaker
 {
   const Case& What;
@@ -97,18 +97,18 @@ struct RowMaker
   const std::string& Device;
   BenchRows& Rows;
 
-  void Add(const Setting& turn, const Setting* peer) const
+  void Add(const Setting& turn, const Setting* baseline) const
   {
-    if (!peer)
+    if (!baseline)
     {
       return;
     }
     BenchRow row = this->Rows.Make(this->What.Name, turn.Name, static_cast<int>(turn.Parameter));
-    row.SetTimes(turn.Seconds, peer->Name, peer->Seconds);
+    row.SetTimes(turn.Seconds, baseline->Name, baseline->Seconds);
     AddReport(turn.Drawn->GetSlices()->GetReport(), row);
-    if (row.Peer == Off)
+    if (row.Baseline == Off)
     {
-      row.Set({ { "over_off", turn.Seconds / peer->Seconds },
+      row.Set({ { "over_off", turn.Seconds / baseline->Seconds },
         { "over_one_light", turn.Seconds / Find(this->All, On, 1)->Seconds } });
     }
     row.Set({ { "voxels", this->What.Scene.Image->GetNumberOfPoints() },
@@ -133,8 +133,8 @@ void AddRows(
     }
   }
   maker.Add(*Find(turns, Unlit, 1), Find(turns, NoLights, 0));
-  maker.Add(*Find(turns, Off, 1), Find(turns, GpuPeer, 1));
-  maker.Add(*Find(turns, On, 1), Find(turns, GpuShadowsPeer, 1));
+  maker.Add(*Find(turns, Off, 1), Find(turns, GpuBaseline, 1));
+  maker.Add(*Find(turns, On, 1), Find(turns, GpuShadowsBaseline, 1));
 }
 
 bool IsOfBonsai(const BenchRow& row)
@@ -142,21 +142,22 @@ bool IsOfBonsai(const BenchRow& row)
   return row.Case.compare(0, 6, "bonsai") == 0;
 }
 
-/// The time of the rows of these lights of the bonsai scene, over that without shadows.
+/// Returns a function for claims: the time of the bonsai rows with \a lights shadowed lights,
+/// divided by the time without shadows.
 std::function<std::optional<double>(const BenchRow&)> OverOff(int lights)
 {
   return [lights](const BenchRow& row) -> std::optional<double>
   {
     const bool concerned =
-      row.Method == On && row.Peer == Off && row.Parameter == lights && IsOfBonsai(row);
+      row.Method == On && row.Baseline == Off && row.Parameter == lights && IsOfBonsai(row);
     return concerned ? std::optional<double>(row.Counts["over_off"].get<double>()) : std::nullopt;
   };
 }
 
-/// 1 and the share of the time of one light that each further one adds.
+/// Returns 1 plus the time that each further light adds, as a fraction of the time of one light.
 std::optional<double> OverFurtherLight(const BenchRow& row)
 {
-  if (row.Method != On || row.Peer != Off || !IsOfBonsai(row) || row.Parameter == 1)
+  if (row.Method != On || row.Baseline != Off || !IsOfBonsai(row) || row.Parameter == 1)
   {
     return std::nullopt;
   }
@@ -165,12 +166,12 @@ std::optional<double> OverFurtherLight(const BenchRow& row)
 }
 
 /**
- * One frame of each case. The parameter is the number of lights. Methods:
- * - `shadows` against the peer `shadows-off`, the same lights without shadows; over_off is the time
- *   over that of the peer, over_one_light that over the time with one light;
- * - `shadows` of one light against `gpu-shadows`, and `shadows-off` against `gpu`;
- * - `unlit`, a light that neither shades nor casts shadows, against `no-lights`, the same volume in
- *   a scene without lights.
+ * Measures one frame of each case. The parameter is the number of lights. Methods:
+ * - `shadows`: the baseline `shadows-off` has the same lights without shadows; over_off is the time
+ *   divided by the baseline's time, over_one_light the time divided by the time of one light;
+ * - `shadows` with one light: the baseline is `gpu-shadows`; `shadows-off`: the baseline is `gpu`;
+ * - `unlit`: a light that neither shades nor casts shadows; the baseline `no-lights` is the same
+ *   volume in a scene without lights.
  */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -186,7 +187,7 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
 {
   const auto overNoLights = [](const BenchRow& row) -> std::optional<double>
   {
-    return row.Method == Unlit ? std::optional<double>(*row.Seconds / *row.PeerSeconds)
+    return row.Method == Unlit ? std::optional<double>(*row.Seconds / *row.BaselineSeconds)
                                : std::nullopt;
   };
   return {

@@ -23,12 +23,12 @@ const char* const BufferSuffix = ", buffer";
 const char* const Hard = "hard";
 const char* const Default = "default";
 const char* const EqualTime = "equal-time";
-/// The light's size in diagonals of the image.
+/// Diameter of the light in diagonals of the volume.
 constexpr double LightSize = 1.0;
 constexpr int Repeats = 3;
-/// The most lights of samples in a picture: shaders have a copy of the light's code for each, and
-/// software OpenGL compiles those of hundreds for minutes.
-constexpr std::size_t Together = 16;
+/// Maximum number of sample lights per rendered image. Shaders contain a copy of the light code for
+/// each light, and software OpenGL takes minutes to compile hundreds of copies.
+constexpr std::size_t MaximumLightsPerImage = 16;
 
 using Change = std::function<void(vtkShadowedSliceMapper*)>;
 
@@ -74,7 +74,7 @@ Change WithSpacing(int method, double spacing)
   };
 }
 
-/// \a spacing is the slice spacing of the default.
+/// \a spacing is the default slice spacing.
 std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   const reference::ShadowScene& scene, double spacing, const BenchOptions& options)
 {
@@ -108,8 +108,8 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   return settings;
 }
 
-/// Returns lights without extent in the places of the light's samples, in groups whose pictures'
-/// mean is that of all of them.
+/// Returns point lights at the positions of the light's samples, in groups. The mean of the images
+/// of all groups is the image with all lights.
 std::vector<std::vector<vtkSmartPointer<vtkLight>>> MakeSampleLights(vtkLight* light, int count)
 {
   auto* area = vtkAreaLight::SafeDownCast(light);
@@ -124,7 +124,7 @@ std::vector<std::vector<vtkSmartPointer<vtkLight>>> MakeSampleLights(vtkLight* l
     one->SetFocalPoint(sample.Position[0] + focus[0] - position[0],
       sample.Position[1] + focus[1] - position[1], sample.Position[2] + focus[2] - position[2]);
     one->SetIntensity(light->GetIntensity() * sample.Weight[0]);
-    if (groups.empty() || groups.back().size() == Together)
+    if (groups.empty() || groups.back().size() == MaximumLightsPerImage)
     {
       groups.emplace_back();
     }
@@ -140,9 +140,8 @@ std::vector<std::vector<vtkSmartPointer<vtkLight>>> MakeSampleLights(vtkLight* l
   return groups;
 }
 
-/// The picture that all others are compared with.
-reference::RgbaPicture MakeLimit(reference::VolumeStage& stage, const reference::ShadowScene& scene,
-  double spacing, const BenchOptions& options)
+reference::RgbaImage MakeReference(reference::VolumeStage& stage,
+  const reference::ShadowScene& scene, double spacing, const BenchOptions& options)
 {
   const Change change = [&](vtkShadowedSliceMapper* mapper)
   {
@@ -150,15 +149,15 @@ reference::RgbaPicture MakeLimit(reference::VolumeStage& stage, const reference:
     mapper->SetLightBufferSize(options.Pick(256, 128, 64));
   };
   const auto groups = MakeSampleLights(scene.Lights.front().Get(), options.Pick(256, 32, 16));
-  reference::RgbaPicture mean(scene.Size[0], scene.Size[1]);
+  reference::RgbaImage mean(scene.Size[0], scene.Size[1]);
   for (const auto& group : groups)
   {
     reference::ShadowScene lit = scene;
     lit.Lights = group;
-    const reference::RgbaPicture picture = MakeSlices(stage, lit, change)->Capture();
+    const reference::RgbaImage image = MakeSlices(stage, lit, change)->Capture();
     for (std::size_t i = 0; i < mean.Values.size(); ++i)
     {
-      mean.Values[i] += picture.Values[i] / static_cast<double>(groups.size());
+      mean.Values[i] += image.Values[i] / static_cast<double>(groups.size());
     }
   }
   return mean;
@@ -180,8 +179,8 @@ BenchRow MakeRow(const Setting& setting, const std::string& name, const BenchRow
   return row;
 }
 
-/// The convolution's setting of the smallest error that takes no longer than the default; its
-/// fastest where all do.
+/// Returns the setting of the convolution with the smallest error that takes at most \a seconds. If
+/// all settings take longer, returns the fastest.
 const Setting& FindEqualTime(const std::vector<Setting>& settings, double seconds)
 {
   const Setting* best = nullptr;
@@ -209,50 +208,51 @@ void AddSceneRows(
   const double spacing = plain->GetSlices()->GetReport()->GetNumber("SliceSpacing");
   std::vector<Setting> settings = MakeSettings(stage, what.Scene, spacing, options);
   MeasureFrames(settings, options.Threads, Repeats);
-  const reference::RgbaPicture limit = MakeLimit(stage, what.Scene, spacing, options);
+  const reference::RgbaImage expected = MakeReference(stage, what.Scene, spacing, options);
   for (Setting& setting : settings)
   {
-    setting.Error = reference::ComparePictures(setting.Drawn->Capture(), limit).Mean;
+    setting.Error = reference::CompareImages(setting.Drawn->Capture(), expected).Mean;
   }
-  const Setting& usual = Find(settings, Default);
+  const Setting& byDefault = Find(settings, Default);
   const Setting& hard = Find(settings, Hard);
   for (const Setting& setting : settings)
   {
     BenchRow row = MakeRow(setting, what.Name, rows);
-    if (&setting == &usual)
+    if (&setting == &byDefault)
     {
-      row.Peer = Hard;
-      row.PeerSeconds = hard.Seconds;
-      row.Counts["over_hard"] = usual.Seconds.Processor / hard.Seconds.Processor;
+      row.Baseline = Hard;
+      row.BaselineSeconds = hard.Seconds;
+      row.Counts["over_hard"] = byDefault.Seconds.Processor / hard.Seconds.Processor;
     }
     rows.Add(row);
   }
-  const Setting& rival = FindEqualTime(settings, usual.Seconds.Processor);
-  BenchRow row = MakeRow(usual, what.Name, rows);
+  const Setting& rival = FindEqualTime(settings, byDefault.Seconds.Processor);
+  BenchRow row = MakeRow(byDefault, what.Name, rows);
   row.Method = EqualTime;
-  row.Peer = Convolution;
-  row.PeerSeconds = rival.Seconds;
+  row.Baseline = Convolution;
+  row.BaselineSeconds = rival.Seconds;
   row.Counts["convolution_over_default"] =
-    usual.Error > 0.0 ? rival.Error / usual.Error : rival.Error;
+    byDefault.Error > 0.0 ? rival.Error / byDefault.Error : rival.Error;
   rows.Add(row);
 }
 
 /**
- * Pictures of one round area light, scattered evenly, against the same mapper's with each of 256
- * samples of the light as a light of its own (32 when quick), sixteen in a picture, slices at half
- * the default distance and a light buffer of 256^2 (128^2). processor_seconds are those of all
- * threads. Methods:
- * - `sample-layers`: the parameter is the number of samples; `sample-layers, buffer`: the size of
- *   the light's buffer, with the default number;
- * - `accumulated-convolution`: the parameter is the distance of slices over the default one;
- *   `accumulated-convolution, buffer`: the size of the light's buffer;
- * - `hard`: the light without its extent;
- * - `default`: all settings as they are; the peer is `hard`, and over_hard its processor time over
- *   that.
+ * Measures errors of images with a round area light in an isotropically scattering medium. The
+ * reference is rendered by the same mapper with a point light for each of 256 light samples (32 in
+ * quick runs), sixteen per image. It has half the default slice spacing and a light buffer of 256^2
+ * (128^2) texels. processor_seconds is the processor time of all threads. Methods:
+ * - `sample-layers`: the parameter is the number of light samples; `sample-layers, buffer`: the
+ *   size of the light buffer, with the default number of samples;
+ * - `accumulated-convolution`: the parameter is the slice spacing relative to the default;
+ *   `accumulated-convolution, buffer`: the size of the light buffer;
+ * - `hard`: the same light with size 0;
+ * - `default`: all settings have their defaults; the baseline is `hard`, and over_hard is the ratio
+ *   of processor times.
  *
- * Rows of method `equal-time`: the error of the default, and as peer the convolution's time at its
- * smallest error within the default's processor time, or of its fastest setting where that takes
- * longer; convolution_over_default is that error over the default's.
+ * Rows of method `equal-time` have the error of the default settings. Their baseline is the
+ * convolution at its smallest error in at most the default's processor time, or at its fastest
+ * setting if all settings take longer. convolution_over_default is its error divided by the
+ * default's error.
  */
 void AddSoftShadowRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -285,8 +285,8 @@ std::vector<BenchPlot> MakeSoftShadowPlots(const std::vector<BenchRow>& rows)
       BenchPlot::OfErrors("soft-shadows-" + row.Case.substr(0, row.Case.find('-')),
         row.Case + ": error against run time, one area light", "time of a frame (s)",
         std::string("error: ") + Norm, "Which method for soft shadows (" + row.Case + ")?",
-        "Samples of the emitter, distances of slices over the default one, columns of the light's "
-        "buffer; against the mean picture of many small lights."));
+        "Labels are light samples, slice spacings relative to the default, or columns of the light "
+        "buffer. The reference is the mean image of many point lights."));
     plot.AddRow(row, row.Method.find(Convolution) == 0);
     plot.SetDefault(Default);
   }

@@ -21,13 +21,13 @@ namespace
 const char* const MugFile = "mug.ex2";
 
 template <typename Source>
-vtkSmartPointer<KeptTimeSteps> KeepSteps(Source* source, int steps)
+vtkSmartPointer<StoredTimeSteps> StoreTimeSteps(Source* source, int steps)
 {
   source->SetNumberOfTimeSteps(steps);
   source->SetTimeRange(0.0, steps - 1.0);
-  auto kept = vtkSmartPointer<KeptTimeSteps>::New();
-  kept->AddStepsOf(source);
-  return kept;
+  auto stored = vtkSmartPointer<StoredTimeSteps>::New();
+  stored->AddStepsOf(source);
+  return stored;
 }
 
 Case MakeVortex(int steps, int points)
@@ -35,7 +35,8 @@ Case MakeVortex(int steps, int points)
   vtkNew<vtkAnalyticFieldSource> source;
   source->SetFieldToVortex();
   source->SetDimensions(points, points, points);
-  Case made{ "vortex-" + std::to_string(steps), KeepSteps(source.Get(), steps), 0.6, 0.85, {} };
+  Case made{ "vortex-" + std::to_string(steps), StoreTimeSteps(source.Get(), steps), 0.6, 0.85,
+    {} };
   if (points == 128)
   {
     made.Stated = steps == 2 ? StatedCounts{ 319304, 882044 } : StatedCounts{ 654846, 1807460 };
@@ -49,7 +50,7 @@ Case MakeWave(int points)
   source->SetFieldToWave();
   source->SetBounds(-2.0, 2.0, -1.0, 1.0, -1.0, 1.0);
   source->SetDimensions(2 * points, points, points);
-  Case made{ "wave-2", KeepSteps(source.Get(), 2), 0.77, 0.97, {} };
+  Case made{ "wave-2", StoreTimeSteps(source.Get(), 2), 0.77, 0.97, {} };
   if (points == 20)
   {
     made.Stated = { 82840, 234726 };
@@ -61,7 +62,7 @@ Case MakeCylinder(int points)
 {
   vtkNew<vtkTaperedCylinderSource> source;
   source->SetDimensions(2 * points, 2 * points, points);
-  Case made{ "cylinder-2", KeepSteps(source.Get(), 2), 0.9915, 0.9925, {} };
+  Case made{ "cylinder-2", StoreTimeSteps(source.Get(), 2), 0.9915, 0.9925, {} };
   if (points == 32)
   {
     made.Stated = { 349624, 941098 };
@@ -72,16 +73,17 @@ Case MakeCylinder(int points)
 Case MakeDelta()
 {
   vtkNew<vtkDeltaWingSource> source;
-  return { "delta-2", KeepSteps(source.Get(), 2), 0.38, 0.7, StatedCounts{ 1003290, 2963812 } };
+  return { "delta-2", StoreTimeSteps(source.Get(), 2), 0.38, 0.7,
+    StatedCounts{ 1003290, 2963812 } };
 }
 
 Case ReadMug()
 {
   vtkNew<interlume::ExodusTimeSource> source;
   source->SetFileName(interlume::DataFile(MugFile));
-  vtkNew<KeptTimeSteps> all;
+  vtkNew<StoredTimeSteps> all;
   all->AddStepsOf(source);
-  Case made{ "mug", vtkSmartPointer<KeptTimeSteps>::New(), 0.3, 0.5, {} };
+  Case made{ "mug", vtkSmartPointer<StoredTimeSteps>::New(), 0.3, 0.5, {} };
   for (int step = 0; step < all->GetNumberOfSteps(); ++step)
   {
     made.Steps->AddStep(
@@ -139,6 +141,6 @@ Case MakeCase(const std::string& name, const BenchOptions& options)
   {
     return ReadMug();
   }
-  throw std::runtime_error("no case " + name);
+  throw std::runtime_error("The suite interval4d has no case " + name);
 }
 }

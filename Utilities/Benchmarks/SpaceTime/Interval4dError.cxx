@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Benchmarks/Suites/BenchParts.h"
 
-#include "Benchmarks/Data/KeptTimeSteps.h"
+#include "Benchmarks/Data/StoredTimeSteps.h"
 #include "Benchmarks/Data/MovingFields.h"
 #include "Benchmarks/Intervals/ExtractionMethods.h"
 #include "Benchmarks/Measures/BenchTiming.h"
@@ -36,17 +36,17 @@ const char* const Sampled = "sampled";
 
 using Region = vtkSmartPointer<vtkUnstructuredGrid>;
 
-/// A field at evenly spaced times, and at the times midway.
-struct Film
+/// A field at equidistant times, and at the midpoints between them.
+struct FieldSeries
 {
   MovingField Field;
-  vtkSmartPointer<KeptTimeSteps> Steps;
-  vtkSmartPointer<KeptTimeSteps> Middles;
+  vtkSmartPointer<StoredTimeSteps> Steps;
+  vtkSmartPointer<StoredTimeSteps> Midpoints;
 
-  Film(const MovingField& field, int slabs)
+  FieldSeries(const MovingField& field, int slabs)
     : Field(field)
-    , Steps(vtkSmartPointer<KeptTimeSteps>::New())
-    , Middles(vtkSmartPointer<KeptTimeSteps>::New())
+    , Steps(vtkSmartPointer<StoredTimeSteps>::New())
+    , Midpoints(vtkSmartPointer<StoredTimeSteps>::New())
   {
     const double half = (MovingField::LastTime - MovingField::FirstTime) / (2 * slabs);
     field.Source->SetTimeRange(MovingField::FirstTime, MovingField::LastTime);
@@ -54,10 +54,10 @@ struct Film
     this->Steps->AddStepsOf(field.Source);
     field.Source->SetTimeRange(MovingField::FirstTime + half, MovingField::LastTime - half);
     field.Source->SetNumberOfTimeSteps(slabs);
-    this->Middles->AddStepsOf(field.Source);
+    this->Midpoints->AddStepsOf(field.Source);
   }
 
-  int GetNumberOfSlabs() const { return this->Middles->GetNumberOfSteps(); }
+  int GetNumberOfSlabs() const { return this->Midpoints->GetNumberOfSteps(); }
 };
 
 Region IntervalVolume(const MovingField& field, vtkDataObject* image)
@@ -69,10 +69,10 @@ Region IntervalVolume(const MovingField& field, vtkDataObject* image)
   return filter->GetOutput();
 }
 
-vtkSmartPointer<vtkTimeVaryingIntervalVolume> NewSlab(const Film& film, int slab)
+vtkSmartPointer<vtkTimeVaryingIntervalVolume> NewSlab(const FieldSeries& series, int slab)
 {
   auto filter =
-    Case{ film.Field.Name, film.Steps, film.Field.Lower, film.Field.Upper, {} }.NewFilter();
+    Case{ series.Field.Name, series.Steps, series.Field.Lower, series.Field.Upper, {} }.NewFilter();
   filter->SetTimeStepRange(slab, slab + 1);
   filter->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   filter->GenerateTetrahedraOff();
@@ -89,17 +89,17 @@ Region SliceOf(vtkDataObject* simplices, double time)
   return slice->GetOutput();
 }
 
-Region MakeSlice(const Film& film, int slab)
+Region MakeSlice(const FieldSeries& series, int slab)
 {
-  auto filter = NewSlab(film, slab);
+  auto filter = NewSlab(series, slab);
   filter->Update();
-  return SliceOf(filter->GetOutputDataObject(2), film.Middles->GetTimeOf(slab));
+  return SliceOf(filter->GetOutputDataObject(2), series.Midpoints->GetTimeOf(slab));
 }
 
-Region MakeInterpolated(const Film& film, int slab)
+Region MakeInterpolated(const FieldSeries& series, int slab)
 {
-  auto* first = vtkImageData::SafeDownCast(film.Steps->GetStep(slab));
-  auto* second = vtkImageData::SafeDownCast(film.Steps->GetStep(slab + 1));
+  auto* first = vtkImageData::SafeDownCast(series.Steps->GetStep(slab));
+  auto* second = vtkImageData::SafeDownCast(series.Steps->GetStep(slab + 1));
   vtkNew<vtkImageData> image;
   image->CopyStructure(first);
   auto mean = vtk::TakeSmartPointer(first->GetPointData()->GetScalars()->NewInstance());
@@ -112,36 +112,36 @@ Region MakeInterpolated(const Film& film, int slab)
     values[id] = 0.5 * (values[id] + other[id]);
   }
   image->GetPointData()->SetScalars(mean);
-  return IntervalVolume(film.Field, image);
+  return IntervalVolume(series.Field, image);
 }
 
-Region MakeSampled(const Film& film, int slab)
+Region MakeSampled(const FieldSeries& series, int slab)
 {
-  return IntervalVolume(film.Field, film.Middles->GetStep(slab));
+  return IntervalVolume(series.Field, series.Midpoints->GetStep(slab));
 }
 
 struct Method
 {
   const char* Name;
-  Region (*Make)(const Film& film, int slab);
+  Region (*Make)(const FieldSeries& series, int slab);
 };
 
 constexpr std::size_t NumberOfMethods = 3;
 const Method Methods[NumberOfMethods] = { { Slice, MakeSlice }, { Interpolate, MakeInterpolated },
   { Sampled, MakeSampled } };
 
-std::vector<BenchSeconds> TimeMethods(const Film& film, const BenchOptions& options)
+std::vector<BenchSeconds> TimeMethods(const FieldSeries& series, const BenchOptions& options)
 {
   std::vector<BenchWork> works;
   for (const Method& method : Methods)
   {
     works.push_back(WithThreads(1,
-      [&film, &method]()
+      [&series, &method]()
       {
         vtkSmartPointer<vtkObjectBase> last;
-        for (int slab = 0; slab < film.GetNumberOfSlabs(); ++slab)
+        for (int slab = 0; slab < series.GetNumberOfSlabs(); ++slab)
         {
-          last = method.Make(film, slab);
+          last = method.Make(series, slab);
         }
         return last;
       }));
@@ -149,18 +149,19 @@ std::vector<BenchSeconds> TimeMethods(const Film& film, const BenchOptions& opti
   return MeasureAlternately(works, options.GetRepeats());
 }
 
-/// The mean error of a method over a film, and how many tetrahedra it made.
-struct FilmError : RegionError
+/// The mean error of a method over all slabs, and the number of tetrahedra.
+struct MeanError : RegionError
 {
   vtkIdType Tetrahedra = 0;
 
-  FilmError(const Film& film, const Method& method)
+  MeanError(const FieldSeries& series, const Method& method)
   {
-    const int slabs = film.GetNumberOfSlabs();
+    const int slabs = series.GetNumberOfSlabs();
     for (int slab = 0; slab < slabs; ++slab)
     {
-      const Region region = method.Make(film, slab);
-      const RegionError error = MeasureRegion(film.Field, film.Middles->GetTimeOf(slab), region);
+      const Region region = method.Make(series, slab);
+      const RegionError error =
+        MeasureRegion(series.Field, series.Midpoints->GetTimeOf(slab), region);
       this->SymmetricDifference += error.SymmetricDifference / slabs;
       this->Volume += error.Volume / slabs;
       this->Tetrahedra += region->GetNumberOfCells();
@@ -168,20 +169,20 @@ struct FilmError : RegionError
   }
 };
 
-void AddFilmRows(const Film& film, const Method& method, const BenchSeconds& seconds,
-  const BenchSeconds& peerSeconds, std::vector<BenchRow>& found, const BenchRows& rows)
+void AddMethodRows(const FieldSeries& series, const Method& method, const BenchSeconds& seconds,
+  const BenchSeconds& baselineSeconds, std::vector<BenchRow>& found, const BenchRows& rows)
 {
-  const FilmError error(film, method);
-  BenchRow row =
-    rows.Make(film.Field.Name, method.Name, film.Steps->GetTimeOf(1) - film.Steps->GetTimeOf(0));
+  const MeanError error(series, method);
+  BenchRow row = rows.Make(
+    series.Field.Name, method.Name, series.Steps->GetTimeOf(1) - series.Steps->GetTimeOf(0));
   row.Seconds = seconds;
   if (row.Method == Slice)
   {
-    row.Peer = Interpolate;
-    row.PeerSeconds = peerSeconds;
+    row.Baseline = Interpolate;
+    row.BaselineSeconds = baselineSeconds;
   }
-  row.Set({ { "threads", 1 }, { "slabs", film.GetNumberOfSlabs() },
-    { "cells", film.Steps->GetStep(0)->GetNumberOfElements(vtkDataObject::CELL) },
+  row.Set({ { "threads", 1 }, { "slabs", series.GetNumberOfSlabs() },
+    { "cells", series.Steps->GetStep(0)->GetNumberOfElements(vtkDataObject::CELL) },
     { "tetrahedra", error.Tetrahedra } });
   row.SetError(DifferenceNorm, error.SymmetricDifference);
   found.push_back(row);
@@ -189,18 +190,18 @@ void AddFilmRows(const Film& film, const Method& method, const BenchSeconds& sec
   found.push_back(row);
 }
 
-/// The rows of a field, method by method.
+/// Adds the rows of a field, grouped by method.
 void AddFieldRows(const MovingField& field, const std::vector<int>& numbersOfSlabs,
   const BenchOptions& options, BenchRows& rows)
 {
   std::array<std::vector<BenchRow>, NumberOfMethods> found;
   for (const int slabs : numbersOfSlabs)
   {
-    const Film film(field, slabs);
-    const std::vector<BenchSeconds> seconds = TimeMethods(film, options);
+    const FieldSeries series(field, slabs);
+    const std::vector<BenchSeconds> seconds = TimeMethods(series, options);
     for (std::size_t i = 0; i < NumberOfMethods; ++i)
     {
-      AddFilmRows(film, Methods[i], seconds[i], seconds[1], found[i], rows);
+      AddMethodRows(series, Methods[i], seconds[i], seconds[1], found[i], rows);
     }
   }
   for (const std::vector<BenchRow>& ofOne : found)
@@ -212,17 +213,17 @@ void AddFieldRows(const MovingField& field, const std::vector<int>& numbersOfSla
   }
 }
 
-void AddSliceAgainRow(const Film& film, const BenchOptions& options, BenchRows& rows)
+void AddSliceAgainRow(const FieldSeries& series, const BenchOptions& options, BenchRows& rows)
 {
-  auto filter = NewSlab(film, 0);
+  auto filter = NewSlab(series, 0);
   filter->Update();
   const auto simplices = vtkSmartPointer<vtkDataObject>(filter->GetOutputDataObject(2));
-  const double time = film.Middles->GetTimeOf(0);
+  const double time = series.Midpoints->GetTimeOf(0);
   const std::vector<BenchSeconds> seconds =
     MeasureAlternately({ WithThreads(1, [&]() { return SliceOf(simplices, time); }),
-                         WithThreads(1, [&]() { return MakeInterpolated(film, 0); }) },
+                         WithThreads(1, [&]() { return MakeInterpolated(series, 0); }) },
       options.GetRepeats());
-  BenchRow row = rows.Make(film.Field.Name, SliceAgain);
+  BenchRow row = rows.Make(series.Field.Name, SliceAgain);
   row.SetTimes(seconds[0], Interpolate, seconds[1]);
   row.Set(
     { { "threads", 1 }, { "4_simplices", simplices->GetNumberOfElements(vtkDataObject::CELL) } });
@@ -231,12 +232,14 @@ void AddSliceAgainRow(const Film& film, const BenchOptions& options, BenchRows& 
 
 bool IsOf(const BenchRow& row, const std::string& field, const std::string& method)
 {
-  // Rounding alone has no order, and no place on a logarithmic axis.
+  // Errors that are only rounding have no order of convergence and cannot be drawn on a logarithmic
+  // axis.
   return row.Case == field && row.Method == method && row.ErrorNorm == DifferenceNorm &&
     *row.Error > 1e-12;
 }
 
-/// The error of `sampled` in the row like \a row, which no time step can be below.
+/// Returns the error of `sampled` for the same time step. Other methods cannot have a smaller
+/// error.
 double GetFloor(const BenchRow& row, const std::vector<BenchRow>& rows)
 {
   const auto found = std::find_if(rows.begin(), rows.end(),
@@ -266,21 +269,21 @@ void AddOrderRow(const std::string& field, const char* method, BenchRows& rows)
 }
 
 /**
- * The regions midway between every two of evenly spaced time steps, by one thread, warm. The
- * parameter is the time from step to step, which is halved. Methods:
- * - `slice`: vtkTimeVaryingIntervalVolume from step to step, then vtkSimplexTimeSlice;
- * - `interpolate`, the peer: the values of both steps averaged, then vtkIntervalVolume;
- * - `sampled`: the field itself at that time on the same grid, then vtkIntervalVolume (seconds
- *   without the sampling): the error that is left when time adds none.
+ * Measures errors of the regions midway between consecutive equidistant time steps, with one thread
+ * and a filled case table. The parameter is the time step, which is halved. Methods:
+ * - `slice`: vtkTimeVaryingIntervalVolume on each slab, then vtkSimplexTimeSlice;
+ * - `interpolate`, the baseline: the mean of both time steps, then vtkIntervalVolume;
+ * - `sampled`: the field sampled at that time on the same grid, then vtkIntervalVolume (sampling is
+ *   not timed). Its error is the spatial error without any temporal error.
  *
- * One row for each norm, each the mean over the regions:
- * - `symmetric difference, share of the volume`: with the analytic region, to first order: the
- *   distance of the result's surface from the analytic one, integrated over its area;
- * - `volume, relative`: of the volume of the analytic region.
+ * There is one row for each norm, the mean over the regions:
+ * - `symmetric difference, share of the volume`: the volume between the result's surface and the
+ *   analytic surface, to first order: the distance between the surfaces, integrated over the area;
+ * - `volume, relative`: the volume error relative to the analytic region.
  *
- * Rows with `order` in their counts: the exponent of the first norm against the time step, from the
- * errors that are more than four times that of `sampled`. Rows of method `slice-again`: one more
- * slice of 4-simplices that are there, against `interpolate` of one region.
+ * Rows with the count `order` have the exponent of the first norm as a function of the time step,
+ * fitted to errors more than four times the error of `sampled`. Rows of method `slice-again` have
+ * the time of a second slice of the same 4-simplices, compared with `interpolate` for one region.
  */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -291,7 +294,7 @@ void AddErrorRows(const BenchOptions& options, BenchRows& rows)
     AddFieldRows(field, numbersOfSlabs, options, rows);
     AddOrderRow(field.Name, Slice, rows);
     AddOrderRow(field.Name, Interpolate, rows);
-    AddSliceAgainRow(Film(field, numbersOfSlabs.front()), options, rows);
+    AddSliceAgainRow(FieldSeries(field, numbersOfSlabs.front()), options, rows);
   }
 }
 
@@ -315,10 +318,11 @@ std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
     BenchPlot plot = BenchPlot::OfErrors("interval4d-" + field,
       field + ": error against run time as the time step is halved, 1 thread", "run time (s)",
       std::string("error: ") + DifferenceNorm,
-      "Is a slice of 4-simplices worth its time between two steps (" + field + ")?",
-      "The region midway between time steps: slices, interpolated values and, for the error that "
-      "is left and as no choice, since nobody has them, values sampled then; by the time from step "
-      "to step. Ringed: slices at the shortest step.");
+      "Are slices of 4-simplices worth their time between two time steps (" + field + ")?",
+      "The region midway between time steps, by slices of 4-simplices and by interpolated values; "
+      "labels are time steps. Values sampled at that time show the remaining spatial error. They "
+      "are not available in practice and are excluded from the front. Ringed: slices at the "
+      "shortest time step.");
     for (const BenchRow& row : rows)
     {
       for (const Method& method : Methods)

@@ -17,7 +17,7 @@ namespace
 const char* const FreshTask = "fresh";
 const char* const LaterSlabsTask = "later-slabs";
 
-/// What all tables of the process hold.
+/// Size of all case tables of the process.
 struct TableCounts
 {
   std::uint64_t Kinds = 0;
@@ -38,10 +38,11 @@ struct TableCounts
 
 vtkIdType Count(vtkTimeVaryingIntervalVolume* filter, const char* name)
 {
-  return static_cast<vtkIdType>(filter->GetReport()->GetNumber(name));
+  return filter->GetReport()->GetCount(name);
 }
 
-/// The counts of the last execution of \a filter, before which the tables held \a before.
+/// Returns counts of the last execution of \a filter. \a before is the size of the tables before
+/// that execution.
 nlohmann::ordered_json CountLookups(vtkTimeVaryingIntervalVolume* filter, const TableCounts& before)
 {
   const TableCounts after = TableCounts::Get();
@@ -59,7 +60,7 @@ nlohmann::ordered_json CountLookups(vtkTimeVaryingIntervalVolume* filter, const 
 
 nlohmann::ordered_json CountMemory(const Case& what)
 {
-  ForgetPeakMemory();
+  ResetPeakMemory();
   const std::optional<long> before = ResidentKib();
   auto filter = what.NewFilter();
   filter->Update();
@@ -83,7 +84,7 @@ nlohmann::ordered_json CountMemory(const Case& what)
   return json;
 }
 
-/// Everything that is measured in a process that has made no case of a table before.
+/// Measures everything that requires a process with empty case tables.
 nlohmann::ordered_json MeasureFresh(const std::string& theCase, const BenchOptions& options)
 {
   const Case what = MakeCase(theCase, options);
@@ -104,7 +105,7 @@ nlohmann::ordered_json MeasureFresh(const std::string& theCase, const BenchOptio
   return json;
 }
 
-/// The table's counts of all slabs but the first, after the first.
+/// Returns the table counts of all slabs except the first, after processing the first.
 nlohmann::ordered_json MeasureLaterSlabs(const std::string& theCase, const BenchOptions& options)
 {
   const Case what = MakeCase(theCase, options);
@@ -118,16 +119,18 @@ nlohmann::ordered_json MeasureLaterSlabs(const std::string& theCase, const Bench
 }
 
 /**
- * For every case:
- * - method `cold`, by one thread: the first execution in the process against later ones, the peer
- *   `warm`. `hit_share` is the share of lookups that found their case made, `kind_hit_share` that
- * of lookups that found it or one of its kind, so that no convex hull had to be computed;
- * - method `later-slabs`, with three steps and more: the lookups of all slabs but the first, in a
- *   process that has seen the first slab and nothing else;
- * - method `memory`, with the table filled: `steps_kib`, two of the time steps; `output_kib`, the
- *   output's own size; `working_kib`, what the filter reports; `peak_kib`, two steps and by how
- *   much the resident memory of the process grew at most; `peak_share`, that divided by two steps
- *   and the output. The last two are absent where the system cannot tell.
+ * Adds rows for every case:
+ * - method `cold`, with one thread: the first execution in the process; the baseline `warm` is a
+ *   later execution. `hit_share` is the fraction of lookups that found their case. `kind_hit_share`
+ *   is the fraction of lookups that found the case or a symmetric one, so that no convex hull had
+ *   to be computed;
+ * - method `later-slabs`, with three or more time steps: the lookups of all slabs except the first,
+ *   in a process that has processed only the first slab before;
+ * - method `memory`, with filled tables. `steps_kib` is the size of two time steps and `output_kib`
+ *   the size of the output. `working_kib` is reported by the filter. `peak_kib` is two time steps
+ *   plus the largest growth of the resident memory of the process. `peak_share` is `peak_kib`
+ *   divided by the size of two time steps and the output. The last two are absent if the system
+ *   does not report resident memory.
  */
 void AddFreshRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -29,7 +29,7 @@ void AddWarmRows(const Case& what, const BenchOptions& options, BenchRows& rows)
   auto filter = what.NewFilter();
   filter->Update();
   const auto steps = static_cast<int>(filter->GetReport()->GetNumber("TimeSteps"));
-  const auto simplices = static_cast<vtkIdType>(filter->GetReport()->GetNumber("Simplices"));
+  const auto simplices = filter->GetReport()->GetCount("Simplices");
   for (int threads : options.GetThreadCounts())
   {
     BenchRow row = rows.Make(what.Name, "warm", ThreadsParameter(threads));
@@ -51,9 +51,9 @@ void AddWarmRows(const Case& what, const BenchOptions& options, BenchRows& rows)
 }
 
 /**
- * For every case, with the table filled by a run before:
- * - method `warm`, by one thread and by all;
- * - method `threads-2`, two threads against the peer `threads-1`.
+ * Adds rows for every case, with the case table filled by an earlier run:
+ * - method `warm`, with one thread and with all threads;
+ * - method `threads-2`, two threads; the baseline `threads-1` is one thread.
  */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -65,9 +65,9 @@ void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 
 std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
 {
-  const auto warm = [&rows](const char* text, double most, int threads)
+  const auto warm = [&rows](const char* text, double maximum, int threads)
   {
-    return BenchClaim::AtMost(text, most, rows,
+    return BenchClaim::AtMost(text, maximum, rows,
       [threads](const BenchRow& row)
       {
         const bool concerned = row.Method == "warm" && row.Case == ClaimedCase &&

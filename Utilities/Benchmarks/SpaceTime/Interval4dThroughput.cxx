@@ -2,7 +2,7 @@
 #include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Benchmarks/SpaceTime/VortexShares.h"
+#include "Benchmarks/SpaceTime/VortexFractions.h"
 
 #include "vtkTimeVaryingIntervalVolume.h"
 
@@ -12,17 +12,17 @@ namespace interval4d
 {
 namespace
 {
-void AddRow(const Case& what, double share, const BenchOptions& options, BenchRows& rows)
+void AddRow(const Case& what, double fraction, const BenchOptions& options, BenchRows& rows)
 {
   vtkIdType simplices = 0;
   const BenchWork work = [&]()
   {
     auto filter = what.NewFilter();
     filter->Update();
-    simplices = static_cast<vtkIdType>(filter->GetReport()->GetNumber("Simplices"));
+    simplices = filter->GetReport()->GetCount("Simplices");
     return vtkSmartPointer<vtkObjectBase>(filter->GetOutputDataObject(0));
   };
-  BenchRow row = rows.Make(what.Name, "throughput", share);
+  BenchRow row = rows.Make(what.Name, "throughput", fraction);
   row.Seconds = MeasureAlternately({ WithThreads(1, work) }, options.GetRepeats()).front();
   row.Set(
     { { "cells", what.GetNumberOfCells() }, { "lower", what.Lower }, { "simplices", simplices },
@@ -31,22 +31,23 @@ void AddRow(const Case& what, double share, const BenchOptions& options, BenchRo
 }
 
 /**
- * Method `throughput`, by one thread, warm: f >= c of the field VORTEX on grids of several sizes, c
- * chosen so that a share of the grid's points, which is the parameter, is inside at time 0.
+ * Measures the method `throughput`, with one thread and a filled case table. It extracts f >= c of
+ * the field VORTEX on grids of several sizes. c is chosen so that a given fraction of the grid's
+ * points, the parameter, is inside at time 0.
  */
 void AddThroughputRows(const BenchOptions& options, BenchRows& rows)
 {
   const auto sizes = options.Pick<std::vector<int>>({ 32, 64, 96, 128 }, { 32, 64 }, { 12, 16 });
-  const auto shares = options.Pick<std::vector<double>>(
+  const auto fractions = options.Pick<std::vector<double>>(
     { 0.00001, 0.0001, 0.001, 0.01, 0.03 }, { 0.0001, 0.001, 0.01, 0.03 }, { 0.01, 0.03 });
   for (const int points : sizes)
   {
-    VortexShares vortex(points);
-    for (const double share : shares)
+    VortexFractions vortex(points);
+    for (const double fraction : fractions)
     {
-      if (vortex.SetShare(share))
+      if (vortex.SetFraction(fraction))
       {
-        AddRow(vortex.Get(), share, options, rows);
+        AddRow(vortex.Get(), fraction, options, rows);
       }
     }
   }

@@ -16,7 +16,8 @@ namespace interval4d
 {
 namespace
 {
-/// Whether the point is a crossing of that bound, whose value is the bound but for rounding.
+/// Returns whether a point is on the surface of a bound. Its value equals the bound up to rounding
+/// error.
 bool IsAt(double value, double bound)
 {
   return std::abs(value - bound) < 1e-9;

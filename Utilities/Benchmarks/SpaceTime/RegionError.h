@@ -9,15 +9,16 @@ class vtkUnstructuredGrid;
 namespace interval4d
 {
 /**
- * How far tetrahedra with the field as the point array "f" are from the analytic region of a moving
- * field at a time. Both are shares of that region's volume.
+ * Differences between tetrahedra, with the field as the point array "f", and the analytic region of
+ * a moving field at a time. Both are fractions of that region's volume.
  */
 struct RegionError
 {
-  /// The volume between the surface of the tetrahedra, which is the faces all of whose points have
-  /// the lower or all the upper value, and the analytic surface; to first order.
+  /// Volume between the surface of the tetrahedra and the analytic surface, to first order. The
+  /// surface consists of the faces whose points all have the lower value or all have the upper
+  /// value.
   double SymmetricDifference = 0.0;
-  /// Of the sum of signed volumes.
+  /// Error of the sum of signed volumes.
   double Volume = 0.0;
 };
 

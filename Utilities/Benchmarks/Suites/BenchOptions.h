@@ -6,35 +6,35 @@
 #include <vector>
 
 /**
- * What the command line asked of every suite.
+ * Options of the command line, common to all suites.
  */
 struct BenchOptions
 {
   enum Sizes
   {
-    /// The cases as published.
+    /// The published cases.
     FULL,
-    /// Smaller cases and fewer repetitions: a suite stays under 45 s on two cores.
+    /// Smaller cases and fewer repetitions: less than 45 s per suite on two cores.
     QUICK,
-    /// The smallest cases that give every kind of row, for the tests of this program.
+    /// The smallest cases that produce every kind of row, for the tests of this program.
     TINY
   };
 
   Sizes Size = FULL;
-  /// The number of threads that "all" stands for.
+  /// Number of threads of rows that use all threads.
   int Threads = 1;
-  /// Seed of every pseudo-random number.
+  /// Seed of all pseudo-random numbers.
   unsigned int Seed = 1;
-  /// This program, to start it again where a fresh process is to be measured.
+  /// Path of this program, to start a new process for measurements that require one.
   std::string Program;
 
-  /// Timed runs of each method: 5, or 3 when not FULL.
+  /// Returns the number of timed runs of each method: 5, or 3 if not FULL.
   int GetRepeats() const;
-  /// `full`, `quick` or `tiny`.
+  /// Returns `full`, `quick` or `tiny`.
   std::string GetSizeName() const;
-  /// 1 and Threads, or 1 alone where they are the same.
+  /// Returns 1 and Threads, or only 1 if they are equal.
   std::vector<int> GetThreadCounts() const;
-  /// The one of the three that belongs to Size.
+  /// Returns the argument that belongs to Size.
   template <typename T>
   T Pick(const T& full, const T& quick, const T& tiny) const
   {

@@ -4,7 +4,7 @@
 
 #include "Benchmarks/Suites/BenchSuite.h"
 
-/// The parts of all suites; each source describes its rows.
+/// Parts of all suites. Each source file describes its rows.
 BenchPart MakeTablesPart();
 BenchPart MakeFlowTexturePart();
 

@@ -8,7 +8,7 @@
 
 namespace
 {
-/// The results of one function of all parts, one after the other.
+/// Returns the concatenated results of one function of all parts.
 template <typename Item, typename Function>
 std::vector<Item> Collect(
   const BenchSuite& suite, Function BenchPart::*function, const std::vector<BenchRow>& rows)
@@ -59,7 +59,7 @@ nlohmann::ordered_json BenchSuite::RunTask(
       return found->second(task.substr(std::min(space + 1, task.size())), options);
     }
   }
-  throw std::runtime_error("the suite " + this->Name + " has no task " + task);
+  throw std::runtime_error("The suite " + this->Name + " has no task " + task);
 }
 
 nlohmann::ordered_json RunChild(

@@ -13,32 +13,33 @@
 #include <vector>
 
 /**
- * One of the things that a suite measures. Any function may be missing.
+ * A part of a suite. Each function may be empty.
  */
 struct BenchPart
 {
   using Task = nlohmann::ordered_json (*)(const std::string& argument, const BenchOptions& options);
 
   std::function<void(const BenchOptions& options, BenchRows& rows)> AddRows = {};
-  /// The plots of \a rows, which are of this suite.
+  /// Returns the plots of \a rows, which belong to this suite.
   std::function<std::vector<BenchPlot>(const std::vector<BenchRow>& rows)> MakePlots = {};
-  /// The targets, and whether \a rows, which are of this suite, meet them.
+  /// Returns the targets and whether \a rows, which belong to this suite, meet them.
   std::function<std::vector<BenchClaim>(const std::vector<BenchRow>& rows)> CheckClaims = {};
-  /// What RunChild() can execute, by name.
+  /// Functions that RunChild() can execute, by name.
   std::map<std::string, Task> Tasks = {};
 };
 
 /**
- * A group of measurements that is run, written and plotted together. A new suite is a function that
- * returns one, listed in MakeAllSuites().
+ * A group of measurements that are run, written and plotted together. To add a suite, write a
+ * function that returns it and call the function in MakeAllSuites().
  */
 struct BenchSuite
 {
-  /// The name on the command line and in the field `suite`.
+  /// Name on the command line and in the field `suite`.
   std::string Name;
   /// One line for --list.
   std::string Title;
-  /// Describes what is measured and how, in plain text, a paragraph a string, for the report.
+  /// Plain-text description of the measurements and methods for the report, one paragraph per
+  /// string.
   std::vector<std::string> Description;
   std::vector<BenchPart> Parts;
 
@@ -46,20 +47,20 @@ struct BenchSuite
   std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows) const;
   std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows) const;
 
-  /// Executes a task, its name and its argument with a space between, in the process that
-  /// RunChild() started. Throws std::runtime_error if there is no such task.
+  /// Executes a task in the process started by RunChild(). \a task is the name and the argument,
+  /// separated by a space. Throws std::runtime_error if the task does not exist.
   nlohmann::ordered_json RunTask(const std::string& task, const BenchOptions& options) const;
 };
 
 /**
- * Executes a task of a suite in a fresh process with the same options, and returns its result.
- * Throws std::runtime_error, with the command, if the process fails.
+ * Executes a task of a suite in a new process with the same options, and returns its result. Throws
+ * std::runtime_error with the command if the process fails.
  */
 nlohmann::ordered_json RunChild(
   const std::string& suite, const std::string& task, const BenchOptions& options);
 
 /**
- * Every suite, in the order of the report.
+ * Returns all suites in the order of the report.
  */
 std::vector<BenchSuite> MakeAllSuites();
 

@@ -7,36 +7,43 @@ namespace
 {
 BenchSuite MakeTablesSuite()
 {
-  return { "tables", "entries, mean and maximum of simplices of every interval table",
-    { "The number of simplices of a case, over all cases of the table of a cell. Method "
-      "source-order places the points in the order of the source's edge lists, which reproduces "
-      "its Table 3.2; method shipped is what the filters use on structured grids: pulling, grid "
-      "points first, then lower, then upper crossings.",
-      "For the four-dimensional cube every one of the 3^16 cases counts, by symmetry: one hull for "
-      "each of the 132,102 kinds of case, one triangulation for each image of each facet." },
+  return { "tables",
+    "number of entries, mean and maximum number of simplices of every interval table",
+    { "Each row contains the number of simplices per case, over all cases of the table of one cell "
+      "type. Method source-order is a placing triangulation in the order of the source's edge "
+      "lists and reproduces Table 3.2 of C. Zhang, dissertation, Ohio State 2006. Method shipped "
+      "is the rule of the filters on structured grids: a pulling triangulation with grid points "
+      "first, then intersections with the lower bound, then intersections with the upper bound.",
+      "For the four-dimensional cube all 3^16 cases are counted by symmetry: one convex hull for "
+      "each of the 132,102 cases up to symmetry, and one triangulation for each image of each "
+      "facet." },
     { MakeTablesPart() } };
 }
 
 BenchSuite MakeIntervalSuite()
 {
   return { "interval", "vtkIntervalVolume: run time, memory, orientation, error against run time",
-    { "interval-volume: tetrahedra of vtkIntervalVolume, made anew each time, against clip2, two "
-      "passes of vtkTableBasedClipDataSet, which give mixed cells, and clip2-tetrahedra, which "
-      "makes them tetrahedra by vtkDataSetTriangleFilter. Each dataset has one point array.",
-      "threads-2: the same extraction by two threads against one.",
-      "drag, drag-tied: the lower bound of an interval up to the end of the range goes on by a two "
-      "hundredth of the range, low, in the middle and high in it, with KeepMemory, against without "
-      "(new-memory). Bounds equal no value of the data, or, drag-tied, are whole numbers, as the "
-      "data are. changed is the number of cells that the bound passes through between two updates, "
-      "share their share.",
-      "memory: in a process of its own; peak_kib is the input and the largest growth of resident "
-      "memory; peak_share is the growth divided by the output; first_use_kib, which the tables and "
-      "the code took before, is not in it.",
-      "inverted: tetrahedra of negative volume; the error is the share of volume that they hold.",
-      "hexahedra, hexahedra-unstructured, tetrahedra-5, -6, clip2: error against run time on "
-      "analytic fields, for the grid as it is, as unstructured hexahedra, split beforehand into "
-      "tetrahedra (seconds without the split), and clipped twice. The reference is the exact "
-      "region of the trilinear interpolant of the grid's values." },
+    { "interval-volume: vtkIntervalVolume, with a new filter for each run.",
+      "Baseline clip2 is two passes of vtkTableBasedClipDataSet, which produce mixed cells. "
+      "Baseline clip2-tetrahedra converts these cells to tetrahedra by vtkDataSetTriangleFilter. "
+      "Each dataset has one point array.",
+      "threads-2: the same extraction with two threads, relative to one thread.",
+      "drag, drag-tied: an interval reaches up to the end of the scalar range, and its lower bound "
+      "moves by 1/200 of the range between updates. The bound is in the low, middle or high part "
+      "of the range. ReuseMemory is on; the baseline new-memory has it off. In drag no bound "
+      "equals a scalar of the data; in drag-tied bounds and scalars are integers.",
+      "Count changed is the number of cells that the bound passes through between two updates, "
+      "share the fraction of all cells.",
+      "memory: measured in a separate process.",
+      "peak_kib is the size of the input plus the largest growth of resident memory; peak_share is "
+      "this growth divided by the size of the output. first_use_kib is the memory that case tables "
+      "and code required before the measurement; it is not included in peak_kib.",
+      "inverted: number of tetrahedra with negative volume; the error is their fraction of the "
+      "volume.",
+      "hexahedra, hexahedra-unstructured, tetrahedra-5, tetrahedra-6, clip2: error against run "
+      "time on analytic fields. The methods use the image itself, the image as unstructured "
+      "hexahedra, the image split into five or six tetrahedra per cell (the split is not timed), "
+      "and two clips. The reference is the exact region of the trilinear interpolant." },
     { interval::MakeSpeedPart(), interval::MakeDragPart(), interval::MakeMemoryPart(),
       interval::MakeOrientationPart(), interval::MakeErrorPart() } };
 }
@@ -44,28 +51,29 @@ BenchSuite MakeIntervalSuite()
 BenchSuite MakeContourSuite()
 {
   return { "contour", "vtkIsotableContour: run time",
-    { "isotable-hexahedra: vtkIsotableContour on the unstructured hexahedra of each case, against "
-      "contour3dlinear and contour3dlinear-merge, vtkContour3DLinearGrid with MergePoints off and "
-      "on; neither normals nor attributes. vtkIsotableContour merges points and carries the "
-      "scalar.",
-      "isotable-hexahedra-unmerged: the same with MergePoints off, against contour3dlinear.",
-      "isotable-image: vtkIsotableContour on image data, against flyingedges, vtkFlyingEdges3D "
+    { "isotable-hexahedra: vtkIsotableContour on the data as unstructured hexahedra. Baselines "
+      "contour3dlinear and contour3dlinear-merge are vtkContour3DLinearGrid with MergePoints off "
+      "and on, without normals and without attributes. vtkIsotableContour merges points and passes "
+      "the scalars on.",
+      "isotable-hexahedra-unmerged: the same with MergePoints off; the baseline is "
+      "contour3dlinear.",
+      "isotable-image: vtkIsotableContour on image data. Baseline flyingedges is vtkFlyingEdges3D "
       "without normals and gradients.",
-      "The contour value is the lower bound of the case's interval." },
+      "The isovalue is the lower bound of the interval of the same case in the suite interval." },
     { interval::MakeContourPart() } };
 }
 
 BenchSuite MakeTetrahedraSuite()
 {
   return { "tetrahedra", "vtkTimeWeightedTetrahedraMapper: run time and error against run time",
-    { "One frame of a gyroid in cubes of five tetrahedra, off-screen, until OpenGL says it is "
-      "done. The camera turns by half a degree from frame to frame, so that sorting is part of "
-      "each. Methods opengl and software are the render paths, on the device that the counts name; "
-      "the peer projectedtetrahedra is vtkProjectedTetrahedraMapper, one of the methods that take "
-      "turns in the same window.",
-      "Error against run time: pictures of the same field on ever finer meshes, in a float "
-      "framebuffer, against the picture of the formula by 4000 steps along each line of sight. "
-      "The mesh's own error is in every method's." },
+    { "One frame of a gyroid on a grid of cubes with five tetrahedra each, rendered offscreen; the "
+      "time includes waiting for OpenGL to finish. The camera rotates by half a degree between "
+      "frames, so each frame includes sorting. Methods opengl and software are the render paths; "
+      "the count device names the OpenGL device. Baseline projectedtetrahedra is "
+      "vtkProjectedTetrahedraMapper. All methods render alternately in the same window.",
+      "Error against run time: images of the same field on meshes of increasing resolution, in a "
+      "floating-point framebuffer. The reference integrates the formula in 4000 steps along each "
+      "view ray. The error of every method includes the interpolation error of the mesh." },
     { tetrahedra::MakeSpeedPart(), tetrahedra::MakeErrorPart() } };
 }
 
@@ -73,24 +81,32 @@ BenchSuite MakeInterval4dSuite()
 {
   return { "interval4d",
     "vtkTimeVaryingIntervalVolume: run time, tables, memory, counts, error against run time",
-    { "The time steps are in memory, with one point array, so that the filter alone is timed; it "
-      "makes projected tetrahedra. vortex and wave are fields of vtkAnalyticFieldSource, cylinder "
-      "and delta those of vtkTaperedCylinderSource and vtkDeltaWingSource, which stand in for the "
-      "data of the source, C. Zhang, dissertation, Ohio State 2006, with the number of time steps; "
-      "mug is real. stated_ are the counts of the source. warm: the table holds every case. "
-      "threads-2: two threads against one. throughput: 4-simplices a second; the parameter is the "
-      "share of points inside.",
-      "cold: the first execution in a fresh process, 1 thread, against later ones in the same one "
-      "(peer warm). hit_share is the share of lookups that found their case made; kind_hit_share "
-      "counts those too that found a case of the same kind, that is equal up to a symmetry of the "
-      "cell: only a new kind needs a convex hull. later-slabs: the same for all slabs but the "
-      "first. memory: in a process of its own; peak_kib is two time steps and the largest growth "
-      "of resident memory; peak_share is that divided by two time steps and the output.",
-      "slice, interpolate, sampled: the regions midway between every two time steps as the time "
-      "step (the parameter) is halved, as slices of 4-simplices; from the mean of the values of "
-      "both steps; from the field itself at that time. The reference is the region of the formula. "
-      "order: the exponent of errors above four times that of sampled. slice-again: one more slice "
-      "of the same 4-simplices." },
+    { "All time steps are in memory, with one point array, so only the filter is timed. It "
+      "produces projected tetrahedra.",
+      "Cases vortex and wave are fields of vtkAnalyticFieldSource. Cases cylinder and delta are "
+      "fields of vtkTaperedCylinderSource and vtkDeltaWingSource, which replace the data of C. "
+      "Zhang, dissertation, Ohio State 2006. A number in the name is the number of time steps. "
+      "Case mug is a simulation.",
+      "Counts with the prefix stated_ are the counts printed in the dissertation.",
+      "warm: the case table is already filled.", "threads-2: two threads relative to one.",
+      "throughput: 4-simplices per second; the parameter is the fraction of grid points inside the "
+      "region.",
+      "cold: the first execution in a new process with one thread; the baseline warm is a later "
+      "execution in the same process.",
+      "hit_share is the fraction of table lookups that found their case; kind_hit_share also "
+      "counts lookups that found an equivalent case under the symmetries of the cell, since only a "
+      "new equivalence class requires a convex hull.",
+      "later-slabs: the same fractions for all slabs except the first.",
+      "memory: measured in a separate process; peak_kib is the size of two time steps plus the "
+      "largest growth of resident memory, and peak_share is peak_kib divided by the size of two "
+      "time steps and the output.",
+      "slice, interpolate, sampled: regions midway between consecutive time steps, as the time "
+      "step (the parameter) is halved. slice cuts the 4-simplices; interpolate extracts from the "
+      "mean of both time steps; sampled extracts from the field sampled at that time. The "
+      "reference is the analytic region.",
+      "order: the fitted exponent of the error against the time step, using errors larger than "
+      "four times the error of sampled.",
+      "slice-again: the time of a second slice of the same 4-simplices." },
     { interval4d::MakeSpeedPart(), interval4d::MakeFreshPart(), interval4d::MakeThroughputPart(),
       interval4d::MakeErrorPart() } };
 }
@@ -98,59 +114,70 @@ BenchSuite MakeInterval4dSuite()
 BenchSuite MakeShadowsSuite()
 {
   return { "shadows", "vtkShadowedSliceMapper: cost of lights and shadows, error against run time",
-    { "One frame, off-screen, until OpenGL says it is done, on the device that the counts name. "
-      "The camera turns by half a degree from frame to frame. Each method has a window of its own, "
-      "so that nothing but the frame is made when they take turns. The parameter is the number of "
-      "directional lights, all on the viewer's side and together of intensity 1. shadows-off: the "
-      "same lights without shadows. unlit: Shade and shadows off, "
-      "one light in the scene, against no-lights, no light in the scene. gpu is "
-      "vtkGPUVolumeRayCastMapper with a sample each voxel and Shade on; gpu-shadows is the same "
-      "with volumetric shadows of full reach (from VTK 9.2 on).",
-      "Error against run time: pictures of one light in a float framebuffer against a ray marcher "
-      "in double precision that follows a ray to the light from every sample. \"scattering\": "
-      "every part of the matter scatters light evenly, C = c kd I T, without ambient light and "
-      "surfaces; vtkShadowedSliceMapper draws this with Shade off and gpu-shadows with "
-      "VolumetricScatteringBlending 2 and GlobalIlluminationReach 1, so that both mean the same "
-      "picture. \"shaded\": equation 2.6, which gpu-shadows does not have. spacing: the parameter "
-      "is the distance of slices over the default one; buffer: the size of the light's buffer; "
-      "gpu-shadows: the distance of samples in voxels, along view and shadow rays alike. "
-      "equal-error: the time of the default, and the time of gpu-shadows where a straight line "
-      "between its points in the log-log plot has the same error." },
+    { "One frame, rendered offscreen; the time includes waiting for OpenGL to finish. The count "
+      "device names the OpenGL device. The camera rotates by half a degree between frames. Methods "
+      "render alternately in one window, and each keeps its own volume and mapper, so a frame "
+      "rebuilds nothing else.",
+      "The parameter is the number of directional lights, all on the viewer's side, with a total "
+      "intensity of 1.",
+      "shadows-off: the same lights without shadows.",
+      "unlit: Shade and shadows off and one light in the scene; its baseline no-lights has no "
+      "light in the scene.",
+      "gpu is vtkGPUVolumeRayCastMapper with one sample per voxel and Shade on; gpu-shadows adds "
+      "volumetric shadows of full reach (VTK 9.2 or later).",
+      "Error against run time: images with one light in a floating-point framebuffer. The "
+      "reference is a ray marcher in double precision that casts a shadow ray from each sample.",
+      "Cases \"scattering\" have isotropic single scattering, C = c kd I T, without ambient light "
+      "and without surface shading. vtkShadowedSliceMapper renders them with Shade off, and "
+      "gpu-shadows with VolumetricScatteringBlending 2 and GlobalIlluminationReach 1, so both "
+      "render the same model.",
+      "Cases \"shaded\" use equation 2.6 of C. Zhang's dissertation, which gpu-shadows does not "
+      "support.",
+      "spacing: the parameter is the slice spacing relative to the default.",
+      "buffer: the parameter is the size of the light buffer.",
+      "gpu-shadows: the parameter is the sample distance in voxels, for view rays and shadow rays.",
+      "equal-error: the time of the default settings, compared with the time of gpu-shadows at the "
+      "same error, interpolated linearly in the log-log plot." },
     { shadows::MakeSpeedPart(), shadows::MakeErrorPart() } };
 }
 
 BenchSuite MakeSoftShadowsSuite()
 {
   return { "soft-shadows", "vtkAreaLight: error of soft shadows against run time",
-    { "One frame of vtkShadowedSliceMapper, off-screen, until OpenGL says it is done, with one "
-      "round, positional area light, as wide as a diagonal of the volume and 1.5 of them from its "
-      "middle. Every part of the matter scatters light evenly. The camera turns by half a degree "
-      "from frame to frame; all methods take turns. processor_seconds are those of all threads; "
-      "over_hard and equal times are by them.",
-      "Error: pictures in a float framebuffer against the same mapper's with each of 256 samples "
-      "of the light as a light of its own (32 in quick runs), the mean of pictures of sixteen, "
-      "slices at half the default distance and a light buffer of 256^2 (128^2). sample-layers, the "
-      "default: the parameter is the number of samples. "
-      "accumulated-convolution, the published method: the parameter is the distance of slices over "
-      "the default one. \", buffer\": it is the size of the light's buffer. hard: the "
-      "light without its extent. equal-time: the default, against the convolution's smallest error "
-      "in at most its time, or its fastest setting where all take longer." },
+    { "One frame of vtkShadowedSliceMapper, rendered offscreen; the time includes waiting for "
+      "OpenGL to finish. One round, positional area light, as wide as the diagonal of the volume, "
+      "is 1.5 diagonals away from its center. The medium scatters isotropically. The camera "
+      "rotates by half a degree between frames; all methods run alternately.",
+      "processor_seconds is the processor time of all threads; over_hard and equal times are based "
+      "on it.",
+      "Error: images in a floating-point framebuffer. The reference is rendered by the same mapper "
+      "with a point light for each of 256 light samples (32 in quick runs). It is the mean of "
+      "images with sixteen lights each. Slices have half the default spacing, and the light buffer "
+      "has 256^2 (128^2) texels.",
+      "sample-layers, the default: the parameter is the number of light samples.",
+      "accumulated-convolution, the published method: the parameter is the slice spacing relative "
+      "to the default.",
+      "\", buffer\": the parameter is the size of the light buffer.",
+      "hard: the same light with size 0.",
+      "equal-time: the default, compared with the smallest error of the convolution in at most the "
+      "same time, or with its fastest setting if all settings take longer." },
     { shadows::MakeSoftShadowPart() } };
 }
 
 BenchSuite MakeScatteringSuite()
 {
-  return { "scattering", "Scattered light: error of its modes against run time",
-    { "Frames of vtkShadowedSliceMapper, off-screen, until OpenGL says they are done, in which the "
-      "light and the camera have moved by half a degree, so that scattered light is found anew.",
-      "slab: slabs of matter in parallel light, drawn from five directions on either side and "
-      "integrated over them, against the reflection and transmission that H. C. van de Hulst, "
-      "\"Multiple Light Scattering\", 1980, prints. The parameter is the number of cells of the "
-      "grid through the slab.",
-      "cloud: a cumulus of an optical depth of about 25, Henyey and Greenstein's g = 0.85, albedo "
-      "1, against the paths of our own Monte Carlo solver.",
-      "cloud, the view turns: frames in which the light stays, so that what it has scattered is "
-      "kept." },
+  return { "scattering", "Scattered light: error of the scattering modes against run time",
+    { "Frames of vtkShadowedSliceMapper, rendered offscreen; the time includes waiting for OpenGL "
+      "to finish. The light and the camera move by half a degree between frames, so scattered "
+      "light is computed again for each frame.",
+      "slab: slabs of a homogeneous medium in parallel light, rendered from several directions on "
+      "both sides and integrated over them. The reference is the reflection and transmission "
+      "published by H. C. van de Hulst, \"Multiple Light Scattering\", 1980. The parameter is the "
+      "number of grid cells across the slab.",
+      "cloud: a cumulus cloud of optical depth about 25, Henyey-Greenstein phase function with g = "
+      "0.85, albedo 1. The reference is a Monte Carlo path tracer of this project.",
+      "cloud, the view turns: only the camera moves, so the scattered light of the first frame is "
+      "reused." },
     { scattering::MakeSlabPart(), scattering::MakeCloudPart() } };
 }
 
@@ -158,15 +185,17 @@ BenchSuite MakeMixedSuite()
 {
   return { "mixed",
     "vtkShadowedScenePass: error and time of surfaces and volumes under the same lights",
-    { "Times are those of one frame, off-screen, until OpenGL says it is done; the camera turns by "
-      "half a degree from frame to frame, and all methods take turns, each in a window of its own. "
-      "\"light moves\": lights turn as well, by a fifth of a degree, so that depth maps are drawn "
-      "for each frame.",
-      "posts: surfaces alone under a spotlight, beside vtkShadowMapPass with depth maps of the "
-      "same resolution, the parameter; both against a ray caster in double precision.",
-      "bonsai, smoke: balls of a million triangles (the parameter) around a volume; the peer is "
-      "the time of the volume alone plus twice that of the actors, each drawn by VTK without a "
-      "pass." },
+    { "Times are the time of one frame, rendered offscreen, including waiting for OpenGL to "
+      "finish. The camera rotates by half a degree between frames. All methods run alternately, "
+      "each in its own window.",
+      "\"light moves\": lights also rotate, by a fifth of a degree, so shadow maps are rendered "
+      "again for each frame.",
+      "posts: surfaces only, under a spotlight. The baseline is vtkShadowMapPass with shadow maps "
+      "of the same resolution, which is the parameter. The reference for both is a ray caster in "
+      "double precision.",
+      "bonsai, smoke: spheres with a million triangles in total (the parameter) around a volume. "
+      "The baseline is the time of the volume only plus twice the time of the actors, each "
+      "rendered by VTK without a pass." },
     { mixed::MakeMapPart(), mixed::MakeCostPart() } };
 }
 
@@ -174,26 +203,33 @@ BenchSuite MakeFlowSuite()
 {
   return { "flow", "vtkImplicitFlowField, vtkFlowVolume: error against run time, stream volumes",
     {
-      "uniform, rotation, saddle, spiral, stiff: linear fields, which interpolation keeps, so that "
-      "streamlines are known by formulas; source-sink, sphere, abc: against streamlines of the "
-      "interpolated field as in flow-speed. The parameter is MaximumError over the largest speed; "
-      "in stiff fields, saddles of that ratio of eigenvalues that damp backward, MaximumError. "
-      "within: the share of the answers that are no further than 10 MaximumError times their time "
-      "from where the field carries the sample in that time. RK4 and RK45 are those of "
-      "vtkStreamTracer.",
-      "hurricane: advection of as many samples, at most 10 units of time; new stream volumes when "
-      "the inflow mapping, the interval alone, or the range of times alone changes, against that "
-      "advection. advections: how often it was done again. checkpoints, checkpoints-often: the "
-      "same advection with a checkpoint each minute, and whenever the last one took less than a "
-      "tenth of the time since, against that without; written: how often there was one.",
-      "contraction, beside, around: the stream volume of a disc where it is known by formulas, "
-      "Zhang's table 4.1 measured. explicit: a patch of triangles carried along by vtkRungeKutta4, "
-      "in the manner of Max, Becker and Crawfis (1993), the parameter being its rings. implicit: "
-      "vtkImplicitFlowField, "
-      "vtkInflowMapping and vtkFlowVolume, the parameter being samples a side; implicit-again: the "
-      "same after a change of the mapping; implicit-refined: with two levels of refinement. The "
-      "error is the volume of tetrahedra whose middle is outside, and the volume missing, over the "
-      "tube's.",
+      "uniform, rotation, saddle, spiral, stiff: linear fields, which trilinear interpolation "
+      "reproduces exactly, so streamlines are known in closed form.",
+      "source-sink, sphere, abc: the reference is the streamlines of the interpolated field, as in "
+      "flow-speed. The parameter is MaximumError divided by the maximum speed, or MaximumError "
+      "itself in the stiff fields, which are saddles with the given ratio of eigenvalues that "
+      "decay in backward time.",
+      "within: the fraction of results that are at most 10 MaximumError times their advection time "
+      "away from the exact position of the sample after that time.",
+      "RK4 and RK45 are the integrators of vtkStreamTracer.",
+      "hurricane: advection with the number of samples per axis in the name, for at most 10 units "
+      "of time.",
+      "new-mapping, new-interval, new-times: a new stream volume after a change of the inflow "
+      "mapping, the interval, or the time range; the baseline is that advection. advections: "
+      "number of advections that the change caused.",
+      "checkpoints, checkpoints-often: the same advection with a checkpoint every minute, or "
+      "whenever the last checkpoint took less than a tenth of the time since; the baseline writes "
+      "no checkpoint. written: number of checkpoints.",
+      "contraction, beside, around: stream volumes of a disk with closed-form solutions, to "
+      "measure table 4.1 of C. Zhang's dissertation.",
+      "explicit: a triangle patch advected by vtkRungeKutta4, as in Max, Becker and Crawfis "
+      "(1993); the parameter is the number of rings.",
+      "implicit: vtkImplicitFlowField, vtkInflowMapping and vtkFlowVolume; the parameter is the "
+      "number of samples per axis.",
+      "implicit-again: the same after a change of the mapping. implicit-refined: with two levels "
+      "of refinement.",
+      "The error is the volume of tetrahedra with centers outside the exact stream volume plus the "
+      "missing volume, divided by the exact volume.",
     },
     { flow::MakeTolerancePart(), flow::MakeVolumePart(), flow::MakeCheckpointPart(),
       flow::MakeExplicitPart() } };
@@ -204,25 +240,31 @@ BenchSuite MakeFlowSpeedSuite()
   return { "flow-speed",
     "vtkImplicitFlowField against vtkStreamTracer: run time, error against run time",
     {
-      "image, hexahedra, tetrahedra: one period of ABC flow, backward from random seeds to a box "
-      "just inside the field, 1 thread; the points of the unstructured grids are moved by up to a "
-      "tenth of a cell. streamtracer is vtkStreamTracer without vorticity, with the fastest of its "
-      "ways to find cells: the default on images, vtkStaticCellLocator on unstructured grids "
-      "(vtkModifiedBSPTree and the default's point locator were slower). RK4: the parameter is the "
-      "step in lengths of a cell; RK45: MaximumError, steps up to two cells. Its steps are those "
-      "of its output. Both work on the field that VTK interpolates. The error is the mean distance "
-      "of the ends from the streamlines of that field, by Boost's runge_kutta_fehlberg78: on "
-      "images in steps that end at the faces of cells, good to 1e-12; else in steps of at most a "
-      "tenth of a cell through VTK's interpolation, good to some 1e-8. time_error is the mean "
-      "error of the time at the end: vtkStreamTracer keeps time to first order only.",
-      "equal-error: the default of vtkImplicitFlowField against the first setting of streamtracer, "
-      "the step halved or MaximumError divided by ten each time, whose error is at most twice as "
-      "large, or below 3e-8, to which its points in single precision are rounded. "
-      "steps_per_second_ratio compares steps a second of processor time at those settings, without "
-      "what one streamline takes with all that is made of the field first, setup_seconds; the "
-      "ratio of times is that of samples a second. equal-error-again: the same filter executed "
-      "again on the same grid, of which it has kept which faces meet, kept_faces. threads-2: two "
-      "threads against one.",
+      "image, hexahedra, tetrahedra: one period of ABC flow, integrated backward from random seeds "
+      "to a box just inside the field, with one thread. Points of the unstructured grids are "
+      "displaced by up to a tenth of a cell.",
+      "streamtracer is vtkStreamTracer without vorticity and with its fastest cell search: the "
+      "default on images, vtkStaticCellLocator on unstructured grids (vtkModifiedBSPTree and the "
+      "default point locator were slower).",
+      "RK4: the parameter is the step in cell lengths. RK45: the parameter is MaximumError; steps "
+      "are at most two cells. Its steps are the segments of its output.",
+      "Both filters use the field as VTK interpolates it. The error is the mean distance of the "
+      "endpoints from the exact streamlines of that field, computed by Boost's "
+      "runge_kutta_fehlberg78. On images its steps end at cell faces, with an accuracy of 1e-12. "
+      "On other grids its steps are at most a tenth of a cell, with VTK's interpolation and an "
+      "accuracy of about 1e-8.",
+      "time_error is the mean error of the time at the endpoint; vtkStreamTracer computes this "
+      "time with first-order accuracy only.",
+      "equal-error: the default of vtkImplicitFlowField, compared with the first setting of "
+      "streamtracer with an error at most twice as large, or below 3e-8, the rounding error of its "
+      "single-precision points. For each next setting the step is halved, or MaximumError is "
+      "divided by ten.",
+      "steps_per_second_ratio compares steps per second of processor time at these settings. It "
+      "excludes setup_seconds, the time of a run with one streamline including all preprocessing "
+      "of the field. The ratio of times equals the ratio of samples per second.",
+      "equal-error-again: the same filter executed again on the same grid; it reuses the matching "
+      "of cell faces (kept_faces).",
+      "threads-2: two threads relative to one.",
     },
     { flow::MakeSpeedPart() } };
 }
@@ -230,36 +272,42 @@ BenchSuite MakeFlowSpeedSuite()
 BenchSuite MakeFlowSharingSuite()
 {
   return { "flow-sharing",
-    "vtkImplicitFlowField, ShareStreamlines: error of what is interpolated, run time",
+    "vtkImplicitFlowField, InterpolateStreamlines: interpolation error and run time",
     {
-      "shared: about 100,000 samples on an image, with ShareStreamlines against all streamlines, "
-      "processor time of one thread; the parameter is MaximumError over the largest speed, in the "
-      "stiff saddle too. dense: as many samples in a box a quarter as wide. share: the part of the "
-      "samples that are interpolated. Their errors, in units of the tolerance for the time of "
-      "their streamline, have median, q99, q999 (99.9 %) and largest; an answer of another status "
-      "or id is off by 1e30. within: the part of all answers whose error is at most 10.",
+      "shared: about 100,000 samples on an image, with InterpolateStreamlines on; the baseline "
+      "integrates all streamlines. Times are processor times of one thread. The parameter is "
+      "MaximumError divided by the maximum speed, also in the stiff saddle.",
+      "dense: the same number of samples in a box a quarter as wide.",
+      "share: the fraction of samples that are interpolated. The counts median, q99, q999 (99.9 "
+      "%) and largest describe their errors in units of the tolerance for the advection time of "
+      "the streamline. A result with a different status or id counts as an error of 1e30.",
+      "within: the fraction of all results with an error of at most 10.",
     },
     { flow::MakeSharingPart() } };
 }
 
 BenchSuite MakeFlowTextureSuite()
 {
-  return { "flow-texture", "vtkImplicitFlowVolumeMapper: time of a frame beside VTK's ray caster",
-    { "Times are those of one frame, off-screen, until OpenGL says it is done; the camera turns by "
-      "half a degree from frame to frame, and all methods take turns, each in a window of its own. "
-      "The parameter is the number of samples along each axis; all have a sample each half voxel. "
-      "The paint is an image of 256 x 256; \"unfiltered\": with PaintFilter off.",
-      "gpu: vtkGPUVolumeRayCastMapper with four independent components of floats (u, v, time and "
-      "whether a surface was reached), as VTK draws four components unless it is told otherwise. "
-      "gpu-rgba: the same four taken as a colour and an opacity, which is one look at the volume "
-      "and one at a table. Both: composite blending, linear interpolation, no shading, no jitter, "
-      "no adjustment of distances, opacity for a unit distance of one voxel. Nothing is opaque "
-      "enough to end a line of sight before the volume does.",
-      "shadows: Shadows on for one directional light, in slices a quarter of a voxel apart, beside "
-      "the same picture by lines of sight without (\"no shadows\"); then a light that moves from "
-      "frame to frame beside one that stays. processor_seconds is the time of all threads.",
-      "flow-texture-voxels: error against time of a frame, with and without PaintFilter, against a "
-      "picture in double precision. default 1 in the counts: the default on the finest voxels." },
+  return { "flow-texture",
+    "vtkImplicitFlowVolumeMapper: time of a frame compared with VTK's ray caster",
+    { "Times are the time of one frame, rendered offscreen, including waiting for OpenGL to "
+      "finish. The camera rotates by half a degree between frames. All methods run alternately, "
+      "each in its own window. The parameter is the number of samples along each axis. All "
+      "methods use two samples per voxel. The inflow texture is an image of 256 x 256 texels.",
+      "\"unfiltered\": TextureFilter is off.",
+      "gpu: vtkGPUVolumeRayCastMapper with four independent floating-point components (u, v, "
+      "time and whether a surface was reached), which is VTK's default for four components.",
+      "gpu-rgba: the same four components used as color and opacity, with one volume sample and "
+      "one table lookup. Both use composite blending, linear interpolation, no shading, no "
+      "jittering, fixed sample distances, and an opacity unit distance of one voxel. No view ray "
+      "becomes opaque before it leaves the volume.",
+      "shadows: Shadows on, with one directional light and slices a quarter of a voxel apart; "
+      "the baseline \"no shadows\" renders the same image by ray casting. A second row has a "
+      "light that moves between frames; its baseline has a light that does not move. "
+      "processor_seconds is the processor time of all threads.",
+      "flow-texture-voxels: error against time of a frame, with TextureFilter on and off. The "
+      "reference is an image in double precision. The count default is 1 for the default "
+      "settings at the finest resolution." },
     { MakeFlowTexturePart(),
       approximations::MakeFamilyPart({ approximations::MakeFlowVoxelFamily() }) } };
 }
@@ -267,32 +315,36 @@ BenchSuite MakeFlowTextureSuite()
 BenchSuite MakeFilterErrorsSuite()
 {
   using namespace approximations;
-  return { "filter-errors", "Filters that approximate: error against run time by their settings",
-    { "A case is one question: the same done by every setting and, where there is one, by a filter "
-      "of VTK; all methods take turns. Errors are those of the result against a formula in double "
-      "precision.",
-      "default 1 in the counts: the default settings, and where the size is that of the data, its "
-      "finest; peer 1: by VTK. The other counts are sizes." },
+  return { "filter-errors", "Filters with approximate results: error against run time by setting",
+    { "Each case is one question, answered by several settings of a filter and, if available, by "
+      "a filter of VTK. All methods run alternately. Errors compare the result with a formula in "
+      "double precision.",
+      "The count default is 1 for the default settings, at the finest resolution if the "
+      "resolution of the data varies.",
+      "The count peer is 1 for filters of VTK. The other counts are sizes." },
     { MakeFamilyPart({ MakeContourFamily(), MakeMesherFamily(), MakeCriticalPointFamily(),
       MakeVortexAxisFamily(), MakeStreamSurfaceFamily(), MakeLicStepFamily() }) } };
 }
 
 BenchSuite MakeGrowthSuite()
 {
-  return { "growth", "Run time and memory against N: fitted exponents beside theory's",
-    { "growth: each size in a process of its own. The parameter is N; seconds are of executions by "
-      "filters made anew, medians; kib is how much the resident memory grew at most in an "
-      "execution, over the input and what was there before.",
-      "time exponent, memory exponent: the exponent of N, the slope of a line through the "
-      "logarithms by least squares, for the processor time of all threads, which excludes other "
-      "programs, and the memory; least and most are theory's, the parameter states the reason. "
-      "Memory below 64 KiB counts as 64 KiB.",
-      "cells, cells of a contour: vtkIntervalVolume and vtkIsotableContour of a wavelet, the "
-      "values the same at every resolution. 4-simplices: vtkTimeVaryingIntervalVolume of two steps "
-      "of the field VORTEX on one grid, the interval growing. time steps: of a gyroid that moves, "
-      "all slabs in one output, steps in memory; written slab by slab: by vtkTimeSlabWriter, each "
-      "step made when it is requested and in the memory that is measured. samples: "
-      "vtkImplicitFlowField of a hurricane on one grid. 1 thread, but samples by all." },
+  return { "growth", "Growth of run time and memory with N: fitted and theoretical exponents",
+    { "growth: each size is measured in a separate process. The parameter is N. seconds is the "
+      "median time of executions by new filters. kib is the largest growth of resident memory "
+      "during an execution, excluding the input.",
+      "time exponent, memory exponent: the exponent of N, fitted by least squares to logarithms. "
+      "Time is the processor time of all threads, which excludes other programs.",
+      "least and most bound the theoretical exponent; the parameter states the reason. Memory "
+      "below 64 KiB counts as 64 KiB.",
+      "cells, cells of a contour: vtkIntervalVolume and vtkIsotableContour on a wavelet, with "
+      "the same bounds at every resolution.",
+      "4-simplices: vtkTimeVaryingIntervalVolume on two time steps of the field VORTEX on one "
+      "grid, with a growing interval.",
+      "time steps: a moving gyroid, all slabs in one output, with time steps in memory.",
+      "written slab by slab: vtkTimeSlabWriter, with each time step created on request, so it "
+      "counts in the measured memory.",
+      "samples: vtkImplicitFlowField on a hurricane on one grid. One thread, except for samples, "
+      "which uses all threads." },
     { growth::MakePart() } };
 }
 }

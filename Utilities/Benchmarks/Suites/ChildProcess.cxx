@@ -29,7 +29,7 @@ nlohmann::ordered_json RunProgram(
   std::FILE* pipe = popen(command.c_str(), "r");
   if (!pipe)
   {
-    throw std::runtime_error("cannot start " + command);
+    throw std::runtime_error("Cannot start the command: " + command);
   }
   std::string output;
   std::array<char, 4096> buffer;
@@ -41,7 +41,8 @@ nlohmann::ordered_json RunProgram(
   const int status = pclose(pipe);
   if (status != 0)
   {
-    throw std::runtime_error("status " + std::to_string(status) + " from " + command);
+    throw std::runtime_error(
+      "The command failed with status " + std::to_string(status) + ": " + command);
   }
   return nlohmann::ordered_json::parse(output);
 }

@@ -9,14 +9,14 @@
 #include <string>
 
 /**
- * Runs \a program with \a arguments, as a shell has them, and with the seed, the threads and the
- * size of \a options, and returns the JSON that it prints. Throws std::runtime_error, with the
- * command, where the process fails.
+ * Runs \a program with \a arguments (shell syntax) and with the seed, threads and size of \a
+ * options. Returns the JSON that the program prints. Throws std::runtime_error with the command if
+ * the process fails.
  */
 nlohmann::ordered_json RunProgram(
   const std::string& program, const std::string& arguments, const BenchOptions& options);
 
-/// \a text as one argument.
+/// Returns \a text quoted as one shell argument.
 std::string Quoted(const std::string& text);
 
 #endif

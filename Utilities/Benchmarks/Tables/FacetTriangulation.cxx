@@ -12,7 +12,7 @@ namespace
 {
 using PointList = FacetTriangulation::PointList;
 
-// A pulling triangulation, remembered by face since faces are shared.
+// Computes pulling triangulations and caches them by face, since faces are shared.
 class Puller
 {
 public:
@@ -62,7 +62,7 @@ private:
   std::map<PointSet, std::vector<PointList>> Known;
 };
 
-// A placing triangulation of points that may span fewer dimensions at first.
+// Computes a placing triangulation. The first points may span fewer dimensions.
 class Placer
 {
 public:
@@ -95,7 +95,7 @@ public:
   std::vector<PointList> Simplices;
 
 private:
-  // A face of a simplex with the vertex opposite to it.
+  // A face of a simplex and the vertex opposite to it.
   struct Face
   {
     PointList Points;

@@ -10,14 +10,16 @@
  * @class   FacetTriangulation
  * @brief   cuts the facets of a patch into simplices in a given order of the points
  *
- * Both methods depend on a face only through the order of its own points, so that two cells which
- * order the points of their common face alike cut it alike.
- * - Placing: points are added in order; each is joined to the faces of the simplices so far that it
- *   sees (a coplanar one is not seen), as in C. Zhang, dissertation, Ohio State 2006, section 3.3.
- * - Pulling: a face is coned from its first point over its faces that do not hold that point.
+ * Both methods depend only on the order of a face's points. Two cells that order the points of
+ * their common face in the same way therefore cut it in the same way.
+ * - Placing: points are added in order. Each point is joined to the visible faces of the simplices
+ *   so far (coplanar faces are not visible), as in C. Zhang, dissertation, Ohio State 2006, section
+ *   3.3.
+ * - Pulling: a face is split from its first point into cones over its faces that do not contain
+ *   that point.
  *
- * Every simplex has the orientation of its facet. \a rank has one entry for each edge of
- * the cell; equal ranks must not occur among the points of a facet.
+ * All simplices have the orientation of their facet. \a rank has one entry for each edge of the
+ * cell. Points of a facet must have different ranks.
  */
 class FacetTriangulation
 {

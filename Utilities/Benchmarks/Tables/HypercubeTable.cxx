@@ -21,8 +21,8 @@ constexpr int Vertices = 16;
 constexpr std::uint32_t Cases = 43046721;
 using PointList = CasePatch::PointList;
 
-// A symmetry of the cube: where vertices go, where edges of the lifted cube go, and what each digit
-// of a key weighs after it.
+// A symmetry of the cube: images of the vertices, images of the edges of the lifted cube, and the
+// weight of each digit of a key after the symmetry.
 struct Symmetry
 {
   std::array<int, Vertices> Vertex;
@@ -75,12 +75,12 @@ std::vector<Symmetry> MakeSymmetries(const Polytope& lifted)
   return symmetries;
 }
 
-// One case of each kind, with the number of cases of that kind.
+// One case of a symmetry class, with the number of cases in the class.
 struct Kind
 {
   std::uint32_t Key;
   std::uint32_t Size;
-  // For each facet its orbit and the symmetry that makes it from the orbit's first facet.
+  // Orbit of each facet, and the symmetry that maps the orbit's first facet to it.
   std::vector<std::array<int, 2>> Facets;
 };
 
@@ -122,7 +122,7 @@ std::vector<Kind> FindKinds(const std::vector<Symmetry>& symmetries)
   return kinds;
 }
 
-// The face lattice of a facet by local point numbers, to count pulling triangulations quickly.
+// The face lattice of a facet with local point numbers, to count pulling triangulations quickly.
 class Lattice
 {
 public:
@@ -132,7 +132,7 @@ public:
     this->Top = this->Add(patch, facet.HullPoints);
   }
 
-  // order: local points from first to last.
+  // \a order lists the local points from first to last.
   int CountPulling(const std::vector<int>& order) const
   {
     std::vector<int> known(this->Faces.size(), 0);
@@ -197,7 +197,7 @@ private:
   int Top = 0;
 };
 
-// All images of one facet, and how many simplices each has by each rule.
+// All images of one facet, with the number of simplices of each image by each rule.
 struct Orbit
 {
   std::uint32_t Key;
@@ -214,12 +214,12 @@ public:
     , Symmetries(MakeSymmetries(Lifted))
     , Kinds(FindKinds(Symmetries))
   {
-    std::vector<Kind> taken;
+    std::vector<Kind> selected;
     for (std::size_t k = 0; k < this->Kinds.size(); k += stride)
     {
-      taken.push_back(this->Kinds[k]);
+      selected.push_back(this->Kinds[k]);
     }
-    this->Kinds.swap(taken);
+    this->Kinds.swap(selected);
   }
 
   std::vector<HypercubeTable::Statistics> Count()
@@ -306,7 +306,8 @@ private:
     std::vector<int> order(orbit.Points.size());
     for (const Symmetry& symmetry : this->Symmetries)
     {
-      // The image of the facet in the fixed order is the facet in the order pulled back.
+      // Cutting the image of the facet in the fixed order equals cutting the facet in the preimage
+      // of the order.
       for (std::size_t e = 0; e < ranks.size(); ++e)
       {
         ranks[e] = rule.Ranks[symmetry.Edge[e]];
@@ -335,7 +336,7 @@ private:
     {
       indexOf[this->Symmetries[g].Vertex] = g;
     }
-    // product[g * n + h]: first g, then h.
+    // product[g * n + h] is g followed by h.
     std::vector<int> product(n * n);
     for (int g = 0; g < n; ++g)
     {
@@ -366,18 +367,18 @@ private:
           totals[h] += counts[images[h]];
         }
       }
-      const std::uint64_t share = n / kind.Size;
+      const std::uint64_t repetitions = n / kind.Size;
       result.Cases += kind.Size;
-      result.Sum += std::accumulate(totals.begin(), totals.end(), std::uint64_t(0)) / share;
-      const int most = *std::max_element(totals.begin(), totals.end());
-      if (most > result.Maximum)
+      result.Sum += std::accumulate(totals.begin(), totals.end(), std::uint64_t(0)) / repetitions;
+      const int maximum = *std::max_element(totals.begin(), totals.end());
+      if (maximum > result.Maximum)
       {
-        result.Maximum = most;
+        result.Maximum = maximum;
         result.CasesAtMaximum = 0;
       }
-      if (most == result.Maximum)
+      if (maximum == result.Maximum)
       {
-        result.CasesAtMaximum += std::count(totals.begin(), totals.end(), most) / share;
+        result.CasesAtMaximum += std::count(totals.begin(), totals.end(), maximum) / repetitions;
       }
     }
     return result;

@@ -11,10 +11,10 @@
  * @class   HypercubeTable
  * @brief   counts over all 3^16 cases of the interval table of the four-dimensional cube
  *
- * The 384 rotations and reflections of the cube leave 132,102 cases; the patch is computed for one
- * of each kind. A triangulation in a fixed order is not symmetric, so the number of simplices is
- * then found for every one of the 384 images: each patch facet belongs to an orbit of facets, and
- * is triangulated once for each image of the facet.
+ * The 384 rotations and reflections of the cube reduce the cases to 132,102 classes; the patch is
+ * computed for one case of each class. A triangulation in a fixed order is not symmetric, so the
+ * number of simplices is counted for each of the 384 images. Each patch facet belongs to an orbit
+ * of facets and is triangulated once for each image of the facet.
  */
 class HypercubeTable
 {
@@ -30,7 +30,8 @@ public:
     std::uint64_t CasesAtMaximum = 0;
   };
 
-  /// How the points are ordered, by edge of the lifted cube, and how facets are cut in that order.
+  /// Order of the points, by edge of the lifted cube, and the method that cuts facets in that
+  /// order.
   struct Rule
   {
     FacetTriangulation::Methods Method;
@@ -38,7 +39,7 @@ public:
   };
 
   /**
-   * One result for each rule. Takes every \a stride th kind of case: 1 for all.
+   * Returns one result for each rule. Counts every \a stride-th class of cases; 1 counts all.
    */
   static std::vector<Statistics> Count(const std::vector<Rule>& rules, int stride);
 };

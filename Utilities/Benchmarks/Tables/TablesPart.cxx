@@ -21,7 +21,7 @@ struct TableCase
 {
   const char* Name;
   Polytope Cell;
-  // As printed in the source, to two digits; 0 where the source has no such row.
+  // Numbers printed in the dissertation with two digits, or 0 if it has no such row.
   double StatedMean;
   int StatedMaximum;
 };
@@ -39,7 +39,7 @@ std::vector<TableCase> GetCases()
 const char* const HypercubeName = "hexahedron-time";
 const char* const AllCases = "all cases";
 
-// The order of the source: that of the edges.
+// Returns the order of points in the dissertation, which is the order of the cell's edges.
 std::vector<int> GetSourceRanks(const Polytope& cell)
 {
   std::vector<int> ranks(cell.Prism().Edges.size());
@@ -47,7 +47,7 @@ std::vector<int> GetSourceRanks(const Polytope& cell)
   return ranks;
 }
 
-// The order of the filters on structured grids.
+// Returns the order of points that the filters use on structured grids.
 std::vector<int> GetShippedRanks(const Polytope& cell)
 {
   const int n = static_cast<int>(cell.Vertices.size());
@@ -83,7 +83,7 @@ void AddTable(const TableCase& what, const std::string& method, BenchRows& rows)
     entries *= 3;
   }
   std::int64_t sum = 0;
-  int most = 0;
+  int maximum = 0;
   for (int key = 0; key < entries; ++key)
   {
     const CasePatch patch(
@@ -91,11 +91,11 @@ void AddTable(const TableCase& what, const std::string& method, BenchRows& rows)
     const int number =
       static_cast<int>(FacetTriangulation::Triangulate(patch, rule.Method, rule.Ranks).size());
     sum += number;
-    most = std::max(most, number);
+    maximum = std::max(maximum, number);
   }
   BenchRow row = rows.Make(what.Name, method);
   row.Set({ { "entries", entries }, { "sum", sum }, { "mean", static_cast<double>(sum) / entries },
-    { "max", most } });
+    { "max", maximum } });
   if (method == "source-order" && what.StatedMaximum > 0)
   {
     row.Set({ { "stated_mean", what.StatedMean }, { "stated_max", what.StatedMaximum } });
@@ -164,10 +164,10 @@ std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows)
     {} };
   for (const BenchRow& row : rows)
   {
-    const bool isWhole = !row.Parameter.is_string() || row.Parameter == AllCases;
-    if (row.Method == "source-order" && row.Counts.contains("stated_mean") && isWhole)
+    const bool hasAllCases = !row.Parameter.is_string() || row.Parameter == AllCases;
+    if (row.Method == "source-order" && row.Counts.contains("stated_mean") && hasAllCases)
     {
-      // The source cuts off some digits and rounds others.
+      // The dissertation truncates some numbers and rounds others.
       const double mean = row.Counts["mean"].get<double>();
       const bool met = std::abs(mean - row.Counts["stated_mean"].get<double>()) < 0.01 &&
         row.Counts["max"] == row.Counts["stated_max"];

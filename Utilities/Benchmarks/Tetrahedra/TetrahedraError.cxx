@@ -2,7 +2,7 @@
 #include "Benchmarks/Suites/BenchParts.h"
 
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Benchmarks/Tetrahedra/FieldPicture.h"
+#include "Benchmarks/Tetrahedra/FieldImage.h"
 #include "Benchmarks/Tetrahedra/TetrahedraMethods.h"
 #include "Benchmarks/Tetrahedra/TetrahedraScene.h"
 
@@ -15,20 +15,20 @@ namespace tetrahedra
 namespace
 {
 const char* const Norm = "channel difference, mean";
-const char* const Average = ", average colour";
+const char* const Average = ", average color";
 
-/// A mapper and its name in the rows.
+/// A mapper and the method of its rows.
 struct Method
 {
   std::string Name;
   vtkSmartPointer<vtkUnstructuredGridVolumeMapper> Mapper;
 };
 
-/// The peer first.
+/// Returns all methods, the baseline first.
 std::vector<Method> MakeMethods(vtkUnstructuredGrid* grid)
 {
   std::vector<Method> methods;
-  methods.push_back({ Peer, vtkSmartPointer<vtkProjectedTetrahedraMapper>::New() });
+  methods.push_back({ Baseline, vtkSmartPointer<vtkProjectedTetrahedraMapper>::New() });
   methods[0].Mapper->SetInputData(static_cast<vtkDataSet*>(grid));
   for (const RenderPath& path : AllRenderPaths())
   {
@@ -40,7 +40,7 @@ std::vector<Method> MakeMethods(vtkUnstructuredGrid* grid)
   return methods;
 }
 
-void AddResolutionRows(Theatre& theatre, int cubes, const reference::RgbaPicture& expected,
+void AddResolutionRows(SharedStage& stage, int cubes, const reference::RgbaImage& expected,
   const BenchOptions& options, BenchRows& rows)
 {
   auto grid = MakeGrid(cubes);
@@ -49,42 +49,42 @@ void AddResolutionRows(Theatre& theatre, int cubes, const reference::RgbaPicture
   works.reserve(methods.size());
   for (const Method& method : methods)
   {
-    works.push_back(WithThreads(options.Threads, theatre.FrameOf(method.Mapper)));
+    works.push_back(WithThreads(options.Threads, stage.FrameOf(method.Mapper)));
   }
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
-  // Mappers that have not drawn before, each in its own window.
+  // Mappers that have not rendered before, each in a separate window.
   const std::vector<Method> fresh = MakeMethods(grid);
   for (std::size_t i = 0; i < methods.size(); ++i)
   {
-    const reference::PictureError error =
-      reference::ComparePictures(theatre.CaptureApart(fresh[i].Mapper), expected);
+    const reference::ImageError error =
+      reference::CompareImages(stage.CaptureSeparately(fresh[i].Mapper), expected);
     BenchRow row = rows.Make("gyroid", methods[i].Name, cubes);
     row.SetError(Norm, error.Mean);
     row.Set({ { "tetrahedra", grid->GetNumberOfCells() }, { "largest_error", error.Max } });
     row.Seconds = seconds[i];
     if (i > 0)
     {
-      row.Peer = Peer;
-      row.PeerSeconds = seconds[0];
+      row.Baseline = Baseline;
+      row.BaselineSeconds = seconds[0];
     }
     rows.Add(row);
   }
 }
 
 /**
- * Pictures of meshes of several resolutions, by every render path and the peer, against the picture
- * of the field without a mesh. The parameter is the number of cubes along an edge.
+ * Compares images of meshes with several resolutions, by every render path and the baseline, with
+ * an image of the field without a mesh. The parameter is the number of cubes along an edge.
  */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::vector<int> resolutions =
     options.Pick<std::vector<int>>({ 8, 16, 32, 48 }, { 4, 8, 16 }, { 2, 4 });
-  Theatre theatre(options.Pick(256, 128, 32));
-  const reference::RgbaPicture expected = IntegrateField(GetField, GetLow(), GetHigh(),
-    MakeProperty(), MakeCamera(), theatre.GetSize(), options.Pick(4000, 1000, 200));
+  SharedStage stage(options.Pick(256, 128, 32));
+  const reference::RgbaImage expected = IntegrateField(GetField, GetLow(), GetHigh(),
+    MakeProperty(), MakeCamera(), stage.GetSize(), options.Pick(4000, 1000, 200));
   for (int cubes : resolutions)
   {
-    AddResolutionRows(theatre, cubes, expected, options, rows);
+    AddResolutionRows(stage, cubes, expected, options, rows);
   }
 }
 
@@ -93,13 +93,13 @@ std::vector<BenchPlot> MakeErrorPlots(const std::vector<BenchRow>& rows)
   BenchPlot plot = BenchPlot::OfErrors("tetrahedra-error",
     "a gyroid: error against run time as the mesh gets finer", "time of a frame (s)",
     std::string("error: ") + Norm,
-    "Which path and which integration of a tetrahedron, as meshes get finer?",
-    "A gyroid in cubes of five tetrahedra, cubes along an edge at each point, against the "
-    "formula's own picture. Ringed: the software path, which is the default where OpenGL is "
-    "software, on the finest mesh.");
+    "Which render path and which integration mode are best as meshes get finer?",
+    "A gyroid in cubes of five tetrahedra; labels are cubes along an edge. The reference is "
+    "rendered from the formula. Ringed: the software path on the finest mesh, which is the default "
+    "if OpenGL is software.");
   for (const BenchRow& row : rows)
   {
-    plot.AddRow(row, row.Method == Peer);
+    plot.AddRow(row, row.Method == Baseline);
   }
   plot.SetDefault("software");
   return { plot };

@@ -8,7 +8,7 @@ namespace
 using Mapper = vtkTimeWeightedTetrahedraMapper;
 }
 
-const char* const Peer = "projectedtetrahedra";
+const char* const Baseline = "projectedtetrahedra";
 
 const std::vector<RenderPath>& AllRenderPaths()
 {
@@ -58,7 +58,7 @@ void AddReport(vtkInterlumeReport* report, BenchRow& row)
          Name("memory_bytes", "MemoryBytes"), Name("uploaded_order_bytes", "UploadedOrderBytes"),
          Name("uploaded_image_bytes", "UploadedImageBytes") })
   {
-    row.Counts[count] = static_cast<vtkIdType>(report->GetNumber(value));
+    row.Counts[count] = report->GetCount(value);
   }
 }
 }

@@ -12,16 +12,16 @@
 #include <vector>
 
 /**
- * The ways of vtkTimeWeightedTetrahedraMapper that the suite `tetrahedra` measures.
+ * Configurations of vtkTimeWeightedTetrahedraMapper in the suite `tetrahedra`.
  */
 namespace tetrahedra
 {
-/// The name of the peer in every row.
-extern const char* const Peer;
+/// Name of the baseline in every row.
+extern const char* const Baseline;
 
 struct RenderPath
 {
-  /// The method of a row.
+  /// Method of a row.
   const char* Name;
   int Path;
 };
@@ -29,25 +29,25 @@ const std::vector<RenderPath>& AllRenderPaths();
 
 struct RenderMode
 {
-  /// The parameter of a row.
+  /// Parameter of a row.
   const char* Name;
   int Blend;
   int Sort;
   int Integration;
 };
-/// Modes without a sort.
+/// Names of modes without sorting.
 extern const char* const Unsorted;
 extern const char* const OpticalDepth;
 
 const std::vector<RenderMode>& AllRenderModes();
-/// The mode with every default of the mapper.
+/// Returns the mode with all defaults of the mapper.
 const RenderMode& GetDefaultMode();
 
-/// A mapper with that path and mode, without level of detail.
+/// Returns a mapper with this path and mode, without level of detail.
 vtkSmartPointer<vtkTimeWeightedTetrahedraMapper> NewMapper(
   vtkUnstructuredGrid* grid, const RenderPath& path, const RenderMode& mode);
 
-/// Adds counts of the mapper's last picture: tetrahedra, passes, sort, bytes.
+/// Adds counts of the mapper's last frame: tetrahedra, passes, sort, bytes.
 void AddReport(vtkInterlumeReport* report, BenchRow& row);
 }
 

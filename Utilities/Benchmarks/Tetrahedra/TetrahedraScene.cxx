@@ -80,17 +80,17 @@ vtkSmartPointer<vtkVolumeProperty> MakeProperty()
 
 vtkSmartPointer<vtkCamera> MakeCamera()
 {
-  const double middle = 0.5 * (GetLow() + GetHigh());
+  const double center = 0.5 * (GetLow() + GetHigh());
   const double edge = GetHigh() - GetLow();
   auto camera = vtkSmartPointer<vtkCamera>::New();
-  camera->SetFocalPoint(middle, middle, middle);
-  camera->SetPosition(middle + 1.1 * edge, middle + 0.9 * edge, middle + 2.6 * edge);
+  camera->SetFocalPoint(center, center, center);
+  camera->SetPosition(center + 1.1 * edge, center + 0.9 * edge, center + 2.6 * edge);
   camera->SetViewAngle(30.0);
   camera->SetClippingRange(1.0 * edge, 5.0 * edge);
   return camera;
 }
 
-Theatre::Theatre(int pixels)
+SharedStage::SharedStage(int pixels)
   : Size({ { pixels, pixels } })
   , Stage(this->Size)
   , Property(MakeProperty())
@@ -98,7 +98,7 @@ Theatre::Theatre(int pixels)
 {
 }
 
-BenchWork Theatre::FrameOf(vtkUnstructuredGridVolumeMapper* mapper)
+BenchWork SharedStage::FrameOf(vtkUnstructuredGridVolumeMapper* mapper)
 {
   return [this, mapper]()
   {
@@ -112,14 +112,14 @@ BenchWork Theatre::FrameOf(vtkUnstructuredGridVolumeMapper* mapper)
   };
 }
 
-reference::RgbaPicture Theatre::Capture(vtkUnstructuredGridVolumeMapper* mapper)
+reference::RgbaImage SharedStage::Capture(vtkUnstructuredGridVolumeMapper* mapper)
 {
   this->Stage.SetVolume(mapper, this->Property);
   this->Stage.SetCamera(this->Camera);
   return this->Stage.Capture();
 }
 
-reference::RgbaPicture Theatre::CaptureApart(vtkUnstructuredGridVolumeMapper* mapper) const
+reference::RgbaImage SharedStage::CaptureSeparately(vtkUnstructuredGridVolumeMapper* mapper) const
 {
   reference::VolumeStage stage(this->Size);
   stage.SetVolume(mapper, this->Property);

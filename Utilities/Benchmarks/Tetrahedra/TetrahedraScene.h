@@ -3,7 +3,7 @@
 #define TetrahedraScene_h
 
 #include "Benchmarks/Measures/BenchTiming.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/VolumeStage.h"
 
 #include "vtkCamera.h"
 #include "vtkSmartPointer.h"
@@ -15,47 +15,48 @@
 #include <functional>
 
 /**
- * What the suite `tetrahedra` draws.
+ * Scene of the suite `tetrahedra`.
  */
 namespace tetrahedra
 {
-/// The field: the gyroid of AnalyticCases, of values from -1.5 to 1.5.
+/// Returns the field: the gyroid of AnalyticCases, with values from -1.5 to 1.5.
 double GetField(double x, double y, double z);
-/// The cube that it fills is [Low, High]^3.
+/// The field is defined in the cube [Low, High]^3.
 double GetLow();
 double GetHigh();
 
 /**
- * The field on cubes^3 cubes of five tetrahedra, with four layers in the cell array `IntervalId`.
+ * Returns the field on cubes^3 cubes of five tetrahedra, with four layers in the cell array
+ * `IntervalId`.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(int cubes);
 
 /**
- * Straight transfer functions with nodes inside the range, opacity at most 1: what
- * vtkProjectedTetrahedraMapper can hold.
+ * Returns piecewise linear transfer functions with nodes inside the range and opacities of at most
+ * 1, which vtkProjectedTetrahedraMapper supports.
  */
 vtkSmartPointer<vtkVolumeProperty> MakeProperty();
 
 /**
- * A perspective view of the cube, at a slant.
+ * Returns an oblique perspective view of the cube.
  */
 vtkSmartPointer<vtkCamera> MakeCamera();
 
 /**
- * Lets mappers take turns in one window, so that all are drawn by the same context.
+ * A window shared by several mappers, so that all render in the same context.
  */
-class Theatre
+class SharedStage
 {
 public:
-  explicit Theatre(int pixels);
+  explicit SharedStage(int pixels);
 
-  /// One frame of a mapper, from where the camera has moved on by half a degree, until it is done.
-  /// The mapper must outlive the work.
+  /// Returns a function that renders one frame of a mapper and waits until it is complete. The
+  /// camera rotates by half a degree per frame. The mapper must outlive the function.
   BenchWork FrameOf(vtkUnstructuredGridVolumeMapper* mapper);
-  /// The picture of a mapper from the camera's first position, in floating point.
-  reference::RgbaPicture Capture(vtkUnstructuredGridVolumeMapper* mapper);
-  /// The same on a stage of its own, for a mapper that has not drawn before.
-  reference::RgbaPicture CaptureApart(vtkUnstructuredGridVolumeMapper* mapper) const;
+  /// Returns the image of a mapper at the initial camera position, in floating point.
+  reference::RgbaImage Capture(vtkUnstructuredGridVolumeMapper* mapper);
+  /// Returns the same image from a separate window, for a mapper that has not rendered before.
+  reference::RgbaImage CaptureSeparately(vtkUnstructuredGridVolumeMapper* mapper) const;
 
   reference::VolumeStage& GetStage() { return this->Stage; }
   std::array<int, 2> GetSize() const { return this->Size; }

@@ -19,20 +19,20 @@ namespace
 struct SpeedCase
 {
   std::string Name;
-  int Cubes; ///< along an edge; five tetrahedra each
+  int Cubes; ///< Cubes along an edge, with five tetrahedra each.
   int Repeats;
 };
 
 std::vector<SpeedCase> MakeSpeedCases(const BenchOptions& options)
 {
-  // The peer takes half a minute a frame for eight million.
+  // The baseline takes half a minute per frame for eight million tetrahedra.
   return options.Pick<std::vector<SpeedCase>>(
     { { "gyroid-0.3M", 39, 5 }, { "gyroid-2M", 74, 3 }, { "gyroid-8M", 117, 1 } },
     { { "gyroid-0.03M", 18, 3 }, { "gyroid-0.1M", 27, 3 }, { "gyroid-0.3M", 39, 1 } },
     { { "gyroid-320", 4, 1 }, { "gyroid-1080", 6, 1 } });
 }
 
-/// A method of the mapper and a mode.
+/// A mapper with a render path and a mode.
 struct Entry
 {
   const RenderPath* Path;
@@ -43,8 +43,8 @@ struct Entry
 void AddRows(const SpeedCase& what, const BenchOptions& options, BenchRows& rows)
 {
   auto grid = MakeGrid(what.Cubes);
-  Theatre theatre(options.Pick(512, 512, 64));
-  const std::string device = theatre.GetStage().GetDevice();
+  SharedStage stage(options.Pick(512, 512, 64));
+  const std::string device = stage.GetStage().GetDevice();
   std::vector<Entry> entries;
   std::vector<BenchWork> works;
   for (const RenderPath& path : AllRenderPaths())
@@ -52,27 +52,27 @@ void AddRows(const SpeedCase& what, const BenchOptions& options, BenchRows& rows
     for (const RenderMode& mode : AllRenderModes())
     {
       entries.push_back({ &path, &mode, NewMapper(grid, path, mode) });
-      works.push_back(WithThreads(options.Threads, theatre.FrameOf(entries.back().Mapper)));
+      works.push_back(WithThreads(options.Threads, stage.FrameOf(entries.back().Mapper)));
     }
   }
-  vtkNew<vtkProjectedTetrahedraMapper> peer;
-  peer->SetInputData(static_cast<vtkDataSet*>(grid));
-  works.push_back(theatre.FrameOf(peer));
+  vtkNew<vtkProjectedTetrahedraMapper> baseline;
+  baseline->SetInputData(static_cast<vtkDataSet*>(grid));
+  works.push_back(stage.FrameOf(baseline));
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, what.Repeats);
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
     BenchRow row = rows.Make(what.Name, entries[i].Path->Name, entries[i].Mode->Name);
-    row.SetTimes(seconds[i], Peer, seconds.back());
+    row.SetTimes(seconds[i], Baseline, seconds.back());
     AddReport(entries[i].Mapper->GetReport(), row);
-    row.Set({ { "pixels", theatre.GetSize()[0] * theatre.GetSize()[1] },
-      { "threads", options.Threads }, { "device", device } });
+    row.Set({ { "pixels", stage.GetSize()[0] * stage.GetSize()[1] }, { "threads", options.Threads },
+      { "device", device } });
     rows.Add(row);
   }
 }
 
 bool IsSpeedRow(const BenchRow& row)
 {
-  return row.Peer == Peer && !row.Error;
+  return row.Baseline == Baseline && !row.Error;
 }
 
 bool IsOf(const BenchRow& row, const std::string& path, const std::string& mode)
@@ -80,9 +80,10 @@ bool IsOf(const BenchRow& row, const std::string& path, const std::string& mode)
   return IsSpeedRow(row) && row.Method == path && row.Parameter == mode;
 }
 
-/// The ratio of the default mode of a path, in cases of so many tetrahedra.
+/// Returns a function for claims: the ratio of the default mode of a path, for cases with \a
+/// minimum to \a maximum tetrahedra.
 std::function<std::optional<double>(const BenchRow&)> RatioOf(
-  const std::string& path, double fewest, double most)
+  const std::string& path, double minimum, double maximum)
 {
   return [=](const BenchRow& row) -> std::optional<double>
   {
@@ -91,11 +92,11 @@ std::function<std::optional<double>(const BenchRow&)> RatioOf(
       return std::nullopt;
     }
     const double size = row.Counts["tetrahedra"].get<double>();
-    return size >= fewest && size < most ? row.GetRatio() : std::nullopt;
+    return size >= minimum && size < maximum ? row.GetRatio() : std::nullopt;
   };
 }
 
-/// The claim that a mode without a sort is at least as fast as the default mode.
+/// Returns the claim that a mode without sorting is at least as fast as the default mode.
 BenchClaim IsFasterUnsorted(
   const std::string& path, const std::string& mode, const std::vector<BenchRow>& rows)
 {
@@ -113,8 +114,8 @@ BenchClaim IsFasterUnsorted(
 }
 
 /**
- * Methods `opengl` and `software`, the render paths, against the peer `projectedtetrahedra`: a row
- * for each blend and sort mode.
+ * Measures the render paths, methods `opengl` and `software`, with a row for each blend and sort
+ * mode. The baseline is `projectedtetrahedra`.
  */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {
@@ -130,7 +131,7 @@ std::vector<BenchClaim> CheckSpeedClaims(const std::vector<BenchRow>& rows)
   constexpr double many = 1.9e6;
   constexpr double most = 7.5e6;
   constexpr double all = 1e12;
-  const std::string than = " times faster than " + std::string(Peer);
+  const std::string than = " times faster than " + std::string(Baseline);
   std::vector<BenchClaim> claims = {
     BenchClaim::AtLeast(
       "opengl, 0.3 M tetrahedra: at least 1.2" + than, 1.2, rows, RatioOf("opengl", some, many)),
@@ -172,7 +173,7 @@ std::vector<BenchPlot> MakeSpeedPlots(const std::vector<BenchRow>& rows)
     }
     if (isDefault && row.Method == AllRenderPaths()[0].Name)
     {
-      plots[0].AddPoint(Peer, true, size, *row.PeerSeconds);
+      plots[0].AddPoint(Baseline, true, size, *row.BaselineSeconds);
     }
   }
   for (const RenderPath& path : AllRenderPaths())

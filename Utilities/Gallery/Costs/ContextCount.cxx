@@ -15,8 +15,8 @@ namespace gallery
 {
 namespace
 {
-/// Drivers give names from 1 on, and names that are free again first.
-constexpr GLuint MOST_NAMES = 20000;
+/// Upper bound of OpenGL names. Drivers assign names from 1 on and reuse free ones first.
+constexpr GLuint MAXIMUM_NAME = 20000;
 
 struct Target
 {
@@ -57,8 +57,8 @@ vtkIdType GetLevelBytes(GLenum target, GLint level)
   return bits * size[0] * size[1] * size[2] / 8;
 }
 
-/// Returns the number of levels that the bound texture may have. Drivers report an error when a
-/// level beyond their limit is queried.
+/// Returns the maximum number of levels of the bound texture. Drivers report an error if a level
+/// beyond their limit is queried.
 GLint GetNumberOfLevels(GLenum target)
 {
   std::array<GLint, 3> size = GetLevelSize(target, 0);
@@ -74,7 +74,8 @@ GLint GetNumberOfLevels(GLenum target)
   return levels;
 }
 
-/// The bytes of a texture; its storage is that of a buffer object where it is one's.
+/// Returns the bytes of a texture, or 0 for a buffer texture: its storage is counted as a buffer
+/// object.
 vtkIdType GetTextureBytes(GLuint texture)
 {
   for (const Target& target : TARGETS)
@@ -166,11 +167,11 @@ vtkIdType CountProgramWords(GLuint program)
 ContextCount CountContext(vtkRenderWindow* window)
 {
   window->MakeCurrent();
-  // The targets of textures are tried out, which is no error to report.
+  // Binding a texture to a wrong target is an expected error here.
   const bool reports = glIsEnabled(GL_DEBUG_OUTPUT) == GL_TRUE;
   glDisable(GL_DEBUG_OUTPUT);
   ContextCount count;
-  for (GLuint name = 1; name < MOST_NAMES; ++name)
+  for (GLuint name = 1; name < MAXIMUM_NAME; ++name)
   {
     const bool isTexture = glIsTexture(name) == GL_TRUE;
     const bool isBuffer = glIsBuffer(name) == GL_TRUE;

@@ -9,18 +9,18 @@ class vtkRenderWindow;
 namespace gallery
 {
 /**
- * What an OpenGL context holds, asked of OpenGL itself, whoever made it.
+ * Resources of an OpenGL context. They are queried from OpenGL, so that all owners are included.
  */
 struct ContextCount
 {
   /// Textures, render buffers and buffer objects, and the bytes of their storage.
   int Buffers = 0;
   vtkIdType Bytes = 0;
-  /// Names, numbers and keywords in the sources of all shaders of all programs.
+  /// Words (names, numbers and keywords) in the sources of all shaders of all programs.
   vtkIdType Words = 0;
 };
 
-/// Counts what the window's context holds.
+/// Counts the resources of the window's context.
 ContextCount CountContext(vtkRenderWindow* window);
 }
 

@@ -13,7 +13,7 @@ namespace
 {
 ExecutionWatch* Current = nullptr;
 
-/// The executive of most algorithms, which reports executions.
+/// The executive of most algorithms, extended to report executions.
 class WatchedPipeline : public vtkCompositeDataPipeline
 {
 public:

@@ -11,10 +11,10 @@ namespace gallery
 {
 /**
  * @class   ExecutionWatch
- * @brief   collects the algorithms of VTK's pipeline that execute, without their help
+ * @brief   records the VTK algorithms that execute
  *
- * Algorithms that are made while a watch lives have executives that report each execution to it.
- * There is one watch at a time; algorithms may live longer.
+ * Algorithms created during the lifetime of a watch get executives that report each execution to
+ * it. Only one watch may exist at a time. Algorithms may outlive it.
  */
 class ExecutionWatch
 {
@@ -30,7 +30,7 @@ public:
     return this->Algorithms;
   }
 
-  /// For the executives.
+  /// Called by the executives.
   static void Note(vtkAlgorithm* algorithm);
 
 private:

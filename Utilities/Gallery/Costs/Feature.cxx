@@ -43,7 +43,7 @@ bool HasBoundaries(vtkTimeVaryingIntervalVolume* filter)
   return isAny;
 }
 
-/// Features of a class, by calls of its own type.
+/// Adds features of one class, described by its member functions.
 template <typename Type>
 class FeatureList
 {
@@ -54,7 +54,7 @@ public:
   {
   }
 
-  /// A setting, with the value that is on, and what tells whether it was.
+  /// Adds a setting that the value \a on switches on. \a isOn returns whether the feature is on.
   template <typename IsOn, typename Get, typename Set, typename Own, typename Value>
   void AddIf(
     const char* name, const IsOn& isOn, const Get& get, const Set& set, const Own& own, Value on)
@@ -74,7 +74,7 @@ public:
     };
     this->Features.push_back(feature);
   }
-  /// A setting that is on unless its value is the one of off.
+  /// Adds a setting that is on if its value differs from \a off.
   template <typename Get, typename Set, typename Own, typename Value = bool>
   void Add(const char* name, Get get, Set set, const Own& own, Value on = true, Value off = false)
   {
@@ -93,11 +93,13 @@ void AddExtractions(std::vector<Feature>& features)
   FeatureList<Interval> intervals("vtkIntervalVolume", features);
   intervals.Add("GenerateBoundaries", &Interval::GetGenerateBoundaries,
     &Interval::SetGenerateBoundaries, [](Interval* filter) { return CountCells(filter, 1); });
-  intervals.Add("KeepWholeCells", &Interval::GetKeepWholeCells, &Interval::SetKeepWholeCells,
+  intervals.Add("KeepInteriorCells", &Interval::GetKeepInteriorCells,
+    &Interval::SetKeepInteriorCells,
     [](Interval* filter) {
       return SumValues(filter->GetReport(), { "InteriorCells", "NonPlanarFaces" });
     });
-  intervals.Add("KeepOrigins", &Interval::GetKeepOrigins, &Interval::SetKeepOrigins,
+  intervals.Add("GenerateOriginArrays", &Interval::GetGenerateOriginArrays,
+    &Interval::SetGenerateOriginArrays,
     [](Interval* filter) { return CountArray(filter, "OriginPoints"); });
   intervals.Add("UseValueIndex", &Interval::GetUseValueIndex, &Interval::SetUseValueIndex,
     [](Interval* filter)
@@ -119,7 +121,7 @@ void AddExtractions(std::vector<Feature>& features)
   FeatureList<InTime> inTime("vtkTimeVaryingIntervalVolume", features);
   inTime.Add("GenerateSimplices", &InTime::GetGenerateSimplices, &InTime::SetGenerateSimplices,
     [](InTime* filter) { return CountCells(filter, 2); });
-  // Off are none of the kinds.
+  // An empty list of boundary kinds turns the feature off.
   inTime.Add("GenerateBoundaries", &HasBoundaries, &InTime::SetGenerateBoundaries,
     [](InTime* filter) { return SumValues(filter->GetReport(), { "Boundaries" }); });
 }
@@ -134,11 +136,12 @@ void AddFlows(std::vector<Feature>& features)
   fields.Add(
     "SamplingChecks", &Field::GetSamplingChecks, &Field::SetSamplingChecks,
     [](Field* filter) { return filter->GetReport()->GetNumber("SamplingChecks"); }, 500, 0);
-  fields.Add("ShareStreamlines", &Field::GetShareStreamlines, &Field::SetShareStreamlines,
+  fields.Add("InterpolateStreamlines", &Field::GetInterpolateStreamlines,
+    &Field::SetInterpolateStreamlines,
     [](Field* filter) {
       return SumValues(filter->GetReport(), { "InterpolatedSamples", "InterpolationChecks" });
     });
-  fields.Add("KeepSteps", &Field::GetKeepSteps, &Field::SetKeepSteps,
+  fields.Add("StoreStepCounts", &Field::GetStoreStepCounts, &Field::SetStoreStepCounts,
     [](Field* filter) { return CountArray(filter, "AdvectionSteps"); });
   fields.Add("ComputeMaximumSpeed", &Field::GetComputeMaximumSpeed, &Field::SetComputeMaximumSpeed,
     [](Field* filter) { return CountArray(filter, "MaximumSpeed"); });
@@ -170,7 +173,7 @@ void AddDrawings(std::vector<Feature>& features)
     },
     true);
   slices.Add(
-    "MultipleScattering", &Slices::GetMultipleScattering, &Slices::SetMultipleScattering,
+    "ScatteringMode", &Slices::GetScatteringMode, &Slices::SetScatteringMode,
     [](Slices* mapper) {
       return SumValues(mapper->GetReport(), { "ScatteringCells", "ScatteringBytes" });
     },

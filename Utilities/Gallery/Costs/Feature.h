@@ -11,24 +11,23 @@ class vtkObject;
 namespace gallery
 {
 /**
- * What an object can do besides, at a cost: an output, an array, a way to draw.
+ * An optional feature of an object that has a cost: an output, an array, a rendering mode.
  */
 struct Feature
 {
-  /// The class of the object, and the feature, as its setting is called.
+  /// The class of the object, and the name of the feature, usually the setting that controls it.
   std::string Class;
   std::string Name;
-  /// Whether the object does it in what it executed or drew last.
+  /// Returns true if the last execution or rendering of the object used the feature.
   std::function<bool(vtkObject* object)> IsOn;
-  /// The sum of those numbers of the object's report and outputs that are of this feature alone,
-  /// all of them numbers of what was made: 0 where it is off.
+  /// Returns the sum of the amounts that only this feature adds to the object's report and outputs.
+  /// It is 0 if the feature is off.
   std::function<double(vtkObject* object)> Own;
-  /// Switches it on. Returns what switches it off again.
+  /// Switches the feature on. Returns a function that restores the previous state.
   std::function<std::function<void()>(vtkObject* object)> SwitchOn;
 };
 
-/// Returns the features of filters, and of what draws: mappers of volumes and the pass of mixed
-/// scenes.
+/// Returns the features of filters, volume mappers and the pass of mixed scenes.
 const std::vector<Feature>& AllFeatures();
 }
 

@@ -4,7 +4,7 @@
 #include "Gallery/Costs/ContextCount.h"
 #include "Gallery/Costs/ExecutionWatch.h"
 #include "Gallery/Costs/Feature.h"
-#include "Gallery/Picture.h"
+#include "Gallery/GalleryImage.h"
 #include "Gallery/Scene.h"
 #include "Gallery/SceneReport.h"
 #include "Gallery/Stage.h"
@@ -35,11 +35,11 @@ namespace gallery
 {
 namespace
 {
-double Quantile(std::vector<double> values, double share)
+double Quantile(std::vector<double> values, double fraction)
 {
   std::sort(values.begin(), values.end());
   return values.empty() ? 0.0
-                        : values[static_cast<std::size_t>(share * (values.size() - 1.0) + 0.5)];
+                        : values[static_cast<std::size_t>(fraction * (values.size() - 1.0) + 0.5)];
 }
 
 double GetSpread(const std::vector<double>& values)
@@ -47,7 +47,7 @@ double GetSpread(const std::vector<double>& values)
   return Quantile(values, 0.75) - Quantile(values, 0.25);
 }
 
-/// The processor seconds of all threads since it was made.
+/// Measures the processor time of all threads since construction.
 class ProcessorWatch
 {
 public:
@@ -64,34 +64,34 @@ private:
 struct Subject
 {
   vtkObject* Object;
-  /// Takes one run, and says what it took.
+  /// Performs one run and returns its costs.
   std::function<Costs()> Run;
-  /// Makes all states start alike.
+  /// Prepares a state, so that all states start in the same condition.
   std::function<void()> Begin;
 };
 
-/// How much longer one subject takes than another, run by run in turn.
+/// Differences of the times of two subjects in alternating runs.
 struct Pairs
 {
   std::vector<double> Differences;
-  /// Of the other.
+  /// Times of the second subject.
   std::vector<double> Seconds;
 
-  /// Adds as many pairs as the settings say; each goes first in every second one.
-  void Add(const Subject& one, const Subject& other, const CostSettings& settings, int most)
+  /// Adds up to \a maximum pairs within the time limit. The subject that runs first alternates.
+  void Add(const Subject& one, const Subject& other, const CostSettings& settings, int maximum)
   {
     const Stopwatch watch;
-    for (int i = 0; i < most && (i < 2 || watch.Seconds() < settings.Limit); ++i)
+    for (int i = 0; i < maximum && (i < 2 || watch.Seconds() < settings.Limit); ++i)
     {
       const double before = i % 2 == 0 ? 0.0 : one.Run().Seconds;
       this->Seconds.push_back(other.Run().Seconds);
-      const double taken = i % 2 == 0 ? one.Run().Seconds : before;
-      this->Differences.push_back(taken - this->Seconds.back());
+      const double seconds = i % 2 == 0 ? one.Run().Seconds : before;
+      this->Differences.push_back(seconds - this->Seconds.back());
     }
   }
 };
 
-/// Measures the features of objects that are off and were not measured before.
+/// Measures features that are off and were not measured before.
 class Meter
 {
 public:
@@ -102,24 +102,24 @@ public:
 
   const std::vector<FeatureCosts>& Get() const { return this->Found; }
 
-  /// \a never is the same subject of the scene that was built again, without an object where there
-  /// is none.
+  /// \a never is the counterpart of \a subject in the copy of the scene whose features are never
+  /// switched on. Its object is null if there is no counterpart.
   void Add(const Subject& subject, const Subject& never)
   {
-    // What both differ by without a feature, and how it varies.
+    // Differences of the times of both subjects before any feature is on.
     Pairs without;
     for (const Feature& feature : AllFeatures())
     {
-      const bool isAsked = feature.Class == subject.Object->GetClassName() &&
+      const bool isSelected = feature.Class == subject.Object->GetClassName() &&
         (this->Settings.OnlyClass.empty() || this->Settings.OnlyClass == feature.Class);
-      if (isAsked && !feature.IsOn(subject.Object) &&
+      if (isSelected && !feature.IsOn(subject.Object) &&
         this->Measured.insert({ feature.Class, feature.Name }).second)
       {
         if (never.Object && without.Differences.empty())
         {
           never.Begin();
           subject.Begin();
-          // Caches are filled by pairs that do not count.
+          // Two pairs that are not evaluated fill caches.
           Pairs().Add(subject, never, this->Settings, 2);
           without.Add(subject, never, this->Settings, this->Settings.Pairs);
         }
@@ -135,7 +135,7 @@ private:
     FeatureCosts costs;
     costs.Class = feature.Class;
     costs.Feature = feature.Name;
-    Costs taken[3];
+    Costs stateCosts[3];
     double* own[3] = { &costs.OwnOff, &costs.OwnOn, &costs.OwnAfter };
     Pairs pairs[3];
     std::function<void()> switchOff;
@@ -150,24 +150,24 @@ private:
         switchOff();
       }
       subject.Begin();
-      // The first one compiles and uploads, which is in no time.
-      taken[state] = subject.Run();
+      // The first run compiles shaders and uploads data; it is not timed.
+      stateCosts[state] = subject.Run();
       if (never.Object && state > 0)
       {
-        // What is measured alone is of two fresh ones too.
+        // The counterpart starts in the same condition.
         never.Begin();
         never.Run();
         pairs[state].Add(subject, never, this->Settings, this->Settings.Pairs);
       }
-      if (state == 2 && IsBeyondNoise(pairs[2], without))
+      if (state == 2 && ExceedsNoise(pairs[2], without))
       {
-        // By chance, or not: more pairs tell.
+        // More pairs distinguish a difference from noise.
         pairs[state].Add(subject, never, this->Settings, 3 * this->Settings.Pairs);
       }
       *own[state] = feature.Own(subject.Object);
     }
-    costs.Left = Subtract(taken[2], taken[0]);
-    costs.Added = Subtract(taken[1], taken[0]);
+    costs.Left = Subtract(stateCosts[2], stateCosts[0]);
+    costs.Added = Subtract(stateCosts[1], stateCosts[0]);
     const double usual = Quantile(without.Differences, 0.5);
     costs.Left.Seconds = Quantile(pairs[2].Differences, 0.5) - usual;
     costs.Added.Seconds = Quantile(pairs[1].Differences, 0.5) - usual;
@@ -182,7 +182,7 @@ private:
   {
     return std::max(GetSpread(after.Differences), GetSpread(without.Differences));
   }
-  static bool IsBeyondNoise(const Pairs& after, const Pairs& without)
+  static bool ExceedsNoise(const Pairs& after, const Pairs& without)
   {
     return Quantile(after.Differences, 0.5) - Quantile(without.Differences, 0.5) >
       GetNoise(after, without);
@@ -212,23 +212,23 @@ Subject MakeSubject(vtkAlgorithm* filter)
 {
   const auto run = [filter]()
   {
-    vtkNew<vtkCallbackCommand> nothing;
-    // A feature may have nothing to do here, which filters say.
-    const unsigned long tag = filter->AddObserver(vtkCommand::WarningEvent, nothing);
+    vtkNew<vtkCallbackCommand> ignore;
+    // Ignores warnings: filters warn if a feature has no effect on their input.
+    const unsigned long tag = filter->AddObserver(vtkCommand::WarningEvent, ignore);
     filter->Modified();
     const ProcessorWatch watch;
     filter->Update();
-    Costs taken;
-    taken.Seconds = watch.Seconds();
+    Costs costs;
+    costs.Seconds = watch.Seconds();
     filter->RemoveObserver(tag);
-    AddOutputs(filter, taken);
-    taken.Passes = 1.0;
-    return taken;
+    AddOutputs(filter, costs);
+    costs.Passes = 1.0;
+    return costs;
   };
   return { filter, run, []() {} };
 }
 
-/// The passes that what a renderer draws reports.
+/// Returns the number of passes reported by the volume mappers and the render pass.
 double CountPasses(vtkRenderer* renderer)
 {
   double passes = 0.0;
@@ -260,7 +260,7 @@ double CountPasses(vtkRenderer* renderer)
   return passes;
 }
 
-/// A panel that is drawn, in a window of its own, which Begin of its subjects makes anew.
+/// A panel in a separate window. Begin() of its subjects opens a new window.
 class DrawnPanel
 {
 public:
@@ -268,13 +268,13 @@ public:
     : Drawn(panel)
     , Settings(settings)
   {
-    // The first drawing prepares what the panel is drawn by.
+    // The first drawing creates the passes of the panel.
     panel.Draw(settings.Width, settings.Height);
   }
   DrawnPanel(const DrawnPanel&) = delete;
   void operator=(const DrawnPanel&) = delete;
 
-  /// What may have features: the mappers of volumes, and the pass.
+  /// Returns the objects that may have features: the volume mappers and the render pass.
   std::vector<Subject> GetSubjects()
   {
     std::vector<Subject> subjects;
@@ -298,8 +298,8 @@ private:
     return { object, [this]() { return this->Run(); },
       [this]()
       {
-        // A pass compiles what the picture before had before it knows of a change, and OpenGL keeps
-        // that.
+        // A pass first compiles the shaders of the previous state, and OpenGL retains them. Drawing
+        // in another window first avoids that.
         this->Open();
         this->Drawn.DrawIn(this->Window);
         this->Open();
@@ -316,14 +316,14 @@ private:
   {
     const ProcessorWatch watch;
     this->Drawn.DrawIn(this->Window);
-    Costs taken;
-    taken.Seconds = watch.Seconds();
+    Costs costs;
+    costs.Seconds = watch.Seconds();
     const ContextCount count = CountContext(this->Window);
-    taken.Buffers = count.Buffers;
-    taken.Bytes = static_cast<double>(count.Bytes);
-    taken.Words = static_cast<double>(count.Words);
-    taken.Passes = CountPasses(this->Drawn.GetRenderer());
-    return taken;
+    costs.Buffers = count.Buffers;
+    costs.Bytes = static_cast<double>(count.Bytes);
+    costs.Words = static_cast<double>(count.Words);
+    costs.Passes = CountPasses(this->Drawn.GetRenderer());
+    return costs;
   }
 
   Panel& Drawn;
@@ -337,10 +337,10 @@ class BuiltScene
 public:
   BuiltScene(const Scene& scene, const CostSettings& settings)
     : Settings(settings)
-    , Place(settings.Width, settings.Height)
+    , SceneStage(settings.Width, settings.Height)
   {
     const ExecutionWatch watch;
-    scene.Build(this->Place);
+    scene.Build(this->SceneStage);
     this->Filters = watch.GetAlgorithms();
   }
 
@@ -352,22 +352,22 @@ public:
     return subjects;
   }
 
-  /// Lets go of the filters, which need not be held while panels are drawn.
+  /// Releases the filters, which are not needed while panels are drawn.
   void DropFilters() { this->Filters.clear(); }
 
-  std::size_t GetNumberOfPanels() { return this->Place.FitPanels().size(); }
+  std::size_t GetNumberOfPanels() { return this->SceneStage.FitPanels().size(); }
   DrawnPanel Draw(std::size_t panel)
   {
-    return DrawnPanel(*this->Place.FitPanels()[panel], this->Settings);
+    return DrawnPanel(*this->SceneStage.FitPanels()[panel], this->Settings);
   }
 
 private:
   const CostSettings& Settings;
-  Stage Place;
+  Stage SceneStage;
   std::vector<vtkSmartPointer<vtkAlgorithm>> Filters;
 };
 
-/// Measures subjects beside those of the scene that was built again, where it was.
+/// Measures the features of \a subjects. The counterparts in \a never are used for times.
 void Add(Meter& meter, const std::vector<Subject>& subjects, const std::vector<Subject>& never)
 {
   for (std::size_t i = 0; i < subjects.size(); ++i)

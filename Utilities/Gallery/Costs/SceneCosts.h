@@ -10,75 +10,76 @@ namespace gallery
 struct Scene;
 
 /**
- * What a filter's execution or the drawing of a panel takes. Buffers, bytes and words of drawings
- * are those that OpenGL has; arrays and bytes of filters those of their outputs.
+ * Costs of an execution of a filter or of rendering a panel. For rendering, buffers, bytes and
+ * words are those of OpenGL. For filters, arrays and bytes are those of the outputs.
  */
 struct Costs
 {
-  /// Passes that mappers and passes report; of filters, executions.
+  /// Passes reported by mappers and render passes, or executions of a filter.
   double Passes = 0.0;
   double Buffers = 0.0;
   double Bytes = 0.0;
   double Words = 0.0;
   double Arrays = 0.0;
-  /// Processor time of all threads, so that what else the machine does is not in it.
+  /// Processor time of all threads, which excludes other load of the machine.
   double Seconds = 0.0;
 };
-/// Returns what \a one is more than \a other.
+/// Returns \a one minus \a other.
 Costs Subtract(const Costs& one, const Costs& other);
 
 /**
- * A feature that an object of a scene does not use: what it costs there, and what it would.
+ * A feature that an object of a scene does not use: its cost while off, and while on.
  */
 struct FeatureCosts
 {
   std::string Class;
   std::string Feature;
-  /// The sum of the report's own numbers of the feature, before it was ever on, while it was, and
-  /// after.
+  /// Feature::Own before the feature was first switched on, while it was on, and after it was
+  /// switched off.
   double OwnOff = 0.0;
   double OwnOn = 0.0;
   double OwnAfter = 0.0;
-  /// What is left of it once it was on, over what there was before it was ever on.
+  /// Costs after the feature was switched off again, minus the costs before it was first switched
+  /// on.
   Costs Left;
-  /// What it adds while it is on.
+  /// Costs while the feature is on, minus the costs before it was first switched on.
   Costs Added;
-  /// The median seconds of an object that never had it on.
+  /// Median time of an object whose feature was never switched on, in seconds.
   double Seconds = 0.0;
-  /// What seconds differ by without reason: the distance of the quartiles of the pairs'
-  /// differences.
+  /// Noise of the times, in seconds: the larger interquartile range of the pairs' differences,
+  /// before the first feature was switched on and after the feature was switched off.
   double Noise = 0.0;
-  /// Pairs of runs that Left is the median of, and that Added is.
+  /// Number of pairs of runs in the medians of Left and of Added.
   int Pairs = 0;
   int PairsOn = 0;
 
-  /// Whether no more seconds are left than noise.
+  /// Returns true if Left.Seconds does not exceed Noise.
   bool IsWithinNoise() const;
 };
 
-/// How scenes are measured.
 struct CostSettings
 {
-  /// Pixels of a panel.
+  /// Size of a panel in pixels.
   int Width = 320;
   int Height = 200;
-  /// Pairs of runs of each state; 0 for no times.
+  /// Pairs of runs for each state. 0 measures no times.
   int Pairs = 5;
-  /// Seconds after which a state has no more pairs, but two.
+  /// Time limit of a state in seconds. At least two pairs are measured.
   double Limit = 10.0;
-  /// Only features of this class, where it is given.
+  /// If not empty, measures only the features of this class.
   std::string OnlyClass;
 };
 
 /**
- * Builds a scene, draws its panels, and switches every feature that is off on and off again in each
- * object that could have it. Of objects of one class the first without the feature counts. Returns
- * each class of filters and mappers that the scene has, once for each feature that is off.
+ * Builds a scene, draws its panels, and switches every feature that is off on and off again in the
+ * first object that supports it. Returns one entry for each combination of a filter or mapper class
+ * of the scene and a feature that is off.
  *
- * For times the scene is built twice. Where an object has a feature in the one, the same object of
- * the other never has any, and both take turns: before the first feature, which says what they
- * differ by without any, while a feature is on, and after. Panels are drawn in a new window for
- * each state, after one drawing in another.
+ * For times, the scene is built twice. In one copy the features are switched, in the other they are
+ * not. Runs of an object alternate with runs of its counterpart in the other copy: before the first
+ * feature is switched on, which measures the difference without features, while a feature is on,
+ * and after it is switched off again. Each state renders in a new window, after one rendering in
+ * another window.
  */
 std::vector<FeatureCosts> MeasureSceneCosts(const Scene& scene, const CostSettings& settings);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// From a source to a sink: a stream volume with five nested stream surfaces.
+// Stream volume from a source to a sink, with five nested stream surfaces.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
@@ -19,7 +19,7 @@ namespace
 {
 constexpr double HALF_SEPARATION = 0.5;
 constexpr double RADIUS = 0.12;
-constexpr double BALL_RADIUS = 0.15;
+constexpr double SPHERE_RADIUS = 0.15;
 
 void Build(gallery::Stage& stage)
 {
@@ -29,8 +29,8 @@ void Build(gallery::Stage& stage)
   source->SetCenter(-HALF_SEPARATION, 0.0, 0.0);
   source->SetRadius(RADIUS);
   source->SetAxis(1.0, 0.0, 0.0);
-  // Half of it: the cut shows how the surfaces are nested.
-  const gallery::FlowLattice samples = { { 45, 31, 49 }, { -0.6, 0.6, 0.0, 0.67, -0.67, 0.67 } };
+  // Samples one half only, so that the cut shows the nesting.
+  const gallery::FlowGrid samples = { { 45, 31, 49 }, { -0.6, 0.6, 0.0, 0.67, -0.67, 0.67 } };
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(charges, { source }, samples), "1 - v");
 
@@ -45,10 +45,10 @@ void Build(gallery::Stage& stage)
   filter->GenerateNormalsOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
-  std::vector<vtkColor3d> colours;
+  std::vector<vtkColor3d> colors;
   for (int i = 0; i < 6; ++i)
   {
-    colours.push_back(gallery::IntervalColour(i));
+    colors.push_back(gallery::IntervalColor(i));
   }
   vtkUnstructuredGrid* surfaces =
     vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(gallery::STREAM_SURFACES));
@@ -58,20 +58,20 @@ void Build(gallery::Stage& stage)
   vtkNew<vtkPiecewiseFunction> extinction;
   extinction->AddPoint(0.0, 1.0);
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(
-    tetrahedra, "Inflow", gallery::MakeColourMap(gallery::Map::Viridis, 0.0, 0.42), extinction);
-  gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colours, 0.85));
+    tetrahedra, "Inflow", gallery::MakeColorMap(gallery::Map::Viridis, 0.0, 0.42), extinction);
+  gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colors, 0.85));
   panel.Add(volume);
   panel.Add(
-    gallery::MakeBall({ -HALF_SEPARATION, 0.0, 0.0 }, BALL_RADIUS, gallery::IntervalColour(3)));
+    gallery::MakeSphere({ -HALF_SEPARATION, 0.0, 0.0 }, SPHERE_RADIUS, gallery::IntervalColor(3)));
   panel.Add(
-    gallery::MakeBall({ HALF_SEPARATION, 0.0, 0.0 }, BALL_RADIUS, gallery::IntervalColour(0)));
+    gallery::MakeSphere({ HALF_SEPARATION, 0.0, 0.0 }, SPHERE_RADIUS, gallery::IntervalColor(0)));
 }
 
 const gallery::SceneRegistration registration(
-  { "coupled-charge", "4.9", "From a source to a sink, with five stream surfaces",
-    "The field of two charges of opposite sign, cut in half. Red is a sphere around the source, "
-    "where all streamlines are followed back to, blue one around the sink. Five stream surfaces, "
-    "nested, by the latitude at which they leave the source; the lines on them are streamlines at "
-    "equal steps of longitude. The volume between them has the colours of latitude.",
+  { "coupled-charge", "4.9", "Flow from a source to a sink, with five stream surfaces",
+    "The field of two charges of opposite sign, cut in half. The red sphere around the source is "
+    "the termination surface; the blue sphere surrounds the sink. Five nested stream surfaces "
+    "start at different latitudes of the red sphere. The lines on them are streamlines at equal "
+    "steps of longitude. The volume between them is colored by latitude.",
     {}, &Build });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Gas that comes down on a hot spinning disk: nested stream surfaces.
+// Gas that flows down onto a hot spinning disk: nested stream surfaces.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
@@ -21,19 +21,20 @@
 
 namespace
 {
-/// Of the vessel, whose axis is z, and where gas comes in.
+/// The vessel around the z axis. Gas enters at its top.
 constexpr double RADIUS = 5.75;
 constexpr double TOP = 10.1;
 constexpr double DISK_RADIUS = 3.8;
 
-/// For how long gas is followed.
+/// Maximum advection time.
 constexpr double TIME = 7.0;
 
-/// Temperatures, K.
+/// Temperatures in K.
 constexpr double COLD = 293.0;
 constexpr double HOT = 913.0;
 
-/// Half of the vessel, the distance from the axis as inflow: the cut shows how surfaces are nested.
+/// Traces half of the vessel, so that the cut shows the nesting. The inflow value is the distance
+/// from the axis.
 gallery::MappedFlow MakeFlow(vtkDataSet* disk)
 {
   disk->GetPointData()->SetActiveVectors("V");
@@ -41,7 +42,7 @@ gallery::MappedFlow MakeFlow(vtkDataSet* disk)
   field->SetOutput(disk);
   const vtkSmartPointer<vtkTerminationPlane> lid =
     gallery::MakeInflowPlane({ 0.0, 0.0, TOP }, { RADIUS, 0.0, 0.0 }, { 0.0, RADIUS, 0.0 });
-  const gallery::FlowLattice samples = { { 65, 33, 77 }, { -5.7, 5.7, 0.0, 5.7, -3.5, TOP } };
+  const gallery::FlowGrid samples = { { 65, 33, 77 }, { -5.7, 5.7, 0.0, 5.7, -3.5, TOP } };
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputData(gallery::MakeImplicitFlow(field, { lid }, samples, 1.1 * TIME));
   mapping->SetFormula(vtkInflowMapping::ALL, "2 * sqrt((u - 0.5)^2 + (v - 0.5)^2)");
@@ -49,9 +50,10 @@ gallery::MappedFlow MakeFlow(vtkDataSet* disk)
   return { vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0)), mapping, lid, 1.0 };
 }
 
-/// The stream surface of gas that comes in at a share of RADIUS, with lines and temperature.
+/// Returns the stream surface that starts at the fraction \a inflow of RADIUS, with streamlines and
+/// colored by temperature.
 vtkSmartPointer<vtkActor> MakeSurface(
-  gallery::MappedFlow flow, double inflow, vtkDataSet* disk, vtkColorTransferFunction* colours)
+  gallery::MappedFlow flow, double inflow, vtkDataSet* disk, vtkColorTransferFunction* colors)
 {
   flow.Length = 2.0 * vtkMath::Pi() * inflow * RADIUS;
   const vtkSmartPointer<vtkPolyData> surface =
@@ -61,8 +63,8 @@ vtkSmartPointer<vtkActor> MakeSurface(
   probe->SetSourceData(disk);
   probe->Update();
   surface->GetPointData()->AddArray(probe->GetOutput()->GetPointData()->GetArray("Temp"));
-  vtkSmartPointer<vtkActor> actor = gallery::MakeColouredActor(surface, "Temp", colours);
-  // Lines multiply colours of vertices only.
+  vtkSmartPointer<vtkActor> actor = gallery::MakeColoredActor(surface, "Temp", colors);
+  // The texture multiplies vertex colors only.
   actor->GetMapper()->InterpolateScalarsBeforeMappingOff();
   const vtkSmartPointer<vtkStreamlineTexture> lines = gallery::MakeStreamlines(48, gallery::Ink());
   vtkStreamlineTexture::AddTo(actor, lines, nullptr);
@@ -73,30 +75,28 @@ void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkDataSet> disk = interlume::ReadData("disk_out_ref.vtu");
   const gallery::MappedFlow flow = MakeFlow(disk);
-  // Without the darkest colours, on which lines are not seen.
-  const vtkSmartPointer<vtkColorTransferFunction> colours =
-    gallery::MakeColourMap(gallery::Map::Inferno, 100.0, HOT);
+  // Excludes the darkest colors, on which lines are not visible.
+  const vtkSmartPointer<vtkColorTransferFunction> colors =
+    gallery::MakeColorMap(gallery::Map::Inferno, 100.0, HOT);
   gallery::Panel& panel = stage.AddPanel("", { 0.35, -1.0, 0.3 }, { 1.0, 0.0, 0.0 });
   for (const double inflow : { 0.3, 0.5, 0.7 })
   {
-    panel.Add(MakeSurface(flow, inflow, disk, colours));
+    panel.Add(MakeSurface(flow, inflow, disk, colors));
   }
   vtkColor3d hot;
-  colours->GetColor(HOT, hot.GetData());
+  colors->GetColor(HOT, hot.GetData());
   const vtkSmartPointer<vtkActor> plate = gallery::MakePillar(DISK_RADIUS, -1.0, -0.05, hot);
   plate->GetProperty()->SetAmbient(0.5);
   plate->GetProperty()->SetDiffuse(0.5);
   panel.Add(plate);
-  stage.SetColourBar("temperature, K", colours, COLD, HOT);
+  stage.SetColorBar("temperature, K", colors, COLD, HOT);
 }
 
 const gallery::SceneRegistration registration({ "flow-disk", "4.7",
-  "Streamlines as a texture on gas that meets a hot spinning disk",
-  "Computed flow in a reactor, laid on its side and cut in half. Cold gas comes in through the "
-  "lid, "
-  "on the left; hot gas that rises from the disk makes it spread, and it leaves around the rim, "
-  "where the spin drags it along. Three stream surfaces, nested, of gas that comes in on circles; "
-  "the lines on them are streamlines at equal distances along the circle, the colour is the "
-  "temperature there.",
+  "Streamlines as a texture on gas above a hot spinning disk",
+  "Computed flow in a reactor, laid on its side and cut in half. Cold gas enters through the lid, "
+  "on the left. Hot gas that rises from the disk spreads it, and it leaves around the rim, where "
+  "the rotation drags it along. Three nested stream surfaces start on circles at the lid. The "
+  "lines are streamlines at equal distances along these circles; the color is the temperature.",
   { "disk_out_ref.vtu" }, &Build });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flow that parts around a sphere, with three textured time surfaces.
+// Flow around a sphere, with three textured time surfaces.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
@@ -22,7 +22,7 @@ void Build(gallery::Stage& stage)
   flow->SetRadius(RADIUS);
   const vtkSmartPointer<vtkTerminationPlane> plane =
     gallery::MakeInflowPlane({ -1.0, 0.0, 0.0 }, { 0.0, 0.75, 0.0 }, { 0.0, 0.0, 0.75 });
-  const gallery::FlowLattice samples = { { 77, 43, 43 }, { -1.0, 0.9, -0.52, 0.52, -0.52, 0.52 } };
+  const gallery::FlowGrid samples = { { 77, 43, 43 }, { -1.0, 0.9, -0.52, 0.52, -0.52, 0.52 } };
   const vtkSmartPointer<vtkDataSet> inflow = gallery::MapInflow(
     gallery::MakeImplicitFlow(flow, { plane }, samples), "2 * sqrt((u - 0.5)^2 + (v - 0.5)^2)");
   vtkNew<vtkFlowVolume> filter;
@@ -36,20 +36,20 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
   gallery::Panel& panel = stage.AddPanel("", { 0.9, -1.0, 0.5 });
-  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 0.8 } }));
+  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 0.8 } }));
   for (int id = 0; id < 3; ++id)
   {
     panel.Add(
       gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id + 1),
-        gallery::MakeGridTexture(32, 32, gallery::IntervalColour(1 + id), gallery::Ink())));
+        gallery::MakeGridTexture(32, 32, gallery::IntervalColor(1 + id), gallery::Ink())));
   }
-  panel.Add(gallery::MakeBall({ 0.0, 0.0, 0.0 }, 1.02 * RADIUS, gallery::Pencil()));
+  panel.Add(gallery::MakeSphere({ 0.0, 0.0, 0.0 }, 1.02 * RADIUS, gallery::Pencil()));
 }
 
 const gallery::SceneRegistration registration(
-  { "flow-obstacle", "4.12", "Flow that parts around a sphere, with three time surfaces",
-    "Potential flow around a sphere, from the left. Three time surfaces within the stream volume "
-    "of a ring, each where the flow has come to after some time. The grid is laid on the inflow "
-    "and carried along: it is bent around the obstacle.",
+  { "flow-obstacle", "4.12", "Flow around a sphere, with three time surfaces",
+    "Potential flow around a sphere, from the left. The stream volume starts on a ring and "
+    "contains three time surfaces: the positions of the flow after three advection times. The flow "
+    "carries the grid from the inflow plane and bends it around the obstacle.",
     {}, &Build });
 }

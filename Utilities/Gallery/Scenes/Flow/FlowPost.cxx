@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Liquid oxygen that parts around a post on a plate, with textured time surfaces, and with paint on
-// its inflow that moves.
+// Liquid oxygen that flows around a post on a plate, with textured time surfaces, and with an
+// animated texture on its inflow.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
@@ -32,14 +32,14 @@ namespace
 constexpr double RADIUS = 0.5;
 constexpr double HEIGHT = 3.0;
 
-/// Of what is shown, around the post, whose axis is z: where it begins and ends along the flow, and
+/// The displayed region around the post, whose axis is z: its begin and end along the flow, and
 /// half its width.
 constexpr double BEGIN = -2.4;
 constexpr double END = 3.1;
 constexpr double WIDTH = 1.9;
 
-/// Points on lines from the post to the sides of a box, nearer to each other at the post and at the
-/// plate.
+/// Returns points on lines from the post to the sides of a box, with higher density at the post and
+/// at the plate.
 vtkSmartPointer<vtkStructuredGrid> MakeSamples()
 {
   constexpr int outward = 37;
@@ -58,8 +58,8 @@ vtkSmartPointer<vtkStructuredGrid> MakeSamples()
       const double side = std::min((x < 0.0 ? BEGIN : END) / x, WIDTH / std::abs(y));
       for (int i = 0; i < outward; ++i)
       {
-        const double share = std::pow(static_cast<double>(i) / (outward - 1), 1.5);
-        const double radius = (1.0 - share) * 1.01 * RADIUS + share * side;
+        const double fraction = std::pow(static_cast<double>(i) / (outward - 1), 1.5);
+        const double radius = (1.0 - fraction) * 1.01 * RADIUS + fraction * side;
         points->InsertNextPoint(radius * x, radius * y, height);
       }
     }
@@ -70,7 +70,7 @@ vtkSmartPointer<vtkStructuredGrid> MakeSamples()
   return samples;
 }
 
-/// The grid closes around the post; hexahedra of shared points let the flow pass where it does.
+/// Merges the points where the grid closes around the post, so that streamlines can pass.
 vtkSmartPointer<vtkAppendFilter> ReadFlow()
 {
   vtkSmartPointer<vtkDataSet> post = interlume::ReadData("post.vts");
@@ -80,7 +80,7 @@ vtkSmartPointer<vtkAppendFilter> ReadFlow()
   return joined;
 }
 
-/// The rectangle in front of the post, half as wide as told.
+/// Returns a rectangle in front of the post. \a width is half its width.
 vtkSmartPointer<vtkTerminationPlane> MakeInflow(double width)
 {
   return gallery::MakeInflowPlane(
@@ -116,27 +116,27 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
   gallery::Panel& panel = stage.AddPanel("", { -0.55, -1.0, 0.6 });
-  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 0.25 } }));
+  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 0.25 } }));
   for (int id = 0; id < 3; ++id)
   {
     panel.Add(
       gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id + 1),
-        gallery::MakeGridTexture(32, 16, gallery::IntervalColour(1 + id), gallery::Ink())));
+        gallery::MakeGridTexture(32, 16, gallery::IntervalColor(1 + id), gallery::Ink())));
   }
   AddPost(panel);
 }
 
-/// Discs in rows, each row of one colour.
-gallery::Paint Discs(double u, double v)
+/// Returns the paint of disks in rows, each row of one color.
+gallery::Paint Disks(double u, double v)
 {
   const double across = 8.0 * u;
   const double up = 6.0 * v;
   const double r = std::hypot(across - std::floor(across) - 0.5, up - std::floor(up) - 0.5);
   const int row = static_cast<int>(std::min(up, 5.0));
-  return { gallery::IntervalColour(row % 4), r < 0.34 ? 0.5 : 0.0 };
+  return { gallery::IntervalColor(row % 4), r < 0.34 ? 0.5 : 0.0 };
 }
 
-/// A gate by a function of the time when paint was put in.
+/// Returns a time gate through the given points (time, opacity).
 vtkSmartPointer<vtkPiecewiseFunction> MakeGate(const std::vector<std::array<double, 2>>& points)
 {
   auto gate = vtkSmartPointer<vtkPiecewiseFunction>::New();
@@ -147,17 +147,18 @@ vtkSmartPointer<vtkPiecewiseFunction> MakeGate(const std::vector<std::array<doub
   return gate;
 }
 
-/// Paint that is put in from a time on, and paint in pulses, at a part of their animation.
+/// Adds a panel for each of two time gates: paint released from one time on, and paint released in
+/// pulses.
 void BuildInflow(gallery::Stage& stage)
 {
-  // What the liquid takes to pass through the box, and the pulses in that time.
+  // Time in which the liquid passes through the box, and number of pulses in that time.
   constexpr double duration = 4.2;
   constexpr int pulses = 4;
-  constexpr double still = 0.7;
+  constexpr double stillFraction = 0.7;
   const vtkSmartPointer<vtkTerminationPlane> plane = MakeInflow(WIDTH);
   const vtkSmartPointer<vtkDataSet> flow = gallery::MakeImplicitFlow(
     ReadFlow(), { plane }, { { 89, 61, 49 }, { BEGIN, END, -WIDTH, WIDTH, 0.0, HEIGHT } }, 15.0);
-  const vtkSmartPointer<vtkImageData> discs = gallery::MakePaint(480, 384, &Discs);
+  const vtkSmartPointer<vtkImageData> discs = gallery::MakePaint(480, 384, &Disks);
   vtkSmartPointer<vtkImplicitFlowVolumeMapper> mappers[2];
   for (int i = 0; i < 2; ++i)
   {
@@ -175,33 +176,34 @@ void BuildInflow(gallery::Stage& stage)
   mappers[1]->SetTimeGate(
     MakeGate({ { { 0.0, 0.0 } }, { { 0.2, 1.0 } }, { { 0.4, 0.0 } }, { { 1.0, 0.0 } } }));
   mappers[1]->SetTimePeriod(duration / pulses);
-  const auto setPart = [mappers](double part)
+  const auto setFraction = [mappers](double fraction)
   {
-    mappers[0]->SetTimePhase(duration * part);
-    mappers[1]->SetTimePhase(pulses * part);
+    mappers[0]->SetTimePhase(duration * fraction);
+    mappers[1]->SetTimePhase(pulses * fraction);
   };
-  setPart(still);
+  setFraction(stillFraction);
   stage.SetAnimation(
-    [mappers, setPart](double part)
+    [mappers, setFraction](double fraction)
     {
-      setPart(part);
-      // Frames are averaged down from larger ones.
+      setFraction(fraction);
+      // Frames are rendered larger and averaged, so coarser sampling is sufficient.
       mappers[0]->SetImageSampleDistance(2.0);
       mappers[1]->SetImageSampleDistance(2.0);
     });
 }
 
 const gallery::SceneRegistration registration(
-  { "flow-post", "4.12", "Liquid oxygen that parts around a post, with three time surfaces",
-    "Computed flow past a post on a plate, from the left. A grid of squares was laid on an upright "
-    "rectangle in front of the post; the three surfaces are where the liquid has carried it after "
-    "0.8, 2.6 and 4.2 units of time. At the plate it stands still, so that they lie down there; "
-    "around the post they are held up and stretched, and pass it on both sides.",
+  { "flow-post", "4.12", "Liquid oxygen around a post, with three time surfaces",
+    "Computed flow past a post on a plate, from the left. The flow carries a grid of squares from "
+    "an upright rectangle in front of the post; the three surfaces show it after 0.8, 2.6 and 4.2 "
+    "units of time. At the plate the velocity is zero, so the surfaces lag behind there. The post "
+    "stretches them, and they pass it on both sides.",
     { "post.vts" }, &Build });
 const gallery::SceneRegistration inflow(
   { "inflow-post", "4.18", "Paint on the inflow of liquid oxygen that flows past a post",
-    "The same flow. Discs are painted on a rectangle in front of the post, and each place has the "
-    "paint of where its liquid came in: as far as it has come since the paint was put in, and of "
-    "pulses of paint. From frame to frame of the animation only a number changes.",
+    "The same flow with disks painted on a rectangle in front of the post. Each point of the "
+    "volume has the color at the inflow point of its streamline. On the left the dye advances from "
+    "the time of its release; on the right it is released in pulses. From frame to frame of the "
+    "animation only the phase changes.",
     { "post.vts" }, &BuildInflow });
 }

@@ -27,7 +27,7 @@ namespace gallery
 {
 namespace
 {
-/// A filter but for its samples.
+/// Returns a filter without samples.
 vtkSmartPointer<vtkImplicitFlowField> MakeFlowFilter(
   vtkAlgorithm* field, const std::vector<vtkTerminationSurface*>& surfaces, double time)
 {
@@ -42,13 +42,13 @@ vtkSmartPointer<vtkImplicitFlowField> MakeFlowFilter(
 }
 }
 
-vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowLattice& lattice)
+vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowGrid& grid)
 {
   auto source = vtkSmartPointer<vtkAnalyticFlowSource>::New();
   source->SetField(field);
-  const std::array<int, 3>& dimensions = lattice.Dimensions;
+  const std::array<int, 3>& dimensions = grid.Dimensions;
   source->SetDimensions(dimensions[0], dimensions[1], dimensions[2]);
-  source->SetBounds(lattice.Bounds.data());
+  source->SetBounds(grid.Bounds.data());
   return source;
 }
 
@@ -65,7 +65,7 @@ vtkSmartPointer<vtkAnalyticFlowSource> MakeUprightHurricane()
 }
 
 vtkSmartPointer<vtkDataSet> MakeImplicitFlow(vtkAlgorithm* field,
-  const std::vector<vtkTerminationSurface*>& surfaces, const FlowLattice& samples, double time)
+  const std::vector<vtkTerminationSurface*>& surfaces, const FlowGrid& samples, double time)
 {
   const vtkSmartPointer<vtkImplicitFlowField> flow = MakeFlowFilter(field, surfaces, time);
   flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
@@ -95,15 +95,15 @@ vtkSmartPointer<vtkDataSet> MapInflow(vtkDataSet* flow, const std::string& formu
   return vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0));
 }
 
-vtkSmartPointer<vtkTerminationPlane> MakeInflowPlane(const std::array<double, 3>& middle,
+vtkSmartPointer<vtkTerminationPlane> MakeInflowPlane(const std::array<double, 3>& center,
   const std::array<double, 3>& u, const std::array<double, 3>& v)
 {
   double corners[3][3];
   for (std::size_t i = 0; i < 3; ++i)
   {
-    corners[0][i] = middle[i] - u[i] - v[i];
-    corners[1][i] = middle[i] + u[i] - v[i];
-    corners[2][i] = middle[i] - u[i] + v[i];
+    corners[0][i] = center[i] - u[i] - v[i];
+    corners[1][i] = center[i] + u[i] - v[i];
+    corners[2][i] = center[i] - u[i] + v[i];
   }
   auto plane = vtkSmartPointer<vtkTerminationPlane>::New();
   plane->SetOrigin(corners[0]);
@@ -118,12 +118,12 @@ vtkSmartPointer<vtkUnstructuredGrid> GetFlowSurface(vtkFlowVolume* filter, int p
     port == STREAM_SURFACES ? "StreamSurfaceId" : "TimeSurfaceId", id);
 }
 
-vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, const vtkColor3d& colour)
+vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, const vtkColor3d& color)
 {
   vtkNew<vtkDataSetSurfaceFilter> triangles;
   triangles->SetInputData(surface);
   triangles->Update();
-  return MakeActor(triangles->GetOutput(), colour);
+  return MakeActor(triangles->GetOutput(), color);
 }
 
 vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, vtkTexture* texture)
@@ -143,20 +143,20 @@ vtkSmartPointer<vtkActor> MakeTerminationActor(vtkTerminationSurface* surface, v
   return actor;
 }
 
-vtkSmartPointer<vtkActor> MakeBall(
-  const std::array<double, 3>& center, double radius, const vtkColor3d& colour)
+vtkSmartPointer<vtkActor> MakeSphere(
+  const std::array<double, 3>& center, double radius, const vtkColor3d& color)
 {
-  vtkNew<vtkSphereSource> ball;
-  ball->SetCenter(center[0], center[1], center[2]);
-  ball->SetRadius(radius);
-  ball->SetThetaResolution(64);
-  ball->SetPhiResolution(64);
-  ball->Update();
-  return MakeActor(ball->GetOutput(), colour);
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(center[0], center[1], center[2]);
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(64);
+  sphere->SetPhiResolution(64);
+  sphere->Update();
+  return MakeActor(sphere->GetOutput(), color);
 }
 
 vtkSmartPointer<vtkActor> MakePillar(
-  double radius, double bottom, double top, const vtkColor3d& colour)
+  double radius, double bottom, double top, const vtkColor3d& color)
 {
   vtkNew<vtkLineSource> axis;
   axis->SetPoint1(0.0, 0.0, bottom);
@@ -167,7 +167,7 @@ vtkSmartPointer<vtkActor> MakePillar(
   tube->SetNumberOfSides(96);
   tube->CappingOn();
   tube->Update();
-  return MakeActor(MakeSurface(tube->GetOutput()), colour);
+  return MakeActor(MakeSurface(tube->GetOutput()), color);
 }
 
 void SetStreamlineCoordinates(vtkUnstructuredGrid* surfaces, int component, int lines, int number)

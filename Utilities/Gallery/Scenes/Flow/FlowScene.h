@@ -22,54 +22,54 @@ class vtkTexture;
 class vtkVolume;
 
 /**
- * Implicit flow fields, and what is drawn of them.
+ * Implicit flow fields, and actors and volumes of flow scenes.
  */
 namespace gallery
 {
 /**
- * Points of an image along the axes, and its bounds.
+ * Number of points along each axis, and bounds of a regular grid.
  */
-struct FlowLattice
+struct FlowGrid
 {
   std::array<int, 3> Dimensions;
   std::array<double, 6> Bounds;
 };
 
 /**
- * One of the fields of vtkAnalyticFlowSource on a lattice.
+ * Returns a field of vtkAnalyticFlowSource on a grid.
  */
-vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowLattice& lattice);
+vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowGrid& grid);
 
 /**
- * A hurricane around the z axis, as high as its lattice.
+ * Returns a hurricane around the z axis that is as high as its grid.
  */
 vtkSmartPointer<vtkAnalyticFlowSource> MakeUprightHurricane();
 
 /**
- * The points of a lattice advected back to the first of the surfaces that they meet, through the
- * active vectors of \a field, for no more than \a time.
+ * Traces the points of a grid backward through the active vectors of \a field, to the first of
+ * \a surfaces that each streamline reaches. \a time is the maximum advection time.
  */
 vtkSmartPointer<vtkDataSet> MakeImplicitFlow(vtkAlgorithm* field,
-  const std::vector<vtkTerminationSurface*>& surfaces, const FlowLattice& samples,
+  const std::vector<vtkTerminationSurface*>& surfaces, const FlowGrid& samples,
   double time = std::numeric_limits<double>::max());
 
 /**
- * The same with the points of a dataset as samples.
+ * As above, with the points of a dataset as samples.
  */
 vtkSmartPointer<vtkDataSet> MakeImplicitFlow(vtkAlgorithm* field,
   const std::vector<vtkTerminationSurface*>& surfaces, vtkDataSet* samples,
   double time = std::numeric_limits<double>::max());
 
 /**
- * \a flow with the inflow of a formula of u, v and f, the surface's id.
+ * Returns \a flow with inflow values from a formula of u, v and f, the id of the surface.
  */
 vtkSmartPointer<vtkDataSet> MapInflow(vtkDataSet* flow, const std::string& formula);
 
 /**
- * The square with this middle, u along \a u and v along \a v, which are from its middle to its
- * edges.
+ * Returns a plane around a center. \a u and \a v are the vectors from the center to its edges, in
+ * the directions of the parameters u and v.
  */
-vtkSmartPointer<vtkTerminationPlane> MakeInflowPlane(const std::array<double, 3>& middle,
+vtkSmartPointer<vtkTerminationPlane> MakeInflowPlane(const std::array<double, 3>& center,
   const std::array<double, 3>& u, const std::array<double, 3>& v);
 
 /// Ports of vtkFlowVolume.
@@ -77,46 +77,47 @@ constexpr int STREAM_SURFACES = 1;
 constexpr int TIME_SURFACES = 2;
 
 /**
- * Of the stream or the time surfaces of \a filter the one with this id.
+ * Returns the stream or time surface (\a port) of \a filter with this id.
  */
 vtkSmartPointer<vtkUnstructuredGrid> GetFlowSurface(vtkFlowVolume* filter, int port, int id);
 
 /**
- * An opaque surface of one colour, with its own normals, not those of its triangles.
+ * Returns an opaque actor of one color. It uses the point normals of \a surface.
  */
-vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, const vtkColor3d& colour);
+vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, const vtkColor3d& color);
 
 /**
- * An opaque surface with a texture over its active texture coordinates.
+ * Returns an opaque actor with a texture, over the active texture coordinates.
  */
 vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, vtkTexture* texture);
 
 /**
- * A termination surface with a texture over its parameters.
+ * Returns an actor of a termination surface with a texture over its parameters.
  */
 vtkSmartPointer<vtkActor> MakeTerminationActor(vtkTerminationSurface* surface, vtkTexture* texture);
 
 /**
- * A ball for orientation.
+ * Returns a sphere for orientation.
  */
-vtkSmartPointer<vtkActor> MakeBall(
-  const std::array<double, 3>& center, double radius, const vtkColor3d& colour);
+vtkSmartPointer<vtkActor> MakeSphere(
+  const std::array<double, 3>& center, double radius, const vtkColor3d& color);
 
 /**
- * An upright cylinder for orientation, from \a bottom to \a top along the z axis.
+ * Returns an upright cylinder for orientation, around the z axis from \a bottom to \a top.
  */
 vtkSmartPointer<vtkActor> MakePillar(
-  double radius, double bottom, double top, const vtkColor3d& colour);
+  double radius, double bottom, double top, const vtkColor3d& color);
 
 /**
- * Gives stream surfaces texture coordinates for MakeStreamlineTexture(): the parameter \a component
- * (0 for u, 1 for v) times \a lines, and the middle of the surface's part of \a number equal ones.
+ * Sets texture coordinates of stream surfaces for MakeStreamlineTexture(). The first is the
+ * parameter \a component (0 for u, 1 for v) times \a lines. The second selects the color of the
+ * surface: the center of one of \a number equal intervals between 0 and 1.
  */
 void SetStreamlineCoordinates(vtkUnstructuredGrid* surfaces, int component, int lines, int number);
 
 /**
- * Draws translucent surfaces, whose points are those of the tetrahedra, with a texture between the
- * parts of the volume.
+ * Draws translucent textured surfaces inside the volume. They must share the points of the
+ * tetrahedra.
  */
 void SetTexturedBoundary(vtkVolume* volume, vtkUnstructuredGrid* surfaces, vtkTexture* texture);
 }

@@ -13,28 +13,28 @@ namespace gallery
 {
 namespace
 {
-/// Pixels of a texture along a period of lines, and along all of it.
+/// Number of pixels per period of lines, and number of pixels along a texture.
 constexpr int LINE_PERIOD = 256;
 constexpr int SIZE = 1024;
 
-/// Width of a line, in parts of its period.
+/// Width of a line as a fraction of its period.
 constexpr double LINE_WIDTH = 0.12;
 
-/// 1 on the lines at whole numbers, 0 beside them, smooth over a pixel.
+/// Returns 1 on lines at integers and 0 between them, with edges that are smooth over a pixel.
 double Line(double x, double pixel)
 {
   const double distance = std::abs(x - std::round(x)) - 0.5 * LINE_WIDTH;
   return std::min(1.0, std::max(0.0, 0.5 - distance / pixel));
 }
 
-void SetPixel(
-  vtkImageData* image, int x, int y, const vtkColor3d& below, const vtkColor3d& above, double share)
+void SetPixel(vtkImageData* image, int x, int y, const vtkColor3d& below, const vtkColor3d& above,
+  double fraction)
 {
   auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0));
   for (int c = 0; c < 3; ++c)
   {
     pixel[c] =
-      static_cast<unsigned char>(255.0 * ((1.0 - share) * below[c] + share * above[c]) + 0.5);
+      static_cast<unsigned char>(255.0 * ((1.0 - fraction) * below[c] + fraction * above[c]) + 0.5);
   }
 }
 
@@ -61,18 +61,18 @@ vtkSmartPointer<vtkTexture> MakeGridTexture(
     {
       const double u = cellsU * (x + 0.5) / SIZE;
       const double v = cellsV * (y + 0.5) / SIZE;
-      const double share = std::max(
+      const double fraction = std::max(
         Line(u, static_cast<double>(cellsU) / SIZE), Line(v, static_cast<double>(cellsV) / SIZE));
-      SetPixel(image, x, y, area, line, share);
+      SetPixel(image, x, y, area, line, fraction);
     }
   }
   return MakeTexture(image);
 }
 
 vtkSmartPointer<vtkTexture> MakeStreamlineTexture(
-  const std::vector<vtkColor3d>& colours, double opacity)
+  const std::vector<vtkColor3d>& colors, double opacity)
 {
-  const int rows = static_cast<int>(colours.size());
+  const int rows = static_cast<int>(colors.size());
   vtkNew<vtkImageData> image;
   image->SetDimensions(LINE_PERIOD, rows, 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
@@ -80,11 +80,11 @@ vtkSmartPointer<vtkTexture> MakeStreamlineTexture(
   {
     for (int x = 0; x < LINE_PERIOD; ++x)
     {
-      const double share = Line((x + 0.5) / LINE_PERIOD, 1.0 / LINE_PERIOD);
-      const vtkColor3d& colour = colours[static_cast<std::size_t>(y)];
-      SetPixel(image, x, y, colour, Ink(), share);
+      const double fraction = Line((x + 0.5) / LINE_PERIOD, 1.0 / LINE_PERIOD);
+      const vtkColor3d& color = colors[static_cast<std::size_t>(y)];
+      SetPixel(image, x, y, color, Ink(), fraction);
       static_cast<unsigned char*>(image->GetScalarPointer(x, y, 0))[3] =
-        static_cast<unsigned char>(255.0 * (opacity + share * (1.0 - opacity)) + 0.5);
+        static_cast<unsigned char>(255.0 * (opacity + fraction * (1.0 - opacity)) + 0.5);
     }
   }
   return MakeTexture(image);

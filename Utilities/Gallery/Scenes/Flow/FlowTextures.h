@@ -14,18 +14,18 @@
 namespace gallery
 {
 /**
- * Squares of one colour and lines between them, \a cellsU x \a cellsV, over parameters 0 to 1.
+ * Returns a texture of \a cellsU x \a cellsV squares separated by lines, over parameters 0 to 1.
  */
 vtkSmartPointer<vtkTexture> MakeGridTexture(
   int cellsU, int cellsV, const vtkColor3d& area, const vtkColor3d& line);
 
 /**
- * A dark line at each whole number of the first coordinate, on the colour that the second chooses:
- * those of \a colours at the middles of as many equal parts of 0 to 1. The colours have \a opacity,
- * the lines are opaque.
+ * Returns a texture with a dark opaque line at each integer of the first coordinate. The second
+ * coordinate, from 0 to 1, selects one of \a colors for the areas between the lines. These areas
+ * have the given \a opacity.
  */
 vtkSmartPointer<vtkTexture> MakeStreamlineTexture(
-  const std::vector<vtkColor3d>& colours, double opacity);
+  const std::vector<vtkColor3d>& colors, double opacity);
 }
 
 #endif

@@ -21,7 +21,7 @@ void Build(gallery::Stage& stage)
   jet->SetSaddleRates(0.65, 0.35, -1.0);
   const vtkSmartPointer<vtkTerminationPlane> nozzle =
     gallery::MakeInflowPlane({ 0.0, 0.0, TOP }, { 0.5, 0.0, 0.0 }, { 0.0, 0.5, 0.0 });
-  const gallery::FlowLattice samples = { { 81, 65, 41 }, { -1.3, 1.3, -0.9, 0.9, 0.02, TOP } };
+  const gallery::FlowGrid samples = { { 81, 65, 41 }, { -1.3, 1.3, -0.9, 0.9, 0.02, TOP } };
   const vtkSmartPointer<vtkDataSet> inflow = gallery::MapInflow(
     gallery::MakeImplicitFlow(jet, { nozzle }, samples), "sqrt((u - 0.5)^2 + (v - 0.5)^2)");
 
@@ -33,18 +33,17 @@ void Build(gallery::Stage& stage)
 
   gallery::Panel& panel = stage.AddPanel("", { 0.45, -1.0, 0.4 });
   vtkSmartPointer<vtkVolume> volume =
-    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 1.2 } });
+    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 1.2 } });
   gallery::SetBoundary(volume, gallery::GetFlowSurface(filter, gallery::STREAM_SURFACES, 0),
-    gallery::IntervalColour(2), 1.0);
+    gallery::IntervalColor(2), 1.0);
   panel.Add(volume);
 }
 
 const gallery::SceneRegistration registration(
   { "flow-volume-boundary", "4.5", "A flow volume with one boundary surface",
-    "A jet that comes down on a floor, which is not shown, and spreads, more to the left and right "
-    "than to the front "
-    "and back: a saddle of velocity (0.65 x, 0.35 y, -z). The stream volume is what flows through "
-    "a ring at the top; its inner boundary, opaque and glossy, is a stream surface made with it in "
-    "the same pass.",
+    "A jet that flows down onto a floor, which is not shown. It spreads more to the left and right "
+    "than to the front and back: a saddle with velocity (0.65 x, 0.35 y, -z). The stream volume "
+    "starts on a ring at the top. Its inner boundary, opaque and glossy, is a stream surface that "
+    "the same pass extracts.",
     {}, &Build });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A cylinder around the eye of a hurricane, painted, over a map.
+// A textured cylinder around the eye of a hurricane, above a map.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
@@ -21,7 +21,7 @@ namespace
 constexpr double EYE = 0.32;
 constexpr double TIME = 3.0;
 
-/// Spokes of four colours, and across them bands that are nearly opaque.
+/// Returns the paint of spokes of four colors, crossed by bands that are nearly opaque.
 gallery::Paint Spokes(double u, double v)
 {
   const double band = 6.0 * v - std::floor(6.0 * v);
@@ -30,10 +30,10 @@ gallery::Paint Spokes(double u, double v)
   {
     return {};
   }
-  return { gallery::IntervalColour(static_cast<int>(8.0 * u) % 4), band < 0.45 ? 0.8 : 0.25 };
+  return { gallery::IntervalColor(static_cast<int>(8.0 * u) % 4), band < 0.45 ? 0.8 : 0.25 };
 }
 
-/// Land and sea, as a map would have them, by a few waves.
+/// Returns a map with land and sea, from a few sine waves.
 vtkSmartPointer<vtkImageData> MakeMap()
 {
   return gallery::MakePaint(256, 256,
@@ -54,13 +54,12 @@ void Build(gallery::Stage& stage)
   eye->SetPoint1(0.0, 0.0, -0.5);
   eye->SetPoint2(0.0, 0.0, 0.5);
   eye->SetRadius(EYE);
-  const gallery::FlowLattice samples = { { 85, 85, 49 },
-    { -1.25, 1.25, -1.25, 1.25, -0.48, 0.48 } };
+  const gallery::FlowGrid samples = { { 85, 85, 49 }, { -1.25, 1.25, -1.25, 1.25, -0.48, 0.48 } };
   const vtkSmartPointer<vtkDataSet> flow =
     gallery::MakeImplicitFlow(hurricane, { eye }, samples, 12.0);
   const vtkSmartPointer<vtkImageData> spokes = gallery::MakePaint(512, 256, &Spokes);
-  // Paint is put in for a while only, and fades where it was put in first: so it ends within the
-  // samples, in a round front, and not at their square edges.
+  // The dye is released for a limited time and fades at its front. It therefore ends in a round
+  // front within the samples, not at their square boundary.
   vtkNew<vtkPiecewiseFunction> front;
   front->AddPoint(0.0, 0.0);
   front->AddPoint(0.25, 1.0);
@@ -88,9 +87,8 @@ void Build(gallery::Stage& stage)
 
 const gallery::SceneRegistration registration(
   { "hurricane-inflow", "4.17", "A painted cylinder around the eye of a hurricane",
-    "A stand-in for a hurricane with known formulas. A cylinder around its eye is painted with "
-    "spokes and bands; each place of the storm has what is painted where its air has passed the "
-    "cylinder in the last while. Below it is a map, green for land and blue for the sea, by a "
-    "formula.",
+    "An analytic model of a hurricane. A cylinder around its eye is painted with spokes and bands. "
+    "Each point of the volume has the color at the inflow point of its streamline, if the air "
+    "passed the cylinder recently. The map below, with green land and blue sea, is synthetic.",
     {}, &Build });
 }

@@ -20,12 +20,12 @@ namespace
 void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkAnalyticFlowSource> hurricane = gallery::MakeUprightHurricane();
-  // Air comes in through the lower part of the rim.
+  // Air enters through the lower part of the rim.
   vtkNew<vtkTerminationCylinder> rim;
   rim->SetPoint1(0.0, 0.0, -0.5);
   rim->SetPoint2(0.0, 0.0, 0.5);
   rim->SetRadius(1.25);
-  const gallery::FlowLattice samples = { { 65, 33, 53 }, { -0.85, 0.85, 0.0, 0.85, -0.49, 0.49 } };
+  const gallery::FlowGrid samples = { { 65, 33, 53 }, { -0.85, 0.85, 0.0, 0.85, -0.49, 0.49 } };
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(hurricane, { rim }, samples, 12.0), "v");
 
@@ -39,26 +39,26 @@ void Build(gallery::Stage& stage)
   vtkUnstructuredGrid* surfaces =
     vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(gallery::STREAM_SURFACES));
   gallery::SetStreamlineCoordinates(surfaces, 0, 24, 4);
-  std::vector<vtkColor3d> colours;
+  std::vector<vtkColor3d> colors;
   for (int i = 0; i < 4; ++i)
   {
-    colours.push_back(gallery::IntervalColour(i));
+    colors.push_back(gallery::IntervalColor(i));
   }
 
   gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.5 });
   vtkNew<vtkPiecewiseFunction> extinction;
   extinction->AddPoint(0.0, 2.5);
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(
-    tetrahedra, "Inflow", gallery::MakeColourMap(gallery::Map::Viridis, 0.0, 0.5), extinction);
-  gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colours, 0.85));
+    tetrahedra, "Inflow", gallery::MakeColorMap(gallery::Map::Viridis, 0.0, 0.5), extinction);
+  gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colors, 0.85));
   panel.Add(volume);
 }
 
 const gallery::SceneRegistration registration(
   { "hurricane-surfaces", "4.10", "Four stream surfaces of a hurricane",
-    "A stand-in for a hurricane with known formulas, cut in half. Air comes in through the lower "
-    "half of the rim, a cylinder around the storm, rises in a ring around the eye and leaves "
-    "above. Four stream surfaces by the height at which the air comes in, blue lowest; the lines "
-    "on them are streamlines, which show the swirl.",
+    "An analytic model of a hurricane, cut in half. Air enters through the lower half of the rim, "
+    "a cylinder around the storm, rises in a ring around the eye and leaves at the top. The four "
+    "stream surfaces start at different heights on the rim, blue lowest. The lines on them are "
+    "streamlines, which show the swirl.",
     {}, &Build });
 }

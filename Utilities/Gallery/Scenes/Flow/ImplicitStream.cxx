@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An implicit stream surface beside the stream volume that it bounds.
+// An implicit stream surface, and the stream volume that it bounds.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
@@ -20,7 +20,7 @@ void Build(gallery::Stage& stage)
   tornado->SetCirculation(1.2);
   const vtkSmartPointer<vtkTerminationPlane> ground =
     gallery::MakeInflowPlane({ 0.0, 0.0, -0.8 }, { 1.5, 0.0, 0.0 }, { 0.0, 1.5, 0.0 });
-  const gallery::FlowLattice samples = { { 57, 57, 61 }, { -0.9, 0.9, -0.9, 0.9, -0.8, 1.0 } };
+  const gallery::FlowGrid samples = { { 57, 57, 61 }, { -0.9, 0.9, -0.9, 0.9, -0.8, 1.0 } };
   // A star with four points.
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(tornado, { ground }, samples),
@@ -36,15 +36,15 @@ void Build(gallery::Stage& stage)
   gallery::Panel& surface = stage.AddPanel("the stream surface", from);
   gallery::Panel& volume = stage.AddPanel("the stream volume", from);
   surface.Add(gallery::MakeFlowActor(
-    gallery::GetFlowSurface(filter, gallery::STREAM_SURFACES, 1), gallery::IntervalColour(0)));
-  volume.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 3.0 } }));
+    gallery::GetFlowSurface(filter, gallery::STREAM_SURFACES, 1), gallery::IntervalColor(0)));
+  volume.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 3.0 } }));
 }
 
 const gallery::SceneRegistration registration(
   { "implicit-stream", "4.3", "An implicit stream surface and a stream volume",
-    "A vortex that draws air up from the ground, a stand-in for a tornado. Every sample is "
-    "followed back to the ground, where a star is drawn. On the left a level set of it, as van "
-    "Wijk's implicit stream surfaces; on the right all between two levels, from the same samples. "
-    "Nothing is followed a second time for it.",
+    "A vortex that draws air up from the ground, a model of a tornado. Every sample is traced back "
+    "to the ground, where a function has the shape of a star. On the left, a level set of the "
+    "resulting field: an implicit stream surface (van Wijk). On the right, the volume between two "
+    "levels, extracted from the same samples without further advection.",
     {}, &Build });
 }

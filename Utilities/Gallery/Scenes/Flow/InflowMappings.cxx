@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two mappings on the inflow, a function and a painted image, each with its stream volume.
+// Two mappings on the inflow, a function and a painted image, and their stream volumes.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
@@ -21,7 +21,7 @@ namespace
 {
 constexpr int SIZE = 256;
 
-/// A spiral and three dots, as a brush would paint them, 0 to 1.
+/// Returns the value of brush strokes, 0 to 1: a spiral and three dots.
 double Paint(double u, double v)
 {
   const double x = u - 0.5;
@@ -59,8 +59,8 @@ vtkSmartPointer<vtkImageData> MakeImage(double (*value)(double u, double v))
   return image;
 }
 
-/// The values of a mapping as a texture.
-vtkSmartPointer<vtkTexture> MakeTexture(vtkInflowMapping* mapping, vtkScalarsToColors* colours)
+/// Returns the values of a mapping as a texture.
+vtkSmartPointer<vtkTexture> MakeTexture(vtkInflowMapping* mapping, vtkScalarsToColors* colors)
 {
   vtkNew<vtkImageData> values;
   values->SetDimensions(SIZE, SIZE, 1);
@@ -75,7 +75,7 @@ vtkSmartPointer<vtkTexture> MakeTexture(vtkInflowMapping* mapping, vtkScalarsToC
   }
   auto texture = vtkSmartPointer<vtkTexture>::New();
   texture->SetInputData(values);
-  texture->SetLookupTable(colours);
+  texture->SetLookupTable(colors);
   texture->SetColorModeToMapScalars();
   texture->InterpolateOn();
   return texture;
@@ -89,10 +89,10 @@ void Build(gallery::Stage& stage)
   updraft->SetSwirl(0.5);
   const vtkSmartPointer<vtkTerminationPlane> plane =
     gallery::MakeInflowPlane({ 0.0, 0.0, 0.4 }, { 0.7, 0.0, 0.0 }, { 0.0, 0.7, 0.0 });
-  const gallery::FlowLattice samples = { { 73, 73, 49 }, { -0.7, 0.7, -0.7, 0.7, 0.4, 1.7 } };
+  const gallery::FlowGrid samples = { { 73, 73, 49 }, { -0.7, 0.7, -0.7, 0.7, 0.4, 1.7 } };
   const vtkSmartPointer<vtkDataSet> flow = gallery::MakeImplicitFlow(updraft, { plane }, samples);
-  const vtkSmartPointer<vtkColorTransferFunction> colours =
-    gallery::MakeColourMap(gallery::Map::Inferno, 0.0, 1.0);
+  const vtkSmartPointer<vtkColorTransferFunction> colors =
+    gallery::MakeColorMap(gallery::Map::Inferno, 0.0, 1.0);
   const vtkSmartPointer<vtkImageData> painted = MakeImage(&Paint);
   for (const bool isPainted : { false, true })
   {
@@ -118,16 +118,16 @@ void Build(gallery::Stage& stage)
     vtkNew<vtkPiecewiseFunction> extinction;
     extinction->AddPoint(0.3, 1.5);
     extinction->AddPoint(1.0, 7.0);
-    panel.Add(gallery::MakeVolume(tetrahedra, "Inflow", colours, extinction));
-    panel.Add(gallery::MakeTerminationActor(plane, MakeTexture(mapping, colours)));
+    panel.Add(gallery::MakeVolume(tetrahedra, "Inflow", colors, extinction));
+    panel.Add(gallery::MakeTerminationActor(plane, MakeTexture(mapping, colors)));
   }
-  stage.SetColourBar("inflow", colours, 0.0, 1.0);
+  stage.SetColorBar("inflow", colors, 0.0, 1.0);
 }
 
 const gallery::SceneRegistration registration(
   { "inflow-mappings", "4.4", "A function and a painted image on the inflow, with their volumes",
-    "Two mappings on a square that air rises from, turning and drawn together (velocity (-0.2 x, "
-    "-0.2 y, 0.4 z) and a swirl): a sum of two Gaussian rings, and an image painted with a brush. "
-    "Each with the stream volume of its values above 0.3, from one implicit flow field.",
+    "Two mappings on a square from which air rises, rotates and converges (velocity (-0.2 x, -0.2 "
+    "y, 0.4 z) plus a swirl): a sum of two Gaussian rings, and an image painted with a brush. Each "
+    "panel shows the stream volume of values above 0.3. Both use one implicit flow field.",
     {}, &Build });
 }

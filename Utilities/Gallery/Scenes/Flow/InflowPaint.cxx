@@ -4,7 +4,7 @@
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkNew.h"
 #include "vtkTextProperty.h"
-#include "vtkStringArray.h" // for strings that vtkTextRenderer takes
+#include "vtkStringArray.h" // required by vtkTextRenderer.h
 #include "vtkTextRenderer.h"
 #include "vtkVolumeProperty.h"
 
@@ -25,7 +25,7 @@ vtkSmartPointer<vtkImageData> MakePaint(
       const Paint here = paint(i / (columns - 1.0), j / (rows - 1.0));
       for (int c = 0; c < 3; ++c)
       {
-        image->SetScalarComponentFromDouble(i, j, 0, c, here.Colour[c]);
+        image->SetScalarComponentFromDouble(i, j, 0, c, here.Color[c]);
       }
       image->SetScalarComponentFromDouble(i, j, 0, 3, here.Opacity);
     }
@@ -33,8 +33,8 @@ vtkSmartPointer<vtkImageData> MakePaint(
   return image;
 }
 
-void WriteText(vtkImageData* image, const std::string& text, const vtkColor3d& colour,
-  double opacity, double height, double middle)
+void WriteText(vtkImageData* image, const std::string& text, const vtkColor3d& color,
+  double opacity, double height, double center)
 {
   int size[3];
   image->GetDimensions(size);
@@ -48,7 +48,7 @@ void WriteText(vtkImageData* image, const std::string& text, const vtkColor3d& c
   int extent[6];
   letters->GetExtent(extent);
   const int left = (size[0] - written[0]) / 2;
-  const int bottom = static_cast<int>(middle * size[1]) - written[1] / 2;
+  const int bottom = static_cast<int>(center * size[1]) - written[1] / 2;
   for (int j = 0; j < written[1]; ++j)
   {
     for (int i = 0; i < written[0]; ++i)
@@ -59,14 +59,14 @@ void WriteText(vtkImageData* image, const std::string& text, const vtkColor3d& c
       {
         continue;
       }
-      const double share =
+      const double fraction =
         letters->GetScalarComponentAsDouble(extent[0] + i, extent[2] + j, 0, 3) / 255.0;
       for (int c = 0; c < 4; ++c)
       {
         const double before = image->GetScalarComponentAsDouble(x, y, 0, c);
-        const double ink = c < 3 ? colour[c] : opacity;
+        const double value = c < 3 ? color[c] : opacity;
         image->SetScalarComponentFromDouble(
-          x, y, 0, c, before + (c < 3 && share > 0.0 ? 1.0 : share) * (ink - before));
+          x, y, 0, c, before + (c < 3 && fraction > 0.0 ? 1.0 : fraction) * (value - before));
       }
     }
   }
@@ -100,13 +100,13 @@ vtkSmartPointer<vtkTexture> MakeInflowTexture(vtkImageData* image, const vtkColo
   {
     for (int i = 0; i < size[0]; ++i)
     {
-      // Paint that is thin in the volume is seen here as well.
+      // Dye that is faint in the volume must be visible here.
       const double alpha = std::min(1.0, 4.0 * image->GetScalarComponentAsDouble(i, j, 0, 3));
       for (int c = 0; c < 3; ++c)
       {
-        const double colour = image->GetScalarComponentAsDouble(i, j, 0, c);
+        const double color = image->GetScalarComponentAsDouble(i, j, 0, c);
         shown->SetScalarComponentFromDouble(
-          i, j, 0, c, 255.0 * (ground[c] + alpha * (colour - ground[c])));
+          i, j, 0, c, 255.0 * (ground[c] + alpha * (color - ground[c])));
       }
     }
   }

@@ -15,37 +15,40 @@ class vtkDataSet;
 class vtkImplicitFlowVolumeMapper;
 
 /**
- * Images that are painted on termination surfaces, and the volumes they make.
+ * Images on termination surfaces, and the volumes into which the flow carries them.
  */
 namespace gallery
 {
 /**
- * Columns times rows of RGBA, transparent, or by a function of u and v from 0 to 1 that gives
- * colour and opacity.
+ * Color and opacity at a point of an image.
  */
 struct Paint
 {
-  vtkColor3d Colour;
+  vtkColor3d Color;
   double Opacity = 0.0;
 };
+/**
+ * Returns a float RGBA image of columns x rows points, from a function of u and v (0 to 1).
+ */
 vtkSmartPointer<vtkImageData> MakePaint(
   int columns, int rows, const std::function<Paint(double u, double v)>& paint);
 
 /**
- * Writes a line of text into the middle of an image, \a height as a share of its rows.
+ * Draws a line of text into an image, centered horizontally. \a height is the font size and
+ * \a center the vertical center, both as fractions of the image height.
  */
-void WriteText(vtkImageData* image, const std::string& text, const vtkColor3d& colour,
-  double opacity, double height, double middle = 0.5);
+void WriteText(vtkImageData* image, const std::string& text, const vtkColor3d& color,
+  double opacity, double height, double center = 0.5);
 
 /**
- * An implicit flow field that \a image is carried through.
+ * Returns a volume in which the flow carries \a image from the termination surfaces.
  */
 vtkSmartPointer<vtkVolume> MakeInflowVolume(
   vtkDataSet* flow, vtkImageData* image, double unitDistance);
 vtkImplicitFlowVolumeMapper* GetInflowMapper(vtkVolume* volume);
 
 /**
- * The image as an opaque texture over a plain \a ground, for the termination surface.
+ * Returns the image as an opaque texture over the color \a ground, for the termination surface.
  */
 vtkSmartPointer<vtkTexture> MakeInflowTexture(vtkImageData* image, const vtkColor3d& ground);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Text that is painted on the inflow, carried through the volume.
+// Text that is painted on the inflow and advected through the volume.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
@@ -14,7 +14,7 @@
 
 namespace
 {
-/// Air that rises from a square, turning and drawn together.
+/// Traces air that rises from a square, rotates and converges.
 vtkSmartPointer<vtkDataSet> MakeUpdraft(vtkTerminationPlane* plane, int n)
 {
   const vtkSmartPointer<vtkAnalyticFlowSource> updraft = gallery::MakeAnalyticFlow(
@@ -38,17 +38,17 @@ void Show(gallery::Stage& stage, vtkImageData* image, const vtkColor3d& ground)
   panel.Add(gallery::MakeTerminationActor(plane, gallery::MakeInflowTexture(image, ground)));
 }
 
-/// Thin strokes of a brush in letters.
+/// Paints letters with thin strokes on the inflow.
 void BuildPainted(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkImageData> image =
     gallery::MakePaint(512, 512, [](double, double) { return gallery::Paint{}; });
-  gallery::WriteText(image, "vis", gallery::IntervalColour(0), 0.3, 0.36, 0.68);
-  gallery::WriteText(image, "2004", gallery::IntervalColour(1), 0.3, 0.32, 0.32);
+  gallery::WriteText(image, "vis", gallery::IntervalColor(0), 0.3, 0.36, 0.68);
+  gallery::WriteText(image, "2004", gallery::IntervalColor(1), 0.3, 0.32, 0.32);
   Show(stage, image, { 0.97, 0.97, 0.97 });
 }
 
-/// A sign of rings and rays.
+/// Returns the paint of a sign with rings and rays.
 gallery::Paint Sign(double u, double v)
 {
   const double r = 2.0 * std::hypot(u - 0.5, v - 0.5);
@@ -56,16 +56,16 @@ gallery::Paint Sign(double u, double v)
   const double ray = 12.0 * turns - std::floor(12.0 * turns);
   if (r < 0.2)
   {
-    return { gallery::IntervalColour(1), 0.35 };
+    return { gallery::IntervalColor(1), 0.35 };
   }
   if (r > 0.32 && r < 0.58)
   {
-    return { ray < 0.5 ? gallery::IntervalColour(2) : gallery::IntervalColour(0),
+    return { ray < 0.5 ? gallery::IntervalColor(2) : gallery::IntervalColor(0),
       ray < 0.5 ? 0.12 : 0.04 };
   }
   if (r > 0.72 && r < 0.8)
   {
-    return { gallery::IntervalColour(3), 0.25 };
+    return { gallery::IntervalColor(3), 0.25 };
   }
   return {};
 }
@@ -75,7 +75,7 @@ void BuildImage(gallery::Stage& stage)
   Show(stage, gallery::MakePaint(512, 512, &Sign), { 0.97, 0.97, 0.97 });
 }
 
-/// Blobs of colour, and small dots that pulse along the flow, each alone and both together.
+/// Paints colored blobs, small dots released in pulses, and both combined.
 void BuildDual(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkImageData> broad = gallery::MakePaint(256, 256,
@@ -85,12 +85,12 @@ void BuildDual(gallery::Stage& stage)
       const double b = std::hypot(u - 0.65, v - 0.62) / 0.18;
       const double one = std::exp(-a * a);
       const double two = std::exp(-b * b);
-      const double share = one / (one + two + 1e-9);
+      const double fraction = one / (one + two + 1e-9);
       gallery::Paint paint;
       for (int c = 0; c < 3; ++c)
       {
-        paint.Colour[c] =
-          share * gallery::IntervalColour(0)[c] + (1.0 - share) * gallery::IntervalColour(1)[c];
+        paint.Color[c] =
+          fraction * gallery::IntervalColor(0)[c] + (1.0 - fraction) * gallery::IntervalColor(1)[c];
       }
       paint.Opacity = 0.08 * std::max(one, two);
       return paint;
@@ -103,7 +103,7 @@ void BuildDual(gallery::Stage& stage)
       const double r = std::hypot(u - 0.5, v - 0.5);
       return gallery::Paint{ gallery::Ink(), r < 0.45 && std::hypot(x, y) < 0.22 ? 0.5 : 0.0 };
     });
-  const vtkSmartPointer<vtkImageData> nothing =
+  const vtkSmartPointer<vtkImageData> transparent =
     gallery::MakePaint(2, 2, [](double, double) { return gallery::Paint{}; });
   const vtkSmartPointer<vtkTerminationPlane> plane = MakePlane();
   const vtkSmartPointer<vtkDataSet> flow = MakeUpdraft(plane, 65);
@@ -117,7 +117,7 @@ void BuildDual(gallery::Stage& stage)
   {
     gallery::Panel& panel = stage.AddPanel(captions[i], { -0.12, -1.0, 0.75 });
     const vtkSmartPointer<vtkVolume> volume =
-      gallery::MakeInflowVolume(flow, i == 1 ? nothing : broad, 0.05);
+      gallery::MakeInflowVolume(flow, i == 1 ? transparent : broad, 0.05);
     if (i > 0)
     {
       vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
@@ -134,17 +134,17 @@ void BuildDual(gallery::Stage& stage)
 }
 
 const gallery::SceneRegistration painted(
-  { "inflow-painted", "4.15", "Painted text, carried through the volume",
-    "Air rises from a square, turning and drawn together. Text is painted on the square, and each "
-    "place of the volume has what is painted where its streamline came in.",
+  { "inflow-painted", "4.15", "Painted text, advected through the volume",
+    "Air rises from a square, rotates and converges. Text is painted on the square. Each point of "
+    "the volume has the color at the inflow point of its streamline.",
     {}, &BuildPainted });
 const gallery::SceneRegistration image({ "inflow-image", "4.16", "An image as inflow texture",
-  "The same flow with an image of a sign, in the place of the logo of a conference, as colour "
-  "and opacity of the inflow.",
+  "The same flow with a sign as color and opacity of the inflow. The dissertation shows the logo "
+  "of a conference.",
   {}, &BuildImage });
 const gallery::SceneRegistration dual(
   { "inflow-dual", "4.18", "Two inflow textures, the second in pulses",
-    "A broad inflow texture alone, small dots that are put in in pulses of the advection time, "
-    "and both together.",
+    "A broad inflow texture, small dots that are released in pulses of the advection time, and "
+    "both combined.",
     {}, &BuildDual });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A stream surface with line integral convolution on it, inside a translucent volume.
+// A stream surface with line integral convolution (LIC), inside a translucent volume.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
@@ -19,7 +19,7 @@ namespace
 {
 constexpr double Radius = 0.4;
 
-/// The samples of the flow, with the distance from the axis where they flow in.
+/// Returns the samples of the flow. The inflow value is the distance from the axis.
 vtkSmartPointer<vtkDataSet> MakeFlow(vtkAnalyticFlowSource* source)
 {
   vtkNew<vtkTerminationPlane> plane;
@@ -48,7 +48,7 @@ void Build(gallery::Stage& stage)
   source->SetRadius(Radius);
   const vtkSmartPointer<vtkDataSet> flow = MakeFlow(source);
 
-  // Triangles smaller than the noise.
+  // Triangles must be smaller than the noise.
   vtkNew<vtkLinearSubdivisionFilter> small;
   small->SetInputData(gallery::MakeStreamSurface(flow, 0.3, 0.05, 3.5));
   small->SetNumberOfSubdivisions(2);
@@ -59,23 +59,23 @@ void Build(gallery::Stage& stage)
   lic->SetLength(0.25);
   lic->SetStepLength(0.011);
   lic->Update();
-  vtkNew<vtkColorTransferFunction> colours;
-  colours->AddRGBPoint(0.0, 0.25, 0.1, 0.02);
-  colours->AddRGBPoint(0.5, 0.8, 0.5, 0.2);
-  colours->AddRGBPoint(1.0, 1.0, 0.95, 0.8);
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(0.0, 0.25, 0.1, 0.02);
+  colors->AddRGBPoint(0.5, 0.8, 0.5, 0.2);
+  colors->AddRGBPoint(1.0, 1.0, 0.95, 0.8);
 
   gallery::Panel& panel = stage.AddPanel("", { -0.55, -1.0, 0.45 });
-  panel.Add(gallery::MakeColouredActor(
-    vtkPolyData::SafeDownCast(lic->GetOutputDataObject(0)), "LIC", colours));
+  panel.Add(gallery::MakeColoredActor(
+    vtkPolyData::SafeDownCast(lic->GetOutputDataObject(0)), "LIC", colors));
   panel.Add(gallery::MakeVolumeOfIntervals(
-    gallery::MakeStreamVolume(flow, 0.3, 0.6, 0.05, 3.5), { { gallery::IntervalColour(0), 0.7 } }));
+    gallery::MakeStreamVolume(flow, 0.3, 0.6, 0.05, 3.5), { { gallery::IntervalColor(0), 0.7 } }));
 }
 
 const gallery::SceneRegistration registration(
-  { "stream-surface-lic", "4.6", "A stream surface through a line integral convolution",
-    "Flow around a sphere, from the left. The surface of streamlines that start on a circle passes "
-    "close by the sphere; its points have the mean of a noise in space along their streamlines, so "
-    "that streaks show where the flow goes without any parameters of the surface. Around it the "
-    "flow volume of streamlines farther from the axis.",
+  { "stream-surface-lic", "4.6", "A stream surface with line integral convolution",
+    "Flow around a sphere, from the left. The stream surface starts on a circle and passes close "
+    "to the sphere. A convolution of 3D noise along streamlines colors its points. The streaks "
+    "show the flow direction without any parameters of the surface. The flow volume of streamlines "
+    "farther from the axis surrounds it.",
     {}, &Build });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Streamlines and timelines on a stream surface, and nested surfaces with textures of their own.
+// Streamlines and timelines on a stream surface, and nested surfaces with different textures.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
@@ -17,24 +17,24 @@ void Build(gallery::Stage& stage)
 
   const vtkSmartPointer<vtkPolyData> outer =
     gallery::MakeTexturedSurface(flow, 0.13, 0.45, 3.9, 16.0);
-  one.Add(gallery::MakeLinedActor(outer, gallery::IntervalColour(0),
+  one.Add(gallery::MakeLinedActor(outer, gallery::IntervalColor(0),
     gallery::MakeStreamlines(64, gallery::Ink()),
     gallery::MakeTimelines(72, vtkColor3d(1.0, 1.0, 1.0))));
 
   const vtkSmartPointer<vtkActor> open = gallery::MakeLinedActor(
-    outer, gallery::IntervalColour(0), gallery::MakeStreamlines(48, gallery::Ink()), nullptr);
+    outer, gallery::IntervalColor(0), gallery::MakeStreamlines(48, gallery::Ink()), nullptr);
   gallery::CutOpen(open, { -0.4, 1.0, 0.0 });
   nested.Add(open);
   nested.Add(gallery::MakeLinedActor(gallery::MakeTexturedSurface(flow, 0.05, 0.45, 5.5, 16.0),
-    gallery::IntervalColour(1), nullptr, gallery::MakeTimelines(48, gallery::Ink())));
+    gallery::IntervalColor(1), nullptr, gallery::MakeTimelines(48, gallery::Ink())));
 }
 
-const gallery::SceneRegistration registration({ "stream-surfaces-textured", "4.7",
-  "Streamlines and timelines as textures",
-  "Stream surfaces of a tornado, of the air that flows in at one height. Left, dark streamlines, "
-  "which come from points of the surface around it, and white timelines, which air reaches at the "
-  "same time. Right, the same surface, cut open, with streamlines alone, and one of air from "
-  "nearer to the ground inside of it with timelines. No line is a curve of its own: the length "
-  "along the circle where the air comes from, and the time since, are texture coordinates.",
-  {}, &Build });
+const gallery::SceneRegistration registration(
+  { "stream-surfaces-textured", "4.7", "Streamlines and timelines as textures",
+    "Stream surfaces of a tornado, each of the air that enters at one height. Left: dark "
+    "streamlines, and white timelines, which air reaches at the same time. Right: the same "
+    "surface, cut open, with streamlines only, and inside it, with timelines, the surface of air "
+    "that enters closer to the ground. The lines are a texture. The arc length along the inflow "
+    "circle and the advection time are the texture coordinates.",
+    {}, &Build });
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Streamlines by a texture that is not averaged: more lines the nearer the surface is.
+// Streamlines as a texture whose mipmap levels are not averages: line density increases as the
+// camera approaches.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
@@ -12,7 +13,7 @@ void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkPolyData> surface =
     gallery::MakeTexturedSurface(gallery::MakeTornado(5.0), 0.13, 0.45, 3.9, 16.0);
-  // One texture for all.
+  // All panels share one texture.
   const vtkSmartPointer<vtkStreamlineTexture> lines = gallery::MakeStreamlines(48, gallery::Ink());
   const struct
   {
@@ -22,20 +23,20 @@ void Build(gallery::Stage& stage)
     { "nine times nearer", 1.0 / 9.0 } };
   double bounds[6];
   surface->GetBounds(bounds);
-  // On the near side.
-  const double middle[3] = { 0.0, -0.47, -0.3 };
+  // A point on the side of the surface that faces the camera.
+  const double center[3] = { 0.0, -0.47, -0.3 };
   for (const auto& view : views)
   {
     gallery::Panel& panel = stage.AddPanel(view.Caption);
     panel.LookFrom({ 0.4, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
-    panel.Add(gallery::MakeLinedActor(surface, gallery::IntervalColour(0), lines, nullptr));
+    panel.Add(gallery::MakeLinedActor(surface, gallery::IntervalColor(0), lines, nullptr));
     if (view.Size < 1.0)
     {
-      // The part that is as large as the distance says, about the same point.
+      // Frames the bounds scaled by Size around that point.
       double part[6];
       for (int i = 0; i < 6; ++i)
       {
-        part[i] = middle[i / 2] + view.Size * (bounds[i] - middle[i / 2]);
+        part[i] = center[i / 2] + view.Size * (bounds[i] - center[i / 2]);
       }
       panel.Frame(vtkBoundingBox(part));
     }
@@ -43,10 +44,10 @@ void Build(gallery::Stage& stage)
 }
 
 const gallery::SceneRegistration registration(
-  { "streamline-zoom", "4.8", "More streamlines the nearer the surface is",
-    "A stream surface of a tornado from three distances, with the same texture: a pyramid whose "
-    "levels hold fewer and fewer lines of the same width in texels, and none of which is the mean "
-    "of another. Lines fade in between those that are there, about as far apart on screen at any "
-    "distance.",
+  { "streamline-zoom", "4.8", "More streamlines at closer distances",
+    "A stream surface of a tornado from three distances, with the same texture: a mipmap pyramid "
+    "whose levels have fewer and fewer lines of constant width in texels. No level is the average "
+    "of another. New lines fade in between existing ones, so that their distance on screen is "
+    "about the same at any distance of the camera.",
     {}, &Build });
 }

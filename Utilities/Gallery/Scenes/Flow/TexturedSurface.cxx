@@ -22,7 +22,7 @@ namespace gallery
 {
 namespace
 {
-/// Points around the tornado's axis, which bends, in rings.
+/// Returns points in rings around the bent axis of the tornado.
 vtkSmartPointer<vtkStructuredGrid> MakeRings(vtkAnalyticFlowSource* tornado)
 {
   constexpr int outward = 37;
@@ -121,30 +121,30 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeStreamVolume(
   return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
-vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(int texels, const vtkColor3d& colour)
+vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(int texels, const vtkColor3d& color)
 {
   auto texture = vtkSmartPointer<vtkStreamlineTexture>::New();
   texture->SetNumberOfLines(128);
   texture->SetTexelsPerLine(texels);
-  texture->SetLineColor(colour[0], colour[1], colour[2]);
+  texture->SetLineColor(color[0], color[1], color[2]);
   return texture;
 }
 
-vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(int texels, const vtkColor3d& colour)
+vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(int texels, const vtkColor3d& color)
 {
-  vtkSmartPointer<vtkStreamlineTexture> texture = MakeStreamlines(texels, colour);
+  vtkSmartPointer<vtkStreamlineTexture> texture = MakeStreamlines(texels, color);
   texture->SetDirection(vtkStreamlineTexture::T);
   texture->SetBackgroundColor(1.0, 1.0, 1.0, 0.0);
   return texture;
 }
 
-vtkSmartPointer<vtkActor> MakeLinedActor(vtkPolyData* surface, const vtkColor3d& colour,
+vtkSmartPointer<vtkActor> MakeLinedActor(vtkPolyData* surface, const vtkColor3d& color,
   vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines)
 {
-  // The texture has the colour, so that lines of any colour can lie on it.
+  // The texture provides the color, so that the color of the lines is independent of it.
   vtkSmartPointer<vtkActor> actor = MakeActor(surface, { 1.0, 1.0, 1.0 });
   vtkStreamlineTexture* below = streamlines ? streamlines : timelines;
-  below->SetBackgroundColor(colour[0], colour[1], colour[2], 1.0);
+  below->SetBackgroundColor(color[0], color[1], color[2], 1.0);
   vtkStreamlineTexture::AddTo(actor, streamlines, timelines);
   return actor;
 }

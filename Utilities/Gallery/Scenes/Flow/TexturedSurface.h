@@ -15,63 +15,62 @@
 #include <array>
 
 /**
- * Stream surfaces with lines on them, in the flow of a tornado.
+ * Stream surfaces with lines, in the flow of a tornado.
  */
 namespace gallery
 {
 /**
- * An implicit flow field with its inflow, and where both come from.
+ * An implicit flow field with inflow values, and its mapping and termination surface.
  */
 struct MappedFlow
 {
   vtkSmartPointer<vtkDataSet> Samples;
   vtkSmartPointer<vtkInflowMapping> Mapping;
   vtkSmartPointer<vtkTerminationSurface> Surface;
-  /// Around the surface.
+  /// Circumference of the surface.
   double Length;
 };
 
 /**
- * A tornado's flow, as an implicit flow field back to a cylinder around it, for no more than \a
- * time; the inflow is the height there. Stream surfaces are funnels, one for each height.
+ * Returns the flow of a tornado, traced back to a cylinder around it for at most \a time. The
+ * inflow value is the height on the cylinder. Stream surfaces are funnels.
  */
 MappedFlow MakeTornado(double time);
 
 /**
- * The stream surface of \a samples at this inflow, of streamlines from \a start to \a end of the
- * time since the termination surface.
+ * Returns the stream surface at this inflow value, between the advection times \a start and \a end.
  */
 vtkSmartPointer<vtkPolyData> MakeStreamSurface(
   vtkDataSet* samples, double inflow, double start, double end);
 
 /**
- * The same with texture coordinates: the length along the line where it flows in, 1 for all
- * around, and the time, 1 for \a period.
+ * As above, with texture coordinates: the arc length along the inflow curve, which is 1 for the
+ * circumference, and the advection time divided by \a period.
  */
 vtkSmartPointer<vtkPolyData> MakeTexturedSurface(
   const MappedFlow& flow, double inflow, double start, double end, double period);
 
 /**
- * The tetrahedra between two such surfaces.
+ * Returns the tetrahedra between the stream surfaces at two inflow values.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeStreamVolume(
   vtkDataSet* samples, double lower, double upper, double start, double end);
 
 /**
- * Streamlines by the length, or timelines by the time; \a texels is how far apart they are, in
- * pixels of a picture that is drawn at twice its size.
+ * Return textures of streamlines (lines of constant arc length) and of timelines (lines of constant
+ * time). \a texels is the distance of the lines in pixels of the supersampled image.
  */
-vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(int texels, const vtkColor3d& colour);
-vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(int texels, const vtkColor3d& colour);
+vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(int texels, const vtkColor3d& color);
+vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(int texels, const vtkColor3d& color);
 
 /**
- * A surface of one colour with lines on it; one of both may be null.
+ * Returns an actor of one color with lines. One of the two textures may be null.
  */
-vtkSmartPointer<vtkActor> MakeLinedActor(vtkPolyData* surface, const vtkColor3d& colour,
+vtkSmartPointer<vtkActor> MakeLinedActor(vtkPolyData* surface, const vtkColor3d& color,
   vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines);
 
 /**
- * Draws only what is on the side of the plane through the origin that \a normal points to.
+ * Clips the actor by the plane through the origin with this normal.
  */
 void CutOpen(vtkActor* actor, const std::array<double, 3>& normal);
 }

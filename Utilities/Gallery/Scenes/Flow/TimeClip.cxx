@@ -14,11 +14,11 @@
 
 namespace
 {
-const vtkColor3d VOLUME = gallery::IntervalColour(0);
+const vtkColor3d VOLUME = gallery::IntervalColor(0);
 constexpr int OUTER_SURFACE = 2;
 
-/// The filter with its times, and a panel with the volume and the time surfaces from \a first to
-/// \a last.
+/// Extracts the volume with the surfaces that \a filter defines. Adds a panel with the volume and
+/// the time surfaces from \a first to \a last.
 gallery::Panel& Show(gallery::Stage& stage, vtkFlowVolume* filter, vtkDataSet* inflow,
   const char* caption, int first, int last)
 {
@@ -30,12 +30,12 @@ gallery::Panel& Show(gallery::Stage& stage, vtkFlowVolume* filter, vtkDataSet* i
   filter->ParametersAsTextureCoordinatesOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
   gallery::Panel& panel = stage.AddPanel(caption);
-  panel.Add(gallery::MakeBall({ 0.0, 0.0, -0.5 }, 0.14, gallery::IntervalColour(3)));
+  panel.Add(gallery::MakeSphere({ 0.0, 0.0, -0.5 }, 0.14, gallery::IntervalColor(3)));
   panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { VOLUME, 2.0 } }));
   for (int id = first; id <= last; ++id)
   {
     panel.Add(gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id),
-      gallery::MakeGridTexture(24, 48, gallery::IntervalColour(2), gallery::Ink())));
+      gallery::MakeGridTexture(24, 48, gallery::IntervalColor(2), gallery::Ink())));
   }
   return panel;
 }
@@ -48,7 +48,7 @@ void Build(gallery::Stage& stage)
   vtkNew<vtkTerminationSphere> source;
   source->SetCenter(0.0, 0.0, -0.5);
   source->SetRadius(0.12);
-  const gallery::FlowLattice samples = { { 57, 29, 73 }, { -0.6, 0.6, 0.0, 0.6, -0.6, 0.6 } };
+  const gallery::FlowGrid samples = { { 57, 29, 73 }, { -0.6, 0.6, 0.0, 0.6, -0.6, 0.6 } };
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(charges, { source }, samples), "1 - v");
 
@@ -58,27 +58,26 @@ void Build(gallery::Stage& stage)
   left.LookFrom({ 0.5, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
   left.Add(gallery::MakeFlowActor(
     gallery::GetFlowSurface(clipped, gallery::STREAM_SURFACES, OUTER_SURFACE),
-    gallery::MakeGridTexture(24, 1, gallery::IntervalColour(1), gallery::Ink())));
+    gallery::MakeGridTexture(24, 1, gallery::IntervalColor(1), gallery::Ink())));
 
-  vtkNew<vtkFlowVolume> whole;
+  vtkNew<vtkFlowVolume> full;
   const double times[3] = { 0.015, 0.035, 0.06 };
   for (int i = 0; i < 3; ++i)
   {
-    whole->SetTimeSurface(i, times[i]);
+    full->SetTimeSurface(i, times[i]);
   }
   gallery::Panel& right =
-    Show(stage, whole, inflow, "(b) three time surfaces, one stream surface", 1, 3);
+    Show(stage, full, inflow, "(b) three time surfaces, one stream surface", 1, 3);
   right.LookAs(left);
-  right.Add(gallery::MakeFlowActor(gallery::GetFlowSurface(whole, gallery::STREAM_SURFACES, 1),
-    gallery::MakeGridTexture(24, 1, gallery::IntervalColour(1), gallery::Ink())));
+  right.Add(gallery::MakeFlowActor(gallery::GetFlowSurface(full, gallery::STREAM_SURFACES, 1),
+    gallery::MakeGridTexture(24, 1, gallery::IntervalColor(1), gallery::Ink())));
 }
 
 const gallery::SceneRegistration registration(
   { "time-clip", "4.13", "A stream volume clipped by time, and with surfaces inside",
-    "From a source below to a sink above, two charges of opposite sign, cut in half. (a) The "
-    "stream volume between two "
-    "advection times, with its stream surface, green with streamlines, and its time surfaces, "
-    "yellow with a grid that the flow has carried. (b) All of the volume with three time surfaces "
-    "and a stream surface inside it.",
+    "The field of two charges of opposite sign, cut in half, with the source below and the sink "
+    "above. (a) The stream volume between two advection times, with its stream surface (green, "
+    "with streamlines) and its time surfaces (yellow, with a grid that the flow carries). (b) The "
+    "complete volume with three time surfaces and a stream surface inside.",
     {}, &Build });
 }

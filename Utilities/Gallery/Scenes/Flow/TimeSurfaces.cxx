@@ -19,7 +19,7 @@ void Build(gallery::Stage& stage)
     vtkAnalyticFlowSource::ABC, { { 33, 33, 33 }, { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 } });
   const vtkSmartPointer<vtkTerminationPlane> plane =
     gallery::MakeInflowPlane({ 0.0, 0.0, -0.9 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
-  const gallery::FlowLattice samples = { { 57, 57, 57 }, { -1.0, 1.0, -1.0, 1.0, -0.9, 1.0 } };
+  const gallery::FlowGrid samples = { { 57, 57, 57 }, { -1.0, 1.0, -1.0, 1.0, -0.9, 1.0 } };
   const vtkSmartPointer<vtkDataSet> inflow = gallery::MapInflow(
     gallery::MakeImplicitFlow(abc, { plane }, samples), "sqrt((u - 0.5)^2 + (v - 0.72)^2)");
   vtkNew<vtkFlowVolume> filter;
@@ -31,18 +31,18 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
   gallery::Panel& panel = stage.AddPanel("", { 1.0, -0.5, 0.35 });
-  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 1.5 } }));
+  panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 1.5 } }));
   for (int id = 0; id < 2; ++id)
   {
     panel.Add(gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id),
-      gallery::MakeGridTexture(24, 24, gallery::IntervalColour(1 + id), gallery::Ink())));
+      gallery::MakeGridTexture(24, 24, gallery::IntervalColor(1 + id), gallery::Ink())));
   }
 }
 
-const gallery::SceneRegistration registration({ "time-surfaces", "4.11",
-  "A flow volume between two time surfaces with a grid",
-  "What passes a disc in a flow of Arnold, Beltrami and Childress, from 0.08 to 0.33 units of time "
-  "later: green where it is first, yellow where it is last. The grid on both is one of squares "
-  "on the disc, carried by the flow; it shows how the flow turns, stretches and shears.",
-  {}, &Build });
+const gallery::SceneRegistration registration(
+  { "time-surfaces", "4.11", "A flow volume between two time surfaces with a grid",
+    "Flow through a disk in an Arnold-Beltrami-Childress flow, from 0.08 (green) to 0.33 (yellow) "
+    "units of time after it passes the disk. The flow carries a grid of squares from the disk. The "
+    "grid shows how the flow rotates, stretches and shears.",
+    {}, &Build });
 }

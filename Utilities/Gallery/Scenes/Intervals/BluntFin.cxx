@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flow around a blunt fin by one interval and by two attributes.
+// Flow around a blunt fin: extraction by one attribute and coloring by another.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
@@ -30,7 +30,7 @@ namespace
 {
 using namespace gallery;
 
-/// The lid between the upper edges of both sides of the fin.
+/// Returns the lid between the upper edges of both sides of the fin.
 vtkSmartPointer<vtkPolyData> MakeLid(vtkStructuredGrid* flow)
 {
   int dimensions[3];
@@ -41,8 +41,8 @@ vtkSmartPointer<vtkPolyData> MakeLid(vtkStructuredGrid* flow)
   {
     for (const int side : { i, dimensions[0] - 1 - i })
     {
-      int place[3] = { side, 0, dimensions[2] - 1 };
-      points->InsertNextPoint(flow->GetPoint(vtkStructuredData::ComputePointId(dimensions, place)));
+      int index[3] = { side, 0, dimensions[2] - 1 };
+      points->InsertNextPoint(flow->GetPoint(vtkStructuredData::ComputePointId(dimensions, index)));
     }
     if (i > 0)
     {
@@ -57,9 +57,10 @@ vtkSmartPointer<vtkPolyData> MakeLid(vtkStructuredGrid* flow)
   return MakeSurface(lid);
 }
 
-/// The flow past a blunt fin, both halves. The data hold one, whose surface i = 0 is the plane of
-/// symmetry y = 0 upstream of the fin; the other is its mirror image, and both share the points of
-/// that surface. Point arrays of one component are kept, and `Speed` is the length of the velocity.
+/// Reads the flow past a blunt fin and adds its mirror image. The data contain one half, whose
+/// surface i = 0 is the plane of symmetry y = 0 upstream of the fin. Both halves share the points
+/// of that surface. One-component point arrays are retained; `Speed` is the magnitude of the
+/// velocity.
 vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
 {
   vtkSmartPointer<vtkDataSet> data =
@@ -67,14 +68,14 @@ vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
   vtkStructuredGrid* half = vtkStructuredGrid::SafeDownCast(data);
   int dimensions[3];
   half->GetDimensions(dimensions);
-  int wholeDimensions[3] = { 2 * dimensions[0] - 1, dimensions[1], dimensions[2] };
-  auto whole = vtkSmartPointer<vtkStructuredGrid>::New();
-  whole->SetDimensions(wholeDimensions);
+  int fullDimensions[3] = { 2 * dimensions[0] - 1, dimensions[1], dimensions[2] };
+  auto full = vtkSmartPointer<vtkStructuredGrid>::New();
+  full->SetDimensions(fullDimensions);
   vtkNew<vtkPoints> points;
   points->SetDataType(half->GetPoints()->GetDataType());
   points->SetNumberOfPoints(
-    static_cast<vtkIdType>(wholeDimensions[0]) * wholeDimensions[1] * wholeDimensions[2]);
-  whole->SetPoints(points);
+    static_cast<vtkIdType>(fullDimensions[0]) * fullDimensions[1] * fullDimensions[2]);
+  full->SetPoints(points);
   std::vector<std::pair<vtkDataArray*, vtkDataArray*>> arrays;
   for (int array = 0; array < half->GetPointData()->GetNumberOfArrays(); ++array)
   {
@@ -84,7 +85,7 @@ vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
       auto to = vtkSmartPointer<vtkDataArray>::Take(from->NewInstance());
       to->SetName(from->GetName());
       to->SetNumberOfTuples(points->GetNumberOfPoints());
-      whole->GetPointData()->AddArray(to);
+      full->GetPointData()->AddArray(to);
       arrays.emplace_back(from, to);
     }
   }
@@ -92,13 +93,13 @@ vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
   {
     for (int j = 0; j < dimensions[1]; ++j)
     {
-      for (int i = 0; i < wholeDimensions[0]; ++i)
+      for (int i = 0; i < fullDimensions[0]; ++i)
       {
         const int offset = i - (dimensions[0] - 1);
-        int place[3] = { std::abs(offset), j, k };
-        int wholePlace[3] = { i, j, k };
-        const vtkIdType from = vtkStructuredData::ComputePointId(dimensions, place);
-        const vtkIdType to = vtkStructuredData::ComputePointId(wholeDimensions, wholePlace);
+        int index[3] = { std::abs(offset), j, k };
+        int fullIndex[3] = { i, j, k };
+        const vtkIdType from = vtkStructuredData::ComputePointId(dimensions, index);
+        const vtkIdType to = vtkStructuredData::ComputePointId(fullDimensions, fullIndex);
         double point[3];
         half->GetPoint(from, point);
         points->SetPoint(to, point[0], offset < 0 ? -point[1] : point[1], point[2]);
@@ -109,10 +110,10 @@ vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
       }
     }
   }
-  return whole;
+  return full;
 }
 
-/// The fin in the flow: both sides, surface j = 0, and the top.
+/// Returns the fin: both sides (surface j = 0) and the top.
 vtkSmartPointer<vtkActor> MakeBluntFin(vtkStructuredGrid* flow)
 {
   vtkNew<vtkAppendPolyData> fin;
@@ -122,7 +123,7 @@ vtkSmartPointer<vtkActor> MakeBluntFin(vtkStructuredGrid* flow)
   return MakeActor(fin->GetOutput(), Pencil());
 }
 
-/// The plate the fin stands on, surface k = 0.
+/// Returns the plate on which the fin stands (surface k = 0).
 vtkSmartPointer<vtkActor> MakeBluntFinPlate(vtkStructuredGrid* flow)
 {
   return MakeActor(MakeWall(flow, 2, 0), Pencil());
@@ -138,13 +139,13 @@ void BuildIntervalLinear(gallery::Stage& stage)
   interval->SetInterval(0, lower, 5.0);
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, flow);
 
-  vtkSmartPointer<vtkColorTransferFunction> colours =
-    gallery::MakeColourMap(gallery::Map::Viridis, lower, upper);
+  vtkSmartPointer<vtkColorTransferFunction> colors =
+    gallery::MakeColorMap(gallery::Map::Viridis, lower, upper);
   vtkNew<vtkPiecewiseFunction> extinction;
   extinction->AddPoint(lower, 0.4);
   extinction->AddPoint(2.0, 1.2);
   extinction->AddPoint(upper, 8.0);
-  vtkSmartPointer<vtkVolume> air = gallery::MakeVolume(tetrahedra, "Density", colours, extinction);
+  vtkSmartPointer<vtkVolume> air = gallery::MakeVolume(tetrahedra, "Density", colors, extinction);
   vtkSmartPointer<vtkActor> plate = MakeBluntFinPlate(flow);
   vtkSmartPointer<vtkActor> fin = MakeBluntFin(flow);
 
@@ -158,17 +159,16 @@ void BuildIntervalLinear(gallery::Stage& stage)
   }
   front.LookFrom({ -1.0, 0.5, 0.5 }, { 0.0, 0.0, 1.0 });
   back.LookFrom({ -0.4, 0.5, 1.3 }, { 0.0, 0.0, 1.0 });
-  stage.SetColourBar("density (free stream 1)", colours, lower, upper);
+  stage.SetColorBar("density (free stream 1)", colors, lower, upper);
 }
 
-const gallery::SceneRegistration intervalLinear(
-  { "interval-linear", "3.3", "One interval of a curvilinear grid, coloured by value",
-    "A supersonic stream meets a blunt fin that stands on a plate. The cloud is the air "
-    "denser than 1.2 times the free stream, between the shock and the fin; colour and "
-    "opacity follow its density, so that the dense air at the edge of the fin shows through "
-    "the thinner air around it. The data are one half of the flow; the other half is its "
-    "mirror image.",
-    { "bluntfin.vts" }, &BuildIntervalLinear });
+const gallery::SceneRegistration intervalLinear({ "interval-linear", "3.3",
+  "One interval of a curvilinear grid, colored by value",
+  "A supersonic stream meets a blunt fin that stands on a plate. The cloud is the air denser than "
+  "1.2 times the free stream, between the shock and the fin. Color and opacity are functions of "
+  "density, so that the dense air at the edge of the fin is visible through the thinner air around "
+  "it. The data contain one half of the flow; the other half is its mirror image.",
+  { "bluntfin.vts" }, &BuildIntervalLinear });
 
 void BuildIntervalTwoAttributes(gallery::Stage& stage)
 {
@@ -181,21 +181,20 @@ void BuildIntervalTwoAttributes(gallery::Stage& stage)
 
   const double lower = 0.4;
   const double upper = 1.6;
-  vtkSmartPointer<vtkColorTransferFunction> colours =
-    gallery::MakeColourMap(gallery::Map::Viridis, lower, upper);
+  vtkSmartPointer<vtkColorTransferFunction> colors =
+    gallery::MakeColorMap(gallery::Map::Viridis, lower, upper);
   gallery::Panel& panel = stage.AddPanel("", { -1.0, 0.8, 0.8 });
-  panel.Add(gallery::MakeColouredActor(gallery::MakeSurface(tetrahedra), "Pressure", colours));
+  panel.Add(gallery::MakeColoredActor(gallery::MakeSurface(tetrahedra), "Pressure", colors));
   panel.Add(MakeBluntFin(flow));
-  stage.SetColourBar(
-    "pressure where the speed is below 1.75 (above 1.6 drawn as 1.6)", colours, lower, upper);
+  stage.SetColorBar(
+    "pressure where the speed is below 1.75 (above 1.6 drawn as 1.6)", colors, lower, upper);
 }
 
 const gallery::SceneRegistration intervalTwoAttributes(
-  { "interval-two-attributes", "3.9", "Extracted by speed, coloured by pressure",
+  { "interval-two-attributes", "3.9", "Extracted by speed, colored by pressure",
     "A supersonic stream meets a blunt fin that stands on a plate. The solid is the slow air: the "
-    "boundary layers of plate and fin, and the horseshoe vortex that wraps around the foot of the "
-    "fin. Its colour is another attribute, the pressure, carried through the extraction. The data "
-    "are "
+    "boundary layers of plate and fin, and the horseshoe vortex around the foot of the fin. Its "
+    "color is another attribute, the pressure, which the extraction interpolates. The data contain "
     "one half of the flow; the other half is its mirror image.",
     { "bluntfin.vts" }, &BuildIntervalTwoAttributes });
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A plate of constant hypercubes without and with its extent in time.
+// A plate of constant hypercubes without and with its time extent.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "Support/Pictures/HypercubePlate.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/HypercubePlate.h"
+#include "Support/Images/VolumeStage.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkNew.h"
@@ -25,12 +25,12 @@ namespace
 {
 constexpr int CELLS = 8;
 
-/// Half the height of the picture that is measured, in cells, and a part of the plate's own: all
-/// pixels are the plate's.
+/// Half the height of the measured image, in cells. It is less than half the height of the plate,
+/// so that the plate covers all pixels.
 constexpr double MEASURED = 0.48 * CELLS;
 
-/// The standard deviation of opacity over the pixels of the plate, seen from the front without
-/// perspective, in floating point.
+/// Returns the standard deviation of opacity over the pixels of the plate, seen from the front with
+/// a parallel projection, in floating point.
 double MeasureDeviation(vtkVolume* plate)
 {
   vtkNew<vtkCamera> camera;
@@ -43,24 +43,24 @@ double MeasureDeviation(vtkVolume* plate)
   reference::VolumeStage stage(size);
   stage.SetVolume(gallery::GetMapper(plate), plate->GetProperty());
   stage.SetCamera(camera);
-  const reference::RgbaPicture picture = stage.Capture();
+  const reference::RgbaImage image = stage.Capture();
 
-  const double pixels = static_cast<double>(picture.Width) * picture.Height;
+  const double pixels = static_cast<double>(image.Width) * image.Height;
   double sum = 0.0;
   double squares = 0.0;
-  for (int j = 0; j < picture.Height; ++j)
+  for (int j = 0; j < image.Height; ++j)
   {
-    for (int i = 0; i < picture.Width; ++i)
+    for (int i = 0; i < image.Width; ++i)
     {
-      sum += picture.At(i, j)[3];
-      squares += picture.At(i, j)[3] * picture.At(i, j)[3];
+      sum += image.At(i, j)[3];
+      squares += image.At(i, j)[3] * image.At(i, j)[3];
     }
   }
   const double mean = sum / pixels;
   return std::sqrt(std::max(squares / pixels - mean * mean, 0.0));
 }
 
-/// Digits that do not depend on who draws.
+/// Formats a deviation with so few digits that the text does not depend on the OpenGL driver.
 std::string ToText(double deviation)
 {
   std::array<char, 64> text;
@@ -75,13 +75,13 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
     stage.Extract(interval, reference::MakeHypercubePlate(CELLS, 2, 1.0, true));
 
-  // Without the extent in time, about as opaque on average as with it.
+  // Without the time extent, the average opacity is about the same as with it.
   vtkSmartPointer<vtkVolume> without =
-    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 0.22 } });
+    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 0.22 } });
   gallery::GetMapper(without)->SetDeltaTArrayName("");
   gallery::GetMapper(without)->SetBlendModeToOpticalDepth();
   vtkSmartPointer<vtkVolume> with =
-    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColour(0), 1.1 } });
+    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 1.1 } });
 
   stage.SetColumns(2);
   const std::string deviation = ": standard deviation of opacity ";
@@ -102,11 +102,11 @@ void Build(gallery::Stage& stage)
 
 const gallery::SceneRegistration registration(
   { "constant-plate", "3.14", "A plate of constant hypercubes, without and with Δt",
-    "A plate of 8 x 8 constant hypercubes, whose points move by part of a cell between two "
-    "time steps, projected along time. The tetrahedra overlap; on the left they count whole, "
-    "and their overlap shows as a pattern (figure 3.14). On the right each counts for as "
-    "long as it lasts, Δt, and the plate is uniform (figure 3.19), from the front and "
-    "obliquely, where its edges are thinner. On a grid at rest the 4-simplices of a constant "
-    "hypercube would project to the same tetrahedra, and hide the mistake.",
+    "A plate of 8 x 8 constant hypercubes, whose points move by part of a cell between two time "
+    "steps, projected along time. The tetrahedra overlap. On the left each has the same weight, "
+    "and the overlap is visible as a pattern (figure 3.14). On the right each is weighted by its "
+    "duration Δt, and the plate is uniform (figure 3.19). The lower row shows the plate obliquely, "
+    "where its edges are thinner. If the points did not move, all 4-simplices would project to the "
+    "same tetrahedra and hide the error.",
     {}, &Build });
 }

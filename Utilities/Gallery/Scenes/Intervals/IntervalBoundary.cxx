@@ -26,18 +26,17 @@ void Build(gallery::Stage& stage)
   const vtkVector3d from(1.0, -1.0, 0.5);
   gallery::Panel& plain = stage.AddPanel("the interval", from);
   gallery::Panel& highlighted = stage.AddPanel("its inner boundary highlighted", from);
-  const gallery::IntervalLook look = { gallery::IntervalColour(0), 0.035 };
+  const gallery::IntervalLook look = { gallery::IntervalColor(0), 0.035 };
   plain.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { look }));
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeOfIntervals(tetrahedra, { look });
-  gallery::SetBoundary(volume, inner, gallery::IntervalColour(2), 1.0);
+  gallery::SetBoundary(volume, inner, gallery::IntervalColor(2), 1.0);
   highlighted.Add(volume);
 }
 
 const gallery::SceneRegistration registration(
   { "interval-boundary", "3.7", "The inner boundary of an interval, highlighted",
     "Probability density of an electron in a hydrogen atom, from 0.04 to 0.25 of its maximum. The "
-    "inner boundary comes with the interval in the same pass; opaque, shaded and glossy, and seen "
-    "through the part of the volume in front of it, it shows where the values leave the interval "
-    "upwards.",
+    "same pass extracts the interval and its inner boundary. The boundary, opaque, shaded and "
+    "glossy behind the front part of the volume, shows where the values exceed the interval.",
     { "hydrogen_orbital.vti" }, &Build });
 }

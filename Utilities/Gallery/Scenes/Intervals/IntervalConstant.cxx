@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Four intervals of one field, each of one colour, in one mesh.
+// Four intervals of one field, each of one color, in one mesh.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
@@ -28,12 +28,12 @@ void Build(gallery::Stage& stage)
   intervals->SetNumberOfIntervals(count);
   intervals->GenerateBoundariesOn();
   std::vector<gallery::IntervalLook> looks;
-  std::vector<gallery::ColourEntry> key;
+  std::vector<gallery::ColorEntry> key;
   for (int i = 0; i < count; ++i)
   {
     intervals->SetInterval(i, bounds[i], bounds[i + 1]);
-    looks.push_back({ gallery::IntervalColour(i), extinctions[i] });
-    key.emplace_back(gallery::IntervalColour(i), labels[i]);
+    looks.push_back({ gallery::IntervalColor(i), extinctions[i] });
+    key.emplace_back(gallery::IntervalColor(i), labels[i]);
   }
 
   const vtkVector3d from(-0.8, -1.0, 0.35);
@@ -52,14 +52,14 @@ void Build(gallery::Stage& stage)
   };
   draw(whole, tooth);
   draw(open, gallery::HideQuarter(tooth, 52.0, 46.0));
-  stage.SetColourKey("", key);
+  stage.SetColorKey("", key);
 }
 
 const gallery::SceneRegistration registration(
-  { "interval-constant", "3.4", "Four intervals in one mesh, one colour each",
-    "A tooth in a CT scanner, cut by value into four intervals in one pass and drawn as one "
-    "mesh in order of visibility. Each interval has one colour and one opacity: dentine "
-    "(green) is thin enough to show the pulp chamber and the root canals within, enamel "
-    "(red) is a cap on top. A faint shaded boundary under each interval gives it form.",
+  { "interval-constant", "3.4", "Four intervals in one mesh, one color each",
+    "A CT scan of a tooth, divided by value into four intervals in one pass and rendered as one "
+    "mesh in visibility order. Each interval has one color and one opacity: dentin (green) is "
+    "translucent and shows the pulp chamber and the root canals, enamel (red) is a cap on top. A "
+    "faint shaded boundary below each interval emphasizes its shape.",
     { "tooth.vti" }, &Build });
 }

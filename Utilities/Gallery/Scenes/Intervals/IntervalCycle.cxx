@@ -36,14 +36,14 @@ void Build(gallery::Stage& stage)
     vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, half);
     gallery::Panel& panel = stage.AddPanel(captions[i], { 0.4, 0.35, -1.0 }, { 0.0, 1.0, 0.0 });
     panel.Add(gallery::MakeVolumeOfIntervals(
-      tetrahedra, { { gallery::IntervalColour(i), extinctions[i] } }));
+      tetrahedra, { { gallery::IntervalColor(i), extinctions[i] } }));
   }
 }
 
 const gallery::SceneRegistration registration(
   { "interval-cycle", "3.5", "Adjacent intervals shown in turn",
-    "The crown of a bonsai in a CT scanner. Four adjacent intervals, one after the other "
-    "from low to high values: leaves, twigs, branches, and the core of the wood. Each is of "
-    "one colour, so no order of drawing matters, and nothing is sorted.",
+    "A CT scan of the crown of a bonsai. Four adjacent intervals from low to high values: leaves, "
+    "twigs, branches, and the core of the wood. Each has one color, so the drawing order does not "
+    "matter, and nothing is sorted.",
     { "bonsai.vti" }, &Build });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Two attributes: a range of the first, a range of the second, and both at once.
+// Two attributes: a range of the first, a range of the second, and their intersection.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
@@ -26,8 +26,8 @@ struct Range
   double Upper;
 };
 
-/// The tetrahedra where the range holds, and the criterion where one is given, with \a id as their
-/// `IntervalId`.
+/// Extracts the tetrahedra in the range and, if given, in the range of \a criterion. Sets their
+/// `IntervalId` to \a id.
 vtkSmartPointer<vtkUnstructuredGrid> MakeSolid(
   gallery::Stage& stage, vtkDataSet* disk, const Range& range, const Range* criterion, int id)
 {
@@ -48,8 +48,8 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkDataSet> disk = interlume::ReadData("disk_out_ref.vtu");
   const Range temperature = { "Temp", 380.0, 560.0 };
   const Range arsine = { "AsH3", 0.1, 0.14 };
-  const vtkColor3d amber = gallery::IntervalColour(2);
-  const vtkColor3d blue = gallery::IntervalColour(0);
+  const vtkColor3d amber = gallery::IntervalColor(2);
+  const vtkColor3d blue = gallery::IntervalColor(0);
   vtkSmartPointer<vtkUnstructuredGrid> warm = MakeSolid(stage, disk, temperature, nullptr, 0);
   vtkSmartPointer<vtkUnstructuredGrid> rich = MakeSolid(stage, disk, arsine, nullptr, 1);
   vtkSmartPointer<vtkUnstructuredGrid> common = MakeSolid(stage, disk, temperature, &arsine, 2);
@@ -70,17 +70,17 @@ void Build(gallery::Stage& stage)
   first.Add(gallery::MakeVolumeOfIntervals(warm, { { amber, 0.25 } }));
   second.Add(gallery::MakeVolumeOfIntervals(rich, { none, { blue, 0.25 } }));
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeOfIntervals(overlapping->GetOutput(),
-    { { amber, 0.05 }, { blue, 0.05 }, { gallery::IntervalColour(1), 0.3 } });
-  // Overlapping tetrahedra have no order; this blend needs none.
+    { { amber, 0.05 }, { blue, 0.05 }, { gallery::IntervalColor(1), 0.3 } });
+  // Overlapping tetrahedra have no visibility order; this blend mode is order-independent.
   gallery::GetMapper(volume)->SetBlendModeToOpticalDepth();
   both.Add(volume);
 }
 
 const gallery::SceneRegistration registration(
   { "interval-intersection", "3.10", "A range of one attribute, of another, and both",
-    "Gas around a hot spinning disk in a reactor. Left: a range of temperature. Middle: a "
-    "range of the share of arsine. Right: where both hold (green), within the two; made by "
-    "a second pass of the same algorithm over the tetrahedra of the first. The three meshes "
-    "on the right overlap and are drawn together without an order.",
+    "Gas around a hot spinning disk in a reactor. Left: a range of temperature. Center: a range of "
+    "the arsine fraction. Right: the intersection of both (green) inside the two ranges. A second "
+    "pass of the same algorithm extracts it from the tetrahedra of the first. The three "
+    "overlapping meshes on the right are rendered together with an order-independent blend mode.",
     { "disk_out_ref.vtu" }, &Build });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Intervals painted by priority, and by its reverse.
+// Intervals drawn by priority, and by the reverse priority.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
@@ -35,11 +35,11 @@ void Build(gallery::Stage& stage)
   gallery::Panel& outside = stage.AddPanel("low values painted last", from);
   gallery::Panel& inside = stage.AddPanel("high values painted last", from);
   std::vector<gallery::IntervalLook> looks;
-  std::vector<gallery::ColourEntry> key;
+  std::vector<gallery::ColorEntry> key;
   for (int i = 0; i < count; ++i)
   {
-    looks.push_back({ gallery::IntervalColour(i), extinctions[i] });
-    key.emplace_back(gallery::IntervalColour(i), labels[i]);
+    looks.push_back({ gallery::IntervalColor(i), extinctions[i] });
+    key.emplace_back(gallery::IntervalColor(i), labels[i]);
   }
   for (gallery::Panel* panel : { &outside, &inside })
   {
@@ -52,13 +52,13 @@ void Build(gallery::Stage& stage)
     }
     panel->Add(volume);
   }
-  stage.SetColourKey("", key);
+  stage.SetColorKey("", key);
 }
 
 const gallery::SceneRegistration registration(
-  { "interval-priority", "3.6", "Intervals by priority, and by its reverse",
-    "Electron density of a protein in four intervals. Each is drawn over those before it, "
-    "whatever their depth, and none is sorted: with low values last the outer shell "
-    "dominates, with high values last the cores stand out.",
+  { "interval-priority", "3.6", "Intervals drawn by priority, and in reverse order",
+    "Electron density of a protein in four intervals. Each interval is drawn over the previous "
+    "ones regardless of depth, and no interval is sorted. If low values are last, the outer shell "
+    "dominates; if high values are last, the cores stand out.",
     { "neghip.vti" }, &Build });
 }

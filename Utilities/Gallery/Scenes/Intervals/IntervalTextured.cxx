@@ -17,13 +17,13 @@ void Build(gallery::Stage& stage)
     vtkColor3d(0.95, 0.93, 0.9), gallery::MakeStreamlines(48, gallery::Ink()), nullptr));
   panel.Add(
     gallery::MakeVolumeOfIntervals(gallery::MakeStreamVolume(flow.Samples, 0.06, 0.16, 0.45, 10.0),
-      { { gallery::IntervalColour(0), 2.0 } }));
+      { { gallery::IntervalColor(0), 2.0 } }));
 }
 
-const gallery::SceneRegistration registration({ "interval-textured", "3.8",
-  "The boundary of an interval as a textured stream surface",
-  "Air of a tornado that flows in at heights from 0.06 to 0.16 of all: an interval volume of the "
-  "inflow height. Its inner boundary is a stream surface, drawn opaque with lines that follow the "
-  "flow, and seen through the translucent rest.",
-  {}, &Build });
+const gallery::SceneRegistration registration(
+  { "interval-textured", "3.8", "The boundary of an interval as a textured stream surface",
+    "Air of a tornado that enters at relative heights from 0.06 to 0.16: an interval volume of the "
+    "inflow height. Its inner boundary is a stream surface. It is opaque, with lines that follow "
+    "the flow, and visible through the translucent volume.",
+    {}, &Build });
 }

@@ -14,7 +14,7 @@ namespace gallery
 {
 namespace
 {
-/// The part of the scan with indices of \a box.
+/// Returns the part of the scan in the index range \a box.
 vtkSmartPointer<vtkImageData> Cut(vtkDataSet* scan, const int box[6])
 {
   vtkNew<vtkExtractVOI> part;
@@ -29,14 +29,14 @@ vtkSmartPointer<vtkSpatialObject> MakeBonsai()
 {
   vtkSmartPointer<vtkDataSet> scan = interlume::ReadData("bonsai.vti");
 
-  // Leaves are thin and their values low; the trunk is brighter.
+  // Leaves are thin and have low values; the trunk has higher ones.
   vtkNew<vtkColorTransferFunction> tree;
   tree->AddRGBPoint(20.0, 0.36, 0.52, 0.20);
   tree->AddRGBPoint(75.0, 0.47, 0.60, 0.26);
   tree->AddRGBPoint(110.0, 0.50, 0.36, 0.22);
   tree->AddRGBPoint(160.0, 0.58, 0.42, 0.27);
   const int crown[6] = { 24, 232, 60, 232, 60, 255 };
-  // Below the branches all but the trunk is noise.
+  // Below the branches, everything except the trunk is noise.
   vtkNew<vtkSpatialOperation> leaves;
   leaves->SetOperationToTrim();
   leaves->AddOperand(MakeImageObject(Cut(scan, crown), 20.0, 48.0, tree));
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkSpatialObject> MakeBonsai()
   const int bowl[6] = { 36, 206, 10, 60, 76, 255 };
   vtkSmartPointer<vtkSpatialObject> pot = MakeImageObject(Cut(scan, bowl), 30.0, 110.0, clay);
 
-  // Up is +y in the scan, and the cut at the upper end of z.
+  // Up is +y in the scan. The scan cuts off the pot at the upper end of z.
   vtkSmartPointer<vtkSpatialObject> bonsai =
     Unite({ pot, vtkSmartPointer<vtkSpatialObject>(leaves) });
   const double scale = 1.0 / 210.0;

@@ -8,9 +8,9 @@
 namespace gallery
 {
 /**
- * The scanned bonsai as an object: about 1.05 high, on z = 0, its trunk near the z axis. The scan
- * cuts off the pot at one side, which is at +y here. Noise in the air and the sheet that the pot
- * stood on are left out.
+ * Returns the scanned bonsai as an object: about 1.05 high, on z = 0, with its trunk near the z
+ * axis. The scan cuts off one side of the pot, here at +y. Noise in the air and the sheet under the
+ * pot are excluded.
  */
 vtkSmartPointer<vtkSpatialObject> MakeBonsai();
 }

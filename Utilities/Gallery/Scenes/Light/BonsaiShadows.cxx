@@ -18,7 +18,7 @@ vtkSmartPointer<vtkImageData> SampleBonsai()
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleBonsai();
-  gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMatter(image),
+  gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ -1.8, -1.4, 3.2 }, 0.85));
   pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.66, 0.66, -0.1, 0.1, -0.27, 1.06));
 }
@@ -26,20 +26,20 @@ void Build(gallery::Stage& stage)
 void BuildSoft(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleBonsai();
-  gallery::AddSoftPair(stage, image, gallery::MakeSolidMatter(image),
+  gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ -1.8, -1.4, 3.2 }, 0.85), 0.9)
     .Look({ 0.1, -1.0, 0.5 }, vtkBoundingBox(-0.66, 0.66, -0.1, 0.1, -0.33, 1.04));
 }
 
 const gallery::SceneRegistration registration(
   { "bonsai", "2.14", "A bonsai, without and with shadows",
-    "A scanned bonsai in its pot, coloured by the value of the scan. With shadows the crown gets "
-    "depth, and it shades the trunk, the soil and the ground.",
+    "A scanned bonsai in its pot, colored by the scan value. Shadows add depth to the crown; it "
+    "shades the trunk, the soil and the ground.",
     { "bonsai.vti" }, &Build });
 
-const gallery::SceneRegistration softRegistration({ "bonsai-soft", "2.36",
-  "A bonsai in the light of a point and of a disk",
-  "The scanned bonsai under a round lamp: the shadow of the pot keeps its edge, that of the crown "
-  "on the plate is a soft one.",
-  { "bonsai.vti" }, &BuildSoft });
+const gallery::SceneRegistration softRegistration(
+  { "bonsai-soft", "2.36", "A bonsai under a point light and under a disk light",
+    "The scanned bonsai under a disk light. The shadow of the pot has a sharp edge; the shadow of "
+    "the crown on the plate is soft.",
+    { "bonsai.vti" }, &BuildSoft });
 }

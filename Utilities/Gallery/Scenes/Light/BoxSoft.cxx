@@ -9,11 +9,11 @@
 
 namespace
 {
-vtkSmartPointer<vtkSpatialPrimitive> MakeRing(const vtkVector3d& centre)
+vtkSmartPointer<vtkSpatialPrimitive> MakeRing(const vtkVector3d& center)
 {
   auto ring = vtkSmartPointer<vtkSpatialPrimitive>::New();
   ring->SetShapeToTorus();
-  ring->SetCenter(centre[0], centre[1], centre[2]);
+  ring->SetCenter(center[0], center[1], center[2]);
   ring->SetRadius(0.3);
   ring->SetTubeRadius(0.075);
   ring->SetColor(0.10, 0.26, 0.72);
@@ -31,12 +31,12 @@ void Build(gallery::Stage& stage)
     vtkBoundingBox(-1.1, 1.1, -1.1, 1.1, -0.1, 1.5), 115);
   gallery::AddSmoke(
     image, gallery::MakeBox({ -0.52, -0.4, 0.04 }, { 0.52, 0.4, 1.12 }, ice), 0.2, ice);
-  vtkSmartPointer<vtkVolumeProperty> matter = gallery::MakeSolidMatterInSmoke(image, 0.022);
-  matter->SetAmbient(0.05);
+  vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeSolidMediumInSmoke(image, 0.022);
+  medium->SetAmbient(0.05);
   const gallery::Lights lights = { gallery::MakePointLight({ -0.4, -0.15, 3.3 }, 2.8),
     gallery::MakeFillLight({ 0.6, -1.0, 0.5 }, 0.12) };
   gallery::SoftPair pair =
-    gallery::AddSoftPair(stage, image, matter, lights, 0.45, gallery::SMOKE_GRADIENT, 192);
+    gallery::AddSoftPair(stage, image, medium, lights, 0.45, gallery::SMOKE_GRADIENT, 192);
   for (gallery::Panel* panel : { &pair.Hard, &pair.Soft })
   {
     panel->SetBackground(gallery::DarkBackground());
@@ -46,8 +46,8 @@ void Build(gallery::Stage& stage)
 
 const gallery::SceneRegistration registration(
   { "box-soft", "2.35", "The shadow of a ring within a translucent box, hard and soft",
-    "A ring floats above a translucent box, and its shadow goes down through it to the plate. In "
-    "the light of a disk it is as sharp as in that of a point where it enters the box; below, its "
-    "edges widen until they meet.",
+    "A ring floats above a translucent box, and its shadow extends down through the box to the "
+    "plate. Under a disk light the shadow is as sharp as under a point light where it enters the "
+    "box. Farther down, its edges widen until they merge.",
     {}, &Build });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The head and brain of a scan, without and with shadows, and both close up.
+// A scanned head with exposed brain, without and with shadows, and close up.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
@@ -28,7 +28,7 @@ void Build(gallery::Stage& stage)
   head->SetTransform(transform);
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(head, vtkBoundingBox(-0.5, 0.5, -0.35, 0.35, -0.5, 0.5), 180, 1.0);
-  vtkSmartPointer<vtkVolumeProperty> property = gallery::MakeSolidMatter(image);
+  vtkSmartPointer<vtkVolumeProperty> property = gallery::MakeSolidMedium(image);
   const gallery::Lights lights = gallery::MakeStudioLights({ -2.6, -1.5, 1.5 });
   gallery::ShadowPair whole = gallery::AddShadowPair(stage, image, property, lights);
   gallery::ShadowPair part =
@@ -40,8 +40,8 @@ void Build(gallery::Stage& stage)
 
 const gallery::SceneRegistration registration(
   { "brain", "2.15", "A brain, without and with shadows, and close up",
-    "A scanned head with the brain laid open. With shadows the cut edge of the skin lies over the "
-    "brain, and the folds get depth. Close up the edges of shadows are smooth: light is taken away "
-    "for each pixel, not for each voxel.",
+    "A scanned head with exposed brain. With shadows, the cut edge of the skin shades the brain, "
+    "and the folds have depth. The close-up shows that shadow edges are smooth, since shadows are "
+    "computed per pixel, not per voxel.",
     { "brainsmall.vti" }, &Build });
 }

@@ -11,10 +11,10 @@ namespace gallery
 {
 namespace
 {
-/// Per unit of length, in the middle of a cloud.
+/// Extinction per unit of length at the center of a cloud.
 constexpr double EXTINCTION = 34.0;
 
-/// The mean cosine of the angle by which drops of water turn light.
+/// Mean cosine of the scattering angle of water droplets.
 constexpr double ANISOTROPY = 0.85;
 }
 
@@ -22,7 +22,7 @@ vtkSmartPointer<vtkVolume> MakeCloudVolume(
   vtkSpatialObject* clouds, const std::array<double, 6>& bounds, int cells, Scattering scattering)
 {
   vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(
-    interlume::SampleDensity(clouds, bounds, cells), interlume::MakeCloudMatter(EXTINCTION));
+    interlume::SampleDensity(clouds, bounds, cells), interlume::MakeCloudMedium(EXTINCTION));
   Scatter(volume, scattering, ANISOTROPY);
   return volume;
 }
@@ -30,7 +30,7 @@ vtkSmartPointer<vtkVolume> MakeCloudVolume(
 void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy)
 {
   vtkShadowedSliceMapper* mapper = GetSlicedMapper(volume);
-  mapper->SetMultipleScattering(scattering == Scattering::SINGLE
+  mapper->SetScatteringMode(scattering == Scattering::SINGLE
       ? vtkShadowedSliceMapper::SINGLE_SCATTERING
       : scattering == Scattering::FORWARD ? vtkShadowedSliceMapper::FORWARD_SCATTERING
                                           : vtkShadowedSliceMapper::FULL_SCATTERING);

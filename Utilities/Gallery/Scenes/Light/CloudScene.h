@@ -11,13 +11,13 @@
 class vtkSpatialObject;
 
 /**
- * What scenes of clouds share.
+ * Support for scenes with clouds.
  */
 namespace gallery
 {
 class Panel;
 
-/// How often light is scattered before it is seen.
+/// Scattering mode: single scattering, forward scattering, or full multiple scattering.
 enum class Scattering
 {
   SINGLE,
@@ -25,17 +25,17 @@ enum class Scattering
   FULL
 };
 
-/// Clouds within \a bounds, so many cells along the longest edge, in which light goes on as it does
-/// in drops of water.
+/// Returns clouds within \a bounds, sampled with \a cells cells along the longest edge. The phase
+/// function is that of water droplets.
 vtkSmartPointer<vtkVolume> MakeCloudVolume(
   vtkSpatialObject* clouds, const std::array<double, 6>& bounds, int cells, Scattering scattering);
 
-/// Has light be scattered in a volume made by MakeSlicedVolume(), by Henyey and Greenstein's
-/// function.
+/// Sets scattering with a Henyey-Greenstein phase function in a volume created by
+/// MakeSlicedVolume().
 void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy);
 
-/// The sun out of a direction, weak blue light from above, both times exposure, and a sky behind
-/// all.
+/// Adds sunlight from direction \a sun, weak blue light from above, and a sky as background.
+/// \a exposure scales both lights.
 void UseSky(Panel& panel, const vtkVector3d& sun, double exposure = 1.0);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clouds in the sun, by light that is scattered once and more often.
+// Sunlit clouds with single, forward and full multiple scattering.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/CloudScene.h"
@@ -42,21 +42,21 @@ void BuildFull(gallery::Stage& stage)
 }
 
 const gallery::SceneRegistration singleRegistration(
-  { "clouds-single", "2.50", "Clouds by light that is scattered once",
-    "Cumulus clouds in the sun, which stands behind them on the left. Light is scattered once "
-    "before it is seen: edges that it has come through are bright, and all else is dark. "
-    "The lights are eight times as bright as for clouds-full.",
+  { "clouds-single", "2.50", "Clouds with single scattering",
+    "Cumulus clouds, with the sun behind them on the left. Only single scattering: edges through "
+    "which light passes are bright, all other parts are dark. The lights are eight times as bright "
+    "as in clouds-full.",
     {}, &BuildSingle });
 
 const gallery::SceneRegistration forwardRegistration(
-  { "clouds-forward", "2.52", "Clouds by light that is scattered forwards",
-    "The same clouds. Light goes on and on, away from the sun: the clouds are brighter, and light "
-    "comes through where they are thin. The lights are three times as bright as for clouds-full.",
+  { "clouds-forward", "2.52", "Clouds with forward scattering",
+    "The same clouds with forward multiple scattering. They are brighter, and light passes through "
+    "thin parts. The lights are three times as bright as in clouds-full.",
     {}, &BuildForward });
 
 const gallery::SceneRegistration fullRegistration(
-  { "clouds-full", "2.53", "Clouds by light that is scattered forwards and back",
-    "The same clouds. Light goes to and fro until it leaves: the clouds are white "
-    "towards the sun and soft inside.",
+  { "clouds-full", "2.53", "Clouds with full multiple scattering",
+    "The same clouds with full multiple scattering: they are white on the sunlit side and soft "
+    "inside.",
     {}, &BuildFull });
 }

@@ -14,10 +14,10 @@ namespace gallery
 {
 namespace
 {
-/// The density whose opacity MakeSolidMatterInSmoke() takes.
+/// The density at which MakeSolidMediumInSmoke() sets its opacity.
 constexpr double SMOKE_DENSITY = 60.0 / 255.0;
 
-/// \a object turned around the vertical by \a degrees after it was tilted backwards by \a tilt.
+/// Tilts \a object backward by \a tilt, then rotates it around the vertical by \a degrees.
 vtkSmartPointer<vtkSpatialObject> Arrange(vtkSmartPointer<vtkSpatialObject> object,
   const vtkVector3d& offset, double degrees, double tilt, double scale)
 {
@@ -47,8 +47,8 @@ vtkSmartPointer<vtkImageData> SampleRoom()
 Panel& AddHazyPanel(Stage& stage, vtkImageData* room, const vtkBoundingBox& inside, double opacity,
   const Lights& lights)
 {
-  // Far from that of solids, so that their normals are their own, and the same everywhere, as eight
-  // bits have few steps for something so thin.
+  // This density is far below that of solids, so the smoke does not affect their normals. It is
+  // constant, because eight bits have few steps for such a thin medium.
   constexpr double density = 12.0 / 255.0;
   vtkVector3d lower;
   vtkVector3d upper;
@@ -56,11 +56,11 @@ Panel& AddHazyPanel(Stage& stage, vtkImageData* room, const vtkBoundingBox& insi
   inside.GetMaxPoint(upper.GetData());
   const vtkColor3d white(1.0, 1.0, 1.0);
   AddSmoke(room, MakeBox(lower, upper, white), density, white);
-  vtkSmartPointer<vtkVolumeProperty> matter =
-    MakeSolidMatterInSmoke(room, SMOKE_DENSITY / density * opacity);
-  matter->SetAmbient(0.1);
-  vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(room, matter, SMOKE_GRADIENT);
-  // There is matter everywhere, which makes light buffers slow.
+  vtkSmartPointer<vtkVolumeProperty> medium =
+    MakeSolidMediumInSmoke(room, SMOKE_DENSITY / density * opacity);
+  medium->SetAmbient(0.1);
+  vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(room, medium, SMOKE_GRADIENT);
+  // The medium fills the volume, which makes large light buffers slow.
   GetSlicedMapper(volume)->SetLightBufferSize(512);
   Panel& panel = stage.AddPanel("");
   panel.Add(volume);

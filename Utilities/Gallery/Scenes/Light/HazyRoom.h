@@ -10,14 +10,14 @@ class Panel;
 class Stage;
 
 /**
- * Adds a panel of \a room, a `Color` of Sample(), on a dark background. Thin smoke of \a opacity in
- * a voxel fills it within \a inside, so that light can be seen on its way.
+ * Adds a panel of \a room, a `Color` image of Sample(), on a dark background. Thin smoke within
+ * \a inside makes light beams visible. \a opacity is its opacity per voxel.
  */
 Panel& AddHazyPanel(Stage& stage, vtkImageData* room, const vtkBoundingBox& inside, double opacity,
   const Lights& lights);
 
 /**
- * The same of MakeRoom() with a robot and rings.
+ * As above, with the room of MakeRoom(), a robot and rings.
  */
 Panel& AddHazyRoom(Stage& stage, const Lights& lights);
 }

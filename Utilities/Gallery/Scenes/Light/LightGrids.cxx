@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Grids of parallel light, which show the form of what they fall on.
+// Grids of parallel light that show the shape of surfaces.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/LightScreens.h"
@@ -19,7 +19,7 @@ void BuildSphere(gallery::Stage& stage)
                        { -0.15, 0.0, 0.0 }),
       gallery::MakeDisk({ 0.1, 0.05, -0.5 }, 1.1, 0.06, gallery::Plaster()) }),
     vtkBoundingBox(-1.05, 1.25, -1.1, 1.2, -0.6, 0.83), 200);
-  gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMatter(image),
+  gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image),
     { gallery::MakeParallelProjector(
         { -2.4, -2.2, 3.4 }, { 0.0, 0.0, 0.0 }, 3.2, 3.2, 1.9, gallery::MakeGridPattern(32, 0.14)),
       gallery::MakeFillLight({ 1.0, -1.0, 0.4 }, 0.25) });
@@ -34,7 +34,7 @@ void BuildProtein(gallery::Stage& stage)
       gallery::MakeDisk({ 0.08, 0.08, 0.0 }, 0.78, 0.05, gallery::Plaster()) });
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-0.75, 0.9, -0.75, 0.9, -0.08, 1.1), 200);
-  gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMatter(image),
+  gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image),
     { gallery::MakeParallelProjector(
         { -1.6, -2.4, 2.4 }, { 0.0, 0.0, 0.3 }, 2.4, 2.4, 2.3, gallery::MakeGridPattern(40, 0.14)),
       gallery::MakeFillLight({ 1.0, -1.0, 0.4 }, 0.25) });
@@ -44,15 +44,14 @@ void BuildProtein(gallery::Stage& stage)
 
 const gallery::SceneRegistration sphere(
   { "light-grid-sphere", "2.20", "A grid of light on two spheres",
-    "A parallel light shines through a screen with a grid on a union of two spheres. Across the "
-    "light "
-    "all cells have the same size, so that they are a measure of the spheres and show their slope.",
+    "A parallel light shines through a screen with a grid on a union of two spheres. Perpendicular "
+    "to the light all grid cells have the same size, so they measure the spheres and show their "
+    "slope.",
     {}, &BuildSphere });
-const gallery::SceneRegistration protein({ "light-grid-protein", "2.21",
-  "A grid of light on a protein",
-  "The absolute value of an electron's wave function in a high-potential iron protein, as the "
-  "lumps "
-  "where it is large. A parallel light shines through a screen with a grid: its cells measure the "
-  "lumps and show how they bend.",
-  { "ironProt.vtk" }, &BuildProtein });
+const gallery::SceneRegistration protein(
+  { "light-grid-protein", "2.21", "A grid of light on a protein",
+    "The absolute value of an electron's wave function in a high-potential iron protein, as blobs "
+    "around its maxima. A parallel light shines through a screen with a grid. The grid cells "
+    "measure the blobs and show their curvature.",
+    { "ironProt.vtk" }, &BuildProtein });
 }

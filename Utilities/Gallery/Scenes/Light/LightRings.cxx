@@ -11,15 +11,15 @@
 namespace
 {
 vtkSmartPointer<vtkSpatialPrimitive> MakeRound(
-  int shape, const vtkVector3d& centre, double radius, double height, const vtkColor3d& colour)
+  int shape, const vtkVector3d& center, double radius, double height, const vtkColor3d& color)
 {
   auto round = vtkSmartPointer<vtkSpatialPrimitive>::New();
   round->SetShape(shape);
-  round->SetCenter(centre[0], centre[1], centre[2]);
+  round->SetCenter(center[0], center[1], center[2]);
   round->SetRadius(radius);
   round->SetHeight(height);
   round->SetEdgeWidth(gallery::EDGE_WIDTH);
-  round->SetColor(colour[0], colour[1], colour[2]);
+  round->SetColor(color[0], color[1], color[2]);
   return round;
 }
 
@@ -43,8 +43,8 @@ void Build(gallery::Stage& stage)
     {
       const double radius = 2.0 * std::hypot(u - 0.5, v - 0.5);
       const double wave = 0.5 + 0.5 * std::cos(2.0 * 3.14159265358979323846 * 6.0 * radius);
-      const double grey = 0.12 + 0.88 * wave * wave * (3.0 - 2.0 * wave);
-      return vtkColor3d(grey, 0.95 * grey, 0.86 * grey);
+      const double gray = 0.12 + 0.88 * wave * wave * (3.0 - 2.0 * wave);
+      return vtkColor3d(gray, 0.95 * gray, 0.86 * gray);
     });
   vtkSmartPointer<vtkProjectiveLight> light =
     gallery::MakeProjector({ -1.7, -3.0, 3.4 }, { 0.0, 0.1, 0.3 }, 3.4, 3.4, 2.5, rings);
@@ -55,8 +55,8 @@ void Build(gallery::Stage& stage)
 
 const gallery::SceneRegistration registration(
   { "light-rings", "2.18", "Rings of light on simple shapes",
-    "A point light shines through a screen with rings, which follow the shapes that they fall on; "
-    "behind a shape there is none. The edge of the screen is smooth: the light goes out by and by. "
-    "A constructive volume.",
+    "A point light shines through a screen with rings, which follow the shapes that they "
+    "illuminate. The shapes cast shadows. The screen has a smooth edge, so the light fades out "
+    "gradually. The shapes are a constructive volume.",
     {}, &Build });
 }

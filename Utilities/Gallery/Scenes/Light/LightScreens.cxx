@@ -37,10 +37,10 @@ vtkSmartPointer<vtkImageData> MakePattern(
         const int row = k / subsamples;
         const double x = i + (k - row * subsamples + 0.5) / subsamples;
         const double y = j + (row + 0.5) / subsamples;
-        const vtkColor3d colour = pattern(x / width, y / height);
+        const vtkColor3d color = pattern(x / width, y / height);
         for (int c = 0; c < 3; ++c)
         {
-          sum[c] += colour[c];
+          sum[c] += color[c];
         }
       }
       auto* sample = static_cast<unsigned char*>(image->GetScalarPointer(i, j, 0));
@@ -54,16 +54,16 @@ vtkSmartPointer<vtkImageData> MakePattern(
   return image;
 }
 
-vtkSmartPointer<vtkImageData> MakeGridPattern(int lines, double share)
+vtkSmartPointer<vtkImageData> MakeGridPattern(int lines, double fraction)
 {
   constexpr int size = 1024;
   return MakePattern(size, size,
-    [lines, share](double u, double v)
+    [lines, fraction](double u, double v)
     {
-      const auto isOnLine = [lines, share](double x)
-      { return std::abs(x * lines - std::floor(x * lines) - 0.5) < 0.5 * share; };
-      const double grey = isOnLine(u) || isOnLine(v) ? 0.0 : 1.0;
-      return vtkColor3d(grey, grey, grey);
+      const auto isOnLine = [lines, fraction](double x)
+      { return std::abs(x * lines - std::floor(x * lines) - 0.5) < 0.5 * fraction; };
+      const double gray = isOnLine(u) || isOnLine(v) ? 0.0 : 1.0;
+      return vtkColor3d(gray, gray, gray);
     });
 }
 
@@ -74,20 +74,20 @@ vtkSmartPointer<vtkImageData> MakeSoftDisk(double edge)
     [edge](double u, double v)
     {
       const double radius = 2.0 * std::hypot(u - 0.5, v - 0.5);
-      const double grey = SmoothStep((0.98 - radius) / edge);
-      return vtkColor3d(grey, grey, grey);
+      const double gray = SmoothStep((0.98 - radius) / edge);
+      return vtkColor3d(gray, gray, gray);
     });
 }
 
 vtkSmartPointer<vtkProjectiveLight> MakeProjector(const vtkVector3d& position,
-  const vtkVector3d& centre, double width, double height, double intensity, vtkImageData* image)
+  const vtkVector3d& center, double width, double height, double intensity, vtkImageData* image)
 {
   auto light = vtkSmartPointer<vtkProjectiveLight>::New();
   light->SetLightTypeToSceneLight();
   light->PositionalOn();
   light->SetConeAngle(180.0);
   light->SetPosition(position[0], position[1], position[2]);
-  light->SetFocalPoint(centre[0], centre[1], centre[2]);
+  light->SetFocalPoint(center[0], center[1], center[2]);
   light->SetViewUp(0.0, 0.0, 1.0);
   light->SetScreenSize(width, height);
   light->SetIntensity(intensity);
@@ -96,10 +96,10 @@ vtkSmartPointer<vtkProjectiveLight> MakeProjector(const vtkVector3d& position,
 }
 
 vtkSmartPointer<vtkProjectiveLight> MakeParallelProjector(const vtkVector3d& position,
-  const vtkVector3d& centre, double width, double height, double intensity, vtkImageData* image)
+  const vtkVector3d& center, double width, double height, double intensity, vtkImageData* image)
 {
   vtkSmartPointer<vtkProjectiveLight> light =
-    MakeProjector(position, centre, width, height, intensity, image);
+    MakeProjector(position, center, width, height, intensity, image);
   light->PositionalOff();
   return light;
 }
@@ -112,19 +112,19 @@ vtkSmartPointer<vtkLight> MakeFillLight(const vtkVector3d& from, double intensit
   return light;
 }
 
-vtkSmartPointer<vtkProjectiveLight> MakeBeam(const vtkVector3d& position, const vtkVector3d& centre,
-  double diameter, double intensity, const vtkColor3d& colour)
+vtkSmartPointer<vtkProjectiveLight> MakeBeam(const vtkVector3d& position, const vtkVector3d& center,
+  double diameter, double intensity, const vtkColor3d& color)
 {
   vtkSmartPointer<vtkProjectiveLight> light =
-    MakeParallelProjector(position, centre, diameter, diameter, intensity, MakeSoftDisk(0.3));
-  light->SetDiffuseColor(colour[0], colour[1], colour[2]);
+    MakeParallelProjector(position, center, diameter, diameter, intensity, MakeSoftDisk(0.3));
+  light->SetDiffuseColor(color[0], color[1], color[2]);
   return light;
 }
 
 Panel& AddPatternPanel(Stage& stage, vtkImageData* image, vtkProjectiveLight* light)
 {
-  vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(image, MakeSolidMatter(image));
-  // Finer than elsewhere, so that no slices are seen on bright walls.
+  vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(image, MakeSolidMedium(image));
+  // Slices are closer here than in other scenes, so that they are not visible on bright walls.
   GetSlicedMapper(volume)->SetSliceSpacing(0.3 * image->GetSpacing()[0]);
   Panel& panel = stage.AddPanel("");
   panel.Add(volume);

@@ -12,7 +12,7 @@
 #include <functional>
 
 /**
- * Lights that shine through a screen, and what is on their screens.
+ * Lights that shine through a screen, and the images on their screens.
  */
 namespace gallery
 {
@@ -20,42 +20,43 @@ class Panel;
 class Stage;
 
 /**
- * An image of width x height samples: \a pattern of u and v, 0 to 1 from the lower left, each
- * sample the mean over its area. RGB, unsigned char.
+ * Returns an RGB image (unsigned char) of width x height samples. \a pattern is a function of u and
+ * v, 0 to 1 from the lower left corner. Each sample is the mean over its area.
  */
 vtkSmartPointer<vtkImageData> MakePattern(
   int width, int height, const std::function<vtkColor3d(double, double)>& pattern);
 
-/// White with \a lines dark lines across each direction, which take \a share of it.
-vtkSmartPointer<vtkImageData> MakeGridPattern(int lines, double share);
+/// Returns a white image with \a lines dark lines in each direction. \a fraction is the fraction of
+/// each direction that the lines cover.
+vtkSmartPointer<vtkImageData> MakeGridPattern(int lines, double fraction);
 
-/// White within a disk that fills the image, black outside, with a soft edge that takes \a edge of
-/// the radius.
+/// Returns a white disk that fills the image, black outside. The width of its soft edge is \a edge
+/// times the radius.
 vtkSmartPointer<vtkImageData> MakeSoftDisk(double edge);
 
 /**
- * A light at \a position that shines through a screen of width x height around \a centre, \a
- * image on it, or nothing.
+ * Returns a point light at \a position that shines through a screen of width x height around
+ * \a center. \a image is the image on the screen, if any.
  */
 vtkSmartPointer<vtkProjectiveLight> MakeProjector(const vtkVector3d& position,
-  const vtkVector3d& centre, double width, double height, double intensity,
+  const vtkVector3d& center, double width, double height, double intensity,
   vtkImageData* image = nullptr);
 
-/// The same with parallel rays.
+/// As above, with parallel rays.
 vtkSmartPointer<vtkProjectiveLight> MakeParallelProjector(const vtkVector3d& position,
-  const vtkVector3d& centre, double width, double height, double intensity,
+  const vtkVector3d& center, double width, double height, double intensity,
   vtkImageData* image = nullptr);
 
-/// A light from far away out of direction \a from that casts no shadows, so that what lies in
-/// shadow has form.
+/// Returns a directional light from direction \a from that casts no shadows, so that shapes in
+/// shadow remain visible.
 vtkSmartPointer<vtkLight> MakeFillLight(const vtkVector3d& from, double intensity);
 
-/// Parallel rays of a round beam, whose edge is soft.
-vtkSmartPointer<vtkProjectiveLight> MakeBeam(const vtkVector3d& position, const vtkVector3d& centre,
-  double diameter, double intensity, const vtkColor3d& colour);
+/// Returns parallel light in a round beam with a soft edge.
+vtkSmartPointer<vtkProjectiveLight> MakeBeam(const vtkVector3d& position, const vtkVector3d& center,
+  double diameter, double intensity, const vtkColor3d& color);
 
 /**
- * Adds a panel of \a image, solid matter, in a light with a pattern and a weak one from the right.
+ * Adds a panel of the solid medium in \a image, lit by \a light and by a weak light from the right.
  */
 Panel& AddPatternPanel(Stage& stage, vtkImageData* image, vtkProjectiveLight* light);
 }

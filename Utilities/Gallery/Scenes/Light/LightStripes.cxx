@@ -23,8 +23,8 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkImageData> stripes = gallery::MakePattern(1024, 16,
     [](double u, double)
     {
-      const double grey = std::fmod(16.0 * u, 1.0) < 0.5 ? 1.0 : 0.12;
-      return vtkColor3d(grey, grey, grey);
+      const double gray = std::fmod(16.0 * u, 1.0) < 0.5 ? 1.0 : 0.12;
+      return vtkColor3d(gray, gray, gray);
     });
   vtkSmartPointer<vtkProjectiveLight> light =
     gallery::MakeProjector({ -1.4, -3.0, 2.9 }, { 0.0, 0.1, 0.35 }, 4.4, 4.4, 2.0, stripes);
@@ -33,10 +33,10 @@ void Build(gallery::Stage& stage)
   gallery::AddPatternPanel(stage, image, light).LookFrom({ 0.2, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
 }
 
-const gallery::SceneRegistration registration({ "light-stripes", "2.19",
-  "Stripes of light on a cube",
-  "A point light shines through a screen with stripes. They break at the edges of the cube and go "
-  "on at another angle on each of its faces, the ground and the wall; the cube throws its shadow "
-  "on them. A constructive volume.",
-  {}, &Build });
+const gallery::SceneRegistration registration(
+  { "light-stripes", "2.19", "Stripes of light on a cube",
+    "A point light shines through a screen with stripes. The stripes change direction at the edges "
+    "of the cube, on the ground and on the wall, and the cube casts its shadow on them. A "
+    "constructive volume.",
+    {}, &Build });
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Widths of penumbras: of a tilted light, exact and by the virtual light of the source, and in
-// pictures.
+// Penumbra widths of a tilted light: exact, by the virtual light of the dissertation, and measured
+// in images.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Stage.h"
-#include "Support/Pictures/HalfPlane.h"
-#include "Support/Pictures/VolumeStage.h"
+#include "Support/Images/HalfPlane.h"
+#include "Support/Images/VolumeStage.h"
 
 #include "vtkActor.h"
 #include "vtkCellArray.h"
@@ -32,25 +32,26 @@
 
 namespace
 {
-using Place = std::array<double, 2>;
+using Point2 = std::array<double, 2>;
 
-/// Size of the light, its distance from the occluder, the receiver's from that, the occluder's half
-/// width.
+/// Size of the light, its distance from the occluder, the distance between occluder and receiver,
+/// and half the width of the occluder.
 constexpr double LIGHT = 1.0;
 constexpr double TO_OCCLUDER = 1.6;
 constexpr double TO_RECEIVER = 0.9;
 constexpr double HALF_OCCLUDER = 0.55;
 
-/// An end of the light, \a side -1 or 1, of which the occluder is at height 0.
-Place GetEnd(double degrees, double side)
+/// Returns an end of the light, \a side -1 or 1. The occluder is at height 0.
+Point2 GetEnd(double degrees, double side)
 {
   const double angle = vtkMath::RadiansFromDegrees(degrees);
   return { { 0.5 * side * LIGHT * std::cos(angle),
     TO_OCCLUDER + 0.5 * side * LIGHT * std::sin(angle) } };
 }
 
-/// Where the ray from an end of the light over the occluder's edge meets the receiver.
-double GetFoot(const Place& end, double edge)
+/// Returns the intersection of the receiver and the ray from an end of the light through the
+/// occluder's edge.
+double GetFoot(const Point2& end, double edge)
 {
   return edge + (edge - end[0]) * TO_RECEIVER / end[1];
 }
@@ -60,13 +61,13 @@ double GetExactWidth(double degrees, double edge)
   return std::abs(GetFoot(GetEnd(degrees, -1.0), edge) - GetFoot(GetEnd(degrees, 1.0), edge));
 }
 
-/// Equation 2.14, of the orthogonal projection of the light onto the slices.
+/// Returns the width by equation 2.14, which projects the light orthogonally onto the slices.
 double GetVirtualWidth(double degrees)
 {
   return LIGHT * std::cos(vtkMath::RadiansFromDegrees(degrees)) * TO_RECEIVER / TO_OCCLUDER;
 }
 
-/// Flat drawings in the plane of x and z.
+/// 2D drawings in the xz plane.
 class Drawing
 {
 public:
@@ -77,14 +78,14 @@ public:
     panel.SetAmbientOcclusion(0.0);
   }
 
-  void AddLine(const std::vector<Place>& places, const vtkColor3d& colour, double width)
+  void AddLine(const std::vector<Point2>& vertices, const vtkColor3d& color, double width)
   {
     vtkNew<vtkPoints> points;
     vtkNew<vtkCellArray> cells;
-    cells->InsertNextCell(static_cast<int>(places.size()));
-    for (const Place& place : places)
+    cells->InsertNextCell(static_cast<int>(vertices.size()));
+    for (const Point2& vertex : vertices)
     {
-      cells->InsertCellPoint(points->InsertNextPoint(place[0], 0.0, place[1]));
+      cells->InsertCellPoint(points->InsertNextPoint(vertex[0], 0.0, vertex[1]));
     }
     vtkNew<vtkPolyData> line;
     line->SetPoints(points);
@@ -95,10 +96,10 @@ public:
     tube->SetNumberOfSides(8);
     tube->CappingOn();
     tube->Update();
-    this->Add(tube->GetOutput(), colour);
+    this->Add(tube->GetOutput(), color);
   }
 
-  void AddDashes(const Place& a, const Place& b, const vtkColor3d& colour, double width)
+  void AddDashes(const Point2& a, const Point2& b, const vtkColor3d& color, double width)
   {
     constexpr int count = 17;
     for (int i = 0; i < count; i += 2)
@@ -106,15 +107,15 @@ public:
       const auto at = [&](int step)
       {
         const double t = static_cast<double>(step) / count;
-        return Place{ { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]) } };
+        return Point2{ { a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]) } };
       };
-      this->AddLine({ at(i), at(i + 1) }, colour, width);
+      this->AddLine({ at(i), at(i + 1) }, color, width);
     }
   }
 
-  /// \a place is the middle of the text's lower edge, or its left end.
-  void AddText(
-    const std::string& words, const Place& place, double height, bool isCentred, double turn = 0.0)
+  /// Adds text. \a position is the center or the left end of its lower edge.
+  void AddText(const std::string& words, const Point2& position, double height, bool isCentered,
+    double degrees = 0.0)
   {
     vtkNew<vtkVectorText> text;
     text->SetText(words.c_str());
@@ -122,11 +123,11 @@ public:
     double bounds[6];
     text->GetOutput()->GetBounds(bounds);
     vtkNew<vtkTransform> transform;
-    transform->Translate(place[0], -0.1, place[1]);
+    transform->Translate(position[0], -0.1, position[1]);
     transform->RotateX(90.0);
-    transform->RotateZ(turn);
+    transform->RotateZ(degrees);
     transform->Scale(height, height, height);
-    transform->Translate(isCentred ? -0.5 * (bounds[0] + bounds[1]) : -bounds[0], 0.0, 0.0);
+    transform->Translate(isCentered ? -0.5 * (bounds[0] + bounds[1]) : -bounds[0], 0.0, 0.0);
     vtkNew<vtkTransformPolyDataFilter> filter;
     filter->SetInputConnection(text->GetOutputPort());
     filter->SetTransform(transform);
@@ -135,7 +136,7 @@ public:
   }
 
 private:
-  void Add(vtkPolyData* shape, const vtkColor3d& colour)
+  void Add(vtkPolyData* shape, const vtkColor3d& color)
   {
     vtkNew<vtkPolyDataMapper> mapper;
     mapper->SetInputData(shape);
@@ -143,24 +144,24 @@ private:
     vtkNew<vtkActor> actor;
     actor->SetMapper(mapper);
     actor->GetProperty()->LightingOff();
-    actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+    actor->GetProperty()->SetColor(color[0], color[1], color[2]);
     this->Panel.Add(actor);
   }
 
   gallery::Panel& Panel;
 };
 
-vtkColor3d ExactColour()
+vtkColor3d ExactColor()
 {
-  return gallery::IntervalColour(3);
+  return gallery::IntervalColor(3);
 }
 
-vtkColor3d VirtualColour()
+vtkColor3d VirtualColor()
 {
-  return gallery::IntervalColour(0);
+  return gallery::IntervalColor(0);
 }
 
-/// The light from the side, its rays over the occluder's edges, and the penumbras.
+/// Draws the light from the side, its rays through the occluder's edges, and the penumbras.
 void DrawGeometry(gallery::Panel& panel)
 {
   constexpr double degrees = 40.0;
@@ -172,22 +173,22 @@ void DrawGeometry(gallery::Panel& panel)
     std::array<double, 2> computed;
     for (int side = 0; side < 2; ++side)
     {
-      const Place end = GetEnd(degrees, 2.0 * side - 1.0);
-      const Place virtualEnd = { { (2.0 * side - 1.0) * half, TO_OCCLUDER } };
+      const Point2 end = GetEnd(degrees, 2.0 * side - 1.0);
+      const Point2 virtualEnd = { { (2.0 * side - 1.0) * half, TO_OCCLUDER } };
       exact[side] = GetFoot(end, edge);
       computed[side] = GetFoot(virtualEnd, edge);
-      drawing.AddLine({ end, { { exact[side], -TO_RECEIVER } } }, ExactColour(), 0.012);
-      drawing.AddDashes(virtualEnd, { { computed[side], -TO_RECEIVER } }, VirtualColour(), 0.012);
+      drawing.AddLine({ end, { { exact[side], -TO_RECEIVER } } }, ExactColor(), 0.012);
+      drawing.AddDashes(virtualEnd, { { computed[side], -TO_RECEIVER } }, VirtualColor(), 0.012);
     }
     drawing.AddLine(
       { { { exact[0], -TO_RECEIVER - 0.08 } }, { { exact[1], -TO_RECEIVER - 0.08 } } },
-      ExactColour(), 0.07);
+      ExactColor(), 0.07);
     drawing.AddLine(
       { { { computed[0], -TO_RECEIVER - 0.19 } }, { { computed[1], -TO_RECEIVER - 0.19 } } },
-      VirtualColour(), 0.07);
+      VirtualColor(), 0.07);
   }
-  drawing.AddLine({ GetEnd(degrees, -1.0), GetEnd(degrees, 1.0) }, ExactColour(), 0.07);
-  drawing.AddLine({ { { -half, TO_OCCLUDER } }, { { half, TO_OCCLUDER } } }, VirtualColour(), 0.05);
+  drawing.AddLine({ GetEnd(degrees, -1.0), GetEnd(degrees, 1.0) }, ExactColor(), 0.07);
+  drawing.AddLine({ { { -half, TO_OCCLUDER } }, { { half, TO_OCCLUDER } } }, VirtualColor(), 0.05);
   drawing.AddLine(
     { { { -HALF_OCCLUDER, 0.0 } }, { { HALF_OCCLUDER, 0.0 } } }, gallery::Ink(), 0.06);
   drawing.AddLine(
@@ -196,60 +197,60 @@ void DrawGeometry(gallery::Panel& panel)
   drawing.AddText("receiver", { { 0.0, -TO_RECEIVER - 0.14 } }, 0.09, true);
 }
 
-vtkColor3d SourceColour()
+vtkColor3d SourceColor()
 {
-  return gallery::IntervalColour(2);
+  return gallery::IntervalColor(2);
 }
 
-/// Axes of a chart from the origin to (3.4, 3), with grid lines and numbers.
+/// Draws the axes of a chart from the origin to (3.4, 3), with grid lines and labels.
 void DrawAxes(Drawing& drawing, const std::vector<std::string>& across,
   const std::vector<std::string>& up, const std::array<std::string, 2>& titles)
 {
-  const auto colour = [](std::size_t i) { return i == 0 ? gallery::Ink() : gallery::Pencil(); };
+  const auto color = [](std::size_t i) { return i == 0 ? gallery::Ink() : gallery::Pencil(); };
   const auto width = [](std::size_t i) { return i == 0 ? 0.018 : 0.008; };
   for (std::size_t i = 0; i < up.size(); ++i)
   {
     const double z = 3.0 * static_cast<double>(i) / static_cast<double>(up.size() - 1);
-    drawing.AddLine({ { { 0.0, z } }, { { 3.4, z } } }, colour(i), width(i));
+    drawing.AddLine({ { { 0.0, z } }, { { 3.4, z } } }, color(i), width(i));
     drawing.AddText(up[i], { { -0.21, z - 0.06 } }, 0.16, true);
   }
   for (std::size_t i = 0; i < across.size(); ++i)
   {
     const double x = 3.4 * static_cast<double>(i) / static_cast<double>(across.size() - 1);
-    drawing.AddLine({ { { x, 0.0 } }, { { x, 3.0 } } }, colour(i), width(i));
+    drawing.AddLine({ { { x, 0.0 } }, { { x, 3.0 } } }, color(i), width(i));
     drawing.AddText(across[i], { { x, -0.26 } }, 0.16, true);
   }
   drawing.AddText(titles[0], { { 1.7, -0.58 } }, 0.16, true);
   drawing.AddText(titles[1], { { -0.5, 1.5 } }, 0.16, true, 90.0);
 }
 
-/// Widths against the angle of the light.
+/// Plots widths as a function of the angle of the light.
 void DrawAngles(gallery::Panel& panel)
 {
   Drawing drawing(panel);
   constexpr double largest = 0.8;
-  const auto place = [](double degrees, double width) {
-    return Place{ { 3.4 * degrees / 45.0, 3.0 * width / largest } };
+  const auto toChart = [](double degrees, double width) {
+    return Point2{ { 3.4 * degrees / 45.0, 3.0 * width / largest } };
   };
   DrawAxes(drawing, { "0", "15", "30", "45" }, { "0", "0.2", "0.4", "0.6", "0.8" },
     { { "angle of the light [degrees]", "width / size of the light" } });
-  const auto plot = [&](const std::function<double(double)>& width, const vtkColor3d& colour)
+  const auto plot = [&](const std::function<double(double)>& width, const vtkColor3d& color)
   {
-    std::vector<Place> places;
+    std::vector<Point2> vertices;
     for (int degrees = 0; degrees <= 45; ++degrees)
     {
-      places.push_back(place(degrees, width(degrees) / LIGHT));
+      vertices.push_back(toChart(degrees, width(degrees) / LIGHT));
     }
-    drawing.AddLine(places, colour, 0.035);
+    drawing.AddLine(vertices, color, 0.035);
   };
-  plot([](double degrees) { return GetExactWidth(degrees, HALF_OCCLUDER); }, ExactColour());
-  plot([](double degrees) { return GetExactWidth(degrees, -HALF_OCCLUDER); }, ExactColour());
-  plot(GetVirtualWidth, VirtualColour());
-  drawing.AddText("right edge", place(30.0, 0.64), 0.16, true);
-  drawing.AddText("left edge", place(24.0, 0.33), 0.16, true);
+  plot([](double degrees) { return GetExactWidth(degrees, HALF_OCCLUDER); }, ExactColor());
+  plot([](double degrees) { return GetExactWidth(degrees, -HALF_OCCLUDER); }, ExactColor());
+  plot(GetVirtualWidth, VirtualColor());
+  drawing.AddText("right edge", toChart(30.0, 0.64), 0.16, true);
+  drawing.AddText("left edge", toChart(24.0, 0.33), 0.16, true);
 }
 
-/// The penumbra of a half plane in a picture, over the exact one.
+/// Returns the penumbra width of a half plane in an image, divided by the exact width.
 double MeasureWidth(reference::VolumeStage& stage, double ratio, int method)
 {
   constexpr double exact = 0.2;
@@ -267,33 +268,33 @@ double MeasureWidth(reference::VolumeStage& stage, double ratio, int method)
   return width / exact;
 }
 
-/// Widths in pictures, over the exact ones, against the distances' ratio from 0.05 to 5.
+/// Plots widths in images, divided by the exact widths, for distance ratios from 0.05 to 5.
 void DrawMeasured(gallery::Panel& panel)
 {
   Drawing drawing(panel);
   constexpr double largest = 1.2;
-  const auto place = [](double ratio, double width) {
-    return Place{ { 1.7 * std::log10(ratio / 0.05), 3.0 * width / largest } };
+  const auto toChart = [](double ratio, double width) {
+    return Point2{ { 1.7 * std::log10(ratio / 0.05), 3.0 * width / largest } };
   };
   DrawAxes(drawing, { "0.05", "0.5", "5" }, { "0", "0.4", "0.8", "1.2" },
     { { "receiver's distance / light's", "width / exact width" } });
-  drawing.AddLine({ place(0.05, 1.0), place(5.0, 1.0) }, ExactColour(), 0.035);
+  drawing.AddLine({ toChart(0.05, 1.0), toChart(5.0, 1.0) }, ExactColor(), 0.035);
   reference::VolumeStage stage(reference::MakeHalfPlane(1.0, 0.2).Size);
   const std::vector<std::pair<int, vtkColor3d>> methods = {
-    { vtkShadowedSliceMapper::ACCUMULATED_CONVOLUTION, SourceColour() },
+    { vtkShadowedSliceMapper::ACCUMULATED_CONVOLUTION, SourceColor() },
     { vtkShadowedSliceMapper::SAMPLE_LAYERS, gallery::Ink() }
   };
   for (const auto& method : methods)
   {
-    std::vector<Place> places;
+    std::vector<Point2> vertices;
     for (const double ratio : { 0.05, 0.16, 0.5, 1.6, 5.0 })
     {
-      places.push_back(place(ratio, MeasureWidth(stage, ratio, method.first)));
-      const Place& at = places.back();
+      vertices.push_back(toChart(ratio, MeasureWidth(stage, ratio, method.first)));
+      const Point2& at = vertices.back();
       drawing.AddLine(
         { { { at[0] - 0.045, at[1] } }, { { at[0] + 0.045, at[1] } } }, method.second, 0.09);
     }
-    drawing.AddLine(places, method.second, 0.02);
+    drawing.AddLine(vertices, method.second, 0.02);
   }
 }
 
@@ -302,18 +303,18 @@ void Build(gallery::Stage& stage)
   DrawGeometry(stage.AddPanel("a light at 40 degrees to the slices"));
   DrawAngles(stage.AddPanel("penumbras of both edges"));
   DrawMeasured(stage.AddPanel("in pictures of a half plane"));
-  stage.SetColourKey("",
-    { { ExactColour(), "exact" }, { VirtualColour(), "virtual light, equation 2.14" },
-      { gallery::Ink(), "default method" }, { SourceColour(), "accumulated convolution" } });
+  stage.SetColorKey("",
+    { { ExactColor(), "exact" }, { VirtualColor(), "virtual light, equation 2.14" },
+      { gallery::Ink(), "default method" }, { SourceColor(), "accumulated convolution" } });
 }
 
-const gallery::SceneRegistration registration({ "penumbra-analysis", "2.32",
-  "Penumbras, exact, of a virtual light, and in pictures",
-  "The source puts a virtual light that is parallel to the slices in place of a tilted one, so "
-  "that both edges of an occluder get penumbras of the same width. The exact ones differ: at 45 "
-  "degrees, here, one is 41 % wider than that and the other 31 % narrower. Samples of the light "
-  "itself have no such error. At the right, widths measured in pictures of a half plane: those of "
-  "the default are within 5 % of the exact ones, while convolutions of one buffer, slice by slice, "
-  "add up to too little.",
-  {}, &Build });
+const gallery::SceneRegistration registration(
+  { "penumbra-analysis", "2.32", "Penumbra widths: exact, of a virtual light, and measured",
+    "The dissertation replaces a tilted light by a virtual light parallel to the slices, which "
+    "gives both edges of an occluder penumbras of the same width. The exact widths differ: here, "
+    "at 45 degrees, one is 41 % wider and the other 31 % narrower. Samples of the light itself do "
+    "not have this error. On the right, widths measured in images of a half plane: the default "
+    "method is within 5 % of the exact widths, while convolutions of one buffer, slice by slice, "
+    "add up to a width that is too small.",
+    {}, &Build });
 }

@@ -14,7 +14,7 @@ namespace gallery
 vtkSmartPointer<vtkSpatialObject> MakeProtein()
 {
   vtkSmartPointer<vtkDataSet> data = interlume::ReadData("ironProt.vtk");
-  // Between the samples a smoother surface than linear interpolation gives.
+  // Cubic interpolation makes the surface smoother than linear interpolation.
   vtkNew<vtkImageResample> finer;
   finer->SetInputData(data);
   finer->SetInterpolationModeToCubic();
@@ -23,10 +23,10 @@ vtkSmartPointer<vtkSpatialObject> MakeProtein()
   finer->SetAxisMagnificationFactor(2, 2.0);
   finer->Update();
 
-  vtkNew<vtkColorTransferFunction> colours;
-  colours->AddRGBPoint(0.0, 0.85, 0.62, 0.38);
+  vtkNew<vtkColorTransferFunction> colors;
+  colors->AddRGBPoint(0.0, 0.85, 0.62, 0.38);
   vtkSmartPointer<vtkSpatialImage> protein =
-    MakeImageObject(finer->GetOutput(), 20.0, 140.0, colours);
+    MakeImageObject(finer->GetOutput(), 20.0, 140.0, colors);
   const double scale = 1.0 / 67.0;
   vtkNew<vtkTransform> transform;
   transform->Scale(scale, scale, scale);

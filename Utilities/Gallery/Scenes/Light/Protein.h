@@ -8,8 +8,8 @@
 namespace gallery
 {
 /**
- * The absolute value of an electron's wave function in an iron protein, as an object in -0.5 to
- * 0.5: lumps around its maxima.
+ * Returns the absolute value of the wave function of an electron in an iron protein, as an object
+ * between -0.5 and 0.5 along each axis: blobs around the maxima.
  */
 vtkSmartPointer<vtkSpatialObject> MakeProtein();
 }

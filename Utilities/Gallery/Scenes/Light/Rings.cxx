@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Seven tori, their shadows on each other and on a plate.
+// Seven tori, with shadows on each other and on a plate.
 
 #include "Gallery/Scenes/Light/Rings.h"
 
@@ -24,7 +24,7 @@ namespace
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = gallery::SampleRings();
-  gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMatter(image),
+  gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ -2.2, -1.2, 3.6 }, 0.85));
   panel.LookFrom({ 0.1, -1.0, 0.8 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-1.4, 1.4, -0.1, 0.1, -1.18, 0.98));
@@ -33,19 +33,19 @@ void Build(gallery::Stage& stage)
 void BuildSoft(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = gallery::SampleRings();
-  gallery::AddSoftPair(stage, image, gallery::MakeSolidMatter(image),
+  gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ -2.2, -1.2, 3.6 }, 0.85), 0.9)
     .Look({ 0.1, -1.0, 0.8 }, vtkBoundingBox(-1.28, 1.28, -0.1, 0.1, -1.1, 0.98));
 }
 
 const gallery::SceneRegistration registration({ "rings", "2.7", "Rings with shadows on each other",
-  "Six tori are threaded on a seventh. Each throws its shadow on the others and on the disk below; "
-  "the edges are classified for each pixel and stay sharp.",
+  "Six tori are threaded on a seventh. Each casts its shadow on the others and on the disk below. "
+  "The edges are classified per pixel and remain sharp.",
   {}, &Build });
 
 const gallery::SceneRegistration softRegistration(
-  { "rings-soft", "2.33", "Rings in the light of a point and of a disk",
-    "The light of a round lamp in place of a point. A shadow is sharp where a ring touches another "
-    "or the plate, and wider the farther away the ring is that throws it.",
+  { "rings-soft", "2.33", "Rings under a point light and under a disk light",
+    "A disk light instead of a point light. A shadow is sharp where a ring touches another ring or "
+    "the plate, and becomes wider with the distance from the ring.",
     {}, &BuildSoft });
 }

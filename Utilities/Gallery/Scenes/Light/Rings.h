@@ -8,8 +8,8 @@
 namespace gallery
 {
 /**
- * Six tori on a seventh, over a disk of radius 1.25 with its upper side at z = 0, as a `Color` of
- * Sample().
+ * Returns six tori threaded on a seventh, above a disk of radius 1.25 whose upper side is at z = 0,
+ * as a `Color` image of Sample().
  */
 vtkSmartPointer<vtkImageData> SampleRings();
 }

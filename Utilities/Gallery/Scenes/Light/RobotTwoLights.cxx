@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A robot in the light of one and of two lamps.
+// A robot under one and under two lights.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/LightScreens.h"
@@ -19,16 +19,16 @@ void Build(gallery::Stage& stage)
         { -0.3, -0.1, 0.0 }, -28.0) });
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-1.05, 1.05, -1.05, 1.05, -0.1, 1.28), 190);
-  vtkSmartPointer<vtkVolumeProperty> matter = gallery::MakeSolidMatter(image);
+  vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeSolidMedium(image);
   gallery::Lights lights = { gallery::MakeFillLight({ 1.0, -1.0, 0.5 }, 0.2),
     gallery::MakePointLight({ -2.3, -2.0, 4.1 }, 1.0) };
   gallery::Panel& one = stage.AddPanel("one light");
-  one.Add(gallery::MakeSlicedVolume(image, matter));
+  one.Add(gallery::MakeSlicedVolume(image, medium));
   one.SetLights(lights);
 
   lights.push_back(gallery::MakePointLight({ -3.0, 0.0, 4.1 }, 1.0));
   gallery::Panel& two = stage.AddPanel("two lights");
-  two.Add(gallery::MakeSlicedVolume(image, matter));
+  two.Add(gallery::MakeSlicedVolume(image, medium));
   two.SetLights(lights);
 
   for (gallery::Panel* panel : { &one, &two })
@@ -40,9 +40,9 @@ void Build(gallery::Stage& stage)
 }
 
 const gallery::SceneRegistration registration(
-  { "robot-two-lights", "2.27", "A robot in the light of one and of two lamps",
-    "A robot of boxes on a plate, a constructive volume. The second lamp has a light buffer of its "
-    "own: where only one shadow falls the other lamp still shines, and the plate is darkest where "
-    "both shadows meet.",
+  { "robot-two-lights", "2.27", "A robot under one and under two lights",
+    "A robot of boxes on a plate, a constructive volume. Each light has its own light buffer. In "
+    "the shadow of one light the other light still shines, and the plate is darkest where both "
+    "shadows overlap.",
     {}, &Build });
 }

@@ -26,7 +26,7 @@ vtkSmartPointer<vtkSpatialObject> MakePuff()
   return Place(puff, { 0.75, -0.75, 0.45 });
 }
 
-/// Upright, against the wall at +y.
+/// Returns upright rings that lean on the wall at +y.
 vtkSmartPointer<vtkSpatialObject> MakeLeaningRings()
 {
   vtkSmartPointer<vtkSpatialObject> rings = Unite(

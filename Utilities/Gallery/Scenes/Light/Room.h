@@ -9,13 +9,14 @@
 namespace gallery
 {
 /**
- * A floor, a wall at +y and one at -x, open to the other sides: inside -1 to 1, -1 to 1, 0 to 1.3.
+ * Returns a floor, a wall at +y and a wall at -x, open on the other sides. The interior is [-1, 1]
+ * x [-1, 1] x [0, 1.3].
  */
 vtkSmartPointer<vtkSpatialObject> MakeRoom();
 
 /**
- * The room with a robot, rings that lean on the wall and a cloud of smoke, with \a resolution
- * points along the longest side; smoke is matter below a quarter of full density.
+ * Returns the room with a robot, rings that lean on the wall and a cloud of smoke, with
+ * \a resolution points along the longest side. Densities below a quarter of the maximum are smoke.
  */
 vtkSmartPointer<vtkImageData> SampleFurnishedRoom(int resolution);
 }

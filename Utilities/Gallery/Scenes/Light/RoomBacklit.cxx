@@ -16,7 +16,7 @@
 
 namespace
 {
-/// Closed but for the side of the viewer, with a window at the left of the wall at +y.
+/// Returns a room that is open only toward the camera, with a window on the left of the wall at +y.
 vtkSmartPointer<vtkSpatialObject> MakeShell()
 {
   const vtkColor3d plaster = gallery::Plaster();
@@ -33,7 +33,7 @@ vtkSmartPointer<vtkSpatialObject> MakeShell()
     gallery::MakeBox({ -0.27, 1.0, 0.5 }, { -0.23, 1.06, 1.3 }, wood) });
 }
 
-/// Behind the window.
+/// Returns the sky behind the window.
 vtkSmartPointer<vtkActor> MakeSky()
 {
   vtkNew<vtkPlaneSource> plane;
@@ -75,7 +75,7 @@ void Build(gallery::Stage& stage)
 const gallery::SceneRegistration registration(
   { "room-backlit", "2.16", "A hazy room with the sun in its window",
     "The sun shines through a window into a room with a desk and a chair, one constructive volume. "
-    "Its light is seen on its way in the haze, and so are the shadows of the window's cross and of "
-    "the furniture. As the light is behind the volume, slices are drawn from back to front.",
+    "Its light is visible in the haze, and so are the shadows of the window bars and of the "
+    "furniture. Since the light is behind the volume, slices are drawn from back to front.",
     {}, &Build });
 }

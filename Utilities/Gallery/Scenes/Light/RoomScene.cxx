@@ -12,13 +12,13 @@ void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = gallery::SampleFurnishedRoom(190);
   gallery::Panel& panel =
-    gallery::AddShadowPanel(stage, image, gallery::MakeSolidMatterInSmoke(image, 0.09),
+    gallery::AddShadowPanel(stage, image, gallery::MakeSolidMediumInSmoke(image, 0.09),
       gallery::MakeStudioLights({ 2.8, -1.8, 2.8 }), gallery::SMOKE_GRADIENT);
   panel.LookFrom({ 0.6, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
 }
 
 const gallery::SceneRegistration registration({ "room", "2.9", "A room with hard and soft shadows",
-  "A robot, rings and a cloud of smoke in a room. The solid things throw shadows with sharp edges "
-  "on the floor and the walls, the smoke one that fades to its rim.",
+  "A robot, rings and a cloud of smoke in a room. The solid objects cast shadows with sharp edges "
+  "on the floor and the walls. The shadow of the smoke fades out at its border.",
   {}, &Build });
 }

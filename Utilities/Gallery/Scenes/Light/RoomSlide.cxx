@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A slide on the wall of a hazy room.
+// A slide projected onto the wall of a hazy room.
 
 #include "Gallery/Scenes/Light/LightScreens.h"
 #include "Gallery/Scenes/Light/HazyRoom.h"
@@ -17,7 +17,8 @@
 
 namespace
 {
-/// The coverage of a word by its letters, at places of 0 to 1 over its width and height.
+/// The coverage of a rendered word, as a function of coordinates from 0 to 1 over its width and
+/// height.
 class Word
 {
 public:
@@ -47,10 +48,10 @@ private:
   std::array<int, 2> Size{ { 0, 0 } };
 };
 
-/// Width over height of the slide.
+/// Width of the slide divided by its height.
 constexpr double ASPECT = 1.6;
 
-/// Of the emblem, in heights of the slide.
+/// Radius of the emblem, in heights of the slide.
 constexpr double RADIUS = 0.25;
 
 vtkSmartPointer<vtkImageData> MakeSlide()
@@ -61,29 +62,29 @@ vtkSmartPointer<vtkImageData> MakeSlide()
   return gallery::MakePattern(1024, static_cast<int>(1024 / ASPECT),
     [&](double u, double v)
     {
-      // In units of the height, around the middle.
+      // Coordinates relative to the center, in units of the height.
       const double x = ASPECT * (u - 0.5);
       const double y = v - 0.5;
       constexpr double width = 1.2;
       const double height = width / word.GetAspect();
-      const double share = word.GetCoverage(x / width + 0.5, (y - 0.29) / height + 0.5);
+      const double fraction = word.GetCoverage(x / width + 0.5, (y - 0.29) / height + 0.5);
       const double radius = std::hypot(x, y + 0.12);
-      vtkColor3d colour = paper;
+      vtkColor3d color = paper;
       if (radius < RADIUS)
       {
-        // A disk in slices.
+        // The emblem is a disk cut into slices.
         const double slice = std::fmod((y + 0.12 + RADIUS) / (2.0 * RADIUS) * 6.0, 1.0);
-        colour = slice < 0.72 ? vtkColor3d(0.98, 0.55, 0.12) : paper;
+        color = slice < 0.72 ? vtkColor3d(0.98, 0.55, 0.12) : paper;
       }
       if (std::max(std::abs(x) / (0.5 * ASPECT - 0.04), std::abs(y) / 0.46) > 1.0)
       {
-        colour = ink;
+        color = ink;
       }
       for (int c = 0; c < 3; ++c)
       {
-        colour[c] += share * (ink[c] - colour[c]);
+        color[c] += fraction * (ink[c] - color[c]);
       }
-      return colour;
+      return color;
     });
 }
 
@@ -97,9 +98,8 @@ void Build(gallery::Stage& stage)
 
 const gallery::SceneRegistration registration(
   { "room-slide", "2.23", "A slide on the wall of a room",
-    "A lamp with a coloured image on its screen, a slide projector, shines into a room with thin "
-    "smoke, a constructive volume. The robot and the rings take from the image on the wall what "
-    "falls "
-    "on them, and the colours of the slide are in the smoke before.",
+    "A light with a colored image on its screen, a slide projector, shines into a room with thin "
+    "smoke, a constructive volume. The robot and the rings block parts of the image, and the smoke "
+    "in front of the wall shows the colors of the slide.",
     {}, &Build });
 }

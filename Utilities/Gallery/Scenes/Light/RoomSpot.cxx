@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A spot of light in a room with thin smoke.
+// A spotlight in a room with thin smoke.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/HazyRoom.h"
@@ -16,8 +16,8 @@ void Build(gallery::Stage& stage)
 }
 
 const gallery::SceneRegistration registration({ "room-spot", "2.22", "A spot of light in a room",
-  "A robot and rings in a room with thin smoke, a constructive volume, under a lamp whose screen "
-  "has a disk with a soft edge. The smoke shows the light on its way, and the shadows that the "
-  "robot and the rings throw through it.",
+  "A robot and rings in a room with thin smoke, a constructive volume, under a light whose screen "
+  "has a disk with a soft edge. The light beam and the shadows of the robot and the rings are "
+  "visible in the smoke.",
   {}, &Build });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Objects over a plate, without and with shadows.
+// Objects above a plate, without and with shadows.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/Protein.h"
@@ -23,15 +23,15 @@ void BuildSphereShadow(gallery::Stage& stage)
   gallery::AddSmoke(image, gallery::Place(fuzzy, { 0.0, 0.0, 0.6 }), 0.24, { 0.27, 0.45, 0.68 });
   const double opacity = 0.075;
   gallery::ShadowPair pair =
-    gallery::AddShadowPair(stage, image, gallery::MakeSolidMatterInSmoke(image, opacity),
+    gallery::AddShadowPair(stage, image, gallery::MakeSolidMediumInSmoke(image, opacity),
       gallery::MakeStudioLights({ -1.6, -1.2, 3.4 }, 0.9), 3.0 * gallery::SMOKE_GRADIENT);
   pair.Look({ 0.2, -1.0, 0.75 }, vtkBoundingBox(-0.84, 0.84, -0.1, 0.1, -0.35, 1.15));
 }
 
 const gallery::SceneRegistration sphereShadow(
   { "sphere-shadow", "2.5", "A fuzzy sphere over a plate, without and with shadows",
-    "The sphere is dense inside and thins out to its rim. With shadows it is darker on the side "
-    "away from the point light, and its shadow on the plate is soft.",
+    "The sphere is dense inside and its density decreases to the border. With shadows it is darker "
+    "on the side away from the point light, and its shadow on the plate is soft.",
     {}, &BuildSphereShadow });
 
 void BuildCurvedShadows(gallery::Stage& stage)
@@ -43,15 +43,15 @@ void BuildCurvedShadows(gallery::Stage& stage)
       gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 0.85, 0.05, gallery::Plaster()) });
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-0.9, 0.9, -0.9, 0.9, -0.1, 1.35), 160);
-  gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMatter(image),
+  gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ -1.9, -2.3, 3.2 }, 0.9));
   pair.Look({ 0.2, -1.0, 0.75 }, vtkBoundingBox(-0.84, 0.84, -0.1, 0.1, -0.4, 1.3));
 }
 
 const gallery::SceneRegistration curvedShadows(
   { "curved-shadows", "2.11", "Curved shadows on curved objects, without and with shadows",
-    "A small sphere is joined to a large one. Its shadow bends over the large sphere and goes on "
-    "over the disk.",
+    "A small sphere is joined to a large one. Its shadow curves over the large sphere and "
+    "continues on the disk.",
     {}, &BuildCurvedShadows });
 
 void BuildTeddyBear(gallery::Stage& stage)
@@ -63,14 +63,14 @@ void BuildTeddyBear(gallery::Stage& stage)
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-0.77, 0.77, -0.77, 0.77, -0.1, 1.4), 180, 0.8);
   gallery::ShadowPair pair = gallery::AddShadowPair(
-    stage, image, gallery::MakeSolidMatter(image), gallery::MakeStudioLights({ -2.0, -2.0, 3.0 }));
+    stage, image, gallery::MakeSolidMedium(image), gallery::MakeStudioLights({ -2.0, -2.0, 3.0 }));
   pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.73, 0.73, -0.1, 0.1, -0.3, 1.36));
 }
 
 const gallery::SceneRegistration teddyBear(
   { "teddy-bear", "2.13", "A teddy bear, without and with shadows",
-    "A blend of ellipsoids with fur by noise, in the place of the scanned bear of the source. With "
-    "shadows the head lies on the body and the legs on the ground, and the fur has depth.",
+    "A blend of ellipsoids with fur from noise. The dissertation shows a scanned bear. With "
+    "shadows, the head shades the body and the legs shade the ground, and the fur has depth.",
     {}, &BuildTeddyBear });
 
 void BuildProteinShadows(gallery::Stage& stage)
@@ -80,15 +80,15 @@ void BuildProteinShadows(gallery::Stage& stage)
       gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 0.7, 0.04, gallery::Plaster()) });
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-0.73, 0.73, -0.73, 0.73, -0.08, 1.05), 170, 0.7);
-  gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMatter(image),
+  gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ -1.8, -1.4, 3.2 }, 0.85));
   pair.Look({ 0.0, -1.0, 0.55 }, vtkBoundingBox(-0.69, 0.69, -0.1, 0.1, -0.3, 1.02));
 }
 
 const gallery::SceneRegistration proteinShadows(
   { "protein", "2.10", "A protein, without and with shadows",
-    "The absolute value of an electron's wave function in a high-potential iron protein, as the "
-    "lumps where it is large. The shadows tell which lump is in front of which, and how high each "
-    "is above the disk.",
+    "The absolute value of an electron's wave function in a high-potential iron protein, as blobs "
+    "around its maxima. The shadows show which blob is in front of another, and how high each is "
+    "above the disk.",
     { "ironProt.vtk" }, &BuildProteinShadows });
 }

@@ -29,13 +29,14 @@ namespace gallery
 {
 namespace
 {
-/// Intensity of the weak light, as a share of the strong one.
-constexpr double FILL_SHARE = 0.25;
+/// Intensity of the fill light as a fraction of the key light.
+constexpr double FILL_FRACTION = 0.25;
 
-/// Density, of 255, that is cut off both ends of the edges of solids where there is smoke.
+/// If there is smoke, the densities of solids, 0 to 255, are stretched so that this value becomes 0
+/// and 255 minus this value becomes 255.
 constexpr double LOWEST_EDGE = 30.0;
 
-/// Opacity of the inside of solid matter, a voxel thick.
+/// Opacity of a voxel inside a solid.
 constexpr double SURFACE_OPACITY = 0.998;
 
 double SmallestSpacing(vtkImageData* image)
@@ -45,19 +46,19 @@ double SmallestSpacing(vtkImageData* image)
 }
 
 vtkSmartPointer<vtkSpatialPrimitive> MakePrimitive(
-  int shape, const vtkVector3d& centre, const vtkColor3d& colour)
+  int shape, const vtkVector3d& center, const vtkColor3d& color)
 {
   auto primitive = vtkSmartPointer<vtkSpatialPrimitive>::New();
   primitive->SetShape(shape);
-  primitive->SetCenter(centre[0], centre[1], centre[2]);
-  primitive->SetColor(colour[0], colour[1], colour[2]);
+  primitive->SetCenter(center[0], center[1], center[2]);
+  primitive->SetColor(color[0], color[1], color[2]);
   primitive->SetEdgeWidth(EDGE_WIDTH);
   return primitive;
 }
 
-/// Multiplies or divides the colours of a `Color` of floats by its density.
+/// Replaces each color channel of a `Color` array of floats by weigh(channel, density).
 template <typename Operation>
-void WeightColours(vtkImageData* image, const Operation& weigh)
+void WeightColors(vtkImageData* image, const Operation& weigh)
 {
   auto* texels = vtkFloatArray::SafeDownCast(image->GetPointData()->GetScalars());
   vtkSMPTools::For(0, image->GetNumberOfPoints(),
@@ -72,17 +73,18 @@ void WeightColours(vtkImageData* image, const Operation& weigh)
     });
 }
 
-/// Blurs the density, and the colours in proportion to it, so that none of empty space comes in.
+/// Blurs the density, and the colors weighted by density. Colors of empty space therefore have no
+/// effect.
 vtkSmartPointer<vtkImageData> Blur(vtkImageData* image, double deviation)
 {
-  WeightColours(image, [](float channel, float density) { return channel * density; });
+  WeightColors(image, [](float channel, float density) { return channel * density; });
   vtkNew<vtkImageGaussianSmooth> smooth;
   smooth->SetInputData(image);
   smooth->SetStandardDeviation(deviation);
   smooth->SetRadiusFactor(2.5);
   smooth->Update();
   vtkSmartPointer<vtkImageData> blurred = smooth->GetOutput();
-  WeightColours(blurred,
+  WeightColors(blurred,
     [](float channel, float density) { return density > 0.0F ? channel / density : 0.0F; });
   return blurred;
 }
@@ -99,7 +101,7 @@ vtkSmartPointer<vtkImageData> ToBytes(vtkImageData* image)
   return bytes->GetOutput();
 }
 
-/// Each value the largest of the 5^3 around it, an axis after the other.
+/// Returns the maximum of the 5 x 5 x 5 samples around each sample, one axis at a time.
 vtkSmartPointer<vtkImageData> LargestAround(vtkImageData* image)
 {
   vtkSmartPointer<vtkImageData> largest = image;
@@ -116,26 +118,27 @@ vtkSmartPointer<vtkImageData> LargestAround(vtkImageData* image)
   return largest;
 }
 
-/// Puts smoke where \a image is thinner, and leaves the soft edges of solids out of its range.
-void Mix(vtkImageData* image, const vtkBoundingBox& box, vtkImageData* smoke, double share,
-  const vtkColor3d& colour)
+/// Adds smoke where \a image has a lower density. Remaps densities so that the soft edges of solids
+/// remain outside the range of smoke.
+void Mix(vtkImageData* image, const vtkBoundingBox& box, vtkImageData* smoke, double fraction,
+  const vtkColor3d& color)
 {
   auto* densities = vtkFloatArray::SafeDownCast(smoke->GetPointData()->GetScalars());
   auto* texels = vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetScalars());
   vtkSMPTools::For(0, image->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)
     {
-      std::array<double, 3> place;
+      std::array<double, 3> position;
       for (vtkIdType point = begin; point < end; ++point)
       {
         unsigned char* texel = texels->GetPointer(4 * point);
         const double solid = (texel[3] - LOWEST_EDGE) * 255.0 / (255.0 - 2.0 * LOWEST_EDGE);
-        image->GetPoint(point, place.data());
+        image->GetPoint(point, position.data());
         const double density =
-          box.ContainsPoint(place.data()) ? 255.0 * share * densities->GetValue(point) : 0.0;
+          box.ContainsPoint(position.data()) ? 255.0 * fraction * densities->GetValue(point) : 0.0;
         if (density > solid)
         {
-          std::transform(colour.GetData(), colour.GetData() + 3, texel,
+          std::transform(color.GetData(), color.GetData() + 3, texel,
             [](double channel)
             { return static_cast<unsigned char>(std::lround(255.0 * channel)); });
         }
@@ -161,20 +164,20 @@ vtkSmartPointer<vtkVolumeProperty> MakeProperty(vtkPiecewiseFunction* opacity, d
 }
 
 vtkSmartPointer<vtkSpatialPrimitive> MakeBox(
-  const vtkVector3d& lower, const vtkVector3d& upper, const vtkColor3d& colour)
+  const vtkVector3d& lower, const vtkVector3d& upper, const vtkColor3d& color)
 {
   vtkSmartPointer<vtkSpatialPrimitive> box =
-    MakePrimitive(vtkSpatialPrimitive::BOX, 0.5 * (lower + upper), colour);
+    MakePrimitive(vtkSpatialPrimitive::BOX, 0.5 * (lower + upper), color);
   const vtkVector3d lengths = upper - lower;
   box->SetLengths(lengths[0], lengths[1], lengths[2]);
   return box;
 }
 
 vtkSmartPointer<vtkSpatialPrimitive> MakeDisk(
-  const vtkVector3d& top, double radius, double thickness, const vtkColor3d& colour)
+  const vtkVector3d& top, double radius, double thickness, const vtkColor3d& color)
 {
   vtkSmartPointer<vtkSpatialPrimitive> disk = MakePrimitive(
-    vtkSpatialPrimitive::CYLINDER, top - vtkVector3d(0.0, 0.0, 0.5 * thickness), colour);
+    vtkSpatialPrimitive::CYLINDER, top - vtkVector3d(0.0, 0.0, 0.5 * thickness), color);
   disk->SetRadius(radius);
   disk->SetHeight(thickness);
   return disk;
@@ -249,68 +252,68 @@ vtkSmartPointer<vtkImageData> Sample(
 }
 
 vtkSmartPointer<vtkSpatialImage> MakeImageObject(
-  vtkImageData* image, double lower, double upper, vtkColorTransferFunction* colours)
+  vtkImageData* image, double lower, double upper, vtkColorTransferFunction* colors)
 {
-  const char* const name = "MatterColor";
+  const char* const name = "MediumColor";
   vtkSmartPointer<vtkImageData> around = LargestAround(image);
   vtkDataArray* scalars = around->GetPointData()->GetScalars();
-  const auto colour =
-    vtkSmartPointer<vtkUnsignedCharArray>::Take(vtkUnsignedCharArray::SafeDownCast(
-      colours->MapScalars(scalars, VTK_COLOR_MODE_MAP_SCALARS, 0)));
-  colour->SetName(name);
-  vtkNew<vtkImageData> coloured;
-  coloured->ShallowCopy(image);
-  coloured->GetPointData()->AddArray(colour);
+  const auto color = vtkSmartPointer<vtkUnsignedCharArray>::Take(
+    vtkUnsignedCharArray::SafeDownCast(colors->MapScalars(scalars, VTK_COLOR_MODE_MAP_SCALARS, 0)));
+  color->SetName(name);
+  vtkNew<vtkImageData> colored;
+  colored->ShallowCopy(image);
+  colored->GetPointData()->AddArray(color);
   auto object = vtkSmartPointer<vtkSpatialImage>::New();
-  object->SetImage(coloured);
+  object->SetImage(colored);
   object->SetScalarRange(lower, upper);
   object->SetColorArrayName(name);
   return object;
 }
 
-void AddSmoke(vtkImageData* image, vtkTurbulenceSource* smoke, double share,
-  const vtkColor3d& colour, const vtkBoundingBox& box)
+void AddSmoke(vtkImageData* image, vtkTurbulenceSource* smoke, double fraction,
+  const vtkColor3d& color, const vtkBoundingBox& box)
 {
   smoke->SetWholeExtent(image->GetExtent());
   smoke->SetBounds(image->GetBounds());
   smoke->Update();
-  Mix(image, box.IsValid() ? box : vtkBoundingBox(image->GetBounds()), smoke->GetOutput(), share,
-    colour);
+  Mix(image, box.IsValid() ? box : vtkBoundingBox(image->GetBounds()), smoke->GetOutput(), fraction,
+    color);
 }
 
-void AddSmoke(vtkImageData* image, vtkSpatialObject* smoke, double share, const vtkColor3d& colour)
+void AddSmoke(
+  vtkImageData* image, vtkSpatialObject* smoke, double fraction, const vtkColor3d& color)
 {
   vtkNew<vtkConstructiveVolume> volume;
   volume->SetRoot(smoke);
   volume->SetWholeExtent(image->GetExtent());
   volume->SetBounds(image->GetBounds());
   volume->Update();
-  Mix(image, vtkBoundingBox(image->GetBounds()), volume->GetOutput(), share, colour);
+  Mix(image, vtkBoundingBox(image->GetBounds()), volume->GetOutput(), fraction, color);
 }
 
-vtkSmartPointer<vtkVolumeProperty> MakeColouredMatter(vtkPiecewiseFunction* opacity, double unit)
+vtkSmartPointer<vtkVolumeProperty> MakeColoredMedium(vtkPiecewiseFunction* opacity, double unit)
 {
   vtkSmartPointer<vtkVolumeProperty> property = MakeProperty(opacity, unit);
   property->IndependentComponentsOff();
   return property;
 }
 
-vtkSmartPointer<vtkVolumeProperty> MakeSolidMatter(vtkImageData* image)
+vtkSmartPointer<vtkVolumeProperty> MakeSolidMedium(vtkImageData* image)
 {
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(80.0, 0.0);
   opacity->AddPoint(175.0, SURFACE_OPACITY);
-  return MakeColouredMatter(opacity, SmallestSpacing(image));
+  return MakeColoredMedium(opacity, SmallestSpacing(image));
 }
 
-vtkSmartPointer<vtkVolumeProperty> MakeSolidMatterInSmoke(vtkImageData* image, double opacity)
+vtkSmartPointer<vtkVolumeProperty> MakeSolidMediumInSmoke(vtkImageData* image, double opacity)
 {
   vtkNew<vtkPiecewiseFunction> function;
   function->AddPoint(0.0, 0.0);
   function->AddPoint(60.0, opacity);
   function->AddPoint(80.0, opacity);
   function->AddPoint(175.0, SURFACE_OPACITY);
-  return MakeColouredMatter(function, SmallestSpacing(image));
+  return MakeColoredMedium(function, SmallestSpacing(image));
 }
 
 vtkSmartPointer<vtkVolume> MakeSlicedVolume(
@@ -319,12 +322,13 @@ vtkSmartPointer<vtkVolume> MakeSlicedVolume(
   vtkNew<vtkShadowedSliceMapper> mapper;
   mapper->SetInputData(image);
   mapper->SetSliceSpacing(0.5 * SmallestSpacing(image));
-  // The same picture on machines of any speed.
+  // The image must not depend on the speed of the machine.
   mapper->AutoAdjustSampleDistancesOff();
   mapper->SetSurfaceGradient(surfaceGradient);
-  // A finer light than the volume keeps the pattern of its samples off lit surfaces.
+  // A light buffer finer than the volume avoids aliasing patterns on lit surfaces.
   mapper->SetLightBufferSize(768);
-  // Pictures are drawn at twice their size; a sample a pixel is enough for matter with soft edges.
+  // Images are rendered at twice their size. One sample per pixel of the result is sufficient for
+  // volumes with soft edges.
   mapper->SetImageSampleDistance(2.0);
   auto volume = vtkSmartPointer<vtkVolume>::New();
   volume->SetMapper(mapper);
@@ -363,7 +367,7 @@ Lights MakeStudioLights(const vtkVector3d& position, double intensity)
 {
   vtkSmartPointer<vtkLight> key = MakePointLight(position, EDGE_GAIN * intensity);
   vtkSmartPointer<vtkLight> fill = MakeParallelLight(
-    { -position[0], 1.5 * position[1], 0.7 * position[2] }, FILL_SHARE * intensity);
+    { -position[0], 1.5 * position[1], 0.7 * position[2] }, FILL_FRACTION * intensity);
   fill->SetShadowAttenuation(0.0F);
   return { key, fill };
 }

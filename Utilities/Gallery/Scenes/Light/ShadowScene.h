@@ -23,7 +23,7 @@ class vtkShadowedSliceMapper;
 class vtkTurbulenceSource;
 
 /**
- * What scenes of volumes in light and shadow share: objects, how matter looks, lights, pairs.
+ * Support for scenes of volumes with shadows: objects, media, lights, pairs of panels.
  */
 namespace gallery
 {
@@ -34,118 +34,123 @@ using Lights = std::vector<vtkSmartPointer<vtkLight>>;
 
 ///@{
 /**
- * A box from \a lower to \a upper, and a disk of \a thickness whose upper side lies on \a top: a
- * ground that catches shadows.
+ * Return a box from \a lower to \a upper, and a disk of \a thickness whose upper side is centered
+ * at \a top, as a ground that receives shadows.
  */
 vtkSmartPointer<vtkSpatialPrimitive> MakeBox(
-  const vtkVector3d& lower, const vtkVector3d& upper, const vtkColor3d& colour);
+  const vtkVector3d& lower, const vtkVector3d& upper, const vtkColor3d& color);
 vtkSmartPointer<vtkSpatialPrimitive> MakeDisk(
-  const vtkVector3d& top, double radius, double thickness, const vtkColor3d& colour);
+  const vtkVector3d& top, double radius, double thickness, const vtkColor3d& color);
 ///@}
 
-/// Colour of grounds and walls.
+/// Returns the color of grounds and walls.
 vtkColor3d Plaster();
 
-/// A copy of \a object moved by \a offset and turned by \a degrees around the z axis before.
+/// Returns a copy of \a object, rotated by \a degrees around the z axis and then moved by
+/// \a offset.
 vtkSmartPointer<vtkSpatialObject> Place(
   vtkSpatialObject* object, const vtkVector3d& offset, double degrees = 0.0);
 
-/// The union of \a objects; where they are equally dense, the first is seen.
+/// Returns the union of \a objects. If densities are equal, the color of the first is used.
 vtkSmartPointer<vtkSpatialObject> Unite(
   const std::vector<vtkSmartPointer<vtkSpatialObject>>& objects);
 
-/// Over which distance the edges of boxes and disks are soft, and a good one for Soften().
+/// Width of the soft edges of boxes and disks, and the default of Soften().
 constexpr double EDGE_WIDTH = 0.02;
 
 /**
- * Gives all solids that \a object consists of edges of \a width, so that normals of their surfaces
- * do not show the lattice they are sampled on. Returns \a object.
+ * Sets the edge width of all primitives in \a object, so that normals do not show the sampling
+ * grid. Returns \a object.
  */
 vtkSmartPointer<vtkSpatialObject> Soften(vtkSpatialObject* object, double width = EDGE_WIDTH);
 
 /**
- * Samples \a object within \a box on a lattice of \a resolution points along the longest side, as
- * unsigned char `Color`: red, green, blue, density; smoothed by a Gaussian of \a blur voxels.
+ * Samples \a object within \a box on a grid of \a resolution points along the longest side. Returns
+ * the unsigned char array `Color`: red, green, blue, density. It is smoothed by a Gaussian of
+ * \a blur voxels.
  */
 vtkSmartPointer<vtkImageData> Sample(
   vtkSpatialObject* object, const vtkBoundingBox& box, int resolution, double blur = 1.1);
 
 /**
- * The scalars of \a image as an object: density 0 to 1 for \a lower to \a upper, so that the
- * surface is half way between. Colours are those of the largest value within two samples: that of
- * what is under a surface, not of its edge.
+ * Returns the scalars of \a image as an object. The density is 0 to 1 for scalars from \a lower to
+ * \a upper, so that the surface is at the mean of both. Colors are those of the maximum within two
+ * samples, so that the edge of an object has the color of its interior.
  */
 vtkSmartPointer<vtkSpatialImage> MakeImageObject(
-  vtkImageData* image, double lower, double upper, vtkColorTransferFunction* colours);
+  vtkImageData* image, double lower, double upper, vtkColorTransferFunction* colors);
 
 ///@{
 /**
- * Adds smoke, its density times \a share, to the `Color` of \a image where that is thinner:
- * turbulence within \a box, everywhere if that is empty, which gets the image's lattice; or an
- * object.
+ * Add smoke to the array `Color` of \a image where the smoke is denser. Its density is first
+ * multiplied by \a fraction. A turbulence source gets the grid of the image and fills \a box, or
+ * the whole image if \a box is invalid.
  */
-void AddSmoke(vtkImageData* image, vtkTurbulenceSource* smoke, double share,
-  const vtkColor3d& colour, const vtkBoundingBox& box = vtkBoundingBox());
-void AddSmoke(vtkImageData* image, vtkSpatialObject* smoke, double share, const vtkColor3d& colour);
+void AddSmoke(vtkImageData* image, vtkTurbulenceSource* smoke, double fraction,
+  const vtkColor3d& color, const vtkBoundingBox& box = vtkBoundingBox());
+void AddSmoke(
+  vtkImageData* image, vtkSpatialObject* smoke, double fraction, const vtkColor3d& color);
 ///@}
 
 ///@{
 /**
- * How the matter of Sample() looks, shaded. The opacities are those of \a unit, a length. Solid
- * matter is that of a density above one half, opaque within a voxel; up to a quarter the density is
- * that of smoke, of \a opacity in a voxel at a quarter.
+ * Return a shaded medium for images of Sample(). \a unit is the unit distance of opacity. Densities
+ * above one half are solid and opaque within a voxel. Densities up to a quarter are smoke, with
+ * \a opacity per voxel at a quarter.
  */
-vtkSmartPointer<vtkVolumeProperty> MakeColouredMatter(vtkPiecewiseFunction* opacity, double unit);
-vtkSmartPointer<vtkVolumeProperty> MakeSolidMatter(vtkImageData* image);
-vtkSmartPointer<vtkVolumeProperty> MakeSolidMatterInSmoke(vtkImageData* image, double opacity);
+vtkSmartPointer<vtkVolumeProperty> MakeColoredMedium(vtkPiecewiseFunction* opacity, double unit);
+vtkSmartPointer<vtkVolumeProperty> MakeSolidMedium(vtkImageData* image);
+vtkSmartPointer<vtkVolumeProperty> MakeSolidMediumInSmoke(vtkImageData* image, double opacity);
 ///@}
 
-/// From which gradient on matter is a surface where there is smoke too, see
+/// Gradient above which a medium that includes smoke is shaded as a surface, see
 /// vtkShadowedSliceMapper::SetSurfaceGradient.
 constexpr double SMOKE_GRADIENT = 0.03;
 
 /**
- * \a image as a volume that vtkShadowedSliceMapper draws, with slices half a voxel apart.
+ * Returns \a image as a volume rendered by vtkShadowedSliceMapper, with a slice spacing of half a
+ * voxel.
  */
 vtkSmartPointer<vtkVolume> MakeSlicedVolume(
   vtkImageData* image, vtkVolumeProperty* property, double surfaceGradient = 0.0);
 
 /**
- * The mapper of a volume made by MakeSlicedVolume().
+ * Returns the mapper of a volume created by MakeSlicedVolume().
  */
 vtkShadowedSliceMapper* GetSlicedMapper(vtkVolume* volume);
 
-/// What matter in the soft edge of a surface takes from the light before it is seen; lights that
-/// cast shadows are that much stronger, so that lit surfaces look the same without and with.
+/// Reciprocal of the transmittance of the soft edge of a surface. Shadow-casting lights are
+/// stronger by this factor, so that lit surfaces look the same without and with shadows.
 constexpr double EDGE_GAIN = 1.7;
 
 ///@{
 /**
- * A light at a place, shining everywhere, and one from far away out of direction \a from.
+ * Return a point light that shines in all directions, and a directional light from direction
+ * \a from.
  */
 vtkSmartPointer<vtkLight> MakePointLight(const vtkVector3d& position, double intensity);
 vtkSmartPointer<vtkLight> MakeParallelLight(const vtkVector3d& from, double intensity);
 ///@}
 
 /**
- * A point light that casts shadows, EDGE_GAIN times \a intensity, and a weak one from the other
- * side and behind the viewer that casts none, so that form reads in the shadow too.
+ * Returns a shadow-casting point light of EDGE_GAIN times \a intensity, and a weak fill light from
+ * the other side that casts no shadows, so that shapes in shadow remain visible.
  */
 Lights MakeStudioLights(const vtkVector3d& position, double intensity = 1.0);
 
-/// The two panels of a pair.
+/// A pair of panels without and with shadows.
 struct ShadowPair
 {
   Panel& Without;
   Panel& With;
 
-  /// Both from the same side, framed alike; up is z.
+  /// Sets the same view direction and framing in both panels. z is up.
   void Look(const vtkVector3d& from, const vtkBoundingBox& frame) const;
 };
 
 /**
- * Adds \a image as it is without and with shadows, at the same camera. Without shadows the lights
- * that cast them are weaker by EDGE_GAIN. The captions begin with \a caption.
+ * Adds \a image without and with shadows, with a common camera. Without shadows, the intensity of
+ * shadow-casting lights is divided by EDGE_GAIN. \a caption is a prefix of the captions.
  */
 ShadowPair AddShadowPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,
   const Lights& lights, double surfaceGradient = 0.0, const std::string& caption = "");

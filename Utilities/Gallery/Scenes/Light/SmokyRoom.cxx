@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A room with smoke, denser below, and a cube inside.
+// A room with smoke that is denser at the floor, and a cube inside.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/Room.h"
@@ -27,13 +27,13 @@ void Build(gallery::Stage& stage)
   gallery::AddSmoke(
     image, smoke, 0.3, { 0.80, 0.81, 0.82 }, vtkBoundingBox(-1.0, 0.98, -0.98, 1.0, 0.0, 1.3));
   gallery::Panel& panel =
-    gallery::AddShadowPanel(stage, image, gallery::MakeSolidMatterInSmoke(image, 0.045),
+    gallery::AddShadowPanel(stage, image, gallery::MakeSolidMediumInSmoke(image, 0.045),
       gallery::MakeStudioLights({ 2.8, -1.6, 3.2 }, 1.0), gallery::SMOKE_GRADIENT);
   panel.LookFrom({ 0.6, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
 }
 
 const gallery::SceneRegistration registration({ "smoky-room", "2.8", "A cube in a smoky room",
-  "Smoke fills a room, dense at the floor and thin above, disturbed by turbulence. It dims the "
-  "light on its way down, takes the shadow of the cube and throws one of its own.",
+  "Smoke fills a room, dense at the floor and thin above, with turbulence. It attenuates the "
+  "light, receives the shadow of the cube and casts a shadow itself.",
   {}, &Build });
 }

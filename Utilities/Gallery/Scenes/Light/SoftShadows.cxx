@@ -42,7 +42,7 @@ SoftPair AddSoftPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* prope
     vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(image, property, surfaceGradient);
     if (panel == &soft)
     {
-      // Wide edges need few texels, and steps of their samples should not show.
+      // Soft shadows need few texels, but enough samples that their steps are not visible.
       GetSlicedMapper(volume)->SetLightBufferSize(lightBuffer);
       GetSlicedMapper(volume)->SetNumberOfLightSamples(24);
     }

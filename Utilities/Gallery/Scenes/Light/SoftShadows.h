@@ -5,29 +5,29 @@
 #include "Gallery/Scenes/Light/ShadowScene.h"
 
 /**
- * What scenes in the light of a disk share.
+ * Support for scenes with disk lights.
  */
 namespace gallery
 {
 /**
- * The lights, those that cast shadows as round lights of \a diameter.
+ * Returns the lights, with shadow-casting lights replaced by disk lights of \a diameter.
  */
 Lights MakeRoundLights(const Lights& lights, double diameter);
 
-/// The two panels of a pair that shows what an extended light changes.
+/// A pair of panels with hard and with soft shadows.
 struct SoftPair
 {
   Panel& Hard;
   Panel& Soft;
 
-  /// Both from the same side, framed alike; up is z.
+  /// Sets the same view direction and framing in both panels. z is up.
   void Look(const vtkVector3d& from, const vtkBoundingBox& frame) const;
 };
 
 /**
- * Adds \a image in the light of points, and in that of round lights of \a diameter in their place,
- * at the same camera.
- * \a lightBuffer is the size of the round light's buffer: flat and steep surfaces need more.
+ * Adds \a image lit by point lights, and by disk lights of \a diameter at their positions, with a
+ * common camera. \a lightBuffer is the size of the disk light's buffer. Flat and steep surfaces
+ * need larger buffers.
  */
 SoftPair AddSoftPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,
   const Lights& lights, double diameter, double surfaceGradient = 0.0, int lightBuffer = 320);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scanned tooth without and with light that is scattered inside.
+// A scanned tooth without and with scattering inside.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/CloudScene.h"
@@ -15,7 +15,7 @@
 
 namespace
 {
-/// What goes on of the light at each scattering: little is lost, more of blue.
+/// Returns the scattering albedo. Absorption is low, and strongest for blue.
 vtkSmartPointer<vtkColorTransferFunction> MakeAlbedo()
 {
   auto albedo = vtkSmartPointer<vtkColorTransferFunction>::New();
@@ -24,7 +24,7 @@ vtkSmartPointer<vtkColorTransferFunction> MakeAlbedo()
   return albedo;
 }
 
-vtkSmartPointer<vtkVolumeProperty> MakeMatter()
+vtkSmartPointer<vtkVolumeProperty> MakeMedium()
 {
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(115.0, 0.0);
@@ -33,15 +33,15 @@ vtkSmartPointer<vtkVolumeProperty> MakeMatter()
   vtkNew<vtkColorTransferFunction> ivory;
   ivory->AddRGBPoint(90.0, 0.93, 0.86, 0.72);
   ivory->AddRGBPoint(190.0, 0.97, 0.95, 0.90);
-  auto matter = vtkSmartPointer<vtkVolumeProperty>::New();
-  matter->SetScalarOpacity(opacity);
-  matter->SetColor(ivory);
-  matter->SetInterpolationTypeToLinear();
-  matter->ShadeOn();
-  matter->SetAmbient(0.2);
-  matter->SetDiffuse(0.8);
-  matter->SetSpecular(0.0);
-  return matter;
+  auto medium = vtkSmartPointer<vtkVolumeProperty>::New();
+  medium->SetScalarOpacity(opacity);
+  medium->SetColor(ivory);
+  medium->SetInterpolationTypeToLinear();
+  medium->ShadeOn();
+  medium->SetAmbient(0.2);
+  medium->SetDiffuse(0.8);
+  medium->SetSpecular(0.0);
+  return medium;
 }
 
 void Build(gallery::Stage& stage)
@@ -52,7 +52,7 @@ void Build(gallery::Stage& stage)
   gallery::Panel& with = stage.AddPanel("light that is scattered inside");
   for (gallery::Panel* panel : { &without, &with })
   {
-    vtkSmartPointer<vtkVolume> volume = gallery::MakeSlicedVolume(image, MakeMatter());
+    vtkSmartPointer<vtkVolume> volume = gallery::MakeSlicedVolume(image, MakeMedium());
     if (panel == &with)
     {
       gallery::Scatter(volume, gallery::Scattering::FULL, 0.8);
@@ -66,7 +66,7 @@ void Build(gallery::Stage& stage)
       { lamp, gallery::MakeParallelLight({ -0.7, -1.0, 0.6 }, panel == &with ? 0.2 : 0.45) });
     panel->SetBackground({ 0.20, 0.23, 0.28 });
   }
-  // The tooth itself, without the holder that it was scanned in.
+  // Frames the tooth without the holder in which it was scanned.
   const double* bounds = image->GetBounds();
   const vtkVector3d size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
   const vtkBoundingBox frame(bounds[0] + 0.16 * size[0], bounds[0] + 0.84 * size[0],
@@ -77,12 +77,10 @@ void Build(gallery::Stage& stage)
   with.LookAs(without);
 }
 
-const gallery::SceneRegistration registration(
-  { "tooth-scattering", "2.53", "A scanned tooth without and with light that is scattered inside",
-    "A lamp stands behind a tooth on the right. In the first picture light is reflected where it "
-    "meets "
-    "matter. In the second it goes on inside until it leaves, so that shadows are soft and the far "
-    "side "
-    "glows; its lamps are half as strong.",
-    { "tooth.vti" }, &Build });
+const gallery::SceneRegistration registration({ "tooth-scattering", "2.53",
+  "A scanned tooth without and with scattering inside",
+  "A light is behind a tooth on the right. In the first image, light is reflected where it reaches "
+  "the medium. In the second image, it is scattered inside until it leaves, so that shadows are "
+  "soft and the far side glows. The lights of the second image are about half as strong.",
+  { "tooth.vti" }, &Build });
 }

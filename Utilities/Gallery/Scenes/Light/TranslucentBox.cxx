@@ -27,26 +27,26 @@ namespace
 {
 using namespace gallery;
 
-/// Light in a translucent box that is surrounded by thin air.
+/// A translucent box surrounded by a thin medium ("air").
 struct TranslucentBox
 {
   vtkVector3d Lengths;
-  /// Around the vertical.
+  /// Rotation around the vertical.
   double Degrees;
   /// Extinctions per unit of length.
   double Extinction;
   double AirExtinction;
 };
 
-/// Density of the air, of that of the box.
-constexpr double AIR_SHARE = 0.2;
+/// Density of the air divided by the density of the box.
+constexpr double AIR_FRACTION = 0.2;
 
 vtkSmartPointer<vtkImageData> SampleBox(const TranslucentBox& box)
 {
   const vtkColor3d white(1.0, 1.0, 1.0);
   vtkSmartPointer<vtkSpatialPrimitive> air =
     MakeBox({ -1.4, -0.6, -0.9 }, { 1.4, 0.6, 0.9 }, white);
-  air->SetDensity(AIR_SHARE);
+  air->SetDensity(AIR_FRACTION);
   air->SetEdgeWidth(0.2);
   vtkSmartPointer<vtkSpatialPrimitive> solid =
     MakeBox(-0.5 * box.Lengths, 0.5 * box.Lengths, white);
@@ -66,35 +66,35 @@ vtkSmartPointer<vtkActor> MakeBoxFrame(const vtkVector3d& lengths, double degree
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
   actor->RotateZ(degrees);
-  const vtkColor3d colour = Pencil();
-  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  const vtkColor3d color = Pencil();
+  actor->GetProperty()->SetColor(color[0], color[1], color[2]);
   actor->GetProperty()->SetRepresentationToWireframe();
   actor->GetProperty()->SetLineWidth(2.0);
   actor->GetProperty()->LightingOff();
   return actor;
 }
 
-/// Adds two panels of \a box around the origin: without attenuation of \a beams, and with it.
-/// The air is 3 units long, 2 units high and wide.
+/// Adds two panels of \a box around the origin: without attenuation of \a beams, and with it. The
+/// air is 3 units long, and 2 units high and wide.
 ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Lights& beams)
 {
   vtkSmartPointer<vtkImageData> image = SampleBox(box);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(255.0 * AIR_SHARE, 1.0 - std::exp(-box.AirExtinction));
+  opacity->AddPoint(255.0 * AIR_FRACTION, 1.0 - std::exp(-box.AirExtinction));
   opacity->AddPoint(255.0, 1.0 - std::exp(-box.Extinction));
-  vtkSmartPointer<vtkVolumeProperty> matter = MakeColouredMatter(opacity, 1.0);
-  matter->SetAmbient(0.05);
-  matter->SetDiffuse(1.0);
-  matter->SetSpecular(0.0);
+  vtkSmartPointer<vtkVolumeProperty> medium = MakeColoredMedium(opacity, 1.0);
+  medium->SetAmbient(0.05);
+  medium->SetDiffuse(1.0);
+  medium->SetSpecular(0.0);
 
   Panel& without = stage.AddPanel("without attenuation");
   Panel& with = stage.AddPanel("with attenuation");
   for (Panel* panel : { &without, &with })
   {
-    // All of this scatters evenly, at its edges too.
-    vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(image, matter, 1.0);
-    // Beams are narrow.
+    // With this surface gradient, scattering is isotropic everywhere and edges are not shaded.
+    vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(image, medium, 1.0);
+    // The beams are narrow, so a small light buffer is sufficient.
     GetSlicedMapper(volume)->SetLightBufferSize(128);
     GetSlicedMapper(volume)->SetShadows(panel == &with);
     panel->Add(volume);
@@ -115,24 +115,23 @@ void BuildBeamBox(gallery::Stage& stage)
 }
 
 const gallery::SceneRegistration beamBox(
-  { "beam-box", "2.25", "A beam of light through a box turned by 35 degrees",
-    "The beam goes from left to right, perpendicular to the view. Without attenuation it is "
-    "brightest at the right, where less of the translucent box lies in front of it; with "
-    "attenuation most of "
-    "its light is lost in the box, and only a little leaves.",
+  { "beam-box", "2.25", "A beam of light through a box rotated by 35 degrees",
+    "The beam runs from left to right, perpendicular to the view. Without attenuation it is "
+    "brightest on the right, where less of the translucent box is in front of it. With attenuation "
+    "the box absorbs most of its light, and only a little leaves.",
     {}, &BuildBeamBox });
 
 void BuildBeamsCube(gallery::Stage& stage)
 {
-  const std::array<vtkColor3d, 3> colours = { { { 1.0, 0.16, 0.10 }, { 0.16, 1.0, 0.22 },
+  const std::array<vtkColor3d, 3> colors = { { { 1.0, 0.16, 0.10 }, { 0.16, 1.0, 0.22 },
     { 0.16, 0.32, 1.0 } } };
   gallery::Lights beams;
   double height = 0.24;
-  for (const vtkColor3d& colour : colours)
+  for (const vtkColor3d& color : colors)
   {
-    const vtkVector3d centre(0.0, 0.0, height);
+    const vtkVector3d center(0.0, 0.0, height);
     beams.push_back(
-      gallery::MakeBeam(centre + vtkVector3d(1.6, -0.2, 0.75), centre, 0.2, 6.5, colour));
+      gallery::MakeBeam(center + vtkVector3d(1.6, -0.2, 0.75), center, 0.2, 6.5, color));
     height -= 0.24;
   }
   const TranslucentBox cube = { { 0.84, 0.84, 0.84 }, 25.0, 1.8, 0.35 };
@@ -142,16 +141,17 @@ void BuildBeamsCube(gallery::Stage& stage)
 
 const gallery::SceneRegistration beamsCube(
   { "beams-cube", "2.24", "Red, green and blue beams through a translucent cube",
-    "Parallel beams come in at the upper right, pass a translucent cube and leave it at the lower "
-    "left, in air thin enough to show them. Without attenuation they leave as bright as they came; "
-    "with it the cube takes most of their light. In both what is in front hides a part of them.",
+    "Parallel beams enter at the upper right, pass a translucent cube and leave it at the lower "
+    "left, visible in thin air. Without attenuation they leave with their original brightness. "
+    "With attenuation the cube absorbs most of their light. In both images the medium in front "
+    "hides a part of them.",
     {}, &BuildBeamsCube });
 
 const vtkVector3d BOX(0.6, 0.6, 0.84);
-const vtkVector3d PLACE(0.42, 0.0, 0.0);
+const vtkVector3d POSITION(0.42, 0.0, 0.0);
 constexpr double DEGREES = 24.0;
 
-/// A screen across the x axis, with three holes above each other.
+/// Returns a screen perpendicular to the x axis, with three holes above each other.
 vtkSmartPointer<vtkSpatialObject> MakeScreen()
 {
   const vtkColor3d metal(0.42, 0.45, 0.50);
@@ -180,20 +180,20 @@ void BuildBeamSoft(gallery::Stage& stage)
   air->SetEdgeWidth(0.2);
   gallery::AddSmoke(image,
     gallery::Unite(
-      { gallery::Place(gallery::MakeBox(-0.5 * BOX, 0.5 * BOX, white), PLACE, DEGREES), air }),
+      { gallery::Place(gallery::MakeBox(-0.5 * BOX, 0.5 * BOX, white), POSITION, DEGREES), air }),
     0.2, white);
-  vtkSmartPointer<vtkVolumeProperty> matter = gallery::MakeSolidMatterInSmoke(image, 0.03);
-  matter->SetAmbient(0.03);
+  vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeSolidMediumInSmoke(image, 0.03);
+  medium->SetAmbient(0.03);
   vtkSmartPointer<vtkLight> lamp = gallery::MakePointLight({ -3.2, 0.0, 0.0 }, 15.0);
   lamp->SetDiffuseColor(1.0, 0.86, 0.6);
-  // All of this scatters evenly, at its edges too.
-  gallery::SoftPair pair = gallery::AddSoftPair(stage, image, matter, { lamp }, 0.4, 1.0, 192);
+  // With this surface gradient, scattering is isotropic everywhere and edges are not shaded.
+  gallery::SoftPair pair = gallery::AddSoftPair(stage, image, medium, { lamp }, 0.4, 1.0, 192);
   for (gallery::Panel* panel : { &pair.Hard, &pair.Soft })
   {
     panel->SetBackground(gallery::DarkBackground());
     panel->SetAmbientOcclusion(0.0);
     vtkSmartPointer<vtkActor> frame = MakeBoxFrame(BOX, DEGREES);
-    frame->SetPosition(PLACE[0], PLACE[1], PLACE[2]);
+    frame->SetPosition(POSITION[0], POSITION[1], POSITION[2]);
     panel->Add(frame);
   }
   pair.Look({ 0.35, -1.0, 0.25 }, vtkBoundingBox(-0.98, 0.92, -0.1, 0.1, -0.5, 0.5));
@@ -201,8 +201,8 @@ void BuildBeamSoft(gallery::Stage& stage)
 
 const gallery::SceneRegistration beamSoft(
   { "beam-soft", "2.38", "Beams of light behind holes, hard and soft",
-    "Light falls through three holes of a screen into thin smoke and a translucent box. In the "
-    "light of a point each beam keeps its edge; in that of a disk the beams widen behind the holes "
-    "and flow into each other, and their cores fade.",
+    "Light passes through three holes of a screen into thin smoke and a translucent box. Under a "
+    "point light each beam has a sharp edge. Under a disk light the beams widen behind the holes "
+    "and merge, and their cores fade.",
     {}, &BuildBeamSoft });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mushrooms of polygons under a scanned bonsai.
+// Polygonal mushrooms under a scanned bonsai.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/Bonsai.h"
@@ -13,7 +13,7 @@ namespace
 {
 using namespace interlume;
 
-/// Of lights with an extent, for the tree and the mushrooms alike.
+/// Number of samples of area lights, for the tree and the mushrooms.
 constexpr int SAMPLES = 20;
 
 Model MakeMushrooms()
@@ -25,7 +25,7 @@ Model MakeMushrooms()
     all, Move(MakeMushroom(0.28, 0.13, 0.12), { { -0.36, -0.46, 0.0 } }, { { 0.0, 0.0, 200.0 } }));
 }
 
-/// On a plate of matter.
+/// Returns the tree on a plate that is part of the volume.
 vtkSmartPointer<vtkImageData> SampleTreeOnPlate()
 {
   return gallery::Sample(gallery::Unite({ gallery::MakeBonsai(),
@@ -33,29 +33,29 @@ vtkSmartPointer<vtkImageData> SampleTreeOnPlate()
     vtkBoundingBox(-0.76, 0.76, -0.86, 0.66, -0.07, 1.1), 230, 0.5);
 }
 
-/// The tree for plates of polygons: on one of matter, under a light with an extent, the steps of
-/// samples and of voxels show together.
+/// Returns the tree without a plate, for polygonal plates. On a plate in the volume, an area light
+/// would show the steps of samples and voxels.
 vtkSmartPointer<vtkImageData> SampleTree(int resolution)
 {
   return gallery::Sample(
     gallery::MakeBonsai(), vtkBoundingBox(-0.62, 0.62, -0.62, 0.62, -0.03, 1.1), resolution, 0.5);
 }
 
-/// Adds the mushrooms to the bonsai of a panel, and shadows of all on all.
+/// Adds the mushrooms to the bonsai of a panel, with mutual shadows.
 void AddMushrooms(gallery::Panel& panel)
 {
   gallery::AddModel(panel, MakeMushrooms(), gallery::EDGE_GAIN);
   gallery::UseSceneShadows(panel, SAMPLES);
-  gallery::UseFinePictures(panel);
+  gallery::UseFullResolution(panel);
 }
 
-/// Adds a panel under lights of \a diameter in the place of those.
+/// Adds a panel with \a lights replaced by disk lights of \a diameter.
 gallery::Panel& AddSoftPanel(gallery::Stage& stage, const std::string& caption, vtkImageData* image,
   const gallery::Lights& lights, double diameter)
 {
   gallery::Panel& panel = stage.AddPanel(caption);
   vtkSmartPointer<vtkVolume> volume =
-    gallery::MakeSlicedVolume(image, gallery::MakeSolidMatter(image));
+    gallery::MakeSlicedVolume(image, gallery::MakeSolidMedium(image));
   gallery::GetSlicedMapper(volume)->SetLightBufferSize(224);
   gallery::GetSlicedMapper(volume)->SetNumberOfLightSamples(SAMPLES);
   panel.Add(volume);
@@ -66,15 +66,15 @@ gallery::Panel& AddSoftPanel(gallery::Stage& stage, const std::string& caption, 
 
 void Build(gallery::Stage& stage)
 {
-  const Place3 ground{ { 0.0, -0.1, 0.0 } };
+  const Position3 ground{ { 0.0, -0.1, 0.0 } };
   vtkSmartPointer<vtkImageData> image = SampleTree(170);
   const gallery::Lights lights = gallery::MakeStudioLights({ -1.8, -1.4, 3.2 }, 0.85);
   gallery::ShadowPair pair =
-    gallery::AddShadowPair(stage, image, gallery::MakeSolidMatter(image), lights);
+    gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image), lights);
   pair.Without.SetAmbientOcclusion(0.0);
   gallery::AddModel(pair.Without, MakeMushrooms());
   gallery::AddGround(pair.Without, ground, 0.74);
-  gallery::UseFinePictures(pair.Without);
+  gallery::UseFullResolution(pair.Without);
   AddMushrooms(pair.With);
   gallery::AddGround(pair.With, ground, 0.74, gallery::EDGE_GAIN);
   const vtkBoundingBox frame(-0.7, 0.7, -0.1, 0.1, -0.4, 1.06);
@@ -88,7 +88,7 @@ void Build(gallery::Stage& stage)
 void BuildOtherLight(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleTreeOnPlate();
-  gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMatter(image),
+  gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ 2.2, -1.7, 2.2 }, 1.15));
   AddMushrooms(panel);
   panel.LookFrom({ 0.1, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
@@ -104,23 +104,22 @@ void BuildSoft(gallery::Stage& stage)
   panel.Frame(vtkBoundingBox(-1.2, 0.92, -0.1, 0.1, -0.9, 1.16));
 }
 
-const gallery::SceneRegistration registration({ "bonsai-mushrooms", "2.41",
-  "A bonsai and mushrooms, without, with and with soft shadows",
-  "The bonsai and its pot are a volume, the mushrooms and the plate are of polygons. With shadows "
-  "all of them stand on the plate: the mushrooms' shadows fall on it and on the pot, that of the "
-  "tree on the pot and the plate. In the light of a disk these widen with the distance from what "
-  "casts them.",
-  { "bonsai.vti" }, &Build });
+const gallery::SceneRegistration registration(
+  { "bonsai-mushrooms", "2.41", "A bonsai and mushrooms: no shadows, hard shadows, soft shadows",
+    "The bonsai and its pot are a volume, the mushrooms and the plate are polygons. With shadows "
+    "all of them stand on the plate. The mushrooms cast shadows on the plate and on the pot, and "
+    "the tree on the pot and the plate. Under a disk light the shadows widen with the distance "
+    "from the occluder.",
+    { "bonsai.vti" }, &Build });
 const gallery::SceneRegistration otherRegistration(
   { "bonsai-mushrooms-light", "2.42", "A bonsai and mushrooms under another light",
-    "The same, on a plate of matter, in a low light from the right, with long shadows: those of "
-    "the mushrooms reach the "
-    "pot.",
+    "The same objects, with a plate that is part of the volume, under a low light from the right. "
+    "The shadows are long, and those of the mushrooms reach the pot.",
     { "bonsai.vti" }, &BuildOtherLight });
 const gallery::SceneRegistration softRegistration(
   { "bonsai-mushrooms-soft", "2.49", "Soft shadows of a bonsai and mushrooms",
-    "The bonsai is a volume, the mushrooms and the plate are of polygons, the light is a disk. The "
-    "shadow of the tree, which comes from far above the plate, is blurred; those of the mushrooms "
-    "are sharper, as these stand on it.",
+    "The bonsai is a volume, the mushrooms and the plate are polygons, the light is a disk. The "
+    "shadow of the tree is blurred, because the crown is far above the plate. The shadows of the "
+    "mushrooms, which stand on it, are sharper.",
     { "bonsai.vti" }, &BuildSoft });
 }

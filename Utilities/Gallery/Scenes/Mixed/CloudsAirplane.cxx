@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// An airplane of polygons above clouds.
+// A polygonal airplane above clouds.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/CloudScene.h"
@@ -24,7 +24,7 @@ void Build(gallery::Stage& stage)
   gallery::Panel& panel = stage.AddPanel("", { 0.12, -1.0, 0.62 });
   vtkSmartPointer<vtkVolume> volume = gallery::MakeCloudVolume(interlume::MakeClouds(clouds),
     { { -2.6, 2.4, -1.6, 1.7, -0.12, 0.95 } }, 260, gallery::Scattering::FULL);
-  // These clouds are small: by droplets that scatter less forwards they are white up to their
+  // These clouds are small. Droplets that scatter less light forward make them white up to their
   // edges.
   gallery::Scatter(volume, gallery::Scattering::FULL, 0.5);
   panel.Add(volume);
@@ -37,9 +37,9 @@ void Build(gallery::Stage& stage)
   panel.Frame(vtkBoundingBox(-1.5, 1.5, -0.5, 0.5, -0.12, 1.0));
 }
 
-const gallery::SceneRegistration registration({ "clouds-airplane", "2.54",
-  "An airplane above clouds",
-  "The airplane is of polygons, the clouds are a volume, in which light is scattered forwards and "
-  "back. The airplane's shadow lies on the clouds.",
-  {}, &Build });
+const gallery::SceneRegistration registration(
+  { "clouds-airplane", "2.54", "An airplane above clouds",
+    "The airplane consists of polygons, the clouds are a volume with full multiple scattering. The "
+    "airplane casts its shadow on the clouds.",
+    {}, &Build });
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A desk of polygons in a smoky room with the sun in its window.
+// A polygonal desk in a smoky room with the sun in its window.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
@@ -16,22 +16,22 @@ namespace
 {
 using namespace interlume;
 
-/// A box of polygons from corner to corner.
+/// Returns a polygonal box from \a lower to \a upper.
 ModelPart MakeBlock(
-  const Place3& lower, const Place3& upper, const vtkColor3d& colour, double edge = 0.01)
+  const Position3& lower, const Position3& upper, const vtkColor3d& color, double edge = 0.01)
 {
-  Place3 lengths;
-  Place3 center;
+  Position3 lengths;
+  Position3 center;
   for (std::size_t k = 0; k < 3; ++k)
   {
     lengths[k] = upper[k] - lower[k];
     center[k] = 0.5 * (lower[k] + upper[k]);
   }
-  return { MoveShape(MakeRoundedBox(lengths, edge), center),
-    { { colour[0], colour[1], colour[2] } }, 0.05 };
+  return { MoveShape(MakeRoundedBox(lengths, edge), center), { { color[0], color[1], color[2] } },
+    0.05 };
 }
 
-/// A floor, two walls and a ceiling, with a window in the wall at +y.
+/// Returns a floor, walls and a ceiling, with a window in the wall at +y.
 Model MakeShell()
 {
   const vtkColor3d plaster = gallery::Plaster();
@@ -62,11 +62,11 @@ vtkSmartPointer<vtkVolume> MakeSmoke()
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
   opacity->AddPoint(255.0, 0.2);
-  vtkSmartPointer<vtkVolumeProperty> matter = gallery::MakeColouredMatter(opacity, 1.0);
-  matter->SetAmbient(0.05);
-  matter->SetDiffuse(1.0);
-  matter->SetSpecular(0.0);
-  return gallery::MakeSlicedVolume(image, matter, 1.0);
+  vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeColoredMedium(opacity, 1.0);
+  medium->SetAmbient(0.05);
+  medium->SetDiffuse(1.0);
+  medium->SetSpecular(0.0);
+  return gallery::MakeSlicedVolume(image, medium, 1.0);
 }
 
 void Build(gallery::Stage& stage)
@@ -84,14 +84,14 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.45, 1.0, 0.6 }, 6.0);
   sun->SetDiffuseColor(1.0, 0.87, 0.68);
   panel.SetLights({ sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.75) });
-  // The sky is seen through the window alone.
+  // The background is the sky, which is visible only through the window.
   panel.SetBackground(vtkColor3d(0.93, 0.95, 1.0));
   panel.Frame(vtkBoundingBox(-1.08, 1.08, -1.0, -0.99, 0.1, 1.45));
 }
 
 const gallery::SceneRegistration registration({ "desk-smoke", "2.46", "A desk in a smoky room",
-  "The room, the desk, the chair and what stands on it are of polygons, the smoke is a volume. The "
-  "sun comes through the window at the back; its light is seen on its way, with the shadows of the "
-  "window's cross and of the furniture.",
+  "The room, the desk, the chair and the objects on the desk consist of polygons, the smoke is a "
+  "volume. The sun shines through the window at the back. Its light is visible in the smoke, with "
+  "the shadows of the window bars and of the furniture.",
   {}, &Build });
 }

@@ -25,7 +25,7 @@ void AddModel(Panel& panel, const interlume::Model& model, double gain, double a
     actor->SetMapper(mapper);
     vtkProperty* property = actor->GetProperty();
     property->SetColor(part.Color[0], part.Color[1], part.Color[2]);
-    // By default as the matter of volumes beside it.
+    // The default of \a ambient matches the volumes in the scene.
     property->SetAmbient(ambient);
     property->SetDiffuse(0.8 / gain);
     property->SetSpecular(part.Gloss / gain);
@@ -43,7 +43,7 @@ void UseSceneShadows(Panel& panel, int samples)
   panel.GetRenderer()->SetPass(pass);
 }
 
-void UseFinePictures(Panel& panel)
+void UseFullResolution(Panel& panel)
 {
   vtkVolumeCollection* volumes = panel.GetRenderer()->GetVolumes();
   vtkCollectionSimpleIterator cookie;
@@ -54,7 +54,7 @@ void UseFinePictures(Panel& panel)
   }
 }
 
-void AddGround(Panel& panel, const interlume::Place3& top, double radius, double gain)
+void AddGround(Panel& panel, const interlume::Position3& top, double radius, double gain)
 {
   const vtkColor3d plaster = Plaster();
   const double edge = 0.02;

@@ -5,29 +5,29 @@
 #include "Support/Inputs/Models.h"
 
 /**
- * Models of polygons on stage.
+ * Polygonal models in scenes.
  */
 namespace gallery
 {
 class Panel;
 
-/// Adds an actor for each part. Where lights are stronger for the soft edges of matter, by
-/// EDGE_GAIN, \a gain says so, and these surfaces, which have none, reflect that much less. \a
-/// ambient is what is seen of colours without any light.
+/// Adds an actor for each part of a model. \a gain is the factor by which lights are stronger
+/// because of the soft edges of volumes (EDGE_GAIN, or 1); polygons have hard edges and reflect
+/// that much less. \a ambient is the ambient coefficient.
 void AddModel(
   Panel& panel, const interlume::Model& model, double gain = 1.0, double ambient = 0.25);
 
-/// The panel is drawn by a vtkShadowedScenePass, without ambient occlusion: its surfaces and
-/// volumes shadow each other, under lights with an extent by so many samples.
+/// Renders the panel with a vtkShadowedScenePass, without ambient occlusion: its surfaces and
+/// volumes shadow each other. \a samples is the number of samples of area lights.
 void UseSceneShadows(Panel& panel, int samples = 16);
 
-/// Gives the pictures of the panel's volumes all of its pixels: coarser ones of solid matter leave
-/// rims around surfaces.
-void UseFinePictures(Panel& panel);
+/// Renders the panel's volumes at full resolution. Coarser images of solid volumes would leave
+/// seams around surfaces.
+void UseFullResolution(Panel& panel);
 
-/// Adds a disk of polygons whose upper side lies on \a top: a ground that catches shadows. \a gain
-/// as for models.
-void AddGround(Panel& panel, const interlume::Place3& top, double radius, double gain = 1.0);
+/// Adds a polygonal disk whose upper side is centered at \a top, as a ground that receives shadows.
+/// For \a gain, see AddModel().
+void AddGround(Panel& panel, const interlume::Position3& top, double radius, double gain = 1.0);
 }
 
 #endif

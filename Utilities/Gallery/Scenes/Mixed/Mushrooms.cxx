@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Mushrooms of polygons, and their shadows.
+// Polygonal mushrooms and their shadows.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/LightScreens.h"
@@ -56,12 +56,13 @@ void BuildSoft(gallery::Stage& stage)
 }
 
 const gallery::SceneRegistration registration({ "mushrooms", "2.43", "The shadows of mushrooms",
-  "Three mushrooms of polygons on a plate. Caps shade their own stems and gills, the small ones "
-  "stand in the shadow of the large one, and all of them throw theirs on the plate.",
+  "Three polygonal mushrooms on a plate. Caps shade their own stems and gills, the small mushrooms "
+  "stand in the shadow of the large one, and all cast shadows on the plate.",
   {}, &Build });
-const gallery::SceneRegistration softRegistration({ "mushrooms-soft", "2.48",
-  "Hard and soft shadows of mushrooms",
-  "The same mushrooms in the light of a point and of a disk. The shadows of stems are sharp where "
-  "they stand, those of caps widen with their height above the plate and above other caps.",
-  {}, &BuildSoft });
+const gallery::SceneRegistration softRegistration(
+  { "mushrooms-soft", "2.48", "Hard and soft shadows of mushrooms",
+    "The same mushrooms under a point light and under a disk light. The shadows of the stems are "
+    "sharp at their feet. The shadows of the caps widen with their height above the plate and "
+    "above other caps.",
+    {}, &BuildSoft });
 }

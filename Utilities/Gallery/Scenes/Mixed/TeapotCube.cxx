@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A teapot of polygons within a translucent cube.
+// A polygonal teapot within a translucent cube.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
@@ -21,13 +21,13 @@ void Build(gallery::Stage& stage)
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
   opacity->AddPoint(255.0, 0.6);
-  vtkSmartPointer<vtkVolumeProperty> matter = gallery::MakeColouredMatter(opacity, 1.0);
-  matter->SetAmbient(0.15);
-  matter->SetDiffuse(0.95);
-  matter->SetSpecular(0.0);
+  vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeColoredMedium(opacity, 1.0);
+  medium->SetAmbient(0.15);
+  medium->SetDiffuse(0.95);
+  medium->SetSpecular(0.0);
   gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.5 });
-  // All of this scatters evenly, at its edges too.
-  panel.Add(gallery::MakeSlicedVolume(image, matter, 1.0));
+  // With this surface gradient, scattering is isotropic everywhere and edges are not shaded.
+  panel.Add(gallery::MakeSlicedVolume(image, medium, 1.0));
   gallery::AddModel(panel,
     interlume::Move(interlume::MakeTeapot(), { { 0.0, 0.0, 0.005 } }, { { 0.0, 0.0, 12.0 } }));
   gallery::AddGround(panel, { { 0.0, 0.0, -0.02 } }, 1.5);
@@ -39,8 +39,8 @@ void Build(gallery::Stage& stage)
 
 const gallery::SceneRegistration registration(
   { "teapot-cube", "2.45", "A teapot within a translucent cube",
-    "The teapot is of polygons, what surrounds it a volume. The shadow of the spout and of the "
-    "handle "
-    "falls on the pot, and the shadow of all goes on through the translucent matter to the ground.",
+    "The teapot consists of polygons, the cube around it is a volume. The spout and the handle "
+    "cast shadows on the pot, and the teapot's shadow extends through the translucent medium to "
+    "the ground.",
     {}, &Build });
 }

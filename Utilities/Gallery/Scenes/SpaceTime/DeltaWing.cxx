@@ -27,8 +27,8 @@ namespace
 {
 using namespace gallery;
 
-/// A boundary of a time-varying interval volume: which of vtkTimeVaryingIntervalVolume's
-/// BoundaryKinds, and how its panel looks.
+/// A boundary of a time-varying interval volume (vtkTimeVaryingIntervalVolume::BoundaryKinds), with
+/// the caption and the appearance of its panel.
 struct ShownBoundary
 {
   int Kind;
@@ -36,8 +36,8 @@ struct ShownBoundary
   IntervalLook Look;
 };
 
-/// The vortices above a delta wing at times 0.65 and 1.85. Between them the spirals turn by 65
-/// degrees, and the breakdown comes back to where it was.
+/// Returns the vortices above a delta wing at times 0.65 and 1.85. Between them the spirals rotate
+/// by 65 degrees, and the breakdown returns to its initial position.
 vtkSmartPointer<vtkDeltaWingSource> MakeDeltaWingVortices()
 {
   auto vortices = vtkSmartPointer<vtkDeltaWingSource>::New();
@@ -46,8 +46,9 @@ vtkSmartPointer<vtkDeltaWingSource> MakeDeltaWingVortices()
   return vortices;
 }
 
-/// The wing under these vortices, from its apex at the origin to x = 1.
-vtkSmartPointer<vtkActor> MakeDeltaWing(const vtkColor3d& colour)
+/// Returns the wing under the vortices of MakeDeltaWingVortices(), from its apex at the origin to x
+/// = 1.
+vtkSmartPointer<vtkActor> MakeDeltaWing(const vtkColor3d& color)
 {
   vtkNew<vtkDeltaWingSource> vortices;
   const double halfSpan = std::tan(vtkMath::RadiansFromDegrees(90.0 - vortices->GetSweepAngle()));
@@ -60,11 +61,11 @@ vtkSmartPointer<vtkActor> MakeDeltaWing(const vtkColor3d& colour)
   vtkNew<vtkPolyData> wing;
   wing->SetPoints(points);
   wing->SetPolys(triangle);
-  return MakeActor(MakeSurface(wing), colour);
+  return MakeActor(MakeSurface(wing), color);
 }
 
 /// Adds a panel for each of the boundaries, which are tetrahedra, of the interval 0.35 to 0.6 of
-/// these vortices.
+/// MakeDeltaWingVortices().
 void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& boundaries)
 {
   vtkNew<vtkTimeVaryingIntervalVolume> interval;
@@ -91,45 +92,42 @@ void BuildTimeDelta(gallery::Stage& stage)
   panel.LookFrom({ -0.6, -0.8, 0.9 }, { 0.0, 0.0, 1.0 });
 }
 
-const gallery::SceneRegistration timeDelta({ "time-delta", "3.22",
-  "Vortices above a delta wing between two time steps",
-  "Where the loss of pressure in two vortices, which break down to spirals, is from 0.35 to 0.6 at "
-  "any time between two steps. Colours of all times are added up: green was left since the first "
-  "step, red is new at the second, yellow stays. The spirals turn, and both breakdowns end where "
-  "they began. A stand-in for the data of the source, with a formula.",
-  {}, &BuildTimeDelta });
+const gallery::SceneRegistration timeDelta(
+  { "time-delta", "3.22", "Vortices above a delta wing between two time steps",
+    "The region where the pressure loss in two vortices, which break down to spirals, is from 0.35 "
+    "to 0.6 at any time between two steps. Colors of all times are added: green exists only at the "
+    "first step, red only at the second, yellow at both. The spirals rotate, and both breakdowns "
+    "end where they began. An analytic model replaces the data of the dissertation.",
+    {}, &BuildTimeDelta });
 
 void BuildTimeEndVolumes(gallery::Stage& stage)
 {
   ShowDeltaWingBoundaries(stage,
     { { vtkTimeVaryingIntervalVolume::VOLUME_AT_START, "time 0.65",
-        { gallery::IntervalColour(2), 25.0 } },
+        { gallery::IntervalColor(2), 25.0 } },
       { vtkTimeVaryingIntervalVolume::VOLUME_AT_END, "time 1.85",
-        { gallery::IntervalColour(3), 25.0 } } });
+        { gallery::IntervalColor(3), 25.0 } } });
 }
 
-const gallery::SceneRegistration timeEndVolumes(
-  { "time-end-volumes", "3.29", "Interval volumes at the first and at the last time",
-    "The vortices above a delta wing from 0.35 to 0.6 at both ends of the time between two steps, "
-    "boundaries of the volume in space and time that come with it in the same pass. The spirals "
-    "have turned.",
-    {}, &BuildTimeEndVolumes });
+const gallery::SceneRegistration timeEndVolumes({ "time-end-volumes", "3.29",
+  "Interval volumes at the first and at the last time",
+  "The vortices above a delta wing from 0.35 to 0.6 at two time steps. Both volumes are boundaries "
+  "of the volume in space and time, extracted in the same pass. The spirals have rotated.",
+  {}, &BuildTimeEndVolumes });
 
 void BuildTimeIsosurfaces(gallery::Stage& stage)
 {
   ShowDeltaWingBoundaries(stage,
     { { vtkTimeVaryingIntervalVolume::LOWER_SURFACE_IN_TIME,
-        "the isosurface 0.35, time 0.65 to 1.85", { gallery::IntervalColour(0), 25.0 } },
+        "the isosurface 0.35, time 0.65 to 1.85", { gallery::IntervalColor(0), 25.0 } },
       { vtkTimeVaryingIntervalVolume::UPPER_SURFACE_IN_TIME,
-        "the isosurface 0.6, time 0.65 to 1.85", { gallery::IntervalColour(3), 25.0 } } });
+        "the isosurface 0.6, time 0.65 to 1.85", { gallery::IntervalColor(3), 25.0 } } });
 }
 
 const gallery::SceneRegistration timeIsosurfaces(
   { "time-isosurfaces", "3.28", "Two isosurfaces over all times between two steps",
-    "What the lower and the upper isosurface of the vortices above a delta wing sweep while they "
-    "move "
-    "from one time step to the next: two further boundaries of the volume in space and time, drawn "
-    "as "
-    "ordinary volumes of one colour. Where a surface stands still, nothing is swept.",
+    "The regions that the lower and the upper isosurface of the vortices above a delta wing sweep "
+    "between two time steps: two further boundaries of the volume in space and time, rendered as "
+    "volumes of one color. Where a surface does not move, it sweeps nothing.",
     {}, &BuildTimeIsosurfaces });
 }

@@ -22,7 +22,7 @@ namespace
 {
 using namespace gallery;
 
-/// The wake of a tapered cylinder at times 0 and 0.6, on 80 x 80 x 40 points.
+/// Returns the wake of a tapered cylinder at times 0 and 0.6, on 80 x 80 x 40 points.
 vtkSmartPointer<vtkTaperedCylinderSource> MakeCylinderWake()
 {
   auto wake = vtkSmartPointer<vtkTaperedCylinderSource>::New();
@@ -32,10 +32,10 @@ vtkSmartPointer<vtkTaperedCylinderSource> MakeCylinderWake()
   return wake;
 }
 
-/// The cylinder in this wake: surface i = 0 of its grid. The wake was updated.
-vtkSmartPointer<vtkActor> MakeCylinder(vtkTaperedCylinderSource* wake, const vtkColor3d& colour)
+/// Returns the cylinder in this wake: surface i = 0 of its grid. The wake must be up to date.
+vtkSmartPointer<vtkActor> MakeCylinder(vtkTaperedCylinderSource* wake, const vtkColor3d& color)
 {
-  return MakeActor(MakeWall(wake->GetOutput(), 0, 0), colour);
+  return MakeActor(MakeWall(wake->GetOutput(), 0, 0), color);
 }
 
 void BuildTimeCylinder(gallery::Stage& stage)
@@ -49,9 +49,9 @@ void BuildTimeCylinder(gallery::Stage& stage)
 const gallery::SceneRegistration timeCylinder(
   { "time-cylinder", "3.24", "The wake of a tapered cylinder between two time steps",
     "Density from 0.991 to 0.995 in the vortices behind a tapered cylinder, which sheds faster "
-    "where it is thin. All times between two steps are added up: the vortices leave green behind "
-    "and go where it is red; yellow is what they share. Their lines slant, and tear where the "
-    "frequency changes. A stand-in for the data of the source, with a formula.",
+    "where it is thin. All times between two steps are added: the vortices leave the green region "
+    "and move to the red one; yellow is in both. The vortex lines are slanted and break where the "
+    "frequency changes. An analytic model replaces the data of the dissertation.",
     {}, &BuildTimeCylinder });
 
 void BuildTimePriority(gallery::Stage& stage)
@@ -70,8 +70,8 @@ void BuildTimePriority(gallery::Stage& stage)
   const vtkVector3d from(0.3, -1.0, 0.35);
   gallery::Panel& later = stage.AddPanel("time 0.6 over time 0", from);
   gallery::Panel& earlier = stage.AddPanel("time 0 over time 0.6", from);
-  const vtkColor3d yellow = gallery::IntervalColour(2);
-  const vtkColor3d red = gallery::IntervalColour(3);
+  const vtkColor3d yellow = gallery::IntervalColor(2);
+  const vtkColor3d red = gallery::IntervalColor(3);
   for (gallery::Panel* panel : { &later, &earlier })
   {
     vtkSmartPointer<vtkVolume> volume =
@@ -83,13 +83,13 @@ void BuildTimePriority(gallery::Stage& stage)
     panel->Add(volume);
     panel->Add(MakeCylinder(wake, gallery::Pencil()));
   }
-  stage.SetColourKey("", { { yellow, "time 0" }, { red, "time 0.6" } });
+  stage.SetColorKey("", { { yellow, "time 0" }, { red, "time 0.6" } });
 }
 
-const gallery::SceneRegistration timePriority({ "time-priority", "3.30",
-  "Interval volumes at two times, each over the other",
-  "The vortices behind a tapered cylinder at two times in one view, yellow before red. One of the "
-  "two is drawn over the other whatever their depth, by priority and not by distance; compare with "
-  "the picture of all times between.",
-  {}, &BuildTimePriority });
+const gallery::SceneRegistration timePriority(
+  { "time-priority", "3.30", "Interval volumes at two times, each over the other",
+    "The vortices behind a tapered cylinder at two times in one view, yellow before red. One of "
+    "the two is drawn over the other regardless of depth, by priority instead of distance. Compare "
+    "with the image of all times between them.",
+    {}, &BuildTimePriority });
 }

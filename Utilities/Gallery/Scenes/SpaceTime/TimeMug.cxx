@@ -22,12 +22,12 @@
 
 namespace
 {
-/// The edges of the mug, for orientation.
+/// Returns the edges of the mug, for orientation.
 vtkSmartPointer<vtkActor> MakeEdges(vtkUnstructuredGrid* mug)
 {
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(gallery::MakeSurface(mug));
-  // Where the surface has two normals its points are double.
+  // Points with two normals are duplicated, so that feature edges are boundary edges.
   edges->FeatureEdgesOff();
   edges->NonManifoldEdgesOff();
   edges->ColoringOff();
@@ -55,15 +55,16 @@ void Build(gallery::Stage& stage)
     panel.Add(volume);
     panel.Add(MakeEdges(mug->GetOutput()));
     panel.LookFrom({ 0.3, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
-    stage.SetColourBar(
+    stage.SetColorBar(
       "time", volume->GetProperty()->GetRGBTransferFunction(), times.front(), times.back());
   }
 }
 }
 
-const gallery::SceneRegistration registration({ "time-mug", "3.25",
-  "Heat that spreads in a mug over eleven time steps",
-  "Real data: where two fields in the wall of a mug, heated at its bottom, are from 0.3 to 0.5, "
-  "over all times between eleven steps, blue for the first and red for the last. What is diffused "
-  "rises evenly; what is convected is carried to one side, where it comes early to the rim.",
-  { "mug.ex2" }, &Build });
+const gallery::SceneRegistration registration(
+  { "time-mug", "3.25", "Heat that spreads in a mug over eleven time steps",
+    "Simulation data: the region where two fields in the wall of a mug, heated at its bottom, are "
+    "from 0.3 to 0.5, over all times between eleven steps, from blue (first) to red (last). The "
+    "diffused quantity rises evenly. The convected quantity is carried to one side, where it "
+    "reaches the rim early.",
+    { "mug.ex2" }, &Build });

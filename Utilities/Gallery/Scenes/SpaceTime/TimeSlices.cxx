@@ -36,15 +36,14 @@ void Build(gallery::Stage& stage)
   {
     gallery::Panel& panel = stage.AddPanel(captions[i], { 0.55, -1.0, 1.0 });
     panel.Add(gallery::MakeActor(gallery::MakeSurface(stage.Slice(simplices, times[i]), 80.0),
-      gallery::IntervalColour(static_cast<int>(i) + 1)));
+      gallery::IntervalColor(static_cast<int>(i) + 1)));
   }
 }
 
 const gallery::SceneRegistration registration(
   { "time-slices", "3.11", "One interval at two time steps and between them",
-    "A sheet that follows a travelling wave. Its 4-simplices between two time steps, cut at the "
-    "first "
-    "step, midway and at the second: the crests go to the right. Any time between the steps can be "
-    "cut out; nothing is extracted again.",
+    "A sheet that follows a traveling wave. Its 4-simplices between two time steps, sliced at the "
+    "first step, midway and at the second step: the crests move to the right. Slices at any time "
+    "between the steps need no new extraction.",
     {}, &Build });
 }

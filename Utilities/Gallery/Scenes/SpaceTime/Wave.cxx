@@ -22,7 +22,8 @@ namespace
 {
 using namespace gallery;
 
-/// The source's test function, a travelling wave, on its 40 x 20 x 20 points at times 0 and 1.
+/// Returns the test function of the dissertation, a traveling wave, on 40 x 20 x 20 points at times
+/// 0 and 1.
 vtkSmartPointer<vtkAnalyticFieldSource> MakeWave()
 {
   auto wave = vtkSmartPointer<vtkAnalyticFieldSource>::New();
@@ -41,11 +42,11 @@ void BuildWaveInTime(gallery::Stage& stage)
 }
 
 const gallery::SceneRegistration waveInTime(
-  { "wave-in-time", "3.20", "A wave between two time steps, coloured by time",
-    "A sheet between two isovalues that follows a wave, 40 x 20 x 20 points and two time "
-    "steps, over all times between them at once, seen along its crests. Green is where it "
-    "was at first, red where it is at last, yellow where it is half of the time or all of "
-    "it: the wave travels to the right. Colours of different times are added up.",
+  { "wave-in-time", "3.20", "A wave between two time steps, colored by time",
+    "A sheet between two isovalues that follows a wave, on 40 x 20 x 20 points, over all times "
+    "between two time steps, seen along its crests. Green is its position at the first step, red "
+    "at the last, and yellow is covered half of the time or all the time: the wave travels to the "
+    "right. Colors of different times are added.",
     {}, &BuildWaveInTime });
 
 void BuildTimeBoundaries(gallery::Stage& stage)
@@ -70,15 +71,15 @@ void BuildTimeBoundaries(gallery::Stage& stage)
     panel.Add(volume);
     panel.Add(
       gallery::MakeActor(gallery::MakeSurface(gallery::MakeTimeBoundary(interval, { kind })),
-        gallery::IntervalColour(0)));
-    stage.SetColourBar("time", volume->GetProperty()->GetRGBTransferFunction(), 0.0, 1.0);
+        gallery::IntervalColor(0)));
+    stage.SetColorBar("time", volume->GetProperty()->GetRGBTransferFunction(), 0.0, 1.0);
   }
 }
 
-const gallery::SceneRegistration timeBoundaries({ "time-boundaries", "3.27",
-  "Four isosurfaces that bound a time-varying interval volume",
-  "A sheet that follows a travelling wave, f from -0.15 to 0.15, at all times between two steps, "
-  "green to red. Each panel highlights one of its boundaries: the lower or the upper isosurface at "
-  "the first or the last time. They come with the volume in the same pass.",
-  {}, &BuildTimeBoundaries });
+const gallery::SceneRegistration timeBoundaries(
+  { "time-boundaries", "3.27", "Four isosurfaces that bound a time-varying interval volume",
+    "A sheet that follows a traveling wave, f from -0.15 to 0.15, at all times between two steps, "
+    "green to red. Each panel highlights one of its boundaries: the lower or the upper isosurface "
+    "at the first or the last time. The same pass extracts them and the volume.",
+    {}, &BuildTimeBoundaries });
 }

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_InteriorCellFilter_h
+#define interlume_InteriorCellFilter_h
+
+#include "Common/GridCells.h"
+#include "Grid/CellCorners.h"
+
+#include "vtkDataSet.h"
+#include "vtkSmartPointer.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <vector>
+
+class vtkDataArray;
+
+namespace interlume
+{
+
+/**
+ * Input and result of a pass that copies interior cells. The result of a pass is the input of the
+ * pass for the next criterion.
+ */
+struct InteriorCellPass
+{
+  /// A mark per point of the first pass's input, 0 if a criterion excludes the point; empty without
+  /// criteria.
+  std::vector<unsigned char> Points;
+  /// First interior cell in the output of the previous pass, which ends with the interior cells; -1
+  /// in the first pass.
+  vtkIdType First = -1;
+  /// For each boundary triangle, the interior cell of the same output that it is a face of, or -1;
+  /// empty if no triangle is a face of an interior cell.
+  std::vector<vtkIdType> TriangleInteriorCells;
+
+  /// Excludes the points outside a criterion. Call it once per criterion.
+  void Exclude(vtkDataArray* array, double lower, double upper);
+};
+
+/**
+ * @class   InteriorCellFilter
+ * @brief   selects input cells that may be copied as interior cells
+ *
+ * A further pass receives the interior cells of the previous pass unchanged and copies them, since
+ * they satisfy all criteria.
+ */
+class InteriorCellFilter
+{
+public:
+  /**
+   * \a original is the input of the filter. If its polyhedra were replaced by cells with isotables,
+   * \a originals contains the original cell of each replacement; otherwise it is null.
+   */
+  InteriorCellFilter(
+    vtkDataSet* original, const std::vector<vtkIdType>* originals, const InteriorCellPass& pass);
+
+  /// Returns whether a cell was an interior cell in the previous pass.
+  bool IsPassed(vtkIdType cell) const { return cell >= this->FirstPassed; }
+  vtkIdType GetFirstPassed() const { return this->FirstPassed; }
+
+  /// Returns whether cells with this point may be interior.
+  bool MayHave(vtkIdType point) const { return !this->Marks || this->Marks[point] != 0; }
+
+  /// The following functions describe cells that replace polyhedra.
+  vtkDataSet* GetOriginal() const { return this->Original; }
+  bool HasParts() const { return this->Types != nullptr; }
+  vtkIdType GetOriginal(vtkIdType cell) const { return (*this->Originals)[cell]; }
+  unsigned char GetOriginalType(vtkIdType cell) const
+  {
+    return this->Types->GetValue(this->GetOriginal(cell));
+  }
+  bool IsPart(vtkIdType cell) const
+  {
+    return this->HasParts() &&
+      CellCorners::Of(this->GetOriginalType(cell)).Kind == CellCorners::POLYHEDRAL;
+  }
+  /// Returns the cell after the last one that replaces the same polyhedron.
+  vtkIdType GetEndOfParts(vtkIdType cell) const;
+  bool IsFirstPart(vtkIdType cell) const
+  {
+    return cell == 0 || this->GetOriginal(cell - 1) != this->GetOriginal(cell);
+  }
+
+private:
+  vtkDataSet* Original;
+  const std::vector<vtkIdType>* Originals;
+  // Types of the original cells, if some were replaced.
+  vtkSmartPointer<GridCells::Types> Types;
+  const unsigned char* Marks;
+  vtkIdType FirstPassed;
+};
+
+}
+
+#endif

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_ScatteredLightMaps_h
+#define interlume_ScatteredLightMaps_h
+
+#include "Scattering/ScatteredLight.h"
+
+#include <vector>
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+
+namespace interlume
+{
+
+class ExtinctionGrid;
+
+/**
+ * @class   ScatteredLightMaps
+ * @brief   scattered light per grid cell, in the layout of a 3D texture
+ *
+ * Maps are stacked along z and have one texel per cell: Fluence, NetFlux in the axes of unit space,
+ * and Forward of each light. Outside the outermost cell centers, values are clamped. This matches
+ * the boundary condition of the solver.
+ */
+struct ScatteredLightMaps
+{
+  ScatteredLightMaps(const ExtinctionGrid& grid, const ScatteredLight& field);
+
+  /// Four floats per texel, the last one 0. Software OpenGL reads four floats faster than three.
+  std::vector<float> Texels;
+  /// Number of texels of one map.
+  glm::ivec3 Nodes{ 0 };
+  /// Transform from unit space to texel indices.
+  glm::dmat4 NodeFromUnit{ 1.0 };
+};
+
+}
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_LightBufferProjection_h
+#define interlume_LightBufferProjection_h
+
+#include "Common/Vectors.h"
+#include "Plan/SlicePlan.h"
+#include "Space/BoxCorners.h"
+
+#include <array>
+#include <vector>
+
+namespace interlume
+{
+
+/**
+ * @class   LightBufferProjection
+ * @brief   size and projection of a light buffer
+ *
+ * A planar buffer is a rectangle around all boxes, with an edge parallel to the projection of one
+ * of the boxes' edges; the smallest such rectangle is used. A border of Border texels lets
+ * interpolation at the edge read valid texels. For a projective light, the rectangle of its screen
+ * is used if that is smaller. The buffer of a wide light is the octahedral map of a half space.
+ */
+class LightBufferProjection
+{
+public:
+  /// Width of the border on each side, in texels.
+  static constexpr int Border = 2;
+  /// Minimum distance at which a positional light is fitted as a directional light. In single
+  /// precision there is no difference.
+  static constexpr double FarDistance = 1e8;
+  /// Maximum number of texels per voxel in an automatic buffer. A light with layers gets this
+  /// number if the frame has two pixels per texel, and a light in a dense medium if the frame has
+  /// one pixel per texel. Other lights have one texel per voxel.
+  static constexpr double LargestFineness = 1.5;
+
+  LightBufferProjection(const BoxCorners& corners,
+    const std::vector<SlicePlan::SlicedVolume>& volumes, const SlicePlan::Settings& settings);
+
+  /// Fits a planar buffer around the boxes.
+  void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light) const;
+  /// Plans the soft shadows of an area light with the method of the settings, after FitPlane.
+  /// Returns false and leaves the shadows hard if slices normal to \a normal are seen edge-on from
+  /// part of the emitter.
+  bool PlanSoftShadows(
+    const LightSource& source, const glm::dvec3& normal, SlicePlan::ShadowedLight& light) const;
+  /// Refines an automatic buffer after FitPlane, for surfaces whose opacity ramps are as narrow as
+  /// its texels.
+  void Refine(const LightSource& source, SlicePlan::ShadowedLight& light) const;
+  /// Fits the buffer of a wide light at \a position to the half space that \a normal points into.
+  void FitHalfSpace(
+    const glm::dvec3& normal, const glm::dvec3& position, SlicePlan::ShadowedLight& light) const;
+
+private:
+  /// Axes of a plane and a rectangle in it. For positional lights, coordinates in the plane are
+  /// tangents.
+  struct Window
+  {
+    bool IsPerspective = false;
+    glm::dvec3 Origin{ 0.0, 0.0, 0.0 };
+    glm::dvec3 Axis{ 0.0, 0.0, 1.0 };
+    std::array<glm::dvec3, 2> Across{};
+    std::array<std::array<double, 2>, 2> Range{};
+  };
+
+  static double GetArea(const Window& window);
+  bool Bound(Window& window) const;
+  Window FitBox(const LightSource& source) const;
+  bool FitScreen(const LightSource& source, Window& window) const;
+  int GetSize(double texels, int smallest) const;
+  /// Fits a planar buffer. An automatic buffer has \a fineness texels per voxel and a size of at
+  /// least \a smallest.
+  void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light, double fineness,
+    int smallest) const;
+  /// Returns the minimum length of a voxel along \a direction over all volumes. \a extent is the
+  /// extent of a buffer. If it is not 0, an axis is ignored if the entire volume is thinner along
+  /// it than one texel of the largest automatic buffer. Otherwise extremely flat voxels would
+  /// require the largest buffer and still not be resolved.
+  double GetVoxelSpacing(const glm::dvec3& direction, double extent) const;
+
+  const BoxCorners& Corners;
+  const std::vector<SlicePlan::SlicedVolume>& Volumes;
+  const SlicePlan::Settings& Settings;
+  const glm::dvec3 Center;
+};
+
+}
+
+#endif

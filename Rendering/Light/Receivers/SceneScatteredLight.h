@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_SceneScatteredLight_h
+#define interlume_SceneScatteredLight_h
+
+#include "Receivers/ScatteredLightTexture.h"
+
+#include <string>
+#include <vector>
+
+class vtkShaderProgram;
+
+namespace interlume
+{
+
+/**
+ * @class   SceneScatteredLight
+ * @brief   irradiance of surfaces from light scattered by volumes, for shaders of VTK's mappers
+ *
+ * The shaders add the following irradiance, times the diffuse color, to the diffuse light of a
+ * surface with normal n. The first part is the irradiance of the half space in front of the
+ * surface, from the first two moments of the scattered light:
+ *   E = integral over directions w, dot(w, n) < 0, of phi / (4 pi) (1 + 3 dot(f, w)) (-dot(w, n))
+ *     = phi (1/4 - dot(f, n) / 2),
+ * where phi is Fluence and f is NetFlux of ScatteredLight. A light of color 1 that shines along -n
+ * has an irradiance of 1 in these units. The second part is F max(-dot(n, l), 0) for each light,
+ * where F is its forward-scattered light in the direction l.
+ *
+ * If there are blocked cells, both parts are sampled in front of the surface, at a distance of 1.5
+ * (|n.x| + |n.y| + |n.z|) cells with n in the axes of the cells. Cells that the surface itself
+ * blocks do not contribute to samples there.
+ *
+ * Outside the volume's box, this is an estimate. phi, f and F are sampled at the nearest position u
+ * of the box, at distance d. At a distance of one cell or more, n in dot(f, n) is replaced by the
+ * direction to u, and E is multiplied by s mix(max(c, 0), (1 + c) / 2, s). Here c is the cosine
+ * between n and the direction to u. s = R^2 / (R^2 + d^2) is the form factor of a disk as large as
+ * the box's largest face, seen from its axis. Occlusion between the surface and u is ignored. The
+ * estimate may exceed the light from the volume, in particular for isotropic scattering.
+ */
+class SceneScatteredLight
+{
+public:
+  /// Sets the scattered light of a frame. The textures remain valid until the next frame.
+  void Set(const std::vector<ScatteredLightTexture>& fields) { this->Fields = fields; }
+  /// Clears the textures, so that there is no scattered light. The source does not change.
+  void ClearTextures();
+  bool IsEmpty() const { return this->Fields.empty(); }
+  const std::vector<ScatteredLightTexture>& Get() const { return this->Fields; }
+
+  /// Returns the GLSL function `sceneScattered(place, normal)`, in view coordinates. Returns an
+  /// empty string without scattered light.
+  std::string GetSource() const;
+  /// Sets the uniforms. If \a isLit is false, there is no scattered light. Otherwise the textures
+  /// must be active.
+  void SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromView, bool isLit) const;
+
+private:
+  std::vector<ScatteredLightTexture> Fields;
+};
+
+}
+
+#endif

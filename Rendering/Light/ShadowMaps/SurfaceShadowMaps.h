@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef interlume_SurfaceShadowMaps_h
+#define interlume_SurfaceShadowMaps_h
+
+#include "ShadowMaps/ShadowMapView.h"
+#include "ShadowMaps/PropDepths.h"
+#include "ShadowMaps/ShadowMapAtlas.h"
+#include "Common/Error.h"
+
+#include "vtkNew.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkOpenGLCamera;
+class vtkOpenGLRenderWindow;
+class vtkProp;
+class vtkRenderer;
+class vtkShaderProgram;
+class vtkTextureObject;
+class vtkWindow;
+
+namespace interlume
+{
+
+/**
+ * @class   SurfaceShadowMaps
+ * @brief   shadow maps of opaque surfaces: one depth map per view, in tiles of one texture
+ *
+ * The maps are redrawn only if the lights, props or resolution have changed.
+ */
+class SurfaceShadowMaps
+{
+public:
+  SurfaceShadowMaps();
+  ~SurfaceShadowMaps();
+
+  /**
+   * Draws the maps of all views. \a bias is DepthBias of vtkShadowedScenePass. Returns an error if
+   * the GPU runs out of memory.
+   */
+  Error Draw(vtkRenderer* renderer, const std::vector<ShadowMapView>& views,
+    const std::vector<vtkProp*>& props, int resolution, double bias);
+  /// Returns the number of maps that the last Draw rendered, or 0 if nothing had changed.
+  int GetDrawn() const { return this->Drawn; }
+  /// Returns the largest resolution at which \a views maps fit into a texture with at most \a
+  /// maximum columns, within the limit of the GPU.
+  static int GetLargestResolution(int views, int maximum);
+
+  vtkTextureObject* GetTexture() const { return this->Depths.GetTexture(); }
+  vtkIdType GetBytes() const { return this->Depths.GetBytes(); }
+  const ShadowMapAtlas& GetTiles() const { return this->Tiles; }
+
+  /// Returns the macros of a shader that reads the maps with InterlumeSceneShadowMaps.glsl.
+  std::string GetFeatures() const;
+  /// Sets the uniforms of a program with this shader. \a worldFromPosition transforms the program's
+  /// positions to world coordinates. The texture must be active.
+  void SetUniforms(vtkShaderProgram* program, const glm::dmat4& worldFromPosition) const;
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  PropDepths Depths;
+  vtkNew<vtkOpenGLCamera> Camera;
+  ShadowMapAtlas Tiles;
+  int Drawn = 0;
+  /// State of views and props at the last update.
+  std::vector<double> State;
+};
+
+}
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ShadowImage_h
+#define ShadowImage_h
+
+#include "Support/Images/RgbaImage.h"
+#include "Support/Images/ShadowScene.h"
+
+class vtkRenderWindow;
+class vtkShadowedSliceMapper;
+
+namespace reference
+{
+
+class VolumeStage;
+
+/// Sets the image, array, shadow, transmission, cropping and clipping settings of a scene on a
+/// mapper.
+void Configure(vtkShadowedSliceMapper* mapper, const ShadowScene& scene);
+
+/// Configures the mapper and adds the scene to the stage.
+void SetScene(VolumeStage& stage, vtkShadowedSliceMapper* mapper, const ShadowScene& scene);
+
+/// Configures the mapper and returns a floating-point rendering of the scene.
+RgbaImage DrawByMapper(vtkShadowedSliceMapper* mapper, const ShadowScene& scene);
+
+/// Renders the window and returns its 8-bit pixels, with alpha 1.
+RgbaImage ReadWindow(vtkRenderWindow* window);
+
+}
+
+#endif

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CameraSettings_h
+#define CameraSettings_h
+
+#include "vtkSmartPointer.h" // for the results
+
+#include <array>  // for vectors
+#include <vector> // for nodes
+
+class vtkCamera;
+class vtkUnstructuredGrid;
+class vtkVolumeProperty;
+
+/**
+ * Cameras and transfer functions of renderings that are compared with a reference.
+ */
+namespace reference
+{
+
+using Point3 = std::array<double, 3>;
+
+/// Returns a camera that looks along \a direction at the center of the grid, which fills most of a
+/// square image. The clipping range encloses the grid.
+vtkSmartPointer<vtkCamera> LookAt(
+  vtkUnstructuredGrid* grid, const Point3& direction, bool parallel);
+/// Returns a camera that looks along \a direction at a sphere, as for a grid.
+vtkSmartPointer<vtkCamera> LookAt(
+  const Point3& center, double radius, const Point3& direction, bool parallel);
+
+/// A node of the color and the opacity transfer function.
+struct FunctionNode
+{
+  double X;
+  Point3 Color;
+  double Opacity;
+};
+
+/// Returns a property with piecewise linear transfer functions and without shading.
+vtkSmartPointer<vtkVolumeProperty> MakeProperty(
+  const std::vector<FunctionNode>& nodes, double unitDistance = 1.0);
+
+/// Returns a color ramp from blue at 0 to yellow at 1, with an opacity that rises from low to high.
+vtkSmartPointer<vtkVolumeProperty> MakeRamp(double low, double high, double unitDistance = 1.0);
+
+}
+
+#endif

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ReferenceFunction_h
+#define ReferenceFunction_h
+
+#include <array>  // for colors
+#include <vector> // for nodes
+
+class vtkColorTransferFunction;
+class vtkPiecewiseFunction;
+
+namespace reference
+{
+
+/**
+ * @class   StraightFunction
+ * @brief   piecewise linear transfer function in double precision
+ *
+ * The values are colors. An opacity function has three equal components. Two nodes may have the
+ * same position, where the function jumps.
+ */
+class StraightFunction
+{
+public:
+  using Value = std::array<double, 3>;
+
+  StraightFunction() = default;
+  /// Throw std::invalid_argument if the function is not piecewise linear: midpoints and sharpness
+  /// other than VTK's defaults, a color space other than RGB, a logarithmic scale.
+  explicit StraightFunction(vtkColorTransferFunction* function);
+  explicit StraightFunction(vtkPiecewiseFunction* function);
+
+  /// Appends the positions strictly between 0 and 1 where an argument that changes linearly from \a
+  /// begin to \a end passes a node.
+  void AppendNodes(double begin, double end, std::vector<double>& positions) const;
+
+  /// Evaluates at \a x the linear piece that contains \a inside.
+  Value Evaluate(double x, double inside) const;
+  Value Evaluate(double x) const { return this->Evaluate(x, x); }
+
+private:
+  struct Node
+  {
+    double X;
+    Value Y;
+  };
+
+  std::vector<Node> Nodes;
+  bool Clamping = true; ///< if true, constant outside the nodes, otherwise 0 there
+};
+
+}
+
+#endif

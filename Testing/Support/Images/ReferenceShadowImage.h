@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ReferenceShadowImage_h
+#define ReferenceShadowImage_h
+
+#include "Support/Images/RgbaImage.h" // for the image
+
+namespace reference
+{
+
+struct ShadowScene;
+
+/**
+ * Renders one volume by MakeMixedImage() as documented for vtkShadowedSliceMapper. The scene's
+ * opaque distances replace its actors.
+ */
+RgbaImage MakeShadowImage(const ShadowScene& scene, int refinement = 1);
+
+}
+
+#endif

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef VolumeStage_h
+#define VolumeStage_h
+
+#include "Support/Images/RgbaImage.h" // for images
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h" // for lights
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkAbstractVolumeMapper;
+class vtkActor;
+class vtkCamera;
+class vtkFramebufferPass;
+class vtkLight;
+class vtkRenderPass;
+class vtkRenderer;
+class vtkRenderWindow;
+class vtkVolume;
+class vtkVolumeProperty;
+
+namespace reference
+{
+
+/**
+ * @class   VolumeStage
+ * @brief   off-screen window with one volume on a black, transparent background
+ *
+ * Capture() renders to a framebuffer of 32-bit floats, so the output of a mapper is not rounded.
+ * Mappers may round internally: vtkUnstructuredGridVolumeRayCastMapper and
+ * vtkUnstructuredGridVolumeZSweepMapper compute 8-bit images with an error of 1/510 at best.
+ * vtkProjectedTetrahedraMapper blends in a floating-point framebuffer, but interpolates 8-bit
+ * colors and samples the opacity from a table.
+ */
+class VolumeStage
+{
+public:
+  explicit VolumeStage(const std::array<int, 2>& size);
+  ~VolumeStage();
+  VolumeStage(const VolumeStage&) = delete;
+  VolumeStage& operator=(const VolumeStage&) = delete;
+
+  void SetVolume(vtkAbstractVolumeMapper* mapper, vtkVolumeProperty* property);
+  vtkVolume* GetVolume();
+  void AddActor(vtkActor* actor);
+  /// Sets the lights. No other light is created. Headlights and camera lights follow the camera.
+  void SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights);
+  /// Sets the camera, including its clipping range.
+  void SetCamera(vtkCamera* camera);
+  /// Sets the pass that Capture() renders with. The default renders lights, opaque props and
+  /// volumes in sequence.
+  void SetPass(vtkRenderPass* pass);
+  vtkRenderer* GetRenderer();
+  vtkRenderWindow* GetWindow();
+
+  /// Renders to the window's framebuffer and waits until the frame is complete.
+  void Render();
+  /// Renders \a frames frames to a floating-point framebuffer and returns the last one. VTK's
+  /// mappers require two frames: vtkProjectedTetrahedraMapper omits the first thousand cells of its
+  /// first frame. After Render(), that mapper draws over its previous frame, so use a separate
+  /// stage and mapper for Capture().
+  RgbaImage Capture(int frames = 2);
+  /// Returns OpenGL's name of the renderer. Renders once.
+  std::string GetDevice();
+
+private:
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkFramebufferPass> Pass;
+};
+
+}
+
+#endif

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef VortexFractions_h
+#define VortexFractions_h
+
+#include "Benchmarks/SpaceTime/Interval4dCases.h"
+
+namespace interval4d
+{
+/**
+ * The region f >= c of the field VORTEX at times 0 and 1 on points^3 points. c is chosen so that a
+ * given fraction of the points is inside at time 0. This varies the size of the output on a fixed
+ * grid.
+ */
+class VortexFractions
+{
+public:
+  explicit VortexFractions(int points);
+
+  /// Chooses c. Returns false without a change if no point would be inside.
+  bool SetFraction(double fraction);
+  const Case& Get() const { return this->What; }
+
+private:
+  Case What;
+  /// Values of the first step in descending order.
+  std::vector<double> Values;
+};
+}
+
+#endif

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef GalleryImage_h
+#define GalleryImage_h
+
+#include "vtkImageData.h"
+#include "vtkRenderWindow.h"
+#include "vtkSmartPointer.h"
+
+/**
+ * Images in memory: RGB, unsigned char, lower left pixel first.
+ */
+namespace gallery
+{
+/**
+ * Creates an off-screen window without multisampling.
+ */
+vtkSmartPointer<vtkRenderWindow> MakeWindow(int width, int height);
+
+/**
+ * Keeps a connection to the display open. A virtual X server resets when its last client
+ * disconnects, and rejects windows that are opened meanwhile. Programs that open several windows
+ * one after the other should create one such object first.
+ */
+class DisplayHold
+{
+public:
+  DisplayHold();
+
+private:
+  vtkSmartPointer<vtkRenderWindow> Window;
+};
+
+/**
+ * Renders the window and returns its image.
+ */
+vtkSmartPointer<vtkImageData> GrabImage(vtkRenderWindow* window);
+
+/**
+ * Copies \a part into \a whole with its lower left pixel at (left, bottom). It must fit.
+ */
+void Paste(vtkImageData* whole, vtkImageData* part, int left, int bottom);
+
+/**
+ * Returns the image reduced by \a factor. Each pixel is the mean of factor x factor pixels.
+ */
+vtkSmartPointer<vtkImageData> AverageDown(vtkImageData* large, int factor);
+}
+
+#endif
