@@ -11,7 +11,7 @@ import re
 import sys
 from pathlib import Path
 
-HEAD = """| program | system | tests passed, failed, skipped | of these pictures passed | run on |
+HEAD = """| program | system | tests passed, failed, skipped | of these, images passed | run on |
 | --- | --- | --- | --- | --- |
 """
 
