@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Renders adjacent intervals of one array into a PNG file. The last interval is opaque, all others
+// Renders adjacent intervals of one array into a PNG file. The last interval is opaque, the others
 // are translucent.
 //
 //   IntervalsToPicture hydrogen_orbital.vti probability_density orbital.png 0.04 0.12 0.3 1
@@ -70,8 +70,8 @@ int main(int argc, char* argv[])
     actor->GetProperty()->SetColor(
       0.2 + 0.75 * fraction, 0.45 + 0.25 * fraction, 0.7 - 0.45 * fraction);
     actor->GetProperty()->SetOpacity(i == count - 1 ? 1.0 : 0.3);
-    // Adjacent intervals share a surface. Culling back faces draws each side of it for one interval
-    // only.
+    // Adjacent intervals share a surface. With culled back faces, each side of that surface is
+    // drawn for only one of them.
     actor->GetProperty()->BackfaceCullingOn();
     renderer->AddActor(actor);
   }

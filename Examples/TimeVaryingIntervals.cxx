@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Extracts the region and the duration for which an array of an Exodus file is between two values,
-// over all its time steps. Writes the tetrahedra with their time extents, and renders them colored
-// by time.
+// Extracts where, and for how long, an array of an Exodus file is between two values, over all time
+// steps of the file. Writes the tetrahedra with their time extents, and renders them colored by
+// time.
 //
 //   TimeVaryingIntervals mug.ex2 diffused 0.3 0.5 spread.vtu spread.png
 
@@ -132,7 +132,8 @@ int main(int argc, char* argv[])
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writer->SetInputData(tetrahedra);
   writer->SetFileName(argv[5]);
-  // A view ray along the diagonal that is always inside the interval has an optical depth of 80.
+  // If the interval contains all values at all times, a view ray along the diagonal has an optical
+  // depth of 80.
   const double extinction = 80.0 / (tetrahedra->GetLength() * (allTimes.back() - allTimes.front()));
   const bool isDrawn = Draw(MakeVolume(tetrahedra, allTimes, extinction), argv[6]);
   return writer->Write() && isDrawn ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Lets the user paint on the inflow of a flow, and shows the paint advected through the volume. The
-// image is a PNG file. If it exists, it is loaded first.
+// painted image is saved as a PNG file. If the file exists, it is loaded first.
 //
 //   InflowPainter post.vts Velocity paint.png
 //   InflowPainter post.vts Velocity paint.png --points 96 --record events.log
@@ -107,7 +107,7 @@ int main(int argc, char* argv[])
     std::cerr << argv[1] << " does not contain a dataset.\n";
     return EXIT_FAILURE;
   }
-  // This surface places itself on the inflow.
+  // This surface finds the inflow of the field by itself.
   vtkNew<vtkTerminationInflow> inflow;
   vtkNew<vtkImplicitFlowField> filter;
   filter->SetInputConnection(reader->GetOutputPort());

@@ -20,8 +20,8 @@ public:
 
   struct Brush
   {
-    /// Radius in pixels. Pixels whose center is within half a pixel of the brush's edge are partly
-    /// covered.
+    /// Radius in pixels. Pixels whose centers are within half a pixel of the brush's edge are
+    /// partly covered.
     double Radius = 14.0;
     /// Red, green, blue and opacity, 0 to 1. Opacity 0 erases.
     std::array<double, 4> Color{ { 0.9, 0.13, 0.13, 0.7 } };
@@ -38,8 +38,8 @@ public:
   void SaveState();
   /// Restores the last saved state. Returns false if no state is saved.
   bool Undo();
-  /// Paints along a line with the color and opacity of the brush. Repeated strokes do not
-  /// accumulate.
+  /// Paints along a line. Covered pixels get the color and opacity of the brush, so repeated
+  /// strokes do not accumulate.
   void Stroke(const Position& from, const Position& to, const Brush& brush);
   void Clear();
 
@@ -56,7 +56,7 @@ private:
   /// Maximum number of steps that can be undone.
   static constexpr std::size_t MaximumSteps = 50;
 
-  /// Updates the page after the paint changed in the given columns and rows, inclusive.
+  /// Copies the given columns and rows of the paint, both bounds included, to the page.
   void Touch(int firstColumn, int lastColumn, int firstRow, int lastRow);
   void TouchAll();
 

@@ -30,13 +30,14 @@ class PainterWindow
 {
 public:
   /**
-   * \a flow is an image with the arrays of vtkImplicitFlowField. \a surface is the termination
-   * surface to paint on; it must be up to date. The page has \a columns x \a rows pixels.
+   * \a flow is an image with the output arrays of vtkImplicitFlowField. \a surface is the
+   * termination surface to paint on; it must be up to date. The page has \a columns x \a rows
+   * pixels.
    */
   PainterWindow(vtkImageData* flow, vtkTerminationSurface* surface, int columns, int rows);
   ~PainterWindow();
 
-  /// Sets the file for the keys s and l. Default: paint.png.
+  /// Sets the file that the keys s and l save and load. Default: paint.png.
   void SetFile(const std::string& file) { this->File = file; }
 
   vtkRenderWindow* GetWindow() const { return this->Window; }
@@ -58,7 +59,7 @@ public:
   void EndStroke() { this->Painting = false; }
   /// Handles a key. Returns false if the key has no function.
   bool HandleKey(char key);
-  /// Renders the flow at reduced resolution during interaction.
+  /// If \a isCoarse is true, renders the flow at reduced resolution, for interaction.
   void SetCoarse(bool isCoarse);
   ///@}
 
@@ -74,7 +75,7 @@ private:
     double upper, double value);
   PaintCanvas::Position FindCanvasPosition(int x, int y) const;
   void ReadSliders();
-  /// Updates the sliders to the state of the brush.
+  /// Sets the brush to the color of \a hue, unless it is negative, and updates the sliders.
   void ShowBrush(double hue);
 
   vtkNew<vtkRenderer> Left;

@@ -18,7 +18,7 @@ mug = OpenDataFile(data)
 mug.UpdatePipeline()
 over_time = TimeVaryingIntervalVolume(Input=mug, Scalars=["POINTS", "convected"])
 over_time.Intervals = [0.5, 1.0]
-over_time.GenerateSimplices = 1  # the input of the time slices
+over_time.GenerateSimplices = 1  # the time slices are computed from these
 
 start, end = mug.TimestepValues[0], mug.TimestepValues[-1]
 for index, fraction in enumerate((0.2, 0.4, 0.7, 1.0)):

@@ -31,7 +31,7 @@ display = Show(colored, view)
 ColorBy(display, ("POINTS", "Temp"))
 colors = GetColorTransferFunction("Temp")
 colors.ApplyPreset("Cool to Warm (Extended)", True)
-colors.RescaleTransferFunction(0, 950)  # cold gas has 293 K
+colors.RescaleTransferFunction(0, 950)  # cold gas has a temperature of 293 K
 view.CameraPosition, view.CameraFocalPoint, view.CameraViewUp = [0.35, -1, 0.3], [0, 0, 0], [0, 0, 1]
 ResetCamera(view)
 view.GetActiveCamera().Zoom(1.1)

@@ -200,7 +200,7 @@ class Stage:
 
 
 def dot(vectors, axis):
-    # The order of the sum is fixed, because images must be bit-identical.
+    # The order of the summands is fixed, because images must be bit-identical.
     return vectors[..., 0] * axis[0] + vectors[..., 1] * axis[1] + vectors[..., 2] * axis[2]
 
 

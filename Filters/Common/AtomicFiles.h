@@ -80,8 +80,8 @@ inline bool CanWrite(const std::string& fileName)
   return can;
 }
 
-/// Returns the last line of a sealed file: a comment with the digest of the first \a bytes bytes.
-/// Returns an empty string if the file is shorter.
+/// Computes the last line that a sealed file must have: a comment with the digest of the first \a
+/// bytes bytes. Returns an empty string if the file is shorter than \a bytes.
 inline std::string GetLastLine(const std::string& fileName, std::uintmax_t bytes)
 {
   std::ifstream file(GetPath(fileName), std::ios::in | std::ios::binary);

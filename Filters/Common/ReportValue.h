@@ -23,7 +23,7 @@ namespace interlume
  *
  * Values are numbers, text, and C arrays, std::array and std::vector of these. A ReportValue refers
  * to its value and must not outlive it. Arrays of the report are reused, since creating them takes
- * noticeable time if the data is small.
+ * noticeable time in filters with small inputs.
  */
 class ReportValue
 {

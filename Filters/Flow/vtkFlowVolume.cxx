@@ -85,7 +85,7 @@ void AddIds(vtkUnstructuredGrid* mesh, const char* name, vtkIntArray* items, con
   mesh->GetCellData()->AddArray(ids);
 }
 
-// Restores the arrays whose values must not be interpolated.
+// Restores the status and id arrays, whose values must not be interpolated.
 void RestorePointArrays(vtkUnstructuredGrid* mesh)
 {
   const vtkIdType number = mesh->GetNumberOfPoints();

@@ -41,8 +41,8 @@ struct FlowVolumeReport;
  * Skipped cells, most of which the report counts:
  * - Cells with corners of different FlowStatus or TerminationId, and cells on a seam where the
  *   mapping is discontinuous. A cell is on a seam if its parameters differ by more than half a
- *   period. On other seams (InflowPeriodic; all seams without Inflow) parameters are unwrapped on
- *   duplicated points and exceed 1. Polyhedra on seams are skipped.
+ *   period. On seams where the mapping is continuous (InflowPeriodic; all seams without Inflow),
+ *   parameters are unwrapped on duplicated points and exceed 1. Polyhedra on seams are skipped.
  * - Cells in which time jumps on a termination surface. If the input has far-side samples, such
  *   cells, and cells whose corners differ only because a surface crosses them, are cut at the
  *   surface, and each side is extracted separately.
@@ -52,8 +52,8 @@ struct FlowVolumeReport;
  *
  * Output port 0: tetrahedra with the input's arrays except TerminationSide, and the cell arrays
  * `IntervalId` (int: interval of Inflow; 0 without intervals) and `TimeIntervalId` (int: the
- * TimeSurfaceId at the lower end of the cell's times). Stream and time surfaces are faces of
- * tetrahedra, so no cell lies on both sides of one.
+ * TimeSurfaceId at the lower end of the cell's times). Stream and time surfaces consist of faces of
+ * tetrahedra, so no tetrahedron crosses a surface.
  *
  * Output port 1: triangles of stream surfaces, at the interval bounds and at StreamSurfaces. Cell
  * arrays: `StreamSurfaceId` (int: index of the surface's value in the ascending list of all values)

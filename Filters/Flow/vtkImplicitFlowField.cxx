@@ -311,8 +311,8 @@ int vtkImplicitFlowField::RequestUpdateExtent(
   {
     field->Set(Pipeline::UPDATE_EXTENT(), field->Get(Pipeline::WHOLE_EXTENT()), 6);
   }
-  // Ghost levels: samples at the field's points may be requested outside the partition, with their
-  // arrays.
+  // With ghost levels, the output has samples at points of the field outside the partition, with
+  // their arrays.
   const int levels =
     outputs->GetInformationObject(0)->Get(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS());
   field->Set(
@@ -405,7 +405,7 @@ struct vtkImplicitFlowField::Execution
   interlume::AdvectionOptions Options;
 
   interlume::Error Error;
-  /// Reason why each of several processes holds the whole field.
+  /// Reason why every process holds the whole field.
   interlume::Error PartitionError;
   /// Null unless the field is distributed.
   std::unique_ptr<interlume::DistributedField> Ranks;
@@ -491,7 +491,7 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FindField(Execution& executi
   {
     return Outcome::COMPLETE;
   }
-  // One piece of several may be empty.
+  // An empty piece of several does not need a warning.
   if (interlume::OutputPiece::IsEntireOutput(execution.GetOutputInformation()))
   {
     vtkWarningMacro(
@@ -526,7 +526,7 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::PrepareSamples(Execution& ex
   }
   execution.Error =
     this->SetSamples(execution).Then([&] { return this->PlaceSurfaces(execution); });
-  // Each process reports its error.
+  // Here every process reports only its own error.
   const bool hasError(execution.Error);
   return (ranks ? ranks->GetExchange().IsAnywhere(hasError) : hasError) ? Outcome::FAILED
                                                                         : Outcome::COMPLETE;
@@ -624,7 +624,7 @@ bool vtkImplicitFlowField::MustRequestWholeField(vtkInformation* request, interl
     error = this->PartitionError;
     return false;
   }
-  // A process whose input was modified no longer knows the error.
+  // If the input of a process was modified, its stored error is no longer valid.
   const bool isKnown = this->IsPartitionErrorKnown();
   interlume::RankExchange exchange(this->Controller);
   error = exchange.FindFirst(isKnown ? this->PartitionError : std::string());
@@ -905,7 +905,7 @@ void vtkImplicitFlowField::AddSpheres(vtkDataSet* field, interlume::AdvectionOpt
   vtkNew<vtkFlowCriticalPoints> finder;
   finder->SetInputDataObject(field);
   finder->SetInputArrayToProcess(0, this->GetInputArrayInformation(0));
-  // A field without critical points does not need a warning here.
+  // Suppresses the warning about a field without critical points.
   vtkNew<vtkCallbackCommand> silence;
   finder->AddObserver(vtkCommand::WarningEvent, silence);
   finder->Update();

@@ -233,11 +233,11 @@ public:
   ///@{
   /**
    * Maximum advection time, and maximum number of steps per streamline, including rejected ones.
-   * Closed orbits end earlier, with vtkFlowStatus::CLOSED_ORBIT, except within one cell of the
-   * field. For the time, 0 means no limit. For the steps, 0 selects 2000, or 20 times the cube root
-   * of the field's number of cells if that is more. More steps are needed only with an explicit
-   * method in a stiff field, or with a very small MaximumError. Default: 0, 0. Valid: 0 and above;
-   * 0 to 1000000000; clamped.
+   * Streamlines on closed orbits end earlier, with vtkFlowStatus::CLOSED_ORBIT, except on orbits
+   * within one cell of the field. For the time, 0 means no limit. For the steps, 0 selects 2000, or
+   * 20 times the cube root of the field's number of cells if that is more. More steps are needed
+   * only with an explicit method in a stiff field, or with a very small MaximumError. Default: 0,
+   * 0. Valid: 0 and above; 0 to 1000000000; clamped.
    */
   vtkSetClampMacro(MaximumTime, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumTime, double);
@@ -389,8 +389,8 @@ public:
    * - SamplingErrorU, SamplingErrorV, SamplingErrorTime: interpolation error between samples
    *   (SamplingChecks): mean, 99th percentile, largest,
    * - MaximumError, MinimumSpeed: values in use, with automatic values resolved,
-   * - WholeFieldReason: reason why each of several processes holds the whole field; empty
-   *   otherwise.
+   * - WholeFieldReason: reason why every process holds the whole field; empty if the field is
+   *   distributed or there is only one process.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

@@ -74,11 +74,11 @@ public:
    * - Gaussian rings: the sum of amplitude exp(-((r - radius) / width)^2), where r is the distance
    *   from (centerU, centerV) in parameters, measured the short way around in periodic directions.
    *   AddRing adds to the rings of the id;
-   * - the first component of an image over u and v, from 0 at its first to 1 at its last point. It
-   *   is interpolated bilinearly, and repeated in periodic directions or clamped in others. Colors
-   *   (3 or 4 components of unsigned char) are converted to luminance from 0 to 255, 0.30 R + 0.59
-   *   G + 0.11 B. u runs along the first image axis with more than one point. Null removes the
-   *   mapping.
+   * - the first component of an image over u and v, which run from 0 at the first to 1 at the last
+   *   point of each axis. It is interpolated bilinearly, and repeated in periodic directions or
+   *   clamped in others. Colors (3 or 4 components of unsigned char) are converted to luminance
+   *   from 0 to 255, 0.30 R + 0.59 G + 0.11 B. u runs along the first image axis with more than one
+   *   point. Null removes the mapping.
    *
    * Setting one kind replaces a mapping of another kind. Default: the formula "u" for ALL. Valid
    * ids: ALL, and 0 or above. A ring needs a width above 0 and finite numbers. Invalid arguments

@@ -13,9 +13,9 @@
  *
  * Finds points with rotating flow on planes perpendicular to Axis: the velocity in the plane is 0,
  * and its Jacobian in the plane has complex eigenvalues. The filter connects such points from plane
- * to plane, in both directions from the strongest one or from the one nearest to Seed. The zeros
- * are solved for in each cell, as in vtkFlowCriticalPoints, for any grid and axis; the field is not
- * resampled. See Documentation/methods/implicit-flow.md.
+ * to plane, in both directions from the strongest one or from the one nearest to Seed. It solves
+ * for the zeros in each cell, as vtkFlowCriticalPoints does, for any grid and axis; the field is
+ * not resampled. See Documentation/methods/implicit-flow.md.
  *
  * Input: as for vtkFlowCriticalPoints.
  *

@@ -173,7 +173,7 @@ void vtkIntervalVolume::ExtractFrom(vtkDataSet* input, interlume::ExtractionRun&
     {
       grid->Initialize();
     }
-    // Criteria and an abort clear the field data of the outputs.
+    // Restore the field data of the outputs, which criteria or an abort may have cleared.
     grid->GetFieldData()->ShallowCopy(input->GetFieldData());
   }
   if (completed)

@@ -62,10 +62,10 @@ struct InteriorCellPass;
  *
  * Interior cells: with KeepInteriorCells, a cell that lies inside an interval and inside all
  * criteria is copied instead of cut. Port 0 then has the tetrahedra first, followed by these cells,
- * both in input order. Images and rectilinear grids give voxels, or hexahedra if the image is
- * rotated. A copied cell has quadrilateral faces where its cut neighbor has two triangles. A face
- * that is not planar may leave a gap or an overlap there; see NonPlanarFaces of GetReport().
- * vtkTimeWeightedTetrahedraMapper accepts tetrahedra only.
+ * both in input order. Interior cells of image data and rectilinear grids are voxels, or hexahedra
+ * if the image data is rotated. A copied cell has quadrilateral faces where its cut neighbor has
+ * two triangles. A face that is not planar may leave a gap or an overlap there; see NonPlanarFaces
+ * of GetReport(). vtkTimeWeightedTetrahedraMapper accepts tetrahedra only.
  *
  * Distributed grids: unstructured partitions need global point ids, so that faces between
  * partitions match. The ids may have any integer type. The filter requests one layer of ghost
@@ -97,12 +97,13 @@ public:
 
   ///@{
   /**
-   * Add further criteria: the result is also cut to lower <= array <= upper of another point array.
-   * Each criterion adds a pass over the tetrahedra. The orientation of tetrahedra is preserved, so
-   * signed volumes still add up if some are inverted. The array must have one component. Default:
-   * none. AddCriterionAsText parses the bounds from text. If a bound is not a number, the range
-   * contains NaN and the next execution reports the text as an error. For an invalid index,
-   * GetCriterionArrayName returns null and GetCriterionRange leaves its arguments unchanged.
+   * Add criteria: cut the result to lower <= array <= upper as well, where array is another point
+   * array. Each criterion adds a pass over the tetrahedra. The orientation of tetrahedra is
+   * preserved, so signed volumes still add up if some are inverted. The array must have one
+   * component. Default: none. AddCriterionAsText parses the bounds from text. If a bound is not a
+   * number, the range contains NaN and the next execution reports the text as an error. For an
+   * invalid index, GetCriterionArrayName returns null and GetCriterionRange leaves its arguments
+   * unchanged.
    */
   void AddCriterion(const char* arrayName, double lower, double upper);
   void AddCriterionAsText(const char* arrayName, const char* lower, const char* upper);

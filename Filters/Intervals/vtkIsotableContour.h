@@ -29,9 +29,9 @@ class ExtractionRun;
  * Documentation/measurements.md.
  *
  * Triangles of adjacent cells conform, even if the cells have different types, so the surface has
- * no cracks. A vertex is positive if f >= v. A face between two cells that equals v everywhere,
- * with lower values on both sides, has no triangles. On the boundary of the domain such a face has
- * triangles.
+ * no cracks. A vertex is positive if f >= v. A face between two cells on which f equals v
+ * everywhere, with lower values on both sides, has no triangles. On the boundary of the domain such
+ * a face has triangles.
  *
  * Input: datasets, composite datasets and pieces as in vtkIntervalVolume. Select the scalar, a
  * one-component point array, with SetInputArrayToProcess(0, ...). The default is the active point
@@ -85,9 +85,9 @@ public:
 
   ///@{
   /**
-   * If true, triangles share points. If false, triangle t has the points 3 t to 3 t + 2. The
-   * triangles and their order are the same, with three to six times as many points. Turning this
-   * off is faster on unstructured grids, for rendering or for consumers that process triangles one
+   * If true, triangles share points. If false, triangle t has the points 3 t to 3 t + 2. Turning
+   * this off keeps the triangles and their order, but produces three to six times as many points.
+   * It is faster on unstructured grids, for rendering or for consumers that process triangles one
    * by one. On other grids it is slower. Default on.
    */
   vtkSetMacro(MergePoints, bool);

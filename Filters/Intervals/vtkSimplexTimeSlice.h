@@ -20,7 +20,7 @@ struct SimplexTimeSliceReport;
 
 /**
  * @class   vtkSimplexTimeSlice
- * @brief   slice 4-simplices in space-time at one time, giving tetrahedra
+ * @brief   slice 4-simplices in space-time at one time to produce tetrahedra
  *
  * Cuts each 4-simplex at a time t. The result is empty, a tetrahedron, or a triangular prism that
  * is split into three tetrahedra. The split of a face depends only on the ids of its points (the
@@ -57,7 +57,7 @@ struct SimplexTimeSliceReport;
  * not a VTK_POLY_VERTEX of five points, or a slice time that is not finite.
  *
  * Warning (vtkWarningMacro, once for a composite input): an empty output, with the reason. No
- * warning is issued for one of several pieces.
+ * warning is issued if the input is one of several pieces.
  *
  * @sa vtkTimeVaryingIntervalVolume
  */

@@ -19,8 +19,8 @@ class Fingerprint;
  * @class   vtkTimeSlabWriter
  * @brief   write a time-varying interval volume slab by slab
  *
- * Writes the output of vtkTimeVaryingIntervalVolume for many time steps with the memory of one
- * slab, the space-time region between two time steps. Set the input and the settings as for that
+ * Writes the output of vtkTimeVaryingIntervalVolume for many time steps but holds only one slab in
+ * memory, the space-time region between two time steps. Set the input and the settings as for that
  * filter and call Write(). All slabs together contain the tetrahedra, boundaries and 4-simplices of
  * a single extraction of all steps, with the same values of `TimeSlab`. Points at a step are stored
  * in both adjacent slabs. If values at a step equal a bound, boundaries and cells of `AtStep` at
@@ -98,7 +98,8 @@ private:
   interlume::Error WriteSlabs(const std::vector<double>& times, const std::vector<bool>& kinds);
   /// Sets the step range and the boundary kinds for a slab.
   void SetSlab(std::size_t slab, std::size_t last, int firstStep, const std::vector<bool>& kinds);
-  /// Returns the settings that the files of a slab depend on, without the input.
+  /// Returns a fingerprint of the settings that the files of a slab depend on. It excludes the
+  /// input.
   interlume::Fingerprint MakeFingerprint(std::size_t slab, const double* times);
   void AddSteps(interlume::Fingerprint& fingerprint, const double* times) const;
   /// Returns whether valid files of a slab exist. If files exist but are not valid, \a difference

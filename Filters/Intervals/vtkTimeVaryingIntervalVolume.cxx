@@ -78,7 +78,7 @@ int vtkTimeVaryingIntervalVolume::RequestInformation(
     this->Run.reset();
     this->IsRestarted = true;
   }
-  // The output covers all times.
+  // The outputs combine all time steps, so they have no times themselves.
   for (int port = 0; port < NumberOfPorts; ++port)
   {
     outputs->GetInformationObject(port)->Remove(key);

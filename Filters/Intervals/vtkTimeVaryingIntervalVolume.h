@@ -210,7 +210,7 @@ private:
   /// State between time steps; null between executions.
   std::unique_ptr<interlume::TimeVaryingRun> Run;
   bool IsFilled = false;
-  /// Whether the execution was restarted because the input changed meanwhile.
+  /// If true, the execution was restarted because the input changed between time steps.
   bool IsRestarted = false;
 };
 

@@ -64,8 +64,8 @@ public:
   }
 
   // Computes the slots and pieces of a case. In an interval table, one case of each class of
-  // symmetric cases is computed from its hull. The other cases of the class are transformed from
-  // it.
+  // symmetric cases is computed from its hull. A symmetry transforms this case into the other cases
+  // of the class.
   void Make(const vtkIsotable& table, int key, Case& result)
   {
     if (this->Kind == CONTOUR)

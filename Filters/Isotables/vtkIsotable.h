@@ -29,9 +29,10 @@ class Polytope;
  * Contours use base 2 (0: f < v, 1: f >= v). Intervals use base 3 (0: below, 1: inside, 2: above).
  *
  * The points of a case are numbered as slots. With n vertices and m edges, slot i < n is vertex i
- * of the cell. Slot n + e is the isovalue on edge e, or the lower isovalue of an interval. Slot n +
- * m + e is the upper isovalue on edge e. In an interval, a vertex that is inside is itself a point.
- * Contours use no vertex slots. To interpolate the point of slot n + e, use the ends GetEdge(e).
+ * of the cell. Slot n + e is the point on edge e with the isovalue, or with the lower isovalue of
+ * an interval. Slot n + m + e is the point on edge e with the upper isovalue. In an interval, a
+ * vertex that is inside is itself a point. Contours use no vertex slots. To interpolate the point
+ * of slot n + e, use the ends GetEdge(e).
  *
  * Convex pieces are split into simplices by a pulling triangulation. The slots are ordered with
  * vertices first, then lower, then upper edge points. Edge points are ordered by the ranks of their

@@ -92,8 +92,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the factor A of the noise: a length for DISPLACEMENT, a density for the other modes.
-   * Default 0.1. Valid: -1e12 to 1e12; clamped, NaN is ignored.
+   * Set/Get the factor A of the noise: a length for DISPLACEMENT, a relative change of the density
+   * for MODULATION, and a density for EROSION. Default 0.1. Valid: -1e12 to 1e12; clamped, NaN is
+   * ignored.
    */
   void SetAmplitude(double amplitude);
   vtkGetMacro(Amplitude, double);

@@ -46,7 +46,7 @@ struct VortexStreet
 
   // Returns the deficit at a point.
   double operator()(const double x[3]) const;
-  // Returns the diameter of the cylinder at a height, clamped to its ends.
+  // Returns the diameter of the cylinder at a height, which is clamped to the cylinder's ends.
   double GetDiameter(double z) const;
   // Returns the deficit of the vortices of one shedding cell, extended along the whole cylinder.
   double GetDeficitOfCell(int cell, const double x[3]) const;

@@ -33,7 +33,7 @@ public:
 
   ///@{
   /**
-   * Radius of the tubes around lines, in world units. Default: 0.5. Valid: above 0.
+   * Set/Get the radius of the tubes around lines, in world units. Default: 0.5. Valid: above 0.
    */
   vtkSetMacro(TubeRadius, double);
   vtkGetMacro(TubeRadius, double);

@@ -13,9 +13,9 @@
  * @class   vtkPVInflowMapping
  * @brief   map inflow values with formulas, rings and an image from the pipeline
  *
- * Input port 1, optional: vtkImageData, the mapping of ImageId. If an id has several mappings, the
- * image has precedence, then the rings, the formula of the id, and the common formula. Each
- * execution replaces mappings that were set directly in the superclass.
+ * Input port 1, optional: a vtkImageData that is the mapping of ImageId. If an id has several
+ * mappings, the image has precedence, then the rings, the formula of the id, and the common
+ * formula. Each execution replaces mappings that were set directly in the superclass.
  */
 class INTERLUMEFLOWPROXIES_EXPORT vtkPVInflowMapping : public vtkInflowMapping
 {
@@ -26,7 +26,8 @@ public:
 
   ///@{
   /**
-   * Formula of all ids without a separate mapping. An empty string sets no formula. Default: "u".
+   * Set/Get the formula for all ids without a mapping of their own. An empty string sets no
+   * formula. Default: "u".
    */
   void SetCommonFormula(const char* formula);
   const char* GetCommonFormula() const { return this->CommonFormula.c_str(); }
@@ -34,7 +35,8 @@ public:
 
   ///@{
   /**
-   * Formulas and Gaussian rings of single ids. Default: none. Valid: see vtkInflowMapping.
+   * Add or remove formulas and Gaussian rings for single ids. Default: none. Valid: see
+   * vtkInflowMapping.
    */
   void AddFormula(int id, const char* formula);
   void RemoveAllFormulas();
@@ -45,7 +47,8 @@ public:
 
   ///@{
   /**
-   * Id to which the image applies. Default: ALL. Valid: ALL, or 0 to 1000000000; clamped.
+   * Set/Get the id to which the image applies. Default: ALL. Valid: ALL, or 0 to 1000000000;
+   * clamped.
    */
   vtkSetClampMacro(ImageId, int, ALL, 1000000000);
   vtkGetMacro(ImageId, int);

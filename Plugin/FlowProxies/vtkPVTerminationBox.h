@@ -18,8 +18,8 @@ public:
 
   ///@{
   /**
-   * Lower corner of the box and lengths of its edges, in world units. Default: (-0.5, -0.5, -0.5),
-   * (1, 1, 1). Valid: a finite corner, lengths above 0.
+   * Set/Get the lower corner of the box and the lengths of its edges, in world units. Default:
+   * (-0.5, -0.5, -0.5), (1, 1, 1). Valid: a finite corner, lengths above 0.
    */
   void SetPosition(double x, double y, double z);
   vtkGetVector3Macro(Position, double);

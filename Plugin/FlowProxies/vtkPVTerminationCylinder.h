@@ -21,8 +21,8 @@ public:
 
   ///@{
   /**
-   * Center and axis direction, in world units. Default: (0, 0, 0), (0, 0, 1). Valid: finite; an
-   * axis of any length above 0.
+   * Set/Get the center, in world units, and the direction of the axis. Default: (0, 0, 0), (0, 0,
+   * 1). Valid: finite; an axis of any length above 0.
    */
   void SetCenter(double x, double y, double z);
   vtkGetVector3Macro(Center, double);
@@ -32,9 +32,9 @@ public:
 
   ///@{
   /**
-   * Length of the cylinder, in world units. 0 selects the extent of the field along the axis, or a
-   * length of 1 if the field is not available yet. Center is then not necessarily the midpoint.
-   * Default: 0. Valid: 0 and above.
+   * Set/Get the length of the cylinder, in world units. 0 selects the extent of the field along the
+   * axis, or a length of 1 if the field is not available yet. Center is then not necessarily the
+   * midpoint. Default: 0. Valid: 0 and above.
    */
   void SetLength(double length);
   vtkGetMacro(Length, double);

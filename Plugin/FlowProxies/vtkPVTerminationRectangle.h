@@ -22,8 +22,8 @@ public:
 
   ///@{
   /**
-   * Center, in world units, and normal. Default: (0, 0, 0), (0, 0, 1). Valid: finite; a normal of
-   * any length above 0.
+   * Set/Get the center, in world units, and the normal. Default: (0, 0, 0), (0, 0, 1). Valid:
+   * finite; a normal of any length above 0.
    */
   void SetCenter(double x, double y, double z);
   vtkGetVector3Macro(Center, double);
@@ -33,10 +33,10 @@ public:
 
   ///@{
   /**
-   * Lengths of the edges along u and v, in world units. 0 selects the extent of the field along the
-   * edge, or a length of 1 if the field is not available yet. Center is then not necessarily the
-   * midpoint. By default, the rectangle is therefore as large as the plane that ParaView's widget
-   * shows. Default: (0, 0). Valid: 0 and above.
+   * Set/Get the lengths of the edges along u and v, in world units. 0 selects the extent of the
+   * field along the edge, or a length of 1 if the field is not available yet. Center is then not
+   * necessarily the midpoint. By default, the rectangle is therefore as large as the plane that
+   * ParaView's widget shows. Default: (0, 0). Valid: 0 and above.
    */
   void SetLengths(double u, double v);
   vtkGetVector2Macro(Lengths, double);
@@ -44,7 +44,7 @@ public:
 
   ///@{
   /**
-   * Rotation of the edges about the normal, in degrees. Default: 0.
+   * Set/Get the rotation of the edges about the normal, in degrees. Default: 0.
    */
   void SetAngle(double angle);
   vtkGetMacro(Angle, double);

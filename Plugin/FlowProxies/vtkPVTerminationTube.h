@@ -24,7 +24,8 @@ public:
 
   ///@{
   /**
-   * Ends of the line, in world units. Default: (0, 0, -0.5), (0, 0, 0.5). Valid: finite.
+   * Set/Get the ends of the line, in world units. Default: (0, 0, -0.5), (0, 0, 0.5). Valid:
+   * finite.
    */
   void SetStart(double x, double y, double z);
   vtkGetVector3Macro(Start, double);
@@ -34,7 +35,7 @@ public:
 
   ///@{
   /**
-   * Points of a polyline, in world units. Default: none. Valid: finite.
+   * Add or remove the points of a polyline, in world units. Default: none. Valid: finite.
    */
   void AddLinePoint(double x, double y, double z);
   void RemoveAllLinePoints();

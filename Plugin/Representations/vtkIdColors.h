@@ -10,7 +10,7 @@ class vtkSMProxy;
  *
  * Only unmodified default functions, and colors that an earlier call set for fewer ids, are
  * replaced. The color map has one band per id, so the user can still edit the colors as RGBPoints.
- * The annotations are the ids. Automatic rescaling of its range is turned off.
+ * The annotations are the ids. Automatic rescaling of the color map's range is turned off.
  */
 namespace vtkIdColors
 {

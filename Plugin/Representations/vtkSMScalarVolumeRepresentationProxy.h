@@ -13,11 +13,11 @@
  *
  * The proxy acts when the display switches to the volume, in the GUI, in Python and in pvbatch:
  *
- * - If the display has no color array, the proxy selects one. It prefers arrays that are not
- *   ids, then arrays whose range is not a single value, then point arrays, then arrays with one
- *   component. If the user selects Solid Color while the volume is shown, the proxy does not select
- *   an array. Nor does it while a state file is loaded, or during undo and redo. If the data have
- *   no array, the proxy tries again after the next change.
+ * - If the display has no color array, the proxy selects one. It prefers arrays that are not ids,
+ *   then arrays whose range is not a single value, then point arrays, then arrays with one
+ *   component. The proxy does not select an array if the user selects Solid Color while the volume
+ *   is shown, while a state file is loaded, or during undo and redo. If the data have no array, the
+ *   proxy tries again after the next change.
  * - If the array is listed in the XML hint Categories (ids 0, 1, ...), each id gets its own color,
  *   and all ids get the same opacity. Modified color and opacity functions remain unchanged.
  */

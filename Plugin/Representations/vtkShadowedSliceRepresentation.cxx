@@ -311,7 +311,8 @@ void vtkShadowedSliceRepresentation::UpdateScalars()
   int components = scalars ? scalars->GetNumberOfComponents() : 1;
   if (components == 3 || components > 4)
   {
-    // Such components are not colors and opacity; the transfer functions are used instead.
+    // Three components, or more than four, are not treated as colors. The transfer functions are
+    // used instead.
     this->Property->SetIndependentComponents(true);
   }
   vtkColorTransferFunction* colors = this->Property->GetRGBTransferFunction(0);

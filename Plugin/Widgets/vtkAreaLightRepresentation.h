@@ -45,8 +45,8 @@ public:
 
   ///@{
   /**
-   * Shape, size in world units and up direction of the light. Defaults and valid values are those
-   * of vtkAreaLight.
+   * Set/Get the shape, the size in world units and the up direction of the light. Defaults and
+   * valid values are those of vtkAreaLight.
    */
   void SetShape(int shape);
   int GetShape();

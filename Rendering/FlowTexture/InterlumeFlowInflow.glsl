@@ -1,5 +1,6 @@
 
-// The inflow texture of one image. This file is copied for each image.
+// Lookup in one inflow texture. FlowShader inserts a copy of this file for each image, and replaces
+// N by the image's name.
 uniform sampler2D paint_N;
 uniform vec4 paintFrame_N;
 

@@ -49,19 +49,19 @@ struct FlowVolumeRenderReport;
  * **Texture filtering.** The footprint of a sample, a segment of the view ray as wide as a pixel,
  * is mapped to (u,v) and filtered anisotropically, see TextureFilter.
  *
- * **Shading.** With Shade of the property on and a ShadingArray, colors are lit by the renderer's
- * lights and the property's coefficients. With a one-component array, samples are shaded as on
- * isosurfaces whose normals point to lower values. With a three-component array, they are shaded as
- * on lines along the vectors. If the gradient or vector is zero, shading is isotropic. Without
- * Shadows, lights are directional or positional, without cones and attenuation.
+ * **Shading.** If the property's Shade is on and ShadingArray is set, colors are lit by the
+ * renderer's lights and the property's coefficients. With a one-component array, samples are shaded
+ * as on isosurfaces whose normals point to lower values. With a three-component array, they are
+ * shaded as on lines along the vectors. If the gradient or vector is zero, shading is isotropic.
+ * Without Shadows, lights are directional or positional, without cones and attenuation.
  *
  * **Shadows.** With Shadows on, and a light with ShadowAttenuation above 0, the volume is drawn in
  * slices by vtkShadowedSliceMapper. It supports the lights of that mapper, including vtkAreaLight.
  * Surfaces neither cast shadows into the volume nor receive its shadows, not even in a
  * vtkShadowedScenePass.
  *
- * Cropping and clipping planes are exact, for any direction matrix of the image. Opaque props
- * occlude the volume by depth. Translucent polygons are always drawn behind the volume, and
+ * Cropping and clipping planes are exact, for any direction matrix of the image. Opaque props hide
+ * the parts of the volume behind them. Translucent polygons are always drawn behind the volume, and
  * UseDepthPeelingForVolumes triggers one warning. vtkHardwareSelector selects the whole volume. The
  * only BlendMode is composite.
  *
@@ -220,9 +220,9 @@ public:
   ///@{
   /**
    * Set/Get the number of columns and rows of each light buffer. 0, the default, uses twice the
-   * number of voxels across the volume as seen from the light. For a light in or near the volume,
-   * it uses this number itself. Use a larger size if a texture casts shadows that are finer than
-   * voxels. Valid: 0, or 16 to 8192, limited by the GPU; clamped.
+   * number of voxels across the volume as seen from the light, or only this number for a light in
+   * or near the volume. Use a larger size if a texture casts shadows that are finer than voxels.
+   * Valid: 0, or 16 to 8192, limited by the GPU; clamped.
    */
   void SetLightBufferSize(int size);
   vtkGetMacro(LightBufferSize, int);
@@ -262,7 +262,7 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of viewport pixels per rendered pixel, along an axis. The rendered image is
+   * Set/Get the number of viewport pixels per rendered pixel, in x and in y. The rendered image is
    * interpolated to the viewport. Default 1. Valid: 0.25 to 100; clamped.
    */
   vtkSetClampMacro(ImageSampleDistance, double, 0.25, 100.0);

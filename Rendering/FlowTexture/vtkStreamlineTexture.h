@@ -14,12 +14,12 @@ class vtkActor;
  * Draws lines of constant s or t on a textured surface. On a stream surface these are streamlines
  * (s) or timelines (t) (C. Zhang, dissertation, Ohio State 2006, section 4.5.2).
  *
- * Common mipmaps average thin lines to gray. Here, level k has NumberOfLines / 2^k lines over
+ * Ordinary mipmaps average thin lines to gray. Here, level k has NumberOfLines / 2^k lines over
  * texture coordinates 0 to 1, with the same width in texels on every level. Farther away there are
  * fewer lines instead of gray. Levels are blended, so lines fade in as the surface gets closer. On
  * screen, lines are TexelsPerLine / sqrt(2) to sqrt(2) TexelsPerLine pixels apart, in the screen
- * direction of their smallest distance. If this requires more than NumberOfLines, the lines grow
- * with the surface.
+ * direction of their smallest distance. On closer surfaces, where this would require more than
+ * NumberOfLines lines, distance and width of the lines grow with the surface.
  *
  * Like other textures of an actor, the texture multiplies the surface's color after lighting. A
  * white background keeps this color; with a background of opacity 0 only the lines are visible.

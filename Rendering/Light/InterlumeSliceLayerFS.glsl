@@ -2,9 +2,9 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Resamples maps from one emitter sample's view to another. Two views of a plane are related by a
-// homography. Layers of samples are stacked vertically in one texture. place is a position in clip
-// coordinates of the light buffer.
+// Resamples maps between the views of an emitter's center and of its samples. Two views of a plane
+// are related by a homography. Layers of samples are stacked vertically in one texture. place is a
+// position in clip coordinates of the light buffer.
 in vec3 place;
 uniform sampler2D map;
 #ifdef JOIN

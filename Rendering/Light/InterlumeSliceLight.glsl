@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Functions of one light. INDEX is its number.
+// Functions of one light. INDEX is the light's index.
 
 uniform vec3 diffuse_INDEX;
 #ifdef SHADE
@@ -51,7 +51,7 @@ vec3 getDirection_INDEX()
 #endif
 }
 
-// Returns the fraction of the light's color that reaches the sample without attenuation by the
+// Returns the factor of the light's color at the sample. It does not include attenuation by the
 // medium.
 vec3 getColor_INDEX(vec3 l)
 {

@@ -81,9 +81,10 @@ float lookUpBends(int first, int pieces, float share)
 }
 #endif
 
-// A texel holds its column's value and the next one's. If there are breakpoints between them, it
-// holds the negative position and the size of their list instead. With EDGES, two more components
-// hold the factor and offset that map a fraction of the interval to a fraction of its steep edge.
+// A texel holds the values of its column and of the next column. If there are breakpoints between
+// these columns, it holds minus the position, and the size, of the list of breakpoints instead.
+// With EDGES, two more components hold the factor and offset that map a fraction of the interval to
+// a fraction of its steep edge.
 float lookUp(sampler2D table, float column, int row)
 {
   float place = clamp(column, 0.0, float(COLUMNS - 1));
@@ -378,8 +379,8 @@ MediumSample mediumSampleBetween(MediumSample a, MediumSample b, float part)
 }
 
 #ifdef SPANS
-// Computes samples at both ends of a segment p + q t, on the line through the values at the two
-// Gauss points. This line fits the values along the segment best.
+// Computes samples at both ends of a segment p + q t by extrapolating the values at its two Gauss
+// points linearly. This line fits the values along the segment best.
 void spanOf(vec3 p, vec3 q, float lower, float upper, out MediumSample start, out MediumSample end)
 {
   const float inset = 0.21132487;

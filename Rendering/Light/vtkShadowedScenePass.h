@@ -192,7 +192,7 @@ public:
    * - VolumesInSharedSlices: number of volumes that cast shadows on each other
    * - SeparateVolumesReason: the reason if volumes are rendered one by one, otherwise empty
    * - DepthMapResolution, SampleMapResolution: columns and rows of the shadow map of each light
-   * without extent, and of each sample of an area light
+   *   without extent, and of each sample of an area light
    * - DepthMapBytes, SampleMapBytes: bytes of all these maps
    * - CameraLayers: number of layers of translucent actors between which volumes are rendered
    */

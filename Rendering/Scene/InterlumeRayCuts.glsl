@@ -13,7 +13,8 @@ uniform vec3 croppingUpper;
 uniform int croppingFlags;
 #endif
 
-// Returns the reciprocal of a direction in box coordinates. Components near 0 are replaced.
+// Returns the reciprocal of a direction in box coordinates. Components near 0 are replaced by 1e-12
+// first.
 vec3 inverseOf(vec3 q)
 {
   return 1.0 / mix(q, vec3(1e-12), lessThan(abs(q), vec3(1e-12)));

@@ -130,9 +130,9 @@ vec2 slopes(vec3 v, vec2 a, vec2 b, vec2 c)
 // edge were ignored, the other edges would extrapolate the tetrahedron across it.
 const float STEEPEST = 1.0 / 1024.0;
 // Smallest difference of pixel coordinates that single precision resolves. An edge that is closer
-// to the thick point is ignored unless the silhouette is widened, so only the GPU's vertex rounding
-// decides which tetrahedron covers a pixel. Neighbors round in the same way, but with lambda, both
-// could reject a pixel.
+// to the thick point is ignored unless the silhouette is widened, so only the GPU's rasterization
+// decides which tetrahedron covers a pixel. It assigns each pixel to one of two neighbors, but with
+// lambda, both could reject it.
 const float DIGITS = 1.0 / 32768.0;
 
 // Sets the edge from a to b of a silhouette that is counterclockwise, or clockwise if turn < 0.

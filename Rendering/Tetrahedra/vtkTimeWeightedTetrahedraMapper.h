@@ -32,7 +32,7 @@ struct TetrahedraArrays;
  * @class   vtkTimeWeightedTetrahedraMapper
  * @brief   render tetrahedra as a volume, weighted by their extent in time
  *
- * Draws each tetrahedron by the method of projected tetrahedra (P. Shirley, A. Tuchman 1990), on
+ * Draws the projection of each tetrahedron (projected tetrahedra; P. Shirley, A. Tuchman 1990), on
  * the GPU or on the CPU. Along a view ray, extinction, color and the extent in time Dt are linear
  * within each tetrahedron. The optical depth is the integral of extinction times Dt (C. Zhang,
  * dissertation, Ohio State 2006, 3.5.4), and color and opacity follow from it by exact integration.
@@ -58,10 +58,10 @@ struct TetrahedraArrays;
  * fraction of a pixel, so tetrahedra or whole meshes that are thinner than this on the screen may
  * be drawn too wide or missed.
  *
- * **Other props**: opaque props hide the volume by depth. Translucent polygons are always drawn
- * behind the volume, except the boundary triangles of port 1. UseDepthPeelingForVolumes is ignored
- * with a warning. Along each view ray, hardware selection returns the first tetrahedron that is not
- * fully transparent there.
+ * **Other props**: opaque props hide the parts of the volume behind them. Translucent polygons are
+ * always drawn behind the volume, except the boundary triangles of port 1.
+ * UseDepthPeelingForVolumes is ignored with a warning. Along each view ray, hardware selection
+ * returns the first tetrahedron that is not fully transparent there.
  *
  * **Cameras and clipping**: all projections of vtkCamera are supported, including stereo, view
  * shear, off-axis projection and user transforms. Tetrahedra are cut exactly at the near plane, at
@@ -284,8 +284,8 @@ public:
   /**
    * Render the input as one partition of a volume that is distributed over the processes of \a
    * controller. All processes must call this together whenever the input or the blend mode has
-   * changed. They must then render every image together, with the same camera. Selections are an
-   * exception. GetBounds then returns the bounds of all partitions.
+   * changed. They must then render every image together, with the same camera; a selection may be
+   * rendered by one process alone. GetBounds then returns the bounds of all partitions.
    *
    * Returns true if all partitions are combined in one image (see the class comment).
    * AUTOMATIC_PATH tests whether the OpenGL of \a window is software; without a window it assumes a
@@ -311,7 +311,7 @@ public:
    * - `UnmatchedTriangles`: boundary triangles skipped because they are not faces of tetrahedra;
    * - `RenderPath`, `PathReason`: the path (see RenderPaths), and the reason for it;
    * - `SortReason`: the reason for the sort mode;
-   * - `PixelStride`: number of viewport pixels per computed pixel along an edge; 1 in full detail;
+   * - `PixelStride`: number of viewport pixels per computed pixel in x and in y; 1 in full detail;
    * - `Seconds`: seconds to render this image.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }

@@ -42,7 +42,7 @@ vtkSmartPointer<vtkImageData> MakeImage(int points, const reference::FlowFunctio
 
 void TestTrilinearFlow(Check& check)
 {
-  // |x| has its kink at a cell face. y grows by the integral of |x|.
+  // The kink of |x| is at a cell face. Along a streamline, y increases by the integral of |x|.
   const TrilinearFlow bent(MakeImage(5,
     [](const FlowVector& x) {
       return FlowVector{ { 1.0, std::abs(x[0]), 0.5 } };

@@ -26,9 +26,9 @@ void Expect(bool condition, const std::string& what)
   }
 }
 
-/// Returns a plot with a fast, inaccurate method and a slow, accurate one. The baseline is
-/// dominated by a point of "fine"; one point of "coarse" costs the same as another but has a larger
-/// error.
+/// Returns a plot with a fast, inaccurate method ("coarse") and a slow, accurate method ("fine"). A
+/// point of "fine" dominates the baseline. One point of "coarse" costs the same as another point
+/// but has a larger error.
 BenchPlot MakePlot()
 {
   BenchPlot plot = BenchPlot::OfErrors("made-up", "Made up", "run time (s)", "error");
@@ -175,7 +175,7 @@ int Count(const std::string& text, const std::string& part)
   return number;
 }
 
-/// Returns whether all tags are closed and no tag begins inside another.
+/// Returns true if all tags are closed and no tag begins inside another tag.
 bool IsWellFormed(const std::string& svg)
 {
   bool isInside = false;

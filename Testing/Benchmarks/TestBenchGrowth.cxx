@@ -84,7 +84,7 @@ void TestClaims()
     Expect(claim.IsMet(), "the claim must be met: " + claim.Text);
   }
 
-  // These exponents are outside the margin around the expected exponent, above and below it.
+  // These exponents are above and below the margin around the expected exponent.
   const growth::Quantity slow = MakeQuantity("slow");
   AddSizes(slow, 1.2, 0.2, rows);
   growth::AddExponentRows(slow, rows);

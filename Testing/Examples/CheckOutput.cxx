@@ -31,7 +31,7 @@ bool HasTetrahedra(vtkUnstructuredGrid* grid)
   return grid->GetNumberOfCells() > 0;
 }
 
-/// Returns whether the range is within the bounds, up to the precision of the array.
+/// Returns true if the range of the array is within the bounds, up to the array's precision.
 bool IsWithin(vtkUnstructuredGrid* grid, const char* name, double lower, double upper)
 {
   vtkDataArray* array = grid->GetPointData()->GetArray(name);

@@ -36,7 +36,8 @@ using namespace reference;
 constexpr int Columns = 96;
 constexpr int Rows = 64;
 
-/// Returns a straight flow along x through a box, with the plane at which it enters.
+/// Returns a straight flow along x through a box, and sets \a plane to the plane at which it
+/// enters.
 vtkSmartPointer<vtkImageData> MakeFlow(vtkTerminationPlane* plane)
 {
   vtkNew<vtkImageData> field;
@@ -180,7 +181,8 @@ double GetDistance(
   return std::hypot(x - a[0] - fraction * direction[0], y - a[1] - fraction * direction[1]);
 }
 
-/// Checks every pixel of a file against painted lines, all drawn with one brush.
+/// Compares every pixel of a file with a formula for the painted line, which is drawn with one
+/// brush.
 void CheckFile(const std::string& file, const std::vector<PaintCanvas::Position>& line,
   const PaintCanvas::Brush& brush, Check& check)
 {
@@ -283,7 +285,7 @@ void TestStroke(const std::string& folder, Check& check)
   session.Play();
   check.That(session.GrabRight() == painted, "clearing is undone");
 
-  // The eraser only removes opacity.
+  // The eraser removes only opacity.
   session.Press('x');
   session.Send("LeftButtonPressEvent", 48.0, 44.0);
   session.Send("LeftButtonReleaseEvent", 48.0, 44.0);

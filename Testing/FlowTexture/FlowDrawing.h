@@ -24,15 +24,15 @@ RgbaImage DrawFlow(vtkImplicitFlowVolumeMapper* mapper, vtkImageData* voxels,
 /// Uniform flow along x that starts at the plane x = -0.5.
 FlowEnd Uniform(const Position3& x);
 
-/// Returns a camera that shows the full cube along \a direction.
+/// Returns a camera that looks along \a direction and shows the full cube.
 vtkSmartPointer<vtkCamera> LookAlong(const Position3& direction, bool isParallel = false);
 
 /// A smooth spot of color for uniform flow.
 Color4 Blob(double u, double v);
 FlowScene MakeBlobScene();
 
-/// Returns voxels with two termination surfaces, 0 and 8, and the arrays Speed and Ways (three
-/// components).
+/// Returns voxels with two termination surfaces, which have the ids 0 and 8, and the arrays Speed
+/// and Ways (three components).
 vtkSmartPointer<vtkImageData> MakeTwoFlows();
 
 /// Returns a texture whose red oscillates along u with \a frequency radians in total.
@@ -42,7 +42,8 @@ vtkSmartPointer<vtkImageData> MakeStripes(double frequency, double alpha);
 void SetCoefficients(
   vtkVolumeProperty* property, double unitDistance, double ambient, double diffuse);
 
-/// Errors of colors divided by opacity, in pixels with the expected opacity, which excludes edges.
+/// Errors of colors divided by opacity. Only pixels with the expected opacity are compared, which
+/// excludes edges.
 struct LightError
 {
   double Mean = 0.0;
@@ -64,8 +65,8 @@ struct FlowFixture
 
   vtkInterlumeReport* Draw();
 
-  /// Sets gate, arrays, shading, clipping, filter and projection from the last eight numbers of \a
-  /// state, each from 0 to 1. The result does not depend on earlier settings.
+  /// Sets time gate, arrays, shading, clipping, filter and projection from the last eight numbers
+  /// of \a state, each from 0 to 1. The result does not depend on earlier settings.
   virtual void Apply(const State& state);
 
   VolumeStage Stage;
@@ -76,8 +77,8 @@ struct FlowFixture
   vtkNew<vtkImplicitFlowVolumeMapper> Mapper;
 };
 
-/// Checks that the image after many random states equals that of a new mapper. \a inspect is called
-/// with the report of each state.
+/// Checks that the image after many random states equals the image of a new mapper. \a inspect is
+/// called with the report of each state.
 void CheckRandomStates(const std::function<std::unique_ptr<FlowFixture>()>& make,
   const std::function<void(vtkInterlumeReport*)>& inspect, Check& check);
 

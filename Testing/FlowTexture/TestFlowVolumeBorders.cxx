@@ -55,8 +55,8 @@ void KeepSlab(vtkImplicitFlowVolumeMapper* mapper, double lower, double upper)
   }
 }
 
-/// Two surfaces with distant texture coordinates. Their textures are blue at coordinates that only
-/// occur by mixing.
+/// Tests two surfaces with distant texture coordinates. Their textures are blue at coordinates that
+/// occur only if coordinates of both surfaces are mixed.
 void TestSurfaces(Check& check)
 {
   const auto flow = [](const Position3& x)
@@ -101,16 +101,16 @@ void TestSurfaces(Check& check)
             << shifted << "\n";
   check.That(blue < 1e-6, "texture coordinates of two surfaces are not mixed");
   check.That(mixed < 1e-6, "colors of two surfaces are not mixed");
-  // Borders are shifted by at most half a cell. They cover 53 pixels, and half a cell is 36 / 23 /
-  // 2 pixels.
+  // Borders are shifted by at most half a cell. Each border is 53 pixels long, and half a cell is
+  // 36 / 23 / 2 pixels wide.
   check.That(shifted < 2 * 53 * 36 / 23 / 2, "borders are within half a cell");
   check.That(mapper->GetReport()->GetNumber("SplitCells") > 0 &&
       mapper->GetReport()->GetNumber("Surfaces") == 2,
     "cells between surfaces are counted");
 }
 
-/// At a seam, u jumps around the axis. If u is periodic, the texture between the two values of u
-/// must not be visible.
+/// At a seam, u jumps after a full turn around the axis. If u is periodic, the texture between the
+/// two values of u must not be visible.
 void TestSeam(Check& check, bool isPeriodic)
 {
   const auto flow = [](const Position3& x)
@@ -173,7 +173,7 @@ vtkIdType CountJumps(vtkImageData* voxels, int n)
 }
 
 /// A seam that is wound up into sheets is resolved, except for one half plane, and the image equals
-/// that of the formula.
+/// the image of the formula.
 void TestWoundSeam(Check& check)
 {
   const auto flow = [](const Position3& x)
@@ -214,8 +214,8 @@ void TestSides(Check& check)
   };
   const int n = 25;
   vtkSmartPointer<vtkImageData> voxels = MakeFlowVoxels(n, flow);
-  // On one side of the plane streamlines leave toward it, on the other side away from it. n is odd,
-  // so that some voxels are on the plane.
+  // Streamlines move toward the plane on one side, and away from it on the other side. n is odd, so
+  // that some voxels are on the plane.
   vtkNew<vtkSignedCharArray> sides;
   sides->SetName("TerminationSide");
   for (vtkIdType i = 0; i < voxels->GetNumberOfPoints(); ++i)
@@ -227,7 +227,7 @@ void TestSides(Check& check)
   }
   FlowScene scene = MakeScene(flow, { { 0.0, 0.0, -1.0 } });
   scene.Size = { { 256, 256 } };
-  // The time gate shows only dye that entered about half a turn ago, which is not near the plane.
+  // The time gate shows only dye that entered about half a turn ago, which is far from the plane.
   vtkNew<vtkPiecewiseFunction> gate;
   gate->AddPoint(-2.0 * PI, 0.0);
   gate->AddPoint(-PI - 1.0, 0.0);
@@ -269,7 +269,8 @@ bool IsInLetter(double u, double v)
   return v > 0.2 && v < 0.8 && (isStem || isBar);
 }
 
-/// A letter six cells high, ten cells downstream in a flow that rotates and strains it.
+/// Tests a letter that is six cells high, ten cells downstream in a flow that rotates and strains
+/// the letter.
 void TestLetter(Check& check)
 {
   const int n = 21;

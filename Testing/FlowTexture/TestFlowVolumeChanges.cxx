@@ -39,7 +39,7 @@ vtkSmartPointer<vtkImageData> MakeBlock()
   return image;
 }
 
-/// A fixture with textures, without light.
+/// A fixture with textures and without lights.
 struct Fixture : FlowFixture
 {
   Fixture()

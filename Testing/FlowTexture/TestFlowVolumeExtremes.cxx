@@ -41,7 +41,7 @@ public:
     this->Catalogue.SetClass("vtkImplicitFlowVolumeMapper");
   }
 
-  /// Records the largest difference of two images.
+  /// Records the largest difference between two images.
   void ExpectImage(const std::string& name, const std::string& extreme, const RgbaImage& found,
     const RgbaImage& expected, double bound, bool isSeen = true)
   {
@@ -184,7 +184,7 @@ void TestValues(FlowTable& table)
   table.ExpectImage(
     "no-texture", "an id without a texture", plain, MakeFlowReferenceImage(colored), 1e-3);
 
-  // Coordinates far outside the texture use its edge.
+  // Texture coordinates far outside the range have the color of the texture's edge.
   const auto outside = [](const Position3& x) {
     return FlowEnd{ true, 0, 1e6 + x[0], -1e6, 1e30 };
   };
@@ -200,7 +200,7 @@ void TestValues(FlowTable& table)
 
   // An opaque texture, and a texture of very low opacity.
   FlowScene thin = MakeScene();
-  // Textures have 16 bits.
+  // Texture values have 16 bits.
   constexpr double faint = 66.0 / 65535.0;
   thin.Paint = [=](const FlowEnd&) { return Color4{ { 1.0, 1.0, 1.0, faint } }; };
   table.ExpectImage("alpha-1e-3",

@@ -102,7 +102,7 @@ void TestImage(Check& check)
   }
 }
 
-/// A smooth texture: two spots of color.
+/// A smooth texture of two colored spots.
 Color4 Spots(const FlowEnd& end)
 {
   const double u = std::min(std::max(end.U, 0.0), 1.0);
@@ -137,7 +137,7 @@ FlowEnd Strain(const Position3& x)
   return { true, 0, 0.5 + 0.6 * y, 0.5 + 0.6 * z, time };
 }
 
-/// Checks the order of the error while the voxel size and the sample distance are halved.
+/// Checks the order of convergence while the voxel size and the sample distance are halved.
 void TestOrder(Check& check, const std::string& name, const FlowFormula& flow,
   const Position3& direction, double order, double bound)
 {
@@ -159,7 +159,7 @@ void TestOrder(Check& check, const std::string& name, const FlowFormula& flow,
       CompareImages(DrawFlow(mapper, MakeFlowVoxels(n, flow), scene), expected);
     std::cout << name << ", " << n << " voxels: " << error << ", order "
               << std::log2(before / error.Mean) << "\n";
-    // On the finest voxels, the error is dominated by ending rays at an opacity of 0.9999.
+    // With the finest voxels, most of the error occurs because rays end at an opacity of 0.9999.
     check.That(before == 0.0 || n == 65 || std::log2(before / error.Mean) >= order,
       name + ": the order of the error with " + std::to_string(n) + " voxels");
     check.That(n < 65 || error.Mean <= bound, name + ": the mean error");
@@ -172,7 +172,7 @@ void TestTurn(Check& check)
 {
   const auto section = [](double angle)
   {
-    // A wedge of 0.2 radians, seen from outside, always at the same position in the image.
+    // Shows a wedge of 0.2 radians from outside, always at the same position in the image.
     FlowScene scene;
     scene.Size = { { 64, 64 } };
     scene.UnitDistance = 0.05;

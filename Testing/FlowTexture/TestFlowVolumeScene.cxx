@@ -114,7 +114,7 @@ void TestCuts(Check& check)
     "cropping of a rotated volume equals six clipping planes", 1.0);
 }
 
-/// Two thin sheets, with empty space around them that is skipped.
+/// Two thin sheets. The mapper skips the empty space around them.
 void TestSheets(Check& check)
 {
   FlowScene scene = MakeBlobScene();
@@ -230,8 +230,8 @@ void TestRenderers(Check& check)
   check.That(brightest > 50 && largest <= 1, "both images are equal");
 }
 
-/// The same Gaussian inflow drawn with tetrahedra and with a texture: silhouettes and optical
-/// depths.
+/// Compares silhouettes and optical depths of the same Gaussian inflow, drawn with tetrahedra and
+/// with a texture.
 void TestFlowVolume(Check& check)
 {
   const int n = 41;
@@ -252,16 +252,16 @@ void TestFlowVolume(Check& check)
   plane->SetOrigin(-0.5, -0.9, -0.9);
   plane->SetPoint1(-0.5, 0.9, -0.9);
   plane->SetPoint2(-0.5, -0.9, 0.9);
-  // Flow that enters through the sides of the field has no inflow value. Only a core of the field
-  // is drawn.
+  // Flow that enters through the lateral faces of the field has no inflow value. Only the core of
+  // the field is drawn.
   vtkNew<vtkImplicitFlowField> flow;
   flow->SetInputData(field);
   flow->AddTerminationSurface(plane);
   flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
   flow->Update();
   auto* samples = vtkImageData::SafeDownCast(flow->GetOutputDataObject(0));
-  // The extinction is exp(-(r / width)^2) above a limit. It determines the opacity per unit
-  // distance.
+  // Inflow values are exp(-(r / width)^2), and values below the limit are transparent. Extinction
+  // is proportional to the inflow value.
   const double limit = 0.15;
   const double width = 0.11;
   const double strength = 6.0;
@@ -323,7 +323,8 @@ void TestFlowVolume(Check& check)
       depths[0] += a;
       depths[1] += b;
       difference += std::abs(a - b);
-      // Silhouettes match within a pixel if a neighbor has the visibility of the other image.
+      // Silhouettes may differ by one pixel: some neighbor must have the same visibility in the
+      // other image.
       for (const bool isSeen : { true, false })
       {
         const auto has = [&](const RgbaImage& image, int x, int y)

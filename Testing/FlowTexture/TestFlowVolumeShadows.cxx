@@ -173,7 +173,7 @@ void TestFormula(Check& check)
   }
 }
 
-/// A fixture with a directional light and a point light, which is off.
+/// A fixture with a directional light, and a point light that is off.
 struct Fixture : FlowFixture
 {
   Fixture()

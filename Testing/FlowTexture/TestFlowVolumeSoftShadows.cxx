@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Soft shadows of a vtkAreaLight in the volume: compared with the mean of many point lights by
-// formula and with hard shadows, and stripes on sharp edges of dense texture.
+// Soft shadows of a vtkAreaLight in the volume, compared with a formula for many point lights and
+// with hard shadows. Also measures stripes on sharp edges of dense texture.
 #include "FlowDrawing.h"
 
 #include "Support/Checks/ReferenceCheck.h"
@@ -157,7 +157,7 @@ void TestFormula(Check& check)
       name + ": mean light error " + std::to_string(error.Mean));
     if (size > 0.0)
     {
-      // The error of a light without extent.
+      // For comparison, the error if the light has no extent.
       const RgbaImage point = Draw(mapper, MakeLight(0.0), scene, &GetSlabColor);
       const double hard = CompareLight(point, expected).Mean;
       std::cout << "a light without extent instead: mean light error " << hard << "\n";
@@ -171,8 +171,8 @@ Color4 GetDenseColor(double u, double)
   return { { 1.0, 1.0, 1.0, u > 0.25 && u < 0.35 ? 0.98 : 0.0 } };
 }
 
-/// Returns the root mean square difference of the light on a dense slab's front from that with the
-/// finest buffer.
+/// Returns the root mean square difference between the light on a dense slab's front and the same
+/// light with the finest buffer.
 double GetStripes(const FlowScene& scene, int size, const RgbaImage* finest, RgbaImage& found)
 {
   vtkNew<vtkImplicitFlowVolumeMapper> mapper;

@@ -189,7 +189,7 @@ void TestLevels(Check& check, int lines, int texels, double width, int direction
   }
 }
 
-/// Positions where a row changes from bright to dark, and its range of values.
+/// Positions at which a row of pixels changes from bright to dark, and the row's range of values.
 struct Lines
 {
   std::vector<int> Positions;
@@ -252,7 +252,7 @@ void TestDistances(StabilityCatalogue& catalogue, int direction)
   }
 }
 
-/// With far more lines than pixels, the coarsest level shows one line with contrast.
+/// With far more lines than pixels, the coarsest level shows one line with visible contrast.
 void TestFarAway(StabilityCatalogue& catalogue)
 {
   vtkNew<vtkStreamlineTexture> texture;
@@ -273,8 +273,7 @@ void TestFarAway(StabilityCatalogue& catalogue)
     "loss of contrast", 1.0 - all.Lightest + all.Darkest, 0.3);
 }
 
-/// Lines of a grid have the same distance in both directions, even if the ranges of coordinates
-/// differ.
+/// Grid lines have the same spacing in both directions, even if the ranges of coordinates differ.
 void TestGrid(Check& check)
 {
   check.SetContext("grid: ");

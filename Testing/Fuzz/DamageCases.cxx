@@ -38,7 +38,7 @@ void ShortenArrays(vtkDataSet* data, vtkIdType points)
   }
 }
 
-/// Rebuilds the cells without polyhedra and with one contradiction. Returns the text that the
+/// Rebuilds the cells without polyhedra and with one inconsistency. Returns the text that the
 /// message must contain, or an empty string if there is no cell to damage.
 std::string DamageCells(FuzzRandom& random, vtkUnstructuredGrid* grid)
 {

@@ -69,7 +69,7 @@ vtkSmartPointer<vtkImplicitFlowField> MakeFilter(const Choice& choice)
   return filter;
 }
 
-/// Sets 30 % of the vectors to one fill value, in some of the cases.
+/// In some cases, sets 30 % of the vectors to one fill value.
 void AddFillValues(FuzzRandom& random, FuzzData& data)
 {
   vtkDataArray* vectors = data.Data->GetPointData()->GetArray("v");

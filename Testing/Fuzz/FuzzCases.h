@@ -16,8 +16,9 @@
 namespace fuzz
 {
 
-/// Checks vtkIntervalVolume with criteria, boundaries and origins. On tame data the volumes of
-/// adjacent intervals add up. Changing the intervals and restoring them reproduces the output.
+/// Checks vtkIntervalVolume with criteria, boundaries and origins. On tame data, the volumes of
+/// adjacent intervals add up to the volume of their union. Changing the intervals and restoring
+/// them reproduces the output.
 void RunIntervals(FuzzRandom& random, std::string& text, reference::Check& check);
 
 /// Checks that vtkIsotableContour puts points on the isovalue.

@@ -40,7 +40,7 @@ const std::vector<double> ExtremeNumbers = { NaN, Infinity, -Infinity, Denormal,
 
 std::array<int, 3> MakeDimensions(FuzzRandom& random)
 {
-  // One point along an axis makes a lower-dimensional image.
+  // If an axis has only one point, the image is lower-dimensional.
   const int smallest = random.Chance(0.1) ? 1 : 2;
   return { { random.Integer(smallest, 7), random.Integer(smallest, 7),
     random.Integer(smallest, 7) } };
@@ -329,7 +329,7 @@ void AddGlobalIds(FuzzRandom& random, FuzzData& data)
     ids->GetDataTypeAsString();
 }
 
-/// Removes the name of the scalars and adds unnamed arrays.
+/// Removes the name of the scalars in half of the cases, and adds unnamed arrays.
 void AddUnnamedArrays(FuzzRandom& random, FuzzData& data)
 {
   if (random.Chance(0.5))

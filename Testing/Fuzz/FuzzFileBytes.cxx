@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// libFuzzer entry point. The first byte selects the kind of file and the rest are the content of
-// the file. The seed of each kind is an intact file. A run that fails FileKind::Try is a finding.
+// libFuzzer entry point. The first byte selects the kind of file, and the remaining bytes are the
+// content of the file. The seed of each kind is an intact file. An error message from FileKind::Try
+// aborts the program, which libFuzzer reports.
 #include "FuzzFiles.h"
 
 #include "vtkLogger.h"

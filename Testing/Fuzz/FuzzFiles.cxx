@@ -64,7 +64,7 @@ void Write(const files::path& path, const std::string& bytes)
   std::ofstream(path, std::ios::binary) << bytes;
 }
 
-/// Aborts the execution halfway.
+/// Aborts the filter as soon as its progress exceeds one half.
 void AbortHalfway(vtkObject* caller, unsigned long, void*, void*)
 {
   auto* filter = vtkAlgorithm::SafeDownCast(caller);

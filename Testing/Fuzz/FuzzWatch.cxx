@@ -62,7 +62,7 @@ void FuzzWatch::Run()
     {
       std::cerr << this->Arguments << " did not end in " << this->Limit.count() << " seconds"
                 << std::endl;
-      // Exit at once: a destructor would wait for the case.
+      // Exit without destructors, which would wait for the case.
       std::_Exit(EXIT_FAILURE);
     }
     if (now >= next)

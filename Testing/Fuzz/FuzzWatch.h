@@ -3,10 +3,10 @@
 #define FuzzWatch_h
 
 #include <chrono>             // for the duration of a case
-#include <condition_variable> // for the end
-#include <mutex>              // for the case
+#include <condition_variable> // to end the thread
+#include <mutex>              // to protect the current case
 #include <string>             // for names
-#include <thread>             // for the watch
+#include <thread>             // for the watching thread
 
 namespace fuzz
 {

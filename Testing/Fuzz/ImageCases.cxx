@@ -201,8 +201,8 @@ std::string Cut(FuzzRandom& random, vtkVolumeMapper* mapper, vtkDataSet* data)
   return text;
 }
 
-/// Checks that a vtkImageData that shares its array with the previous input, but has permuted
-/// dimensions, is rendered as by a new mapper.
+/// Checks a vtkImageData that shares its array with the previous input, but has permuted
+/// dimensions. The frame must equal the frame of a new mapper.
 void CheckShared(vtkShadowedSliceMapper* mapper, reference::VolumeStage& stage, vtkImageData* image,
   reference::Check& check)
 {

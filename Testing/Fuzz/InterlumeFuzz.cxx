@@ -31,7 +31,7 @@ namespace
 
 std::string CurrentCase;
 
-/// Prints the name of the case that a signal ended, with async-signal-safe functions only.
+/// Prints the name of the case that a signal ended. Uses only async-signal-safe functions.
 void OnSignal(int signal)
 {
   const std::string& name = CurrentCase;
@@ -72,7 +72,7 @@ int main(int argc, char* argv[])
   {
     std::signal(signal, fuzz::OnSignal);
   }
-  // Logged messages are collected by fuzz::Messages.
+  // fuzz::Messages collects logged messages.
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   reference::Check check;
   fuzz::FuzzWatch watch(limit);

@@ -160,7 +160,7 @@ void CheckPoints(vtkUnstructuredGrid* grid, reference::Check& check)
 }
 
 /// Checks that the interval of all values has the volume of the mesh, and that two adjacent
-/// intervals together have it, too.
+/// intervals together have the same volume.
 void CheckVolumes(vtkDataSet* data, FuzzRandom& random, reference::Check& check)
 {
   vtkDataArray* values = data->GetPointData()->GetScalars();

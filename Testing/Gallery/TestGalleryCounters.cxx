@@ -14,7 +14,7 @@
 
 namespace
 {
-/// Number of textures and passes of a panel in VTK 9.
+/// Numbers of textures and passes that a panel needs in VTK 9.
 constexpr int WINDOW_BUFFERS = 4;
 constexpr int OCCLUSION_BUFFERS = 5;
 constexpr int OCCLUSION_PASSES = 2;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The animation of the scene inflow-post. On the left, time grows and so does the dyed region. On
-// the right, dye pulses are periodic and end in their first state.
+// Tests the animation of the scene inflow-post. In the left half, the dyed region grows with time.
+// In the right half, periodic dye pulses return to their first state.
 
 #include "Gallery/GalleryImage.h"
 #include "Gallery/Scene.h"

@@ -65,7 +65,7 @@ void CheckSteps(Check& check, interlume::ExodusTimeSource* mug)
   }
   const double* times = information->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   double before = -1.0;
-  // Backward and then forward, so that each step is requested after a different step.
+  // Requests the steps backward and then forward, so that each step follows a different step.
   std::vector<double> means(11, 0.0);
   for (int i = 2 * steps - 1; i >= 0; --i)
   {

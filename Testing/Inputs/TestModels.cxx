@@ -21,8 +21,8 @@ namespace
 
 using Position = std::array<double, 3>;
 
-/// Maps an edge to the number of uses in one direction minus the number in the other. Edges are
-/// keyed by coordinates because points are duplicated where normals are discontinuous.
+/// Maps an edge to its number of uses in one direction minus its number of uses in the other. Edges
+/// are keyed by coordinates because points are duplicated where normals are discontinuous.
 using Edges = std::map<std::pair<Position, Position>, int>;
 
 void AddEdge(Edges& edges, const Position& a, const Position& b)

@@ -45,7 +45,8 @@ endfunction ()
 
 function (find_breaches root output)
   set(breaches)
-  # VTK has vtkSMPTools and others; ParaView's names have a capital and a lower-case letter after vtkSM.
+  # VTK's own names, such as vtkSMPTools, must not match. ParaView's names have a capital and a
+  # lower-case letter after vtkSM.
   set(paraview "(vtkPV[A-Z]|vtkSM[A-Z][a-z]|vtkSI[A-Z][a-z]|vtkClientServer|pq[A-Z])[A-Za-z0-9]*\\.h")
   foreach (folder IN ITEMS Filters Rendering Testing Examples Utilities)
     forbid("${root}" ${folder} "${paraview}")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Settings under the names of the previous release, which still compile and set the same value.
+// Tests that the names of settings in the previous release still compile and set the same value.
 #include "vtkAnalyticFieldSource.h"
 #include "vtkFlowStatus.h"
 #include "vtkImplicitFlowField.h"

@@ -129,7 +129,7 @@ std::string Print(vtkObject* object)
 }
 
 /// Values that PrintSelf does not print: values per id or layer are printed only if they are set,
-/// and keys belong to a prop.
+/// and information keys belong to a prop.
 const std::set<std::string> NotPrinted = { "vtkInflowMapping::Formula", "vtkInflowMapping::Image",
   "vtkShadowedScenePass::CastsShadows", "vtkShadowedScenePass::ReceivesShadows" };
 
@@ -195,7 +195,7 @@ std::set<std::string> FindValues(
   return values;
 }
 
-/// Returns whether a line begins with the value's name in singular or plural. A value
+/// Returns true if a line begins with the value's name in singular or plural. A value
 /// NumberOfThings may be printed as `Things: 3`.
 bool IsPrinted(const std::string& text, const std::string& value)
 {

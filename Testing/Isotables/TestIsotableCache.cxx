@@ -168,7 +168,7 @@ void TestFrustum(reference::Check& check)
 void TestStatistics(reference::Check& check)
 {
   SpaceTimeTable cache(Polytope::Simplex(3).Prism());
-  // All vertices below except one: 8 cases that symmetries map onto each other.
+  // All vertices are below except one. Symmetries map these 8 cases onto each other.
   std::vector<std::uint32_t> keys{ 1 };
   while (keys.size() < 8)
   {

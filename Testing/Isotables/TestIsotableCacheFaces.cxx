@@ -54,12 +54,12 @@ std::vector<std::vector<Face>> GetFaces()
   };
 }
 
-// A point of a face, independent of the cell: kind (vertex, lower or upper edge intersection) and
-// both end vertices in the face.
+// A point of a face, described independently of the cell: its kind (vertex, lower or upper edge
+// intersection) and the two ends of its edge as face vertices.
 using FacePoint = std::array<int, 3>;
 using Tetrahedra = std::set<std::vector<FacePoint>>;
 
-// Returns the tetrahedra on the face: they belong to exactly one simplex.
+// Returns the tetrahedra on the face, which are the tetrahedra that belong to exactly one simplex.
 Tetrahedra FindTetrahedra(const SpaceTimeTable& cache, const SpaceTimeTable::Case& what,
   const SpaceTimeTable::RankArray& ranks, const Face& face)
 {

@@ -79,7 +79,7 @@ int TestIsotableCacheThreads(int, char*[])
   const std::vector<std::uint32_t> keys = MakeKeys();
   const std::uint64_t distinct = std::set<std::uint32_t>(keys.begin(), keys.end()).size();
   const Polytope cell = Polytope::Cube(3).Prism();
-  // Requests the keys in reverse order, so that another case of a kind is built first.
+  // Requests the keys in reverse order, so that another case of each kind is built first.
   SpaceTimeTable expected(cell);
   for (auto key = keys.rbegin(); key != keys.rend(); ++key)
   {

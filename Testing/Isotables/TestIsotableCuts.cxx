@@ -149,8 +149,8 @@ bool TestSharedQuadrilateral(std::mt19937& random)
       }
       const auto faces = GetFacesOn(table, key, table.GetSlotRanks(vertexRanks),
         std::set<int>(side.Cycle.begin(), side.Cycle.end()));
-      // Describes triangles without the cell's vertex numbers: kind and both positions in the
-      // cycle.
+      // Describes triangles independently of the cell's vertex numbers, by the kind of each slot
+      // and the positions of both vertices in the cycle.
       std::set<std::vector<std::array<int, 2>>> triangles;
       for (const auto& face : faces)
       {

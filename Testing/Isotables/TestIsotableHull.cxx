@@ -160,7 +160,7 @@ int TestIsotableHull(int, char*[])
         std::to_string(dimension) + " dimensions, coordinates to " + std::to_string(largest));
       for (int round = 0; round < 20; ++round)
       {
-        // Some sets have too few points for a facet.
+        // Some point sets have too few points for a facet.
         Points points(dimension + random() % 6);
         for (Point& p : points)
         {

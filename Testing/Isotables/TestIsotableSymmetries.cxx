@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Symmetries of a cell: their number, whether they are affine maps that map edges to edges, and
-// whether cases that are mapped onto each other have the same origin.
+// whether cases that are mapped onto each other have the same origin, which is the smallest case
+// key.
 
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"

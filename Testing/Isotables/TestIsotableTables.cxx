@@ -110,7 +110,7 @@ void TestShipped()
   }
 }
 
-// Returns a hash of the contents of all cases, in order.
+// Returns a hash of all cases, in the order of the table.
 std::uint64_t Digest(const vtkIsotable& table)
 {
   std::uint64_t digest = 1469598103934665603u;

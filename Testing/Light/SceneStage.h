@@ -42,29 +42,29 @@ vtkSmartPointer<vtkLight> MakePointLight(
  * @class   SceneStage
  * @brief   an offscreen window with actors and volumes, drawn by vtkShadowedScenePass
  *
- * The camera looks along -z in parallel projection. The origin is at the center of the frame, and x
- * and y are its axes.
+ * The camera looks along -z in parallel projection. The center of the frame shows the origin, with
+ * x to the right and y up.
  */
 class SceneStage
 {
 public:
-  /// Creates a window with \a pixels along each edge, whose view has the edge length \a size.
+  /// Creates a square window with \a pixels per edge. The view covers \a size world units per edge.
   explicit SceneStage(int pixels = 256, double size = 2.0);
   ~SceneStage();
 
   void Add(vtkActor* actor) { this->Stage.AddActor(actor); }
-  /// Adds homogeneous smoke in a box, with \a cells voxels along each axis. The first volume is
-  /// drawn by Mapper.
+  /// Adds homogeneous smoke in a box, with \a cells voxels along each axis. The member Mapper draws
+  /// the first volume.
   void AddSmoke(const std::array<double, 6>& bounds, double extinction, int cells = 8);
 
-  /// Draws a frame with vtkShadowedScenePass, or without it.
+  /// Draws a frame, with vtkShadowedScenePass if \a hasPass.
   RgbaImage Draw(bool hasPass = true);
   /// Returns the first channel of the pixel that shows (x, y).
   double At(const RgbaImage& image, double x, double y) const;
-  /// Returns the x coordinate between \a from and \a to where the first channel crosses \a level at
-  /// \a y, by linear interpolation between pixels.
+  /// Returns the x coordinate between \a from and \a to at which the first channel crosses \a
+  /// level, along the horizontal line at \a y. Interpolates linearly between pixels.
   double FindEdge(const RgbaImage& image, double from, double to, double y, double level) const;
-  /// Looks at the origin along a direction.
+  /// Points the camera at the origin, along a direction.
   void LookAlong(const std::array<double, 3>& direction);
 
   vtkInterlumeReport* GetReport() const { return this->Pass->GetReport(); }

@@ -14,15 +14,16 @@ namespace reference
 
 struct ShadowScene;
 
-/// Maximum and mean allowed difference of an image's channels.
+/// Largest allowed maximum and mean difference between the channels of two images.
 struct ImageBound
 {
   double Max;
   double Mean;
 };
 
-/// Draws a scene with the mapper and with the reference, and prints the difference. Expects a
-/// difference within the bound and a frame that is not empty. Returns the mapper's frame.
+/// Draws a scene with the mapper and with the reference renderer, and prints the difference.
+/// Expects that the difference is within the bound and that the frame is not empty. Returns the
+/// mapper's frame.
 RgbaImage ExpectReference(Check& check, const std::string& name, vtkShadowedSliceMapper* mapper,
   const ShadowScene& scene, const ImageBound& bound);
 /// Calls ExpectReference() with a new mapper.

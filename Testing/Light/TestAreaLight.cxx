@@ -21,7 +21,7 @@ using namespace reference;
 const double NotANumber = std::numeric_limits<double>::quiet_NaN();
 const double Infinity = std::numeric_limits<double>::infinity();
 
-// Collects the errors of an object.
+// Collects the error messages that an object reports.
 class Errors
 {
 public:
@@ -32,7 +32,7 @@ public:
       { static_cast<Errors*>(self)->Texts += static_cast<const char*>(text); });
     object->AddObserver(vtkCommand::ErrorEvent, this->Observer);
   }
-  // Returns whether an error since the last call contains \a text.
+  // Returns true if an error since the last call contains \a text.
   bool Consume(const std::string& text)
   {
     const bool isFound = this->Texts.find(text) != std::string::npos;

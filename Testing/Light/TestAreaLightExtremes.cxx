@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extreme and invalid area lights: positions and sizes of the emitter, non-finite values, invalid
-// images.
+// emitter images.
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Images/CameraSettings.h"
 #include "Support/Images/ReferenceShadowImage.h"
@@ -63,7 +63,7 @@ ShadowScene WithSamples(const ShadowScene& scene, vtkAreaLight* area, int count)
   for (const vtkAreaLight::Sample& sample : area->GetSamples(count))
   {
     auto light = vtkSmartPointer<vtkLight>::New();
-    // vtkLight::DeepCopy() is not virtual, so that it copies no members of vtkAreaLight.
+    // vtkLight::DeepCopy() is not virtual, so it copies no members of vtkAreaLight.
     light->DeepCopy(area);
     light->SetPosition(sample.Position[0], sample.Position[1], sample.Position[2]);
     light->SetIntensity(area->GetIntensity() * sample.Weight[0]);
@@ -81,8 +81,8 @@ public:
     this->Catalogue.SetClass("vtkAreaLight");
   }
 
-  /// Compares the mapper's image, with layers if the light supports them, with the reference's
-  /// image of the light's samples.
+  /// Compares the mapper's frame with the reference frame, which has one point light per sample.
+  /// The mapper uses sample layers if the light supports them.
   void Measure(
     const std::string& name, const std::string& extreme, vtkAreaLight* area, double bound = 6e-4)
   {
@@ -110,7 +110,7 @@ public:
       isSeen ? CompareImages(found, expected).Mean : std::nan(""), bound);
   }
 
-  /// Expects that the images of two scenes are identical.
+  /// Expects that the frames of two scenes are identical.
   void ExpectIdentical(const std::string& name, const std::string& extreme, const ShadowScene& one,
     const ShadowScene& other)
   {
@@ -217,7 +217,7 @@ void TestSizes(AreaTable& table)
   }
 }
 
-/// Expects an error for an invalid light, and an image that shows only the other light.
+/// Expects an error for an invalid light, and a frame that is lit only by the valid light.
 void ExpectError(AreaTable& table, const std::string& name, const std::string& extreme,
   const std::string& text, vtkAreaLight* light)
 {

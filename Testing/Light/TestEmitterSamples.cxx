@@ -23,7 +23,7 @@ using interlume::EmitterGrid;
 using interlume::EmitterSamples;
 using Samples = std::vector<EmitterSamples::Sample>;
 
-// Creates an image of floating-point colors, with x and y from -1/2 to 1/2.
+// Creates an image with floating-point colors. \a color takes coordinates from -1/2 to 1/2.
 vtkSmartPointer<vtkImageData> MakeImage(
   int width, int height, const std::function<glm::dvec3(double, double)>& color)
 {
@@ -200,7 +200,7 @@ void CheckImages(Check& check)
   {
     const Samples samples = EmitterSamples::Make(false, &rampGrid, count);
     CheckWeights(check, samples);
-    // The integral of x (1/2 + x) over the integral of 1/2 + x.
+    // The center of red is the integral of x (1/2 + x), divided by the integral of 1/2 + x.
     check.Near(GetMean(samples, 0, X), 1.0 / 6.0, 0.3 / count + 1e-3, "center of red", 1.0);
     check.Near(GetMean(samples, 1, X), -1.0 / 6.0, 0.3 / count + 1e-3, "center of green", 1.0);
     check.Near(GetMean(samples, 2, Y), 0.4 / 12.0 / 0.3, 0.5 / count + 1e-3,
@@ -303,8 +303,8 @@ void CheckCachedColors(Check& check)
   areEqual("no image");
 }
 
-// Light sources for samples have the samples' positions, and their colors add up to the light's
-// color.
+// The light sources that replace an area light have the positions of its samples, and their colors
+// add up to the light's color.
 void CheckSources(Check& check)
 {
   check.SetContext("sources");

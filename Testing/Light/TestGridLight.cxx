@@ -67,7 +67,7 @@ double GetFormula(const LightSource& light, const glm::dvec3& position)
   return cosine < light.ConeCosine ? 0.0 : std::pow(cosine, light.Exponent) / attenuation;
 }
 
-/// The mean light in a cell, and whether the boundary of the cone intersects the cell.
+/// The mean light in a cell. IsCut is true if the boundary of the cone intersects the cell.
 struct CellMean
 {
   double Mean = 0.0;

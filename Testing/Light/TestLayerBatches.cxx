@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Batches of slabs for an area light's layers: the slabs of each batch, and tiles that cover each
-// triangle of a batch with its border exactly once.
+// Batches of slabs for an area light's layers: the slabs in each batch, and triangles that cover
+// each texel near the medium exactly once.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Light/ReferenceUnitSpace.h"
 
@@ -104,7 +104,7 @@ void CheckColumn(Check& check)
       {
         const int count =
           CountTriangles(batches, i, glm::dvec2(column + 0.49, row + 0.52) * (2.0 / Size) - 1.0);
-        // Interpolation reads four texels.
+        // Interpolation reads texels past the medium, so these must be drawn, too.
         missing += count == 0 && column < edge + 3.0 && row < edge + 3.0 ? 1 : 0;
         duplicate += count > 1 ? 1 : 0;
         drawn += count;

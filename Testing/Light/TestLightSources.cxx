@@ -27,7 +27,7 @@ using namespace interlume::UnitVector;
 
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
-// Returns a volume of half size 5 around (100, 0, 0).
+// Returns the unit space of a volume with edges of length 10 around (100, 0, 0).
 interlume::UnitSpace MakeSpace()
 {
   vtkNew<vtkImageData> image;
@@ -142,7 +142,7 @@ void CheckValues(Check& check)
   CheckVector(check, source.Specular, glm::dvec3(0.35, 0.4, 0.45), "specular");
   check.Near(source.ConeCosine, 0.5, 1e-12, "cone");
   check.Near(source.Exponent, 3.0, 0.0, "exponent");
-  // The attenuation at a point is the same in unit space.
+  // The attenuation at a point is the same in unit space as in world space.
   const double distance = 7.0;
   const double unit = distance / scene.Space.Radius;
   check.Near(

@@ -65,8 +65,8 @@ float ValueOf(
   return table.Colors[4 * (row * Columns + column) + channel];
 }
 
-/// Returns the value of a table at a scalar as the shader computes it: three channels of texels
-/// with \a stride values, or one channel.
+/// Returns the value of a table at a scalar, as the shader computes it. Returns three channels if
+/// \a first is 0 and texels have several values (\a stride), otherwise one channel.
 std::array<double, 3> Sample(const interlume::MaterialTable& table,
   const std::vector<float>& values, const std::vector<int>& bends,
   const std::vector<std::array<float, 2>>& edges, std::size_t first, std::size_t stride,
@@ -82,7 +82,8 @@ std::array<double, 3> Sample(const interlume::MaterialTable& table,
   {
     const float* list = &table.Bends[4 * static_cast<std::size_t>(bends[left])];
     const auto pieces = static_cast<std::size_t>(list[0]);
-    // Pieces of one channel have two nodes in a texel, pieces of three channels one node.
+    // A texel holds two nodes of a piece with one channel, or one node of a piece with three
+    // channels.
     const std::size_t end = channels == 1 ? 1 : 4;
     std::size_t piece = 1;
     while (piece < pieces && list[4 * piece + end] <= offset)
@@ -125,7 +126,8 @@ double GetOpacityBound(vtkPiecewiseFunction* opacity)
   return isBent ? 5e-3 : 2e-3;
 }
 
-/// The range of a function with one node is not limited, regardless of the memory next to the node.
+/// Checks that a function with one node does not limit the range, regardless of the memory next to
+/// the node.
 void CheckSingleNode(Check& check)
 {
   check.SetContext("one node");
@@ -151,7 +153,7 @@ void CheckSingleNode(Check& check)
   check.That(nodes.Limit(range) == range, "the full range");
 }
 
-/// Functions with peaks, steps and curves, with data of a much wider range.
+/// Tests functions with peaks, steps and curves that are much narrower than the data range.
 void CheckShapes(Check& check)
 {
   const interlume::VolumeSamples samples = MakeSamples({ { { -50.0, 1e7 } } });

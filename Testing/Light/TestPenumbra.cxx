@@ -41,7 +41,7 @@ void CheckParallel(Check& check)
     2.0 / 3.0 + std::sqrt(3.0) / 4.0 / std::acos(-1.0), 1e-12, "half a radius from the center");
 }
 
-// Returns the visible weight of the samples of a vtkAreaLight.
+// Returns the total weight of the samples of a vtkAreaLight that are visible from a point.
 double CountSamples(const std::vector<vtkAreaLight::Sample>& samples,
   const ReferencePenumbra& scene, const glm::dvec3& focalPoint, const glm::dvec3& point)
 {

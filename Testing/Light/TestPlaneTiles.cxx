@@ -96,7 +96,7 @@ glm::dvec2 GetPixel(const Scene& scene, const glm::dvec3& position)
   return (glm::dvec2(clip) / clip.w * 0.5 + 0.5) * glm::dvec2(scene.Size[0], scene.Size[1]);
 }
 
-// Outer blocks are enlarged by the margin.
+// Returns true if a position is in a visible block. Outer blocks are enlarged by the margin.
 bool IsVisible(const Scene& scene, const glm::dvec3& position)
 {
   const glm::dvec3 texture = TransformPoint(scene.Space.TextureFromUnit, position);

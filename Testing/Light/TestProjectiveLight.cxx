@@ -98,8 +98,8 @@ std::array<double, 4> Project(vtkMatrix4x4* matrix, const glm::dvec3& point)
   return to;
 }
 
-// Checks points of the screen and points on the same rays, which start at the position or are
-// parallel to the axis.
+// Checks points of the screen and points on the rays through them. Rays start at the light's
+// position or are parallel to its axis.
 void CheckMatrix(Check& check, vtkProjectiveLight* light, const glm::dvec3& position,
   const glm::dvec3& focalPoint, const glm::dvec3& up, double scale)
 {

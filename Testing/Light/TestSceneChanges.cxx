@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A random sequence of changes to a scene with vtkShadowedScenePass: lights, actors, smoke, window,
-// settings of pass and mapper. After each change, the image equals that of a new pass, new mappers
-// and new actors.
+// settings of pass and mapper. After each change, the frame equals the frame of a new pass, new
+// mappers and new actors.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "SceneStage.h"
@@ -43,7 +43,7 @@ struct State
   double Bias = 1.0;
 };
 
-// The scene of a state. It is reused for many states or created for one state.
+// A scene that shows a state. It is either reused for many states or created for one state.
 class Scene
 {
 public:

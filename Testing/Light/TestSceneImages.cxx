@@ -178,7 +178,7 @@ void TestShadow(Check& check)
 
 void TestEmitter(Check& check)
 {
-  // A red and a green half have the mean color (1, 1/2, 0), relative to the brightest channel.
+  // The two pixels have the mean color (1, 1/2, 0), relative to the brightest channel.
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 1, 1);
   image->AllocateScalars(VTK_FLOAT, 3);

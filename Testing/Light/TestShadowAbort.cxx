@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The window can abort rendering with vtkShadowedSliceMapper, without effect on later frames.
+// The window can abort vtkShadowedSliceMapper while it renders, and later frames are not affected.
 #include "Support/Drawing/DrawingAborts.h"
 #include "Support/Images/ShadowCases.h"
 #include "Support/Drawing/ShadowImage.h"

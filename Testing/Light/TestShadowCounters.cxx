@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The report of vtkShadowedSliceMapper: no shadow work if no light casts shadows, one buffer per
-// light, sweeps that follow from the light positions, skipped empty regions, and a single upload of
+// light, the sweeps that the light positions require, skipped empty regions, and a single upload of
 // the data.
 #include "Support/Images/ShadowCases.h"
 #include "Support/Drawing/ShadowImage.h"
@@ -282,7 +282,7 @@ void TestUploads(Check& check)
   expectNothing("other values, drawn again");
 }
 
-/// A light kit of five lights, with shadows of the brightest light only.
+/// Tests a light kit of five lights, of which only the brightest casts shadows.
 void TestLightKit(Check& check)
 {
   auto scene = SphereScene();

@@ -31,7 +31,7 @@ namespace
 
 using namespace reference;
 
-/// The opacity of a homogeneous medium is exact for any slice spacing.
+/// Bound for homogeneous media, whose opacity is exact for any slice spacing.
 constexpr ImageBound Exact = { 2e-5, 2e-6 };
 constexpr ImageBound Similar = { 1e-5, 1e-6 };
 
@@ -137,7 +137,7 @@ void TestSubvolume(Check& check)
     vtkNew<vtkShadowedSliceMapper> clipping;
     const RgbaImage clipped = DrawByMapper(clipping, lit);
     check.That(LargestAlpha(cropped) > 0.5, "the cropped image is not empty");
-    // Cropping an axis-aligned vtkImageData moves the slices to the smaller box, so that images
+    // For an axis-aligned vtkImageData, cropping fits the slices to the smaller box, so frames
     // differ slightly.
     const bool isOblique = axes.Matrix[0] == 0.8;
     ExpectSimilar(check, "same as clipping planes, " + axes.Name, cropped, clipped,

@@ -48,7 +48,7 @@ public:
     this->Catalogue.SetClass("vtkShadowedSliceMapper");
   }
 
-  /// Compares the mapper's image with the reference.
+  /// Compares the mapper's frame with the reference.
   void Measure(const std::string& name, const std::string& extreme, const ShadowScene& scene,
     double bound = Bound)
   {
@@ -106,8 +106,8 @@ void TestLightPositions(ShadowTable& table)
     MakePositionalLight({ { -cameraPosition[0], -cameraPosition[1], -cameraPosition[2] } }));
   measure("light-across", "light exactly perpendicular to the view",
     MakeDirectionalLight({ { 1.0, -0.75, 0.0 } }));
-  // This direction is perpendicular to the view. Here the slices switch between lights in front of
-  // the volume and lights behind it.
+  // This direction is perpendicular to the view, where the order of slices changes between front to
+  // back and back to front.
   measure("light-in-slice-plane", "a light next to the volume, in the plane of a slice",
     MakePositionalLight({ { -0.8, 0.6, 0.0 } }));
   measure("light-distance-1e-3", "a light 1e-3 above the volume",
@@ -197,7 +197,7 @@ void TestMaterials(ShadowTable& table)
     const double* pixel = found.At(8, 8);
     return std::array<double, 2>{ { pixel[0], pixel[3] } };
   };
-  // View and light transmittances are equal, so that half of the light returns.
+  // View and light transmittances are equal, so half of the light returns.
   const std::array<double, 2> lit = drawCenter(-1.0);
   table.Catalogue.Measure("opaque-lit", "fully opaque, lit along the view",
     "alpha 1, half of the light", std::max(std::abs(lit[0] - 0.5), std::abs(lit[1] - 1.0)), 1e-3);
@@ -226,7 +226,7 @@ void TestMaterials(ShadowTable& table)
   table.Measure("zero-gradient", "shaded, with zero gradients", flat, 0.03);
 }
 
-/// The Beer-Lambert law for slabs of very low optical depth.
+/// Checks the Beer-Lambert law for slabs of very low optical depth.
 void TestManySlices(ShadowTable& table)
 {
   for (double tau : { 1e-3, 1.0, 8.0 })
@@ -350,7 +350,7 @@ void ExpectError(ShadowTable& table, const std::string& name, const std::string&
     wasValid && message.find(word) != std::string::npos);
   table.Catalogue.Measure(name + "-picture", extreme, "the image of the previous frame",
     CompareImages(after, before).Max, 0.0);
-  // Expects the same error for the first frame.
+  // Expects the same error from a mapper that has not drawn any frame yet.
   vtkNew<vtkShadowedSliceMapper> fresh;
   observer->Clear();
   fresh->AddObserver(vtkCommand::ErrorEvent, observer);

@@ -53,7 +53,7 @@ ShadowScene SphereScene(bool shade)
   return scene;
 }
 
-/// An outlier with the same material as its neighbors changes nothing.
+/// An outlier with the same material as its neighbors does not change the image.
 void TestOutlier(Check& check)
 {
   for (bool shade : { false, true })
@@ -84,8 +84,8 @@ void TestOutlier(Check& check)
   }
 }
 
-/// 16-bit values from 30000 to 30012 along a diagonal. Outliers of 0 and 65535 along an edge, which
-/// is cropped, widen the data range.
+/// Returns 16-bit values that increase from 30000 to 30012 along a diagonal. Outliers of 0 and
+/// 65535 along a cropped edge widen the data range.
 ShadowScene GentleScene(vtkVolumeProperty* property)
 {
   auto scene = MakeScene(MakeImage(Cells,
@@ -102,7 +102,7 @@ ShadowScene GentleScene(vtkVolumeProperty* property)
   return scene;
 }
 
-/// Both images use thin slabs, so that slab thickness does not affect the comparison.
+/// Compares with thin slabs in both frames, so slab thickness does not affect the comparison.
 void ExpectThin(
   Check& check, const std::string& name, const ShadowScene& scene, const ImageBound& bound)
 {
@@ -145,7 +145,7 @@ void TestSteps(Check& check)
   ToShorts(scene.Image);
   ExpectThin(check, "steps, 16-bit values", scene, { 1e-2, 4e-4 });
 
-  // Two consecutive values, each constant over half of the volume.
+  // Two consecutive values, each in one half of the volume.
   auto halves = GentleScene(MakeProperty({ { 0.0, blue, 0.0 }, { 30006.5 - edge, blue, 0.02 },
                                            { 30006.5 + edge, red, 0.3 }, { 65535.0, red, 0.3 } },
     0.1));
@@ -160,7 +160,7 @@ void TestSteps(Check& check)
   ExpectThin(check, "consecutive 16-bit values", halves, { 1e-2, 2e-4 });
 }
 
-/// Gradient opacity, colored transmission and unclamped functions, with an outlier.
+/// Tests gradient opacity, colored transmission and unclamped functions, each with an outlier.
 void TestOthers(Check& check)
 {
   auto scene = SphereScene(false);

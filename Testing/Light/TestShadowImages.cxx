@@ -36,8 +36,8 @@ namespace
 
 using namespace reference;
 
-/// Bound for soft media. Slabs of one voxel use one sample at their center. It allows for nonlinear
-/// functions within a slab.
+/// Bound for soft media. It allows for functions that are nonlinear within a slab, since slabs of
+/// one voxel use one sample at their center.
 constexpr ImageBound Soft = { 0.015, 0.0006 };
 /// Bound for volumes cut by planes, which leave slabs thinner than a voxel.
 constexpr ImageBound Cut = { 0.06, 0.0006 };
@@ -67,7 +67,7 @@ void TestVolumes(Check& check)
   }
 }
 
-/// Compares skin and bone in a part of a head.
+/// Tests skin and bone in a tomography of part of a head.
 void TestTomography(Check& check)
 {
   const auto head = interlume::ReadData("headsq_quarter.vti");
@@ -265,7 +265,7 @@ void TestCuts(Check& check)
   }
 }
 
-/// An opaque black plane that fills the frame and intersects the volume.
+/// Tests an opaque black plane that fills the frame and intersects the volume.
 void TestOpaque(Check& check)
 {
   auto scene = SphereScene(true);

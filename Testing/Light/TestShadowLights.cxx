@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Images of vtkShadowedSliceMapper compared with ray marching in double precision: kinds, positions
-// and numbers of lights. The scene is two boxes; for most lights, one shadows the other.
+// and numbers of lights. The scene consists of two boxes. For most lights, one box shadows the
+// other.
 #include "Light/ShadowComparison.h"
 #include "Support/Images/CameraSettings.h"
 #include "Support/Images/ShadowCases.h"
@@ -170,7 +171,7 @@ void TestProjective(Check& check)
     ExpectReference(check, "slide, not shaded" + kind, scene, ScreenBound);
     light->InterpolateOff();
     light->SetEdgeWidth(0.0);
-    // Edges of the screen and of its pixels are blurred by the slab thickness.
+    // The slab thickness blurs the edges of the screen and of its pixels.
     ExpectReference(check, "sharp slide" + kind, scene, { 0.03, 0.0004 });
   }
 }

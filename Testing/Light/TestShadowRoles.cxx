@@ -133,7 +133,7 @@ void TestLightImages(Check& check)
 }
 
 // Smoke above a floor: an actor that casts no shadow does not darken the smoke, and an actor that
-// receives no shadows gets all light.
+// receives no shadows is fully lit.
 void TestSmoke(Check& check)
 {
   const double sun = 1.0 / std::sqrt(1.0 + 0.36);
@@ -192,7 +192,7 @@ void TestTranslucent(Check& check)
   check.That(CompareImages(mixed, stage.Draw()).Max > 0.01, "the square's shadow in the smoke");
 }
 
-// Parts of an assembly use the keys of the assembly.
+// Parts of an assembly use the shadow keys that are set on the assembly.
 void TestAssembly(Check& check)
 {
   const double sun = 1.0 / std::sqrt(1.49);

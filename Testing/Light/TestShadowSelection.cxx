@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkHardwareSelector finds a volume drawn in slices where it is visible, and a prop in front of
-// it.
+// vtkHardwareSelector finds a sliced volume at pixels that show it, and a prop at pixels where it
+// hides the volume.
 #include "Support/Images/ShadowCases.h"
 #include "Support/Drawing/ShadowImage.h"
 #include "Support/Images/VolumeStage.h"

@@ -58,8 +58,8 @@ RgbaImage Mix(const RgbaImage& a, const RgbaImage& b, double weight)
   return mixed;
 }
 
-/// The surface fraction is the gradient divided by SurfaceGradient, at most 1. The image is linear
-/// in it, from diffuse scattering without Shade to surface shading.
+/// The surface fraction is the gradient divided by SurfaceGradient, at most 1. Colors are linear in
+/// this fraction, from diffuse scattering without Shade to surface shading.
 void TestSurfaceGradient(Check& check)
 {
   // The largest gradient along an axis, relative to the range, is 0.7 / Cells.
@@ -80,8 +80,8 @@ void TestSurfaceGradient(Check& check)
     check, "every gradient is a surface if SurfaceGradient is small", below, none, bound);
 }
 
-/// With two-sided lighting, an image equals the image of inverted values. Only shaded volumes have
-/// shader code for it.
+/// With two-sided lighting, inverting the values does not change the image. Only shaded volumes
+/// have shader code for two-sided lighting.
 void TestTwoSidedLighting(Check& check)
 {
   const auto draw = [](bool isInverted, bool isTwoSided, bool isShaded, std::string& features)

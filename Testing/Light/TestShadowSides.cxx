@@ -78,9 +78,9 @@ struct Case
   double Opacity;
   /// Slice spacing in voxels.
   double Spacing;
-  /// Allowed relative difference between the means of both sides.
+  /// Allowed relative difference of the mean brightness between both sides of the plane.
   double Bound;
-  /// Whether the medium has a transmission color.
+  /// True if the medium has a transmission color.
   bool IsColored = false;
 };
 

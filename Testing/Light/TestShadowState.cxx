@@ -115,7 +115,8 @@ vtkSmartPointer<vtkActor> MakeSphereActor(const Double3& center, double radius)
   return actor;
 }
 
-/// 8-bit targets have the same image as floating-point targets, over an unchanged background.
+/// Tests that 8-bit targets show the same image as floating-point targets, over an unchanged
+/// background.
 void TestTargets(Check& check)
 {
   const auto scene = SphereScene();
@@ -170,7 +171,7 @@ void TestViewports(Check& check)
   }
 }
 
-/// One volume in two viewports.
+/// Tests one volume in two viewports.
 void TestSharedVolume(Check& check)
 {
   const auto scene = SphereScene();
@@ -196,7 +197,7 @@ void TestSharedVolume(Check& check)
   }
 }
 
-/// Surfaces in a viewport that is drawn later are the same as without the volume.
+/// Tests that the volume does not change surfaces in a viewport that is drawn later.
 void TestAfter(Check& check)
 {
   RgbaImage images[2];
@@ -301,7 +302,7 @@ void TestStereo(Check& check)
   check.Near(cyan / sums[1], centers[1], 0.5, "cyan of an anaglyph is the right view", 1.0);
 }
 
-/// After each change, the image equals that of a new mapper.
+/// After each change, the image equals the image of a new mapper.
 void TestChanges(Check& check)
 {
   auto scene = SphereScene();
@@ -449,7 +450,7 @@ void TestSharedArrays(Check& check)
   }
 }
 
-/// Textures are created again after a release, and for each window.
+/// Tests that textures are created again after they are released, and for each window.
 void TestWindows(Check& check)
 {
   const auto scene = SphereScene();

@@ -149,7 +149,7 @@ void TestMedia(Check& check)
   {
     const char* Name;
     std::function<double(double)> Profile;
-    /// Integral of the profile from z to the top at 1.
+    /// Integral of the profile from z to the top, z = 1.
     std::function<double(double)> Integral;
   } media[] = { { "homogeneous", [](double) { return 1.0; }, [](double z) { return 1.0 - z; } },
     { "linear", [](double z) { return z; }, [](double z) { return 0.5 * (1.0 - z * z); } },

@@ -44,7 +44,7 @@ Vector Normalize(Vector a)
   return a;
 }
 
-// Returns the length of a ray inside a box, up to a distance. \a direction has length 1.
+// Returns the length of a ray inside a box, up to the distance \a limit. \a direction has length 1.
 double GetPath(const Vector& position, const Vector& direction, const Box& box, double limit)
 {
   double first = 0.0;
@@ -78,7 +78,7 @@ struct Case
   double Bound;
   /// Diameter of a round light, or 0 for lights without extent.
   double Diameter = 0.0;
-  /// Number of area lights that are reduced to their center.
+  /// Expected number of area lights that are reduced to their center.
   int HardLights = 0;
 };
 
@@ -343,7 +343,8 @@ void TestPlate(Check& check)
 
 void TestCounters(Check& check)
 {
-  // A scene with only smoke has the same image and the same work as without the pass.
+  // With only smoke, the pass draws the same image with the same work as the mapper does without
+  // the pass.
   SceneStage smoke(64);
   smoke.AddSmoke(SMOKE, EXTINCTION);
   smoke.Stage.SetLights({ MakeSun({ { 0.4, 0.2, -1.0 } }) });

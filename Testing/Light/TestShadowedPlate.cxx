@@ -37,8 +37,8 @@ constexpr int VOXELS = 96;
 constexpr int LAYERS = 16;
 constexpr int PIXELS = 160;
 
-/// Returns a density that increases from 0 above to 1 below, like an edge smoothed by a Gaussian of
-/// 1.14 voxels.
+/// Returns a density that increases from 0 above the plate's surface to 1 below it, like an edge
+/// smoothed by a Gaussian of 1.14 voxels.
 vtkSmartPointer<vtkImageData> MakePlate()
 {
   return MakeImage({ { VOXELS, VOXELS, LAYERS } }, { { 1.0, 1.0, 1.0 } },
@@ -84,7 +84,7 @@ struct Case
   /// Edge length of the light buffer, or 0 for the default.
   int BufferSize;
   bool IsShaded;
-  /// Diameter of the light.
+  /// Diameter of the light, or 0 for a directional light.
   double Diameter;
   /// Bounds of the roughness (root mean square) and of the error of the mean, in units of 1/255.
   double Roughness;
@@ -149,7 +149,7 @@ vtkSmartPointer<vtkLight> MakeLight(const Case& plate, double intensity)
     area->SetSize(plate.Diameter, plate.Diameter);
     light = area;
   }
-  // An area light is far away, so that its light is almost parallel.
+  // An area light is far away, so its light is almost parallel.
   const double distance = plate.Diameter > 0.0 ? 800.0 : 1.0;
   light->SetLightTypeToSceneLight();
   light->SetPositional(plate.Diameter > 0.0);
@@ -248,10 +248,10 @@ int TestShadowedPlate(int, char*[])
   const Double3 down = { { 0.5, 0.1, -0.9 } };
   const Double3 across = { { -0.5, 0.2, -0.9 } };
   const Double3 grazing = { { 0.8, 0.1, -0.5 } };
-  // For comparison, roughness and bias with one sample at the center of each slab and interpolated
-  // transmittance: 0.55 and 6.7, 0.55 and 6.7, 1.3 and 1.2, 2.1 and 1.1, 2.8 and 1.5, 0.7 and 3.4,
-  // 1.3 and 1.2, 0.7 and 1.1, 0.3 and 2.7, 1.9 and 1.4, 1.9 and 1.6, 5.2 and 11.8, 5.3 and 0.7, 1.7
-  // and 3.1, 1.7 and 3.2, 1.5 and 0.2.
+  // For comparison: with one sample at the center of each slab and interpolated transmittance,
+  // these cases have a roughness and a bias of 0.55 and 6.7, 0.55 and 6.7, 1.3 and 1.2, 2.1 and
+  // 1.1, 2.8 and 1.5, 0.7 and 3.4, 1.3 and 1.2, 0.7 and 1.1, 0.3 and 2.7, 1.9 and 1.4, 1.9 and 1.6,
+  // 5.2 and 11.8, 5.3 and 0.7, 1.7 and 3.1, 1.7 and 3.2, 1.5 and 0.2.
   const std::vector<Case> cases = { { "flat view", flat, { { -0.1, 0.05, -1.0 } }, 192, true, 0.0,
                                       0.2, 0.5 },
     { "flat view, not shaded", flat, { { -0.1, 0.05, -1.0 } }, 192, false, 0.0, 0.2, 0.5 },

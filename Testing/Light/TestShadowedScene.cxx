@@ -102,8 +102,8 @@ void TestSpecks(Check& check)
   }
 }
 
-// Under a sun with an extent, a sphere or thin plate looks the same with and without shadows where
-// the full sun is above the surface, and is black where the full sun is below it.
+// Tests a sphere or thin plate under a sun with an extent. Points that the full sun illuminates
+// look the same with and without shadows, and points that face away from the full sun are black.
 void TestSoftSpecks(Check& check)
 {
   for (const double height : { 1.0, 0.3 })

@@ -41,7 +41,7 @@ vtkSmartPointer<vtkActor> MakeFloor()
   return MakeRectangle({ { -1.0, -1.0, 0.0 } }, { { 2.0, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } });
 }
 
-// Draws a floor and a sun after a change of the scene.
+// Draws a floor lit by a sun, after a change of the scene.
 RgbaImage Draw(const Change& change, bool hasPass = true)
 {
   SceneStage stage(64);
@@ -335,7 +335,7 @@ void TestSoftLights(SceneTable& table)
         vtkNew<vtkSphereSource> source;
         source->SetRadius(0.25);
         source->SetThetaResolution(32);
-        // The open sphere has the same rows of points, starting at 60 degrees.
+        // The open sphere has the same rows of points as the closed one, starting at 60 degrees.
         source->SetPhiResolution(kind == 1 ? 11 : 16);
         source->SetStartPhi(kind == 1 ? 60.0 : 0.0);
         vtkNew<vtkReverseSense> reverse;

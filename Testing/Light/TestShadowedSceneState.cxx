@@ -80,7 +80,7 @@ void TestLights(Check& check)
     const double sum = images[0].Values[i] + images[1].Values[i] + images[2].Values[i];
     mean += std::abs(all.Values[i] - sum) / (all.Values.size() / 4);
   }
-  // Slices for three lights differ from slices for one light, so that only the mean is compared.
+  // Slices for three lights differ from slices for one light, so only the mean is compared.
   check.Near(mean, 0.0, 1e-3, "three lights are the sum of single lights", 1.0);
 
   // The received light is linear in the shadow attenuation.

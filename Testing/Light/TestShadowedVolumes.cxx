@@ -111,7 +111,7 @@ MixedScene MakeScene(
   return scene;
 }
 
-/// Compares the image with the reference, and with the image of the volumes in reverse order.
+/// Compares the frame with the reference, and with the frame of the volumes in reverse order.
 void TestScene(
   Check& check, const std::string& name, const MixedScene& scene, const ImageBound& bound)
 {
@@ -130,7 +130,7 @@ void TestScene(
     name + ": same image in reverse order", 1.0);
 }
 
-/// Two boxes for different lights and views: disjoint, overlapping, and nested.
+/// Tests two boxes that are disjoint, overlap or are nested, with different lights and views.
 void TestBoxes(Check& check)
 {
   const Box lower{ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } };
@@ -171,8 +171,8 @@ RgbaImage Draw(const MixedScene& scene, const std::function<void(VolumePile&)>& 
   return pile.Draw();
 }
 
-/// Returns a range of cells along x of a cube of 32 cells with inhomogeneous smoke, whose
-/// extinction is scaled by \a fraction.
+/// Returns a part of a cube of inhomogeneous smoke: a range of its 32 cells along x. The extinction
+/// is scaled by \a fraction.
 SceneVolume MakeSmoke(int first, int last, double fraction = 1.0)
 {
   constexpr double extinction = 3.0;
@@ -256,7 +256,8 @@ void TestThickHalves(Check& check)
   }
 }
 
-/// Two volumes of different colors at the same position: the error decreases with the spacing.
+/// Tests that the error of two volumes of different colors at the same position decreases with the
+/// slice spacing.
 void TestRefinement(Check& check)
 {
   const Box box{ { -0.5, 0.5, -0.4, 0.4, -0.3, 0.3 } };
@@ -282,7 +283,7 @@ void TestRefinement(Check& check)
   check.Near(last, 0.0, 0.001, "two volumes at the same position", 1.0);
 }
 
-/// Point lights outside, between and inside the volumes.
+/// Tests point lights outside, between and inside the volumes.
 void TestPointLights(Check& check)
 {
   const SceneVolume left = MakeMedium({ { -0.6, -0.1, -0.3, 0.3, -0.3, 0.3 } }, 3.0, RED);
@@ -326,7 +327,7 @@ void TestPointLightAboveFloor(Check& check)
   }
 }
 
-/// One volume has a feature that the other volume lacks.
+/// Tests pairs of volumes in which one volume has a feature that the other lacks.
 void TestFeatures(Check& check)
 {
   const Box lower{ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } };
@@ -438,7 +439,7 @@ void TestSoftShadows(Check& check)
   check.That(hard.Mean > 0.0005, "soft shadows: penumbras are visible");
 }
 
-/// Opaque media, whose surfaces are located within slabs, and their shadows on each other.
+/// Tests opaque media, whose surfaces are inside slabs, and their shadows on each other.
 void TestSharp(Check& check)
 {
   const SceneVolume lower = MakeMedium({ { -0.5, 0.3, -0.3, 0.3, -0.5, -0.2 } }, 80.0, RED);
@@ -451,7 +452,7 @@ void TestSharp(Check& check)
     MakeScene({ lower, upper, smoke }, { { 0.2, 0.3, -1.0 } }, view), { 0.2, 0.0005 });
 }
 
-/// Surfaces in front of, between, inside and behind two volumes.
+/// Tests surfaces in front of, between, inside and behind two volumes.
 void TestSurfaces(Check& check)
 {
   const SceneVolume lower = MakeMedium({ { -0.5, 0.1, -0.3, 0.3, -0.5, -0.1 } }, 2.0, RED);
@@ -519,7 +520,7 @@ void TestSettings(Check& check)
   check.Equal(pile.GetReport()->GetCount("Volumes"), 2, "memory: both are drawn");
 }
 
-/// Volumes that are drawn separately, and a single volume.
+/// Tests volumes that the pass draws separately, and a single volume.
 void TestSeparate(Check& check)
 {
   const SceneVolume large = MakeMedium({ { -0.5, 0.5, -0.5, 0.5, -0.5, 0.5 } }, 1.0, RED);

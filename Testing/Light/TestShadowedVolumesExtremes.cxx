@@ -43,7 +43,7 @@ vtkShadowedSliceMapper* GetMapper(SceneStage& stage, int index)
   return vtkShadowedSliceMapper::SafeDownCast(GetVolume(stage, index)->GetMapper());
 }
 
-/// Draws a floor, a sun, and volumes above the floor.
+/// Draws a floor lit by a sun, with volumes above the floor.
 class VolumeTable
 {
 public:

@@ -65,8 +65,8 @@ Camera MakeParallel(const glm::dvec3& direction)
   return eye;
 }
 
-// Returns a perspective camera with a square image and the tangent of its half view angle. If the
-// tangent is 0, the matrix is not set.
+// Returns a perspective camera with a square frame. \a tangent is the tangent of half the view
+// angle. If it is 0, the matrix is not set.
 Camera MakePerspective(const glm::dvec3& position, const glm::dvec3& direction, double tangent)
 {
   Camera eye;
@@ -244,8 +244,8 @@ void CheckFrame(Check& check, const interlume::SlicePlan::ShadowedLight& light, 
   }
 }
 
-// Checks the sweeps of any plan: side of the camera, each light exactly once for the full volume,
-// buffers, slabs.
+// Checks the sweeps of any plan: slices face the camera, each light illuminates the full volume
+// exactly once, and buffers and slabs are correct.
 void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Camera& eye,
   const std::vector<interlume::LightSource>& lights, const interlume::UnitSpace& space, int maximum)
 {
@@ -316,7 +316,7 @@ void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Camera& e
   }
 }
 
-// The guaranteed cosines are reached if some normal reaches them.
+// A plan reaches the guaranteed cosines if some normal reaches them.
 void CheckAngles(Check& check, const interlume::SlicePlan& plan,
   const std::vector<glm::dvec3>& eyeRays, const interlume::LightSource& light,
   const std::array<glm::dvec3, 8>& corners)
@@ -452,7 +452,7 @@ void CheckHalfVector(Check& check)
 }
 
 // While the light rotates around the view in steps of 0.01 degrees, the normal rotates at most as
-// fast as the light, except for the change of sides at 90 degrees.
+// fast as the light, except at 90 degrees, where the slice order changes.
 void CheckContinuity(Check& check)
 {
   const interlume::UnitSpace space = MakeCube();
@@ -597,7 +597,7 @@ void CheckDenseMedium(Check& check)
   const Camera eye = MakeParallel(glm::dvec3(0.0, 0.0, -1.0));
   interlume::SlicePlan::Settings settings;
   settings.SmallerImageSize = 1000;
-  // Slabs are 50 units thick.
+  // Slabs are 50 units thick, so their optical depth is the argument of getSize().
   const auto getSize = [&](double depth)
   {
     const interlume::SlicePlan::SlicedVolume volume = { &space, space.Box, 0.0,

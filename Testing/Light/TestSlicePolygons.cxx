@@ -107,7 +107,7 @@ std::vector<Box> GetBlocks(const Scene& scene)
   return blocks;
 }
 
-// Returns two directions in the plane.
+// Returns two perpendicular directions in the plane.
 std::array<glm::dvec3, 2> GetAxes(const glm::dvec3& normal)
 {
   const glm::dvec3 first = Perpendicular(normal, { 0.3, 0.8, 0.5 });
@@ -240,7 +240,7 @@ void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
   for (int slab = 0; slab < scene.Sweep.Slabs; ++slab)
   {
     const double position = scene.Sweep.First + (slab + 0.5) * scene.Sweep.Spacing;
-    // If planes coincide with faces, the expected area is that of a plane slightly above.
+    // If planes coincide with faces, expect the area of a plane slightly above.
     const double sampledPosition = position + (hasTies ? 1e-9 : 0.0);
     double expected = 0.0;
     for (const Box& block : blocks)
@@ -302,7 +302,7 @@ void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
     }
     for (std::size_t i = 0; i < triangles.size(); i += 7)
     {
-      // Points on edges, most of which are shared by two triangles.
+      // Test points on edges. Two triangles share most of the edges.
       for (std::size_t edge = 0; edge < 3; ++edge)
       {
         const Point& a = triangles[i][edge];
@@ -406,7 +406,7 @@ void CheckTies(Check& check)
   polygons.Build(scene.Sweep, { scene.Borders, scene.Visible }, scene.Space, scene.Crop, 0.0);
   check.That(!polygons.IsEmpty(0) && !polygons.IsEmpty(1) && polygons.IsEmpty(2),
     "a block owns its lower face");
-  // All visible blocks are merged into one polygon of two triangles.
+  // A slab in which all blocks are visible has one polygon of two triangles.
   check.Equal(static_cast<long long>(polygons.GetStarts()[2] - polygons.GetStarts()[1]), 6,
     "vertices of a slab across all blocks");
 }

@@ -93,7 +93,7 @@ Macros Combine(const std::vector<Choice>& choices, const Choice& first, const Ch
   const auto isSelected = [&](const Choice& choice)
   {
     // If the macros of one choice include the macros of another choice for the same aspect, the
-    // larger choice is selected.
+    // choice with more macros is selected.
     return HasAll(macros, choice) &&
       std::none_of(choices.begin(), choices.end(),
         [&](const Choice& other)

@@ -47,7 +47,7 @@ vtkSmartPointer<vtkAreaLight> MakeRoundLight(const Double3& position, double siz
   return light;
 }
 
-/// Returns the light for the reference, as \a count points on its emitter.
+/// Converts a light for the reference renderer, to \a count points on its emitter.
 SceneLight MakeReferenceLight(vtkAreaLight* light, int count)
 {
   double matrix[16];
@@ -228,7 +228,7 @@ void TestSampledLights(Check& check)
   check.Near(CompareImages(images[0], images[1]).Max, 0.0, 0.0, "SAMPLED_LIGHTS in a scene", 1.0);
 }
 
-/// An area light and a directional light: neither has shadow maps of the other kind.
+/// Draws an area light and a directional light. Neither adds shadow maps of the other light's kind.
 void TestBoth(Check& check)
 {
   RgbaImage images[3];

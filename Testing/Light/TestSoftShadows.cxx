@@ -41,7 +41,7 @@ vtkSmartPointer<vtkAreaLight> MakeAreaLight(
   return light;
 }
 
-/// Distance of the half plane from the receiver, and width of its volume.
+/// Distance of the half plane from the receiver, and width of the volume that contains both.
 constexpr double Gap = 0.5;
 constexpr double Width = 0.5;
 
@@ -56,7 +56,7 @@ double GetRamp(double x, double width)
   return width > 0.0 ? ReferencePenumbra::GetRamp(x, width) : x > 0.0 ? 1.0 : 0.0;
 }
 
-/// Returns the distance by which the lit part of a profile extends past that of the ramp.
+/// Returns the distance by which the lit part of a profile extends past the lit part of the ramp.
 double GetShift(const std::vector<double>& profile, double width)
 {
   double shift = 0.0;
@@ -152,7 +152,7 @@ struct PenumbraError
   double Fit = 0.0;
 };
 
-/// Refines slices, texels and light samples by a factor of \a steps.
+/// Returns the errors if slices, texels and light samples are refined by a factor of \a steps.
 PenumbraError MeasureHalfPlane(double ratio, double width, int steps)
 {
   const auto set = [steps](Mapper* mapper)
@@ -201,8 +201,8 @@ void TestRefinement(Check& check)
   }
 }
 
-/// Penumbras of a few texels. Interpolation between layers and their mean would widen a penumbra of
-/// 4 texels by two thirds, and a penumbra of 6 texels by a quarter.
+/// Penumbras of a few texels. Interpolating between layers and averaging them would widen a
+/// penumbra of 4 texels by two thirds, and a penumbra of 6 texels by a quarter.
 void TestNarrow(Check& check)
 {
   constexpr int size = 128;

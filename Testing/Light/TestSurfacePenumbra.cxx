@@ -169,7 +169,8 @@ void TestColors(Check& check)
   }
 }
 
-/// Returns the width of the linear ramp whose slope has the same variance as that of the profile.
+/// Returns the width of the linear ramp whose derivative has the same variance as the derivative of
+/// the profile.
 double GetRampWidth(const std::vector<double>& profile)
 {
   double sum = 0.0;
@@ -273,7 +274,8 @@ int TestSurfacePenumbra(int, char*[])
       TestProfile(check, half);
     }
     half.Ratio = 1.0;
-    // No two samples are aligned with the edge, but steps from the outermost samples are visible.
+    // No two samples have the same distance from the edge, but the outermost samples cause visible
+    // steps.
     half.Rotation = 30.0;
     half.WidthBound = 0.06;
     half.ProfileBound = 0.07;

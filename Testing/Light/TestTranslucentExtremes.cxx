@@ -43,7 +43,7 @@ vtkSmartPointer<vtkActor> MakeFloor()
   return MakeRectangle({ { -2.0, -2.0, -0.6 } }, { { 4.0, 0.0, 0.0 } }, { { 0.0, 4.0, 0.0 } });
 }
 
-// Draws a floor, smoke and a sun after a change of the scene.
+// Draws a floor and smoke, lit by a sun, after a change of the scene.
 RgbaImage Draw(const Change& change)
 {
   SceneStage stage(PIXELS, 1.6);
@@ -102,7 +102,7 @@ void TestOpacities(Table& table)
       stage.Add(square);
     };
   };
-  // Shadow maps are fitted to the actors, so that shadow edges differ.
+  // Shadow maps are fitted to the actors, so shadow edges differ.
   table.EqualInMean("translucent-opacity-1", "an actor of opacity 1 forced to be translucent",
     solid(true), solid(false), 2e-3, "an opaque actor");
 
@@ -205,7 +205,8 @@ void TestPositions(Table& table)
   table.Catalogue.Check("translucent-lamp-on-pane",
     "a point light in the plane of a translucent square", "finite values", std::to_string(onSquare),
     std::isfinite(onSquare) && onSquare > 0.0);
-  // A closed sphere attenuates both the light and the view twice.
+  // A closed sphere attenuates light twice on the way to the floor, and twice on the way to the
+  // camera.
   const RgbaImage sphere = Draw(
     [](SceneStage& stage)
     {
@@ -300,7 +301,7 @@ void TestRenderers(Table& table)
       stage.Stage.GetVolume()->VisibilityOff();
       AddSquare({ { 0.0, 0.0, 0.05 } }, UP, 0.7)(stage);
     });
-  // VTK's own blending yields another alpha in the image.
+  // VTK's own blending results in a different alpha, which is not compared.
   double largest = 0.0;
   for (std::size_t i = 0; i < outside.Values.size(); ++i)
   {

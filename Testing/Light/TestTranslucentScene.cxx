@@ -65,7 +65,7 @@ std::unique_ptr<SceneStage> MakeStage(
   return stage;
 }
 
-// Returns the scene of a stage for the reference.
+// Converts the scene of a stage for the reference renderer.
 MixedScene MakeMixed(SceneStage& stage, vtkLight* light)
 {
   MixedScene scene;
@@ -162,7 +162,7 @@ void TestPositions(Check& check)
   }
 }
 
-// Two overlapping volumes in shared slices, with a square across both.
+// Tests two overlapping volumes in shared slices, with a square that intersects both.
 void TestTwoVolumes(Check& check)
 {
   const auto sun = MakeSun({ { 0.5, 0.2, -1.0 } });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The unit space of images of random position, size and orientation, compared with the image's own
-// points.
+// Compares the unit space of vtkImageData of random position, size and orientation with the points
+// of the vtkImageData.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 
@@ -35,7 +35,7 @@ struct Scene
   std::array<int, 6> Extent{};
   bool IsOfCells = false;
 
-  // Returns the point at image indices in volume coordinates.
+  // Returns the position of an image index in volume coordinates.
   glm::dvec3 GetVolumePoint(const glm::dvec3& index)
   {
     glm::dvec3 point;
@@ -65,7 +65,8 @@ void CheckNear(Check& check, const glm::dvec3& found, const glm::dvec3& expected
   check.Near(interlume::Vectors::SafeLength(found - expected) / length, 0.0, tolerance, what, 1.0);
 }
 
-// \a far is the distance of the volume from the origin, relative to its size.
+// Compares points with the points of the vtkImageData. \a far is the distance of the volume from
+// the origin, relative to its size.
 void CheckPoints(Check& check, Scene& scene, Random& random, double far)
 {
   const interlume::UnitSpace& space = scene.Space;

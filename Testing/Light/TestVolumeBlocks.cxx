@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Visible blocks: blocks with some opacity and their neighbors are visible. Blocks are invisible if
-// neither their values nor interpolated values have opacity. Block borders are at the samples.
+// Visible blocks: blocks with some opacity and their neighbors are visible. Blocks in which all
+// sampled and interpolated values are transparent are invisible. Block borders are at the samples.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
 
@@ -254,7 +254,7 @@ void CheckSizes(Check& check)
   }
 }
 
-/// One sample at each index near block borders.
+/// Tests rows of samples with a single visible sample, at each index.
 void CheckNeighbors(Check& check)
 {
   for (int index = 0; index < 50; ++index)

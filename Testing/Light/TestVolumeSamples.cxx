@@ -101,7 +101,7 @@ const Type Types[] = { { VTK_CHAR_MIN, VTK_CHAR_MAX, VTK_CHAR, interlume::Volume
   { -1e308, 1e308, VTK_DOUBLE, interlume::VolumeSamples::FLOAT32 },
   { 1.1e308, 1.7e308, VTK_DOUBLE, interlume::VolumeSamples::FLOAT32 } };
 
-/// Fills an array with the lowest, the highest and random values.
+/// Fills an array with the lowest and highest values of its type, and with random values.
 void Fill(vtkDataArray* array, const Type& type, vtkIdType voxels, int components)
 {
   std::mt19937 random(static_cast<unsigned int>(type.Id));

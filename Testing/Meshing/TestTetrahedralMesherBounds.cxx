@@ -136,8 +136,8 @@ vtkSmartPointer<vtkPolyData> MakeRandomPoints(int number)
   return data;
 }
 
-/// A single call of TetGen with the facets and all bounds exceeds the maximum volume here by up to
-/// a third. The angles of the input make a quality bound impossible.
+/// For this surface, a single call of TetGen with the facets and all bounds would exceed the
+/// maximum volume. The angles of the input make a quality bound impossible.
 void CheckRough(Check& check)
 {
   const auto rough = MakeRoughSphere(0.4);

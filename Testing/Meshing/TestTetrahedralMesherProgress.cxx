@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress, abort while TetGen works, repeatability, and PrintSelf.
+// Progress, aborts while TetGen runs, repeatability, and PrintSelf.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Meshes/ReferenceField.h"

@@ -155,8 +155,8 @@ void CheckShells(Check& check)
     AppendBox(boxes, { 2, 2, 2 }, { 4, 4, 4 });
     AppendBox(boxes, { 6, 6, 6 }, { 7, 7, 7 }, inward);
     auto cavities = MeshOf(boxes);
-    // Regions are in the order of the first polygon of their shells: The space of volume 512 - 8 -
-    // 1 is a cavity unless nested shells are filled.
+    // Regions are sorted by the first polygons of their shells. The space of volume 512 - 8 - 1 is
+    // a cavity unless nested shells are filled.
     CheckRegions(cavities, { 1000 - 512, 1, 8, 1 }, check);
     CheckVolume(cavities, 1000 - 512 + 1 + 8 + 1, check);
     auto filled = MeshOf(boxes, true);
@@ -200,7 +200,7 @@ void Rotate(vtkPolyData* surface)
   surface->SetPoints(points);
 }
 
-/// Parts that touch elsewhere than at common points and edges are split there. Each part retains
+/// Parts that touch without common points and edges are split where they touch. Each part retains
 /// its region and its volume.
 void CheckContacts(Check& check)
 {
@@ -301,7 +301,7 @@ void CheckPointContacts(Check& check)
   }
 }
 
-/// Two walls of triangles with different diagonals touch.
+/// Two walls touch that are triangulated along different diagonals.
 void CheckDiagonals(Check& check)
 {
   check.SetContext("a wall with other diagonals");

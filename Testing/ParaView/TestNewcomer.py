@@ -20,9 +20,9 @@ from newcomer_uses import sessions
 from plugin_images import pixels
 from plugin_testing import Checks, data_path
 
-SECONDS = 560  # Limit of a session on a busy machine. An idle one takes a tenth.
+SECONDS = 560  # Time limit of a session on a busy machine. An idle machine takes a tenth.
 SMALLEST_FRACTION = 0.05  # Fraction of pixels that differ from the background.
-SMALLEST_OUTLINE = 0.01  # The same for the outline of structured data that is only opened.
+SMALLEST_OUTLINE = 0.01  # Fraction for the outline of structured data that is only opened.
 LARGEST_DIFFERENCE = 8  # Difference of a pixel from the baseline, in steps of 1/255.
 LARGEST_FRACTION_OFF = 0.002  # Fraction of pixels that may differ more, such as edges.
 LARGEST_MEAN = 0.25

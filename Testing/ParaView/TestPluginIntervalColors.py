@@ -13,9 +13,10 @@ from plugin_testing import interval_volume, open_file, run
 
 SIDE = 13
 INTERVALS = 4
-# Largest color channels of the first intervals, which are blue, orange, green and red.
+# Index of the largest color channel of each of the first intervals, which are blue, orange, green
+# and red.
 LARGEST_CHANNEL = (2, 0, 1, 0)
-# All intervals are as dense as the first.
+# Allowed difference between the opacity of each interval and the opacity of the first.
 DENSITY_TOLERANCE = 0.02
 KINDS = (("Shadowed Slices", image), ("Interval Volume", grid))
 

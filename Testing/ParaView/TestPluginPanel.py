@@ -97,8 +97,9 @@ CASES = {
         "ScatteringForwardSpread": (0.5, {"MultipleScattering": "Forward"}),
         "ScatteringBackwardLayers": (1, {"MultipleScattering": "Full"}),
         "ScatteringGridSize": (4, {"MultipleScattering": "Full"})})}
-# These need a texture file, surfaces or several processes. TestPluginShadowedSlices, TestPluginAreaLight,
-# TestPluginInflowTextures, TestPluginSceneShadows and TestPluginPieceShadows test them.
+# Properties that need a texture file, surfaces or several processes. TestPluginShadowedSlices,
+# TestPluginAreaLight, TestPluginInflowTextures, TestPluginSceneShadows and TestPluginPieceShadows
+# test these properties.
 TESTED_IN_OTHER_SCRIPTS = {
     "AreaLightImage", "InflowSurfaceId", "InflowSurfaceTexture", "ProjectiveLightImage", "SceneDepthBias", "SceneDepthMapResolution", "SceneShadows",
     "ShadowGridResolution"}

@@ -20,7 +20,7 @@ from server_testing import connect, load_plugin_on
 
 # Size of the geometry, in megabytes, above which the server renders.
 RENDERERS = {"server": 0.0, "client": 1e5}
-# Properties that would make an image depend on the duration of the previous frame.
+# Properties that make an image depend on the duration of the previous frame. They are switched off.
 AUTOMATIC = ("AutoAdjustSampleDistances", "IntervalAutoAdjustLevelOfDetail")
 VOLUMES = ("Interval Volume", "Shadowed Slices", "Inflow Textures")
 SMALLEST_FRACTION = 0.05  # fraction of pixels that differ from the background

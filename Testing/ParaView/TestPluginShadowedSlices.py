@@ -17,8 +17,8 @@ REPRESENTATION = "Shadowed Slices"
 # Largest and mean difference between the images of ParaView and of the VTK modules, in steps of
 # 1/255. Both show the same data, but the versions of VTK may differ.
 FULL_BOUNDS = (2, 0.2)
-# Each process has its own slices. They differ most where they intersect the sides of the image at grazing
-# angles.
+# Each process has its own slices. Slices differ most where they intersect the faces of the volume
+# at grazing angles.
 DISTRIBUTED_BOUNDS = (100, 0.4)
 DISTRIBUTED_IMAGE = "slices-plain"
 PROPERTIES = {

@@ -21,7 +21,8 @@ STAND_INS = {
     "vtkPVStreamSurfaceParameters": "vtkStreamSurfaceParameters", "vtkPVTerminationBox": "vtkTerminationBox",
     "vtkPVTerminationRectangle": "vtkTerminationPlane", "vtkPVTerminationCylinder": "vtkTerminationCylinder",
     "vtkPVTerminationTube": "vtkTerminationTube", "vtkPieceSliceMapper": "vtkShadowedSliceMapper"}
-# The widget, and classes whose properties belong to a compared proxy.
+# Classes that are not compared: the widget, and classes whose properties belong to a compared
+# proxy.
 NOT_COMPARED = {"vtkTimeSlabWriter", "vtkAreaLightRepresentation", "vtk3DWidgetRepresentation", None}
 
 
@@ -67,8 +68,8 @@ LISTED = {
         "IntervalLayerPriorities": lambda mapper: [] if mapper.GetLayerPriority(3) == 3.0 else None},
     "vtkProjectiveLight": {"ProjectiveLightColor": lambda light: light.GetDiffuseColor()},
     "vtkAreaLight": {"AreaLightColor": lambda light: light.GetDiffuseColor()},
-    # A light kit has five lights, so one of them casts shadows and shading is on; otherwise volumes are too
-    # bright. Scattered light is as bright as surfaces.
+    # A light kit has five lights. By default, only one of them casts shadows. Shading is on,
+    # because volumes would otherwise be too bright. Scattered light is as bright as surfaces.
     "vtkPieceSliceMapper": {
         "MaximumNumberOfShadows": 1, "ShadowedTwoSidedLighting": 1, "ScatteringBrightness": 0.35},
     "vtkShadowedSliceRepresentation": {

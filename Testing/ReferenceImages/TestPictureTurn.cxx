@@ -29,7 +29,7 @@ int TestPictureTurn(int, char*[])
   check.Near(odd.GetMeanBend().P95, 0.0, 1e-12, "all frames except three are uniform", 1.0);
   check.Equal(odd.GetMeanBend().Outliers, 3, "outliers: that frame and its neighbors");
   check.Equal(even.GetMeanBend().Outliers, 0, "uniform motion has no outlier");
-  // The change into the frame and the change out of the frame.
+  // The changes into and out of the differing frame both count.
   check.Near(odd.GetChangeBend().Largest, 0.245, 1e-12, "a change that differs");
   check.Near(odd.GetChangeBend().P95, 0.0, 1e-12, "all changes except four are uniform", 1.0);
   check.Equal(odd.GetChangeBend().Outliers, 2, "outliers: both changes, but not their neighbors");

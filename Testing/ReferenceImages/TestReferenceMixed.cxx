@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reference of images with volumes and surfaces, checked by closed forms: homogeneous smoke,
-// shadow edges, penumbras, and surfaces in front of, inside, behind and between volumes.
+// Checks the reference renderer for volumes and surfaces by closed forms: homogeneous smoke, shadow
+// edges, penumbras, and surfaces in front of, inside, behind and between volumes.
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Images/LightPoints.h"
 #include "Support/Images/MixedScene.h"
@@ -140,7 +140,7 @@ void TestSmokeShadow(Check& check)
   ExpectCenter(check, scene, 1.0, 1.0, "no shadows");
 }
 
-/// A surface is seen through smoke, and smoke in front of and behind a translucent surface.
+/// Tests a surface seen through smoke, and smoke in front of and behind a translucent surface.
 void TestOrder(Check& check)
 {
   auto scene = MakeScene(1.0, MakeDirectionalLight({ { 0.0, 0.0, -1.0 } }));
@@ -271,7 +271,8 @@ void TestPenumbra(Check& check)
   }
 }
 
-/// Two light points of different colors. A point in the shadow of one has the color of the other.
+/// Tests two light points of different colors. A position in the shadow of one light point has the
+/// color of the other.
 void TestColoredPoints(Check& check)
 {
   auto scene = MakeScene(0.2, MakePositionalLight({ { 0.0, 0.0, 1.0 } }));
@@ -286,7 +287,7 @@ void TestColoredPoints(Check& check)
   check.Near(pixel[1], 1.0 / std::sqrt(1.0 + x * x + y * y), Bound, "green is visible", 1.0);
 }
 
-/// Normals, Phong's specular term, position-dependent colors, mirrored actors.
+/// Tests normals, Phong's specular term, position-dependent colors, and mirrored actors.
 void TestShading(Check& check)
 {
   vtkNew<vtkSphereSource> sphere;

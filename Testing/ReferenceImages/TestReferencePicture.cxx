@@ -73,7 +73,7 @@ void TestSlab(Check& check)
   }
 }
 
-/// Extinction and color that increase along the view ray have closed forms.
+/// Compares extinction and color that increase along the view ray with closed forms.
 void TestLinear(Check& check)
 {
   const auto integral = [](double a, double b, double c0, double c1)
@@ -204,7 +204,7 @@ void TestTwoSlabs(Check& check)
   ExpectPixel(check, draw(Blend::Composite), 4, 4, rest, { { 0.0, rest, 0.0 } }, "near plane");
 }
 
-/// The mean of both ends of each segment, for rays of known length.
+/// Tests the integration mode that averages both ends of each segment, for rays of known length.
 void TestAverage(Check& check)
 {
   auto grid = MakeBox({ { 1, 1, 1 } });
@@ -275,7 +275,8 @@ void TestRefined(Check& check)
   }
 }
 
-/// A far box of thin tetrahedra has the image of a box.
+/// The opacity of a distant box of thin tetrahedra follows from the length of each view ray in the
+/// box.
 void TestSlivers(Check& check)
 {
   for (double thickness : { 1e-2, 1e-4, 1e-6 })

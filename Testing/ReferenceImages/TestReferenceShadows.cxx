@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The reference of images with shadows, checked by closed forms of homogeneous and linear media, by
+// Checks the reference renderer for shadows by closed forms of homogeneous and linear media, by
 // formulas of lights and gradients, and by refining its steps.
 #include "Support/Images/CameraSettings.h"
 #include "Support/Images/ReferenceLightSource.h"
@@ -285,14 +285,14 @@ void TestComponents(Check& check)
   ExpectCenter(check, scene, { { along / 3.0, along * 2.0 / 3.0, 0.0 } }, -std::expm1(-Tau),
     "two independent components");
   property->IndependentComponentsOff();
-  // The color is from the first component, the opacity from the second component by the first
-  // function.
+  // The first component determines the color, and the second component determines the opacity, with
+  // the first opacity function.
   property->GetScalarOpacity(0)->AddPoint(1.0, -std::expm1(-Tau));
   ExpectCenter(
     check, scene, { { along, 0.0, 0.0 } }, -std::expm1(-Tau), "two dependent components");
 }
 
-/// A slab of voxels is NaN. The extinction decreases to zero over one voxel.
+/// Tests a slab of NaN voxels. Next to it, the extinction decreases to zero over one voxel.
 void TestNan(Check& check)
 {
   auto scene = FacingScene({ { 0.0, 0.0, -1.0 } });

@@ -65,7 +65,7 @@ void Compare(
   check.That(IsFinerThanBytes(found), name + " is captured in floating point");
 }
 
-/// Setting the same lights leaves the renderer's collection unmodified, so that no mapper detects a
+/// Setting the same lights again does not modify the renderer's collection, so no mapper detects a
 /// change.
 void TestLights(Check& check)
 {

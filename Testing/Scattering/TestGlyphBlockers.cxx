@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The triangles of glyphs that block scattered light match the glyphs that VTK draws: compared with
-// vtkTransform for each orientation mode, and for scale, source index, mask and actor transform.
-// Concave polygons are covered exactly once.
+// The triangles of glyphs that block scattered light match the glyphs that VTK draws. They are
+// compared with vtkTransform for each orientation mode, scale, source index, mask and actor
+// transform. Concave polygons are covered exactly once.
 #include "ShadowMaps/PropSurfaces.h"
 #include "Support/Checks/ReferenceCheck.h"
 
@@ -48,7 +48,8 @@ vtkSmartPointer<vtkPolyData> MakeTriangle(double start)
   return data;
 }
 
-/// Glyphs at two points, with two sources. Initially both use the first source at its own size.
+/// Glyphs at two points, with two sources. Initially both glyphs use the first source at its
+/// original size.
 struct Glyphs
 {
   Glyphs()

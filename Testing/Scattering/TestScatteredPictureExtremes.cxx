@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extreme settings of ScatteringMode of vtkShadowedSliceMapper: albedo, anisotropy, depths, sizes,
-// light positions, non-finite values. No setting gains light.
+// light positions, non-finite values. No setting creates light.
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Images/ShadowCases.h"
 #include "Support/Drawing/ShadowImage.h"
@@ -34,7 +34,7 @@ namespace
 using namespace reference;
 using Mapper = vtkShadowedSliceMapper;
 
-/// Smallest and largest color values of an image, and whether all values are finite.
+/// Smallest and largest color values of an image. IsFinite is true if all values are finite.
 struct Range
 {
   explicit Range(const RgbaImage& image)
@@ -91,8 +91,8 @@ public:
     this->Catalogue.SetClass("vtkShadowedSliceMapper");
   }
 
-  /// Draws with all modes. Values must be finite and not negative, at most \a bound, and nonzero if
-  /// \a isSeen.
+  /// Draws the scene in all scattering modes. Values must be finite and not negative, at most \a
+  /// bound, and nonzero if \a isSeen.
   void Draw(const std::string& name, const std::string& extreme, const ShadowScene& scene,
     const std::function<void(vtkShadowedSliceMapper*)>& set, double bound, bool isSeen = true)
   {
@@ -237,8 +237,8 @@ void TestLights(Table& table)
   draw("lights-16", "sixteen lights on all sides", many);
 }
 
-/// Light from all sides, with total intensity 1: for random settings, no pixel is brighter than 1,
-/// and no image is brighter on average than its opacity.
+/// Light from all directions, with total intensity 1: for random settings, no pixel is brighter
+/// than 1, and no image is brighter on average than its opacity.
 void TestRandomSettings(Table& table, int settings, bool isThin)
 {
   std::mt19937 random(3);
@@ -254,7 +254,7 @@ void TestRandomSettings(Table& table, int settings, bool isThin)
     scene.Property->SetScalarOpacityUnitDistance(
       std::pow(10.0, uniform(isThin ? -1.0 : -3.0, 2.0)));
     scene.Lights.clear();
-    // The lights from all sides illuminate each face of a cube like uniform light, of which a
+    // The lights from all directions illuminate each face of a cube like uniform light, of which a
     // quarter reaches the face.
     for (unsigned corner = 0; corner < 8; ++corner)
     {
@@ -301,7 +301,8 @@ void TestRandomSettings(Table& table, int settings, bool isThin)
       break;
     }
   }
-  // Cells at the edges of a medium with optically thick cells are brighter than cells of its faces.
+  // If cells are optically thick, cells at the edges of the medium are brighter than cells at its
+  // faces.
   const std::string name = isThin ? "random-settings" : "random-settings-thick";
   const std::string extreme = std::to_string(settings) + " random settings" +
     (isThin ? ", depths to 10" : ", depths to 1e3 in 4 to 8 cells");

@@ -38,7 +38,7 @@ namespace
 using namespace reference;
 using Mapper = vtkShadowedSliceMapper;
 
-/// A cube seen along -z and lit from above, below a sheet outside the view.
+/// A cube that is seen along -z and lit from above. A sheet above the cube is outside the view.
 struct Stage
 {
   Stage()
@@ -65,7 +65,7 @@ struct Stage
     this->Sheet->SetPoint2(left, 0.8, 2.0);
   }
 
-  /// Returns the sum over a range of columns of the image.
+  /// Returns the sum of the pixel values in a range of columns.
   double Draw(int first = 0, int last = 24)
   {
     const RgbaImage image = this->View.Capture();
@@ -177,8 +177,8 @@ void TestBlocked(Check& check)
   check.Near(nearPlate / half, 1.0, 5e-3, "next to a plate, light as in half a cube", 1.0);
 }
 
-/// The solution for the cube, and the light that a point below its center receives on a horizontal
-/// plane.
+/// Solves the scattering in the cube, and computes the light that a horizontal surface receives at
+/// a point below the cube's center.
 class FloorLight
 {
 public:
@@ -262,8 +262,8 @@ private:
   interlume::ScatteredLight Field;
 };
 
-/// A white floor below the cube receives the light of the formula, in addition to the light without
-/// multiple scattering.
+/// A white floor below the cube receives the light that the formula predicts, in addition to the
+/// light without multiple scattering.
 void TestReceived(Check& check)
 {
   constexpr double distance = 0.25;
@@ -313,7 +313,7 @@ void TestReceived(Check& check)
     "no separate scattering volumes");
 }
 
-/// A floor below a cube that receives scattered light of the cube.
+/// A floor below a cube, which receives light that the cube scatters.
 struct ReceivedStage : Stage
 {
   ReceivedStage()
@@ -328,7 +328,7 @@ struct ReceivedStage : Stage
     this->Scene.Camera->SetParallelScale(0.05);
   }
 
-  /// Returns the mean of the image values to the power \a gamma.
+  /// Returns the mean of the image values, each raised to the power \a gamma.
   double GetMean(int mode, double gamma)
   {
     this->Mapper->SetScatteringMode(mode);
@@ -351,8 +351,9 @@ struct ReceivedStage : Stage
   }
 };
 
-/// Translucent floors receive scattered light according to their opacity, physically based floors
-/// by VTK's ambient lighting formula, and floors behind a translucent sheet as without it.
+/// Translucent floors receive scattered light in proportion to their opacity. Physically based
+/// floors use VTK's ambient lighting formula. A translucent sheet in front of a floor does not
+/// change the light that the floor receives.
 void TestKindsOfReceivers(Check& check)
 {
   ReceivedStage stage;
@@ -402,7 +403,7 @@ void TestKindsOfReceivers(Check& check)
   check.Near(behind / plain, 0.5, 0.005, "floor behind glass", 1.0);
 }
 
-/// A plate of glyphs blocks scattered light like a plate.
+/// A plate that consists of glyphs blocks scattered light like a single plate.
 void TestBlockingGlyphs(Check& check)
 {
   Stage stage;
@@ -476,7 +477,8 @@ void TestVolumes(Check& check)
   check.Near(both / one, 2.0, 0.04, "two distant volumes", 1.0);
 }
 
-/// Returns the mean difference of the image from the expected image, relative to its mean.
+/// Returns the mean difference of the image from the expected image, relative to the mean of the
+/// expected image.
 double Compare(TwoVolumes& stage, const RgbaImage& expected)
 {
   const RgbaImage found = stage.View.Capture();

@@ -144,7 +144,7 @@ RgbaImage DrawByNewMapper(const State& state)
   return DrawByMapper(mapper, state.Scene);
 }
 
-/// After each change, there is one solution, and the image equals that of a new mapper.
+/// After each change, the solver runs once, and the image equals the image of a new mapper.
 void TestChanges(Check& check)
 {
   State state;
@@ -206,7 +206,8 @@ void TestChanges(Check& check)
     other.Scene.Camera = state.Scene.Camera;
     const double difference = CompareImages(image, DrawByNewMapper(other)).Max;
     check.Near(difference, 0.0, 0.0, change.Name + ": same image as by a new mapper", 1.0);
-    // Layers, and phase functions with low anisotropy, may not change the image visibly.
+    // The number of layers, and phase functions with low anisotropy, may not change the image
+    // visibly.
     const bool mayBeEqual =
       change.Name == "layers" || change.Name == "anisotropy" || change.Name == "phase";
     check.That(
@@ -225,8 +226,8 @@ void TestChanges(Check& check)
   check.Near(light, 0.0, 0.0, "black without light", 1.0);
 }
 
-/// Another mapper of the same image and property, in another volume, does not affect the first
-/// mapper.
+/// A second mapper with the same vtkImageData and property, in another volume, does not affect the
+/// first mapper.
 void TestSecondMapper(Check& check)
 {
   const State state;

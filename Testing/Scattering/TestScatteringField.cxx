@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Multiple scattering of vtkShadowedSliceMapper: images compared with the solver, a medium without
-// absorption in light from all sides, and invariance under slice spacing, light buffer size and
-// grid size.
+// absorption in light from all directions, and invariance under slice spacing, light buffer size
+// and grid size.
 #include "Support/Images/ShadowCases.h"
 #include "Support/Drawing/ShadowImage.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -232,9 +232,9 @@ private:
   std::map<int, double> Counts;
 };
 
-/// A medium without absorption in light from all sides is indistinguishable from its background,
-/// except for the difference of fourteen lights from uniform light. Path tracing with the same
-/// lights yields this difference.
+/// A medium without absorption in light from all directions is indistinguishable from its
+/// background, except for the difference of fourteen lights from uniform light. Path tracing with
+/// the same lights yields this difference.
 void TestFurnace(Check& check)
 {
   for (const double depth : { 0.1, 1.0, 3.0, 10.0 })

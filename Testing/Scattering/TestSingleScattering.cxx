@@ -143,7 +143,8 @@ void TestPhases(Check& check)
     check.Near(GetDifference(DrawByMapper(mapper, scene), isotropicImage, factor), 0.0, 1e-3,
       name + " with a table", 1.0);
   }
-  // Light exactly along the view direction and against it, where differences could cancel digits.
+  // Light exactly along and against the view direction, where subtraction could cancel significant
+  // digits.
   for (const double sign : { -1.0, 1.0 })
   {
     auto straight = scene;
@@ -160,7 +161,7 @@ void TestPhases(Check& check)
   }
 }
 
-/// Settings of scattering have no effect if it is off.
+/// Settings of scattering have no effect if scattering is off.
 void TestOff(Check& check)
 {
   for (const bool shade : { false, true })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Draws a two-pixel image over a viewport: interpolated, restricted to a part of the image, and as
+// Draws a two-pixel image over a viewport: interpolated, from a part of the image only, and as
 // color with transmittance.
 #include "Support/Checks/ReferenceCheck.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // UseDepthPeelingForVolumes: the mappers cannot draw between two peels. Each mapper draws the same
-// image as without the option and warns once.
+// frame as without the option, and warns once.
 #include "Support/Drawing/ImageCases.h"
 #include "Support/Images/ShadowCases.h"
 #include "Support/Drawing/ShadowImage.h"
@@ -33,7 +33,7 @@ using namespace reference;
 
 constexpr std::array<int, 2> Size = { { 64, 64 } };
 
-/// Compares images with and without volume peeling, with and without a translucent sphere.
+/// Compares frames with and without volume peeling, with and without a translucent sphere.
 void TestMapper(Check& check, const std::string& name, vtkAbstractVolumeMapper* mapper,
   vtkVolumeProperty* property, vtkCamera* camera, const Double3& center)
 {

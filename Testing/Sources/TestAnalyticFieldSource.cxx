@@ -204,7 +204,7 @@ void CheckVolumes(Check& check)
   check.Near(GetVolume(source, 0.0, -0.15, 0.15), 2.4, 1e-3, "volume of the sheet");
 }
 
-// Extent and bounds determine the point coordinates.
+// Checks that extent and bounds determine the point coordinates.
 void CheckGrid(Check& check)
 {
   check.SetContext("lattice");

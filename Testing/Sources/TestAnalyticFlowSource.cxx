@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Velocities compared with independent formulas and known properties, the Jacobian with finite
-// differences, flow maps with integration. Also tests divergence, obstacles, pieces, threads,
-// progress, abort and settings.
+// Velocities compared with independent formulas, known properties and flow maps, and the Jacobian
+// compared with finite differences. Also tests divergence, obstacles, pieces, threads, progress,
+// abort and settings.
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Arrays/ReferenceVector.h"
@@ -126,7 +126,8 @@ bool IsFreeOfDivergence(int field)
     field != vtkAnalyticFlowSource::COUPLED_CHARGE;
 }
 
-// Compares with fourth-order differences, except where they extend over the edge of a core.
+// Compares the Jacobian with fourth-order differences, except where they extend over the edge of a
+// core.
 void CheckDerivatives(Check& check)
 {
   vtkNew<vtkAnalyticFlowSource> source;

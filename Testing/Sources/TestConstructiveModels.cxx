@@ -111,8 +111,8 @@ void CheckBoxes(Check& check)
     "invalid model indices are rejected");
 }
 
-// The sides of models of boxes lie at multiples of 0.01. Their volume is the volume of the cells of
-// that size whose center is inside.
+// Models composed of boxes have sides at multiples of 0.01. Their volume is the total volume of the
+// cells of that size whose centers are inside.
 void CheckHundredths(Check& check)
 {
   const std::map<int, double> volumes = { { vtkConstructiveModelSource::ROBOT,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Vortices and grid compared with independent implementations of their formulas, the orientation of
-// the cells, and the documented number of tetrahedra.
+// Vortices and grid compared with independent implementations of their formulas. Also tests the
+// orientation of the cells and the documented number of tetrahedra.
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Values of the published implementation, zeros, period, mean, bound and smoothness of the noise,
-// sums of octaves compared with their formula, and seeds.
+// Values of the noise compared with the published implementation, and its zeros, period, mean,
+// bound and smoothness. Also tests sums of octaves, compared with their formula, and seeds.
 #include "Analytic/GradientNoise.h"
 #include "Support/Checks/ReferenceCheck.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Implicit functions: their inside, edge width in units of length, and limits. Images: trilinear
-// interpolation of a linear field for any direction and extent, scalar range, NaN, and colors.
-// Errors of both.
+// Leaves of a spatial tree. Implicit functions: which points are inside, the edge width in units of
+// length, and limits. Images: trilinear interpolation of a linear field for any direction and
+// extent, scalar range, NaN, and colors. Also tests the errors of both.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"

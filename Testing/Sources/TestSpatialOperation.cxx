@@ -130,8 +130,8 @@ void CheckDefinitions(Check& check)
   }
 }
 
-// Density remains nonnegative if a difference removes more than there is, so that an enclosing
-// operation is not affected.
+// A difference that removes more density than there is has the density 0, not a negative density,
+// which would affect an enclosing operation.
 void CheckNestedDifference(Check& check)
 {
   check.SetContext("difference within a blend");
@@ -191,7 +191,7 @@ void CheckSolids(Check& check)
   }
 }
 
-// EvaluateSpan matches Evaluate for points of which an operand covers none, some or all.
+// EvaluateSpan matches Evaluate for spans of which an operand covers no, some or all points.
 void CheckSpans(Check& check)
 {
   for (int operation = 0; operation < vtkSpatialOperation::NUMBER_OF_OPERATIONS; ++operation)

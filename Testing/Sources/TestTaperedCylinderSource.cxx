@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Wake and grid compared with independent implementations of their formulas, the seam, the
-// orientation of the cells, and the documented number of tetrahedra.
+// Wake and grid compared with independent implementations of their formulas. Also tests the seam,
+// the orientation of the cells and the documented number of tetrahedra.
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
@@ -31,7 +31,7 @@ struct Wake
     return 2.0 * (this->Bottom + (this->Top - this->Bottom) * z / this->Height);
   }
 
-  // Sums over many vortices, and skips vortices that do not exist yet or have decayed.
+  // Sums over many vortices, except vortices that do not exist yet or have decayed.
   double DeficitOfCell(int cell, const double x[3], double t) const
   {
     const double f =

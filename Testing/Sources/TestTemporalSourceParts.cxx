@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Pieces and subextents have the same values and points as the full output. Values in float are the
-// rounded values in double, and the output is bit-identical for any number of threads.
+// Pieces and subextents have the same values and points as the full output. Float values are the
+// rounded double values, and the output is bit-identical for any number of threads.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceThreads.h"
 #include "Support/TimeVarying/ReferenceTemporalSource.h"
@@ -77,7 +77,7 @@ vtkIdType ComparePart(vtkDataSet* part, vtkDataSet* whole, Check& check)
   return point;
 }
 
-// Modified() is necessary: otherwise the pipeline reuses the full output for every subextent.
+// Modified() is necessary, because the pipeline would reuse the full output for every subextent.
 void CheckParts(const TemporalSource& source, vtkDataSet* whole, Check& check)
 {
   const Extent all = GetExtent(whole);

@@ -168,7 +168,7 @@ void CheckProgress(const TemporalSource& source, Check& check)
     source.Algorithm->Modified();
     source.Algorithm->Update();
     check.Equal(source.GetOutput()->GetNumberOfPoints(), 0, "points after an abort");
-    // Newer executives report progress 1 for an aborted execution too.
+    // Executives of newer VTK versions report progress 1 even for an aborted execution.
     if (watch.Progress.back() == 1.0)
     {
       watch.Progress.pop_back();

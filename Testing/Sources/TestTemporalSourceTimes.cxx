@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Time steps are reported to the pipeline, and any requested time yields the field at that time. An
-// invalid time is an error with an empty output.
+// invalid time causes an error and an empty output.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/TimeVarying/ReferenceTemporalSource.h"

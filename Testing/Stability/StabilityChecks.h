@@ -35,7 +35,7 @@ struct Messages
 };
 Messages UpdateFilter(vtkAlgorithm* filter);
 
-/// Returns whether no output has points.
+/// Returns true if no output has points.
 bool IsEmpty(vtkAlgorithm* filter);
 
 /// Reports whether a filter has empty outputs and an error with all of \a words, and works after \a

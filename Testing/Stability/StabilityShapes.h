@@ -24,7 +24,7 @@ struct Shape
   double Distance;
 };
 
-/// Returns a plane, sphere, box, cylinder, tube and mesh.
+/// Returns a plane, a sphere, a box, a cylinder, a tube and a mesh.
 std::vector<Shape> MakeShapes();
 
 }

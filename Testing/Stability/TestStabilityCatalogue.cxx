@@ -99,7 +99,7 @@ void TestGathered(const std::string& folder)
     "cases are counted by class");
 }
 
-/// Returns whether Gather rejects a directory with a message that contains \a words.
+/// Returns true if Gather rejects a directory with a message that contains \a words.
 bool IsRefused(const std::string& folder, const std::string& words)
 {
   try

@@ -212,7 +212,7 @@ void TestStill(StabilityCatalogue& catalogue)
   const std::string words = UpdateFilter(some).Errors;
   catalogue.Measure("infinite-points", "three infinite vectors", "values outside [0, 1]",
     words.empty() ? CountOutside(GetValues(some), 0.0, 1.0) : NaN, 0.0);
-  // Points in the ten cells that use an infinite vector are at rest as well.
+  // Points in the cells that use an infinite vector are at rest as well.
   catalogue.Measure("infinite-points-rest", "three infinite vectors",
     "points at rest except the three, among their 26 + 7 + 7 neighbors",
     some->GetReport()->GetNumber("PointsAtRest") - 3.0, 40.0);

@@ -57,7 +57,7 @@ std::string DescribeMethod(const interlume::AdvectionResult& result)
   return stiff == 0 ? others : "Rosenbrock: " + std::to_string(stiff) + ", " + others;
 }
 
-/// Reports steps and errors of all methods for several eigenvalue ratios, in space and across
+/// Reports steps and errors of all methods for several eigenvalue ratios, in one cell and across
 /// cells.
 void TestStiff(StabilityCatalogue& catalogue)
 {
@@ -94,7 +94,7 @@ void TestStiff(StabilityCatalogue& catalogue)
         const std::string chosen = DescribeMethod(result);
         if (method.Integrator == vtkImplicitFlowField::DORMAND_PRINCE)
         {
-          // Stability requires rate * time / 3.3 steps.
+          // An explicit method is stable only with at least rate * time / 3.3 steps.
           const bool isOut = result.Status == vtkFlowStatus::OUT_OF_STEPS;
           catalogue.Check(name, extreme,
             "status out of time, or out of steps if more than 100000 are needed", Describe(result),
@@ -108,8 +108,8 @@ void TestStiff(StabilityCatalogue& catalogue)
           result.Status == vtkFlowStatus::OUT_OF_TIME ? Distance(result.Position, end)
                                                       : std::nan(""),
           10.0 * options.MaximumError * time, chosen);
-        // The field has kinks at cell faces, and the step control restarts behind them. At rate 1e6
-        // rounding errors in the step control change the number of steps by 5 %.
+        // The field has kinks at cell faces, and the step control restarts after each face. At rate
+        // 1e6 rounding errors in the step control change the number of steps by 5 %.
         catalogue.Measure(name + "-steps", extreme,
           "number of steps, with Rosenbrock steps for rates above 100",
           rate > 100.0 && result.StiffSteps == 0 ? std::nan("") : steps,
@@ -117,7 +117,7 @@ void TestStiff(StabilityCatalogue& catalogue)
       }
     }
   }
-  // A nonstiff field must use the explicit method only.
+  // A nonstiff field must be integrated with the explicit method only.
   interlume::AdvectionOptions options = ForwardOptions();
   options.MaximumTime = 50.0;
   options.MaximumError = 1e-2;
@@ -126,7 +126,8 @@ void TestStiff(StabilityCatalogue& catalogue)
   catalogue.Measure("not-stiff", "a nonstiff chaotic field", "number of Rosenbrock steps",
     result.StiffSteps, 0.0, DescribeMethod(result));
   options.MaximumError = 1e-6;
-  // A field with a stiff half: the method must switch back to the explicit one behind it.
+  // In a field with a stiff half, integration must return to the explicit method after it leaves
+  // this half.
   Flow passing = AttractToCurve(1.0);
   const auto rate = [](double x) { return x < 0.0 ? 1e4 : 0.1; };
   passing.Velocity = [rate](const double* x, double* v)
@@ -239,7 +240,7 @@ void TestFields(StabilityCatalogue& catalogue)
     Describe(around), around.Status == vtkFlowStatus::OUT_OF_TIME);
   lattice.IsFinite = nullptr;
 
-  // An oblique streamline through a shear layer of 1e-4: x is the integral of tanh.
+  // An oblique streamline through a shear layer of thickness 1e-4. Its x is the integral of tanh.
   const Flow shear = Flow::ShearLayer(1e-4, { 0, 0.25, 0 });
   options.MaximumTime = 3.2;
   for (bool isLattice : { false, true })

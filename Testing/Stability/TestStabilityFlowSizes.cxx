@@ -318,7 +318,7 @@ void TestSettings(StabilityCatalogue& catalogue)
           filter->SetIntegrator(integrator);
         });
     }
-    // Most samples are interpolated with the larger error bound, none with the smaller.
+    // With the larger error bound, most samples are interpolated. With the smaller bound, none are.
     for (const double error : { 1e-6, 1e-8 })
     {
       ReportSizes(catalogue, name + "-shared-" + Short(error), kind,

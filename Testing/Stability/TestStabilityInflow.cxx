@@ -220,7 +220,7 @@ void TestVolumeSettings(StabilityCatalogue& catalogue)
   catalogue.Measure("bounds-1e308", "interval and times up to 1e308",
     "relative error of the volume of the domain",
     all.Errors.empty() ? MeasureVolume(pipeline.Volume->GetOutput()) - 1.0 : NaN, 1e-13);
-  // Adjacent intervals fill the same region, but each one has its own rounding errors.
+  // Adjacent intervals together fill the same region, but each interval adds rounding errors.
   for (int i = 0; i < 1000; ++i)
   {
     pipeline.Volume->SetInterval(i, -0.1 + 0.0007 * i, -0.1 + 0.0007 * (i + 1));

@@ -160,7 +160,7 @@ void TestPointCells(StabilityCatalogue& catalogue)
   SetVelocity(broken, [](const FlowVector&) { return FlowVector{ { NaN, NaN, NaN } }; });
   filter->SetInputData(broken);
   ReportEmpty(catalogue, filter, "nan-field", "vectors NaN everywhere", "64 are not finite");
-  // A point of eight cells is NaN.
+  // The vector at a point of eight cells is NaN.
   auto corner = MakeCube(4);
   SetVelocity(corner, LinearField(GenericMatrix, { { 0.6, 0.6, 0.6 } }));
   corner->GetPointData()->GetVectors()->SetComponent(31, 1, NaN);
@@ -185,8 +185,8 @@ FlowFunction MakeVortex(double size, double speed)
   };
 }
 
-/// Returns the largest distance from the axis relative to the size, or NaN if the number of points
-/// differs.
+/// Returns the largest distance from the axis, relative to \a size, or NaN if the number of points
+/// is not \a points.
 double ErrorOfAxis(vtkVortexAxis* filter, double size, vtkIdType points)
 {
   const Messages messages = UpdateFilter(filter);

@@ -33,7 +33,7 @@ constexpr double VolumeBound = 1e-12;
 
 using Value = std::function<double(vtkIdType)>;
 
-/// Returns random even integers in [0, 2000). No value equals an odd bound.
+/// Returns a random even integer in [0, 2000), which does not equal any odd bound.
 double EvenInteger(vtkIdType point)
 {
   std::mt19937 random(static_cast<unsigned int>(point) * 7919u + 1u);

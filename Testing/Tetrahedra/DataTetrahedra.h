@@ -2,7 +2,7 @@
 #ifndef DataTetrahedra_h
 #define DataTetrahedra_h
 
-#include "Tetrahedra/MapperImage.h" // for the case
+#include "Tetrahedra/MapperImage.h" // for ImageCase
 
 #include <array>  // for sizes
 #include <string> // for names
@@ -24,7 +24,7 @@ struct DataTetrahedra
   std::string GetName() const;
   /**
    * Returns the tetrahedra with colors from cool to warm over the range of values, and opacity from
-   * 0 to 1 with a unit distance of a fifteenth of the size. The camera is not set.
+   * 0 to 1 with a unit distance of a fifteenth of the data's size. The camera is not set.
    * @throw std::runtime_error if the file cannot be read or has no such array.
    */
   ImageCase Make(const std::array<int, 2>& size) const;

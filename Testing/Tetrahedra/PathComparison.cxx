@@ -181,7 +181,7 @@ void ComparePaths(
   if (!different.empty())
   {
     const Silhouettes shapes(what);
-    // The number of different pixels fails the test below anyway.
+    // If more pixels differ, the test below fails anyway.
     const std::size_t count = std::min<std::size_t>(different.size(), 200);
     for (std::size_t p = 0; p < count; ++p)
     {

@@ -2,7 +2,7 @@
 #ifndef PathComparison_h
 #define PathComparison_h
 
-#include "Tetrahedra/MapperImage.h" // for the case
+#include "Tetrahedra/MapperImage.h" // for ImageCase
 
 #include <string> // for names
 

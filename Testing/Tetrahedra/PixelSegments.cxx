@@ -66,7 +66,7 @@ void PixelSegment::ClipToBox(const std::array<double, 6>& box, vtkVolume* volume
     double corner[4] = { box[0], box[2], box[4], 1.0 };
     corner[axis] = box[2 * axis + side];
     matrix->MultiplyPoint(corner, corner);
-    // The gradient of the coordinate in the volume's coordinate system.
+    // The gradient of the volume's coordinate along this axis, in world coordinates.
     Point3 normal;
     for (int k = 0; k < 3; ++k)
     {

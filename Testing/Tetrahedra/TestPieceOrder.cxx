@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests the order of boxes that planes can separate against view rays clipped to every box, and
-// detects boxes that planes cannot separate.
+// Compares the order of boxes that planes can separate with view rays clipped to each box. Also
+// tests that sets of boxes that planes cannot separate are detected.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "Pieces/PieceOrder.h"
@@ -56,7 +56,8 @@ std::array<double, 2> Cut(const Box& box, const Vector& from, const Vector& alon
   return part;
 }
 
-/// Counts pairs of boxes on rays whose order is wrong.
+/// Counts boxes that the ray enters before it leaves an earlier box of the order. Adds the number
+/// of boxes compared to \a pairs.
 int CountErrors(const std::vector<Box>& boxes, const std::vector<int>& order, const Vector& from,
   const Vector& along, int& pairs)
 {
@@ -90,7 +91,7 @@ void CheckViews(Check& check, std::mt19937& random)
   {
     const int number = 1 + static_cast<int>(random() % 24);
     std::vector<Box> boxes = CutBox(full, number, random);
-    // Pieces do not always fill their regions, and some processes are empty.
+    // Pieces do not always fill their regions, and some processes have no piece.
     for (Box& box : boxes)
     {
       box[0] += random() % 2 ? 0.1 * (box[1] - box[0]) : 0.0;

@@ -82,7 +82,7 @@ void TestNodes(Check& check)
       { { 11.0, 1.0, 1.0, 0.0 } }, { { 100.0, 1.0, 0.0, 0.0 } } });
 }
 
-/// Checks that the color is the map of three steps at u, for any times.
+/// Checks that the color depends only on u, which is uniform over the steps, for any times.
 void TestManySteps(Check& check)
 {
   check.SetContext("many steps");

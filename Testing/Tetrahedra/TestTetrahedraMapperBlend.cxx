@@ -113,7 +113,8 @@ void TestPriorities(Check& check, bool parallel)
   Expect(check, what, "equal priorities");
 }
 
-/// Tests AUTOMATIC_BLEND: composite without an array `DeltaT`, optical depth if the input has it.
+/// Tests AUTOMATIC_BLEND: optical depth blending if the input has an array `DeltaT`, otherwise
+/// composite blending.
 void TestAutomatic(Check& check)
 {
   ImageCase what = MakeCase(true);

@@ -171,7 +171,7 @@ const std::vector<CameraCase>& AllCameras()
   return cameras;
 }
 
-/// Returns cameras with a screen, which look at the cube in view coordinates.
+/// Returns off-axis cameras. Their screens are given in view coordinates.
 const std::vector<CameraCase>& AllScreens()
 {
   static const std::vector<CameraCase> cameras = {
@@ -273,7 +273,7 @@ public:
   vtkSmartPointer<vtkVolumeProperty> Property;
 };
 
-/// Returns the composited slabs along the segment.
+/// Returns the composited color of the slabs along the segment.
 std::array<double, 4> ExpectSlabs(const PixelSegment& segment, vtkVolume* volume)
 {
   struct Piece
@@ -464,7 +464,8 @@ void TestSelection(Check& check, Scene& scene)
   check.That(found > 100, "selection: " + std::to_string(found) + " pixels");
 }
 
-/// Tests that a boundary under a scene light is shaded as by vtkPolyDataMapper.
+/// Tests that boundary triangles under a scene light have the same shading as with
+/// vtkPolyDataMapper.
 void TestLitBoundary(Check& check, Scene& scene)
 {
   vtkNew<vtkLight> light;

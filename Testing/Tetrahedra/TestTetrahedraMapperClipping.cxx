@@ -305,7 +305,7 @@ void TestDepth(Check& check, const Path& path, const Planes& planes, bool parall
   }
 }
 
-/// Tests cells of constant color, and colors of points, which depend on the ends of the segment.
+/// Tests cells of constant color, and point colors, which depend on the ends of the segment.
 void TestColors(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   Scene scene(parallel);
@@ -425,7 +425,7 @@ void TestBoundary(Check& check, const Path& path, const Planes& planes, bool par
     "boundary: " + std::to_string(different) + " pixels differ");
 }
 
-/// Tests that the selected cell is not removed by the planes.
+/// Tests that selection does not find parts of cells that the planes remove.
 void TestSelection(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   Scene scene(parallel);

@@ -121,7 +121,7 @@ void TestThinTetrahedra(ErrorTable& table)
   {
     const double thickness = std::pow(10.0, exponent);
     const std::string aspect = Power(-exponent);
-    // Ten thin layers, separate or between thick ones.
+    // Ten thin layers, with or without thick layers between them.
     std::vector<double> thin;
     std::vector<double> alternating;
     double top = 0.0;

@@ -130,14 +130,15 @@ void TestSquashed(StabilityCatalogue& catalogue)
     ImageCase side = MakeCase(grid, MakeRamp(0.5, 3.0), Slanted, true);
     side.Camera = LookAt(grid, { { 0.0, 1.0, 0.0 } }, true);
     side.Settings.Size = { { 97, 97 } };
-    // The view ray misses its pixel's center by 4e-9 pixels; OpenGL rounds to 1/256.
+    // View rays miss the centers of their pixels by 4e-9 pixels, and OpenGL rounds coordinates to
+    // 1/256 pixel.
     const int row = 97;
     const Misses software = height < 5e-9 ? Misses{ row, 6e-3 } : Misses{ 0, 1e-3 };
     Expect(catalogue, name.str() + ", from the side", side, software, { row, 1.0 });
   }
 }
 
-/// Tests needles around an axis, seen along it.
+/// Tests needle-shaped tetrahedra around an axis, seen along this axis.
 void TestNeedles(StabilityCatalogue& catalogue)
 {
   for (const int needles : { 200, 2000 })

@@ -78,12 +78,12 @@ ImageCase MakeCase()
   return reference::MakeCase(MakeCube(4), MakeRamp(0.1, 1.0, 0.25), Slanted, false, { { 64, 48 } });
 }
 
-/// Result of one frame.
+/// Image, report and messages of one Draw().
 struct Outcome
 {
   RgbaImage Image;
   ReportCopy Report;
-  /// Messages of the mapper, and of VTK's output window and OpenGL.
+  /// Messages of the mapper (Errors), and of VTK's output window and OpenGL (Others).
   std::vector<std::string> Errors;
   std::vector<std::string> Others;
 };
@@ -212,7 +212,7 @@ public:
     }
   }
 
-  /// Expects no messages and a condition on the attempt.
+  /// Expects no messages, and that \a isExpected returns true.
   void Silent(const std::string& name, const std::string& extreme, const std::string& expected,
     const std::function<bool(Attempt&, Outcome&)>& isExpected, const Change& change)
   {
@@ -509,7 +509,8 @@ void TestEmpty(Table& table)
     [](ImageCase&) {});
 }
 
-/// Tests that an error is cleared with its cause and reported again when it recurs.
+/// Tests that an error is cleared when its cause is removed, and reported again when the cause
+/// recurs.
 void TestRecovery(Table& table)
 {
   table.Silent(

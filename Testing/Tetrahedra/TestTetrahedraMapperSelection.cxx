@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests that vtkHardwareSelector returns the input's cell ids, for separate tetrahedra of which
-// some are skipped, transparent, hidden or cut by the near plane, with and without multisampling.
+// Tests that vtkHardwareSelector returns the input's cell ids, for separate tetrahedra, some of
+// which are skipped, transparent, hidden or cut by the near plane, with and without multisampling.
 #include "Support/Images/CameraSettings.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperImage.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests that rendering restores the OpenGL state for reading and writing pixels. An RGB image of
-// odd width, read afterward, has rows whose length is not a multiple of four.
+// Tests that rendering restores the OpenGL state for reading and writing pixels. The test then
+// reads an RGB image of odd width, whose row length in bytes is not a multiple of four.
 #include "Support/Drawing/ImageCases.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/MapperImage.h"

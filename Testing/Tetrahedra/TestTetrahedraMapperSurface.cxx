@@ -85,7 +85,7 @@ vtkSmartPointer<vtkPolyData> MakeFaces(
   return faces;
 }
 
-/// Returns the six sides of the unit cube.
+/// Returns the six faces of the unit cube as triangles.
 vtkSmartPointer<vtkPolyData> MakeSides(vtkUnstructuredGrid* grid)
 {
   return MakeFaces(
@@ -339,7 +339,7 @@ void TestSlab(Check& check, int path, bool parallel, const Point3& direction, do
   }
   std::cout << name << ": " << largest << " in " << inside << " pixels\n";
   check.That(inside > 300, name + ": the slab is visible");
-  // Thin remainders at the near plane have the general error bound of the mapper.
+  // Thin remainders of tetrahedra at the near plane have the mapper's general error bound.
   check.Near(largest, 0.0, cut < 0.0 ? 1e-4 : 1e-3, name, 1.0);
 }
 
@@ -494,7 +494,7 @@ void TestChanges(Check& check, int path)
   expect("no triangles", nullptr);
 }
 
-/// Tests that blend modes without boundary triangles ignore them.
+/// Tests that blend modes that do not support boundary triangles ignore them.
 void TestOtherModes(Check& check, int path)
 {
   ImageCase what;

@@ -188,7 +188,7 @@ void ExpectOnlyValues(Check& check, vtkInterlumeReport* report, const std::strin
   check.Equal(report->GetCount("UploadedOrderBytes"), 0, what + ": no order is uploaded");
 }
 
-/// Tests every way to change only values.
+/// Tests all methods of changing only the values.
 void TestValues(Check& check, int path)
 {
   Scene scene(path, Blend::Composite);

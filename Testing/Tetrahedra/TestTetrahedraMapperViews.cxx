@@ -311,8 +311,8 @@ void TestLevelOfDetailTime(Check& check)
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     });
   view.Renderer->AddObserver(vtkCommand::EndEvent, wait);
-  // The fraction of the time that the report misses; the minimum of several frames on a busy
-  // machine.
+  // The fraction of the time that the report misses. The minimum of several frames excludes delays
+  // on a busy machine.
   double fraction = 1.0;
   for (int frame = 0; frame < 3; ++frame)
   {

@@ -114,7 +114,7 @@ int TestTetrahedraSortAdjacency(int, char*[])
   interlume::TetrahedraMesh twice = MakeFan(1000);
   twice.Corners.insert(twice.Corners.end(), twice.Corners.begin(), twice.Corners.begin() + 2000);
   CheckMesh(twice, "duplicate tetrahedra", check);
-  // Many faces with the same lowest id, three copies of each.
+  // Many faces with the same lowest point id, each three times.
   interlume::TetrahedraMesh triple = MakeFan(50000);
   const std::vector<std::uint32_t> once = triple.Corners;
   triple.Corners.insert(triple.Corners.end(), once.begin(), once.end());

@@ -65,8 +65,8 @@ void CheckFloatKeys(Check& check)
     "0 and -0 have the same key");
 }
 
-// Returns the sum of corners minus four times the eye position: its square, or its component along
-// the direction.
+// Returns a measure of each tetrahedron, from the sum of its corners minus four times the eye
+// position: the square of this vector, or its component along the view direction.
 std::vector<double> Measure(const interlume::TetrahedraMesh& mesh, const interlume::Viewpoint& view)
 {
   std::vector<double> measures;

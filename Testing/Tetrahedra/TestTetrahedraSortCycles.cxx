@@ -148,7 +148,7 @@ long long CountInCycles(const std::vector<std::vector<std::uint32_t>>& inFront)
   return count;
 }
 
-// Returns whether a precedes b in the order for each relation, unless both are in a cycle.
+// Returns true if, for each relation, a precedes b in the order, unless both are in a cycle.
 bool IsOrderConsistent(
   const std::vector<std::vector<std::uint32_t>>& inFront, const std::vector<std::uint32_t>& order)
 {

@@ -177,7 +177,7 @@ void CheckInvalid(Check& check)
   }
 }
 
-// Checks that a duplicate tetrahedron does not affect the order of the others.
+// Checks that a duplicate tetrahedron does not affect the order of the other tetrahedra.
 void CheckTwins(Check& check)
 {
   check.SetContext("two identical tetrahedra among others");

@@ -18,8 +18,8 @@ struct Tally : OrderTally
 {
   long long RandomPairs = 0;
   long long RandomMisordered = 0;
-  // Errors of MPVO, the order from shared faces only. They show that the meshes require relations
-  // across gaps.
+  // Number of errors of MPVO, the order from shared faces only. These errors show that the meshes
+  // require relations across gaps.
   long long MisorderedByFacesOnly = 0;
 };
 

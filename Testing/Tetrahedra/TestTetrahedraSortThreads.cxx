@@ -63,7 +63,8 @@ int TestTetrahedraSortThreads(int, char*[])
   form.Cubes = 22;
   form.IsIn = GetShapes()[0].IsIn;
   CheckMesh(MakeCubes(form), "sphere with holes", check);
-  // Cycles, and the maximum number of boundary faces.
+  // The distorted mesh has visibility cycles. Without shared points, it has the maximum number of
+  // boundary faces.
   form.Cubes = 8;
   form.Pieces = 5;
   interlume::TetrahedraMesh mesh = MakeCubes(form);

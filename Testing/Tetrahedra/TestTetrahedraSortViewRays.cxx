@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests which pixels' view rays hit a triangle, and the order relations from the points where a ray
-// enters and exits a mesh.
+// Tests at which pixels the view ray hits a triangle, and the order relations from the points where
+// a ray enters and exits a mesh.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Tetrahedra/ReferenceViewRays.h"
 
@@ -100,8 +100,8 @@ void CheckRaster(Check& check)
   const interlume::FrameProjection projection(LookAt({ 0, 0, 0 }, { 0, 0, -1 }, 1.0, 40, false));
   int visits = 0;
   double nearest = 1.0;
-  // A floor half a unit below the eye, from far behind to far in front of it, covers half of the
-  // image.
+  // A floor that is half a unit below the eye and extends from far behind the eye to far in front
+  // of it covers half of the image.
   const interlume::FaceRaster floor(projection,
     { { { 0.0, -0.5, -1e4 }, { 1e5, -0.5, 1e4 }, { -1e5, -0.5, 1e4 } } }, { { 5, 3, 4 } });
   for (int row = floor.GetRows().First; row <= floor.GetRows().Last; ++row)

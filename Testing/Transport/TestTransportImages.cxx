@@ -20,7 +20,8 @@ using namespace reference;
 
 constexpr double SolidAngleOfAll = 4.0 * 3.14159265358979324;
 
-/// Returns a view ray at a cosine to a slab of some thickness. Row 0 is on the lit side.
+/// Returns a view ray to a slab, with the given cosine between ray and normal. Row 0 is on the lit
+/// side.
 TransportRay MakeSightLine(double cosine, int row, double thickness)
 {
   const double across = std::sqrt(1.0 - cosine * cosine);

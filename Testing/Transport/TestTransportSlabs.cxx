@@ -128,7 +128,8 @@ void CheckFurnace(Check& check)
   }
 }
 
-// A slab of low optical depth, whose first scattering order is known, and a slab with albedo 0.
+// Tests a slab of low optical depth, whose first scattering order is known, and a slab with albedo
+// 0.
 void CheckThin(Check& check)
 {
   SlabTransportSettings settings;
@@ -205,7 +206,7 @@ void CheckErrors(Check& check)
     squares += std::pow(found.Value - Rows[2].Transmitted.Value, 2.0) / Runs;
     stated += found.StandardError * found.StandardError / Runs;
   }
-  // The relative deviation of a variance of 40 values is 0.22.
+  // The relative standard deviation of a variance that is estimated from 40 values is 0.22.
   check.Near(squares / stated, 1.0, 0.66, "true variance over reported variance");
 }
 

@@ -25,7 +25,7 @@ namespace
 {
 using Suites = std::vector<BenchSuite>;
 
-/// Arguments of the command line, in addition to the common options of the suites.
+/// Command-line arguments: the common options of the suites, and others.
 struct Arguments
 {
   BenchOptions Options;
@@ -67,7 +67,7 @@ void Define(CLI::App& app, Arguments& arguments, const std::vector<std::string>&
     .add_option(
       "--data", arguments.Data, "Directory of the data files; default: the project's Data")
     ->check(CLI::ExistingDirectory);
-  // For the tests of this program and for processes that it starts.
+  // Hidden options for the tests of this program and for processes that it starts.
   app.add_flag("--tiny", arguments.Tiny)->group("");
   app.add_option("--task", arguments.Task)->group("");
 
@@ -128,7 +128,7 @@ std::string CaptionOf(const BenchResults& results)
 
 void WriteReport(const Suites& suites, const Arguments& arguments)
 {
-  // Gather the stability cases first: this may fail, and the suites take long.
+  // Gather the stability cases first: this may fail, and the suites take a long time.
   const std::vector<StabilityCase> cases = StabilityCatalogue::Gather(arguments.Stability);
   BenchResults results = Start(arguments);
   for (const BenchSuite& suite : suites)

@@ -80,8 +80,8 @@ BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features)
   if (panel.UsesAmbientOcclusion())
   {
     features.insert("ambient-occlusion");
-    // Color RGBA32F, position and normal RGB16F, occlusion R8, depth 32F. The passes compute and
-    // combine occlusion.
+    // Color RGBA32F, position and normal RGB16F, occlusion R8, depth 32F. Two passes compute and
+    // combine the occlusion.
     count.Buffers += 5;
     count.Bytes += (16 + 6 + 6 + 1 + 4) * pixels;
     count.ScreenPasses += 2;

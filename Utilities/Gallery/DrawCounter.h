@@ -17,14 +17,13 @@ class Panel;
 struct SceneReport;
 
 /**
- * Counts how often the surfaces of a renderer are drawn. The result is the count of the mapper that
- * is drawn most often.
+ * Counts how often each surface of a renderer is drawn. The result is the maximum over the mappers.
  */
 class DrawCounter
 {
 public:
   /**
-   * Starts counting the draws of every actor in \a renderer.
+   * Starts to count how often each actor in \a renderer is drawn.
    */
   explicit DrawCounter(vtkRenderer* renderer);
   ~DrawCounter();
@@ -38,7 +37,7 @@ private:
 
 /**
  * Number and size of the off-screen textures of a panel and its window, and number of screen-space
- * passes over them.
+ * passes that process them.
  */
 struct BufferCount
 {
@@ -48,8 +47,8 @@ struct BufferCount
 };
 
 /**
- * Counts the textures that the window and ambient occlusion hold after \a panel was drawn. Assumes
- * the texture formats of VTK 9. Adds the names of active features to \a features.
+ * Counts the textures that the window, ambient occlusion and scene shadows hold after \a panel was
+ * drawn. Assumes the texture formats of VTK 9. Adds the names of active features to \a features.
  */
 BufferCount CountBuffers(const Panel& panel, std::set<std::string>& features);
 

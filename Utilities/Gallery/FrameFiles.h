@@ -30,10 +30,10 @@ public:
   ~FrameFiles();
 
   void Add(vtkImageData* frame);
-  /// Ends the movie. Returns false if there is no movie or writing it failed.
+  /// Completes the movie. Returns false if there is no movie or it could not be written.
   bool Finish();
 
-  /// Returns the path of a frame, relative to the output directory.
+  /// Returns the path of the frame \a number, relative to the output directory.
   static std::string GetName(const std::string& id, int number);
   static std::string GetMovieName(const std::string& id) { return id + ".ogv"; }
 

@@ -19,7 +19,7 @@ vtkSmartPointer<vtkRenderWindow> MakeWindow(int width, int height);
 /**
  * Keeps a connection to the display open. A virtual X server resets when its last client
  * disconnects, and rejects windows that are opened meanwhile. Programs that open several windows
- * one after the other should create one such object first.
+ * one after another should first create a DisplayHold.
  */
 class DisplayHold
 {
@@ -36,7 +36,8 @@ private:
 vtkSmartPointer<vtkImageData> GrabImage(vtkRenderWindow* window);
 
 /**
- * Copies \a part into \a whole with its lower left pixel at (left, bottom). It must fit.
+ * Copies \a part into \a whole. The lower left pixel of \a part is placed at (left, bottom).
+ * \a part must fit into \a whole.
  */
 void Paste(vtkImageData* whole, vtkImageData* part, int left, int bottom);
 

@@ -50,7 +50,7 @@ dl .features { grid-column: 1 / -1; }
 footer { color: var(--soft); font-size: 13px; padding-bottom: 56px; }
 )css";
 
-/// Plays the frames of animations. Frames that are not loaded are skipped.
+/// Script that plays the frames of animations. It skips frames that are not loaded yet.
 const char* const SCRIPT = R"js(
 document.querySelectorAll('img[data-frames]').forEach(image => {
   const frames = JSON.parse(image.dataset.frames).map(name => {

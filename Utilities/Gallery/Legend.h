@@ -12,7 +12,7 @@ class vtkRenderer;
 class vtkScalarsToColors;
 
 /**
- * Text and legends, drawn into a renderer that covers the window. Positions are in pixels from the
+ * Text and legends, added to a renderer that covers the window. Positions are in pixels from the
  * lower left corner.
  */
 namespace gallery

@@ -13,7 +13,8 @@ namespace gallery
 namespace
 {
 /// Returns evenly spaced control points from the lower to the upper end. The darkest tenth of
-/// viridis and fifth of inferno are excluded, since shading is not visible there.
+/// viridis and the darkest fifth of inferno are excluded, since shading is not visible on these
+/// colors.
 std::vector<vtkColor3d> ControlPoints(Map map)
 {
   switch (map)

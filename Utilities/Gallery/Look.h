@@ -16,8 +16,8 @@ namespace gallery
 /// Returns the background color of all images.
 vtkColor3d Background();
 
-/// Returns a dark background, for volumes with additive blending: their bright parts, which become
-/// white, would not be visible on a light background.
+/// Returns a dark background color for volumes with additive blending. Their bright parts become
+/// white, which would not be visible on a light background.
 vtkColor3d DarkBackground();
 
 /// Returns the color of text.

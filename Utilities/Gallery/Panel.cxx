@@ -30,7 +30,7 @@ namespace gallery
 {
 namespace
 {
-/// Fraction of the panel that the fitted props fill.
+/// Fraction of the panel's width or height that the fitted props fill.
 constexpr double FILL = 0.95;
 
 /// Number of points that approximate the outline of a surface to about a pixel.
@@ -48,7 +48,8 @@ void ForEachProp(vtkRenderer* renderer, const Visit& visit)
   }
 }
 
-/// Returns the points that a prop draws, or nullptr if the prop is transformed or has none.
+/// Returns the dataset with the points of a prop, or nullptr if the prop is transformed or has no
+/// points.
 vtkPointSet* GetShape(vtkProp* prop)
 {
   auto* prop3D = vtkProp3D::SafeDownCast(prop);
@@ -137,7 +138,7 @@ bool Panel::UsesAmbientOcclusion() const
 
 void Panel::PreparePasses()
 {
-  // vtkShadowedScenePass draws surfaces and volumes and needs no other passes.
+  // vtkShadowedScenePass draws both surfaces and volumes, so other passes are not needed.
   if (vtkShadowedScenePass::SafeDownCast(this->Renderer->GetPass()))
   {
     return;
@@ -175,8 +176,8 @@ void Panel::PreparePasses()
 
 vtkSmartPointer<vtkImageData> Panel::Draw(int width, int height)
 {
-  // Each panel has its own window: the ambient occlusion of VTK 9.1 requires that a renderer covers
-  // its window.
+  // Each panel has its own window, since the ambient occlusion of VTK 9.1 requires that a renderer
+  // covers its window.
   this->PreparePasses();
   this->Pixels = static_cast<vtkIdType>(width) * height;
   vtkSmartPointer<vtkRenderWindow> window = MakeWindow(width, height);
@@ -234,8 +235,8 @@ void Panel::Fit(const std::vector<vtkVector3d>& points, double aspect)
   {
     return;
   }
-  // With perspective, the extent on screen depends on the distance. A few iterations of panning and
-  // dollying converge.
+  // In perspective, the extent on screen depends on the distance. A few iterations of panning and
+  // dollying are sufficient.
   const double pi = 3.14159265358979323846;
   const double slope = std::tan(0.5 * this->Camera->GetViewAngle() * pi / 180.0);
   vtkVector3d from(this->Camera->GetPosition());

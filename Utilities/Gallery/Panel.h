@@ -48,7 +48,8 @@ public:
   void LookAs(Panel& other);
 
   /**
-   * Fits the camera to \a bounds instead of the props. Props may extend past the frame.
+   * Fits the camera to \a bounds instead of the props, which may extend past the edges of the
+   * panel.
    */
   void Frame(const vtkBoundingBox& bounds) { this->FramedBox = bounds; }
 
@@ -58,7 +59,8 @@ public:
   void SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights);
 
   /**
-   * Uses a parallel projection, so that equal objects have equal sizes. Default: perspective.
+   * Uses a parallel projection, in which objects of the same size appear equally large. Default:
+   * perspective.
    */
   void UseParallelProjection() { this->Camera->ParallelProjectionOn(); }
 
@@ -75,8 +77,8 @@ public:
 
   ///@{
   /**
-   * Used by Stage: the renderer, the camera and its fitting, and drawing. GetPixels() returns the
-   * number of pixels of the last drawing.
+   * Used by Stage. GetPoints() returns the points to which Fit() fits the camera. GetPixels()
+   * returns the number of pixels of the last drawing.
    */
   vtkRenderer* GetRenderer() const { return this->Renderer; }
   vtkCamera* GetCamera() const { return this->Camera; }

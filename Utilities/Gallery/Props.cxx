@@ -32,8 +32,8 @@ namespace
 {
 const char* const GRADIENT = "Gradient";
 
-/// Computes normals from the gradient of the field. They point out of the interval, against the
-/// gradient on its lower boundary.
+/// Computes normals from the gradient of the field. The normals point out of the interval. On its
+/// lower boundary, they are opposite to the gradient.
 void SetGradientNormals(vtkPointData* pointData, int side)
 {
   vtkDataArray* vectors = pointData->GetArray(GRADIENT);
@@ -119,7 +119,7 @@ vtkSmartPointer<vtkActor> MakeColoredActor(
   mapper->SetLookupTable(colors);
   mapper->UseLookupTableScalarRangeOn();
   mapper->InterpolateScalarsBeforeMappingOn();
-  // Strong ambient light, so that colors in shade can be compared with the color bar.
+  // The ambient light is strong, so that colors in shade can be compared with the color bar.
   actor->GetProperty()->SetAmbient(0.3);
   actor->GetProperty()->SetDiffuse(0.7);
   return actor;

@@ -31,8 +31,8 @@ vtkSmartPointer<vtkUnstructuredGrid> SelectTriangles(
 /**
  * Returns the boundary triangles of an extraction whose cell array `BoundarySide` equals \a side
  * (vtkIntervalVolume::BoundarySides). All points are retained. Point normals are computed from the
- * gradient of the field, which is smoother than the triangle normals. The input of the extraction
- * must come from AddGradient().
+ * gradient of the field, since they are smoother than triangle normals. The input of the extraction
+ * must be a result of AddGradient().
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeBoundary(vtkIntervalVolume* filter, int side);
 
@@ -70,7 +70,8 @@ vtkSmartPointer<vtkDataSet> AddMagnitude(
 vtkSmartPointer<vtkPolyData> MakeWall(vtkStructuredGrid* grid, int axis, int index);
 
 /**
- * Returns \a image with the cells hidden where x < \a x and y < \a y, which cuts it open.
+ * Returns \a image with hidden cells in the quarter with coordinates below \a x and \a y, which
+ * cuts the image open.
  */
 vtkSmartPointer<vtkImageData> HideQuarter(vtkImageData* image, double x, double y);
 

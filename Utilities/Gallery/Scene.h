@@ -13,8 +13,8 @@ class Stage;
  * An image of the gallery: its name, texts, data, and a function that builds its pipeline.
  *
  * A file in Scenes/ defines the build function of a scene, or of several scenes with common data,
- * and a `const SceneRegistration` for each. Only the list of files in CMakeLists.txt must name the
- * file. The gallery program and the regression test with the same id render the same scene.
+ * and a `const SceneRegistration` for each. The file must be listed in CMakeLists.txt, and nowhere
+ * else. The gallery program and the regression test with the same id render the same scene.
  */
 struct Scene
 {

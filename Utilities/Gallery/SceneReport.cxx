@@ -15,7 +15,7 @@ namespace gallery
 {
 namespace
 {
-/// Values of extraction filters that are combined by their maximum instead of their sum.
+/// Values of extraction filters of which the report has the maximum instead of the sum.
 const std::set<std::string> LARGEST{ "ArraysInterpolated", "ArraysCopied", "Passes",
   "WorkingBytes" };
 

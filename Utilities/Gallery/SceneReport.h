@@ -17,8 +17,8 @@
 namespace gallery
 {
 /**
- * Costs and statistics of one scene. All counts are measured: the counts of an inactive feature are
- * 0, and its name is not in Features.
+ * Costs and statistics of one scene. If a feature is inactive, its counts are 0 and its name is not
+ * in Features.
  */
 struct SceneReport
 {
@@ -28,8 +28,8 @@ struct SceneReport
   int Width = 0;
   int Height = 0;
 
-  /// Wall-clock times: reading and building, the part of that time spent in extraction filters, and
-  /// rendering.
+  /// Wall-clock times of building the scene, including reading, of the extraction filters within
+  /// that time, and of rendering.
   double BuildSeconds = 0.0;
   double ExtractSeconds = 0.0;
   double RenderSeconds = 0.0;
@@ -62,8 +62,8 @@ struct SceneReport
     { "CollapsedSimplices", 0 }, { "ArraysInterpolated", 0 }, { "ArraysCopied", 0 },
     { "Passes", 0 }, { "WorkingBytes", 0 } };
 
-  /// Flow volumes: cells of the implicit flow fields, cells skipped because interpolation is
-  /// invalid in them, and extraction passes by inflow and by advection time.
+  /// Flow volumes: cells of the implicit flow fields, cells that were skipped because values cannot
+  /// be interpolated in them, and extraction passes by inflow value and by advection time.
   vtkIdType FlowCells = 0;
   vtkIdType SkippedFlowCells = 0;
   int InflowPasses = 0;
@@ -73,14 +73,14 @@ struct SceneReport
   int Panels = 0;
   int SurfacePanels = 0;
   int OcclusionPanels = 0;
-  /// Passes over the surfaces of each panel, the tetrahedra of each volume and the buffers of each
-  /// sliced volume, and the screen-space passes of ambient occlusion, summed over panels.
+  /// Sum over the panels of the passes over surfaces, over the tetrahedra of volumes and over the
+  /// buffers of sliced volumes, and of the screen-space passes of ambient occlusion.
   int Passes = 0;
   /// Off-screen textures of the rendering, including window buffers, and their size in bytes.
   int Buffers = 0;
   vtkIdType Bytes = 0;
-  /// Copies of the mapper reports: tetrahedra, slices, and inflow textures. The sums above include
-  /// their passes, buffers and bytes.
+  /// Copies of the mappers' reports: volumes of tetrahedra, sliced volumes, and volumes with inflow
+  /// textures. The members Passes, Buffers and Bytes include the values of these reports.
   using VolumeReports = std::vector<vtkSmartPointer<vtkInterlumeReport>>;
   VolumeReports Volumes;
   VolumeReports SlicedVolumes;

@@ -21,10 +21,10 @@ namespace gallery
 {
 namespace
 {
-/// The image is rendered this many times larger in each direction and averaged.
+/// Factor by which the image is rendered larger in each direction, before it is averaged down.
 constexpr int SUPERSAMPLING = 2;
 
-/// Heights of the caption and of the legend, in lines of text.
+/// Heights of a caption and of the legend, in lines of text.
 constexpr double CAPTION_LINES = 2.4;
 constexpr double LEGEND_LINES = 4.4;
 

@@ -28,14 +28,14 @@ namespace gallery
 struct Scene;
 
 /**
- * Lays out the panels of a scene in a grid, with a caption under each and one legend under all.
- * Renders them off-screen at twice the size, and counts the resources used.
+ * Arranges the panels of a scene in a grid, with a caption under each panel and one legend under
+ * all panels. Renders the image off-screen at twice its size, and counts the resources used.
  */
 class Stage
 {
 public:
   /**
-   * Sets the size of the image in pixels.
+   * Creates a stage for an image of width x height pixels.
    */
   Stage(int width, int height);
   ~Stage();
@@ -46,7 +46,8 @@ public:
   void SetColumns(int columns) { this->Columns = columns; }
 
   /**
-   * Adds a panel, left to right, then top to bottom. It lives as long as the stage.
+   * Adds a panel. Panels are arranged from left to right, then from top to bottom. The panel lives
+   * as long as the stage.
    */
   Panel& AddPanel(const std::string& caption);
 
@@ -59,8 +60,8 @@ public:
 
   ///@{
   /**
-   * Set the legend under the panels: a color bar for values, or a color key for intervals. The last
-   * call wins.
+   * Set the legend under the panels: a color bar for values, or a color key for intervals. Each
+   * call replaces the previous legend.
    */
   void SetColorBar(
     const std::string& title, vtkScalarsToColors* colors, double lower, double upper);
@@ -106,8 +107,8 @@ public:
   vtkSmartPointer<vtkImageData> Render();
 
   /**
-   * Renders the animation at a fraction, as an image of width x height pixels. It is not counted in
-   * the report.
+   * Renders the animation at a fraction, as an image of width x height pixels. The report does not
+   * include this frame.
    */
   vtkSmartPointer<vtkImageData> RenderFrame(double fraction, int width, int height);
 
@@ -122,8 +123,8 @@ public:
   const SceneReport& GetReport() const { return this->Report; }
 
 private:
-  /// Location of a panel in the large image, in pixels. Caption is the height of the caption at its
-  /// bottom.
+  /// Location of a panel in the supersampled image, in pixels. Caption is the height of the caption
+  /// at the bottom of the cell.
   struct Cell
   {
     int Left;
@@ -154,9 +155,9 @@ vtkSmartPointer<vtkImageData> RenderScene(
   const Scene& scene, int width, int height, SceneReport& report);
 
 /**
- * As above. If the scene has an animation, also passes \a frames frames of it to \a take. They are
- * evenly spaced from fraction 0 on, without fraction 1, and have half the width and height of the
- * image.
+ * As above. If the scene has an animation, also renders \a frames frames and passes each to
+ * \a take. Frames are evenly spaced from fraction 0 to fraction 1, which is excluded, and have half
+ * the width and height of the image.
  */
 vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, int width, int height,
   SceneReport& report, int frames, const std::function<void(vtkImageData* frame)>& take);

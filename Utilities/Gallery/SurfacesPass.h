@@ -8,7 +8,7 @@
 namespace gallery
 {
 /**
- * Passes only the props that are not volumes to another pass. Newer versions of vtkSSAOPass process
+ * Passes all props except volumes to another render pass. Newer versions of vtkSSAOPass process
  * volumes, and report an error for volumes without shading.
  */
 class SurfacesPass : public vtkRenderPass

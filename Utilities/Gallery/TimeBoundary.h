@@ -12,10 +12,10 @@ class vtkTimeVaryingIntervalVolume;
 namespace gallery
 {
 /**
- * Returns the cells of port 1 of \a filter that have one of \a kinds
- * (vtkTimeVaryingIntervalVolume::BoundaryKinds), with only their points and the point arrays. The
- * cell array `IntervalId` is the index of the kind in \a kinds, so that MakeVolumeOfIntervals()
- * colors each kind.
+ * Returns the cells of port 1 of \a filter whose kind is one of \a kinds
+ * (vtkTimeVaryingIntervalVolume::BoundaryKinds), with their points and the point arrays. The cell
+ * array `IntervalId` is the index of the kind in \a kinds, so that MakeVolumeOfIntervals() colors
+ * each kind.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeTimeBoundary(
   vtkTimeVaryingIntervalVolume* filter, const std::vector<int>& kinds);

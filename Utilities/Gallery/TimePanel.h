@@ -17,9 +17,9 @@ class Stage;
 std::vector<double> GetTimeSteps(vtkAlgorithm* source);
 
 /**
- * Adds a dark panel with the interval from \a lower to \a upper of the scalars of \a source, over
- * all times between its steps. Colors of different times are added. \a extinction is per unit of
- * length and time. Sets the color bar of the stage.
+ * Adds a dark panel that shows where the scalars of \a source are between \a lower and \a upper,
+ * over all times from its first to its last step. Colors of different times are added.
+ * \a extinction is per unit of length and time. Sets the color bar of the stage.
  */
 Panel& AddPanelInTime(
   Stage& stage, vtkAlgorithm* source, double lower, double upper, double extinction);

@@ -72,7 +72,7 @@ void SetBoundary(
   property->SetColor(color[0], color[1], color[2]);
   property->SetOpacity(opacity);
   property->SetAmbient(0.16);
-  // Less diffuse light leaves headroom for the highlight. Clipping would change its hue.
+  // Diffuse light is reduced, so that highlights are not clipped, which would change their hue.
   property->SetDiffuse(0.74);
   property->SetSpecular(0.3);
   property->SetSpecularPower(40.0);

@@ -43,21 +43,23 @@ vtkSmartPointer<vtkVolume> MakeVolumeOfIntervals(
   vtkUnstructuredGrid* tetrahedra, const std::vector<IntervalLook>& looks);
 
 /**
- * Returns a volume of vtkTimeVaryingIntervalVolume, colored by the point array `Time` with the
- * vtkTemporalColorTransferFunction of the step times. \a extinction is per unit of length and time.
+ * Returns a volume of the tetrahedra of vtkTimeVaryingIntervalVolume. A
+ * vtkTemporalColorTransferFunction of the step times maps the point array `Time` to colors.
+ * \a extinction is per unit of length and time.
  */
 vtkSmartPointer<vtkVolume> MakeVolumeInTime(
   vtkUnstructuredGrid* tetrahedra, const std::vector<double>& times, double extinction);
 
 /**
  * Draws boundary triangles inside the volume, shaded and glossy. The triangles must share the
- * points of the tetrahedra. \a opacity: 0 to 1.
+ * points of the tetrahedra. \a opacity ranges from 0 to 1.
  */
 void SetBoundary(
   vtkVolume* volume, vtkUnstructuredGrid* triangles, const vtkColor3d& color, double opacity);
 
 /**
- * Returns the mapper of a volume created by one of these functions.
+ * Returns the mapper of a volume created by MakeVolume(), MakeVolumeOfIntervals() or
+ * MakeVolumeInTime().
  */
 vtkTimeWeightedTetrahedraMapper* GetMapper(vtkVolume* volume);
 }

@@ -29,7 +29,7 @@ def main():
     results = Results(measurements)
     for suite in results.suites():
         run = results.of(suite)[-1]
-        # The rows were written by another program, which draws no plots.
+        # These rows were written by a program that draws no plots.
         if "command" in run.conditions:
             continue
         with tempfile.TemporaryDirectory() as folder:

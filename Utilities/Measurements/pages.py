@@ -22,7 +22,7 @@ NOT_PROSE = re.compile(r"\{\{.*?\}\}|`[^`]*`|!\[[^\]]*\]\([^)]*\)|\]\([^)]*\)|\b
 NOT_TYPED = re.compile(r"<!-- (versions|measured).*?<!-- (?:end of |/)\1 -->|```.*?```", re.DOTALL)
 MEASURED = re.compile(r"\d\.\d|\d ?%|\d\s?e-?\d|\d ?(?:s|ms|µs|MB|MiB|GB|GiB|times|million)\b")
 MAXIMUM_WORDS = 3000
-# The README has a column for each VTK version with results of at least this number of suites.
+# The README has a column for each VTK version that has results of at least this number of suites.
 MINIMUM_SUITES = 3
 
 
@@ -98,7 +98,7 @@ class Pages:
         text = (self.folder / name).read_text(encoding="utf-8")
         check_words(self.folder / name, text)
         self.stated = set(re.findall(r"\{\{missed (.+?)\}\}", text))
-        # Fields without text leave empty lines.
+        # Fields that expand to nothing leave empty lines.
         return re.sub(r"\n{3,}", "\n\n", FIELD.sub(lambda found: self.field(found.group(1)), text))
 
     def field(self, words):

@@ -19,7 +19,7 @@ from pathlib import Path
 
 from results import short_version
 
-# By suite: samples per second, and the rows, by case, method and parameter.
+# By suite: samples per second, and the rows to be profiled, by case, method and parameter.
 PROFILED = {
     "interval": (10000, [("bonsai-low", "drag", "2 threads"), ("bonsai-low", "drag-tied", "2 threads"),
                         ("head-ct-256-low", "drag", "2 threads"), ("disk-out", "interval-volume", "1 thread"),
@@ -38,7 +38,7 @@ PROFILED = {
 }
 SAMPLE = re.compile(r"^\s*(?P<time>[\d.]+):\s+[0-9a-f]+ (?P<symbol>.*) \((?P<library>[^()]*)\)$")
 OWN = re.compile(r"interlume::((?:\w+::)*\w+)")
-# Libraries that are not part of this project: prefix of the file name, name in the profile.
+# Libraries that are not part of this project: prefix of the file name, and name in the profile.
 LIBRARIES = (("libgallium", "OpenGL"), ("libGL", "OpenGL"), ("swrast", "OpenGL"), ("libLLVM", "OpenGL"),
              ("libvtk", "VTK"), ("libtbb", "TBB"), ("libX", "X"), ("libxcb", "X"))
 

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # interlume_component(MODULE NAME [USES COMPONENT...] [SOURCES NAME...])
-# Adds the private sources in the directory NAME to the library MODULE, such as InterlumeFlow, as an object
-# library. It can include its own headers, the public ones of the module, and those of the components that it
-# uses, directly or indirectly. These come before it in the CMakeLists.txt, so dependencies are acyclic. A
-# component without SOURCES consists of headers, which are compiled together to check what they include. Call
-# it after vtk_module_add_module and interlume_use_headers.
+# Adds the private sources in the directory NAME to the library MODULE, such as InterlumeFlow, as an
+# object library. The component can include its own headers, the public headers of the module, and
+# the headers of components that it uses, directly or indirectly. The components that it uses must
+# be added before it, so dependencies are acyclic. A component without SOURCES consists of headers,
+# which are compiled together to check that they include what they need. Call it after
+# vtk_module_add_module and interlume_use_headers.
 function (interlume_component module name)
   cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "USES;SOURCES")
   set(visible ${name})
@@ -49,7 +50,7 @@ function (interlume_component module name)
   set_property(TARGET ${module} APPEND PROPERTY INTERLUME_COMPONENTS ${component})
 endfunction ()
 
-# Fills FOLDER with links to directories of the module and to its public headers.
+# Fills FOLDER with links to the directories of the module's components and to its public headers.
 function (interlume_link_headers folder)
   file(GLOB headers RELATIVE "${CMAKE_CURRENT_SOURCE_DIR}" CONFIGURE_DEPENDS "vtk*.h")
   file(REMOVE_RECURSE "${folder}")

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Debian packages, built by `cpack`, one for each component. The VTK modules have packages for the
-# libraries, for development, for Python, and separate ones, because of its license, for TetGen. The
-# plugin has packages for the plugin and for the program that runs TetGen. Use the presets
+# libraries, for development, and for Python. Because of its license, TetGen has separate packages.
+# The plugin has packages for the plugin and for the program that runs TetGen. Use the presets
 # `packages` and `paraview-packages`; Utilities/packages builds and tests the packages.
 set(INTERLUME_PACKAGE_CONTACT "Interlume developers <developers@interlume.invalid>" CACHE STRING
   "Maintainer of the packages: name and e-mail address in angle brackets")
@@ -31,8 +31,8 @@ find_program(INTERLUME_GZIP gzip)
 set(about "${PROJECT_SOURCE_DIR}/Utilities/debian")
 
 # interlume_debian_package(COMPONENT PACKAGE TITLE TEXT [SECTION NAME] [DEPENDS TEXT] [LIBRARIES])
-# LIBRARIES: the package contains libraries to link to, and its name is not derived from their
-# names.
+# LIBRARIES: the package contains libraries for linking, and its name is not derived from the names
+# of these libraries.
 macro (interlume_debian_package component package title text)
   cmake_parse_arguments(arg "LIBRARIES" "SECTION;DEPENDS" "" ${ARGN})
   string(TOUPPER "${component}" upper)

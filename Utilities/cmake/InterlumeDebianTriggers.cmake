@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Run by `cpack` after it has built the packages. CPack adds scripts that run ldconfig to each
-# package with libraries. Debian requires a trigger instead, which these packages have.
+# Run by `cpack` after it has built the packages. To each package with libraries, CPack adds scripts
+# that run ldconfig. This file removes them, since Debian requires a trigger instead, which these
+# packages have.
 foreach (package IN LISTS CPACK_PACKAGE_FILES)
   set(folder "${package}.parts")
   set(files "${folder}/DEBIAN")

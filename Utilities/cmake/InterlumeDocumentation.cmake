@@ -32,7 +32,8 @@ set(DOXYGEN_RECURSIVE NO)
 doxygen_add_docs(documentation ${modules} "${PROJECT_SOURCE_DIR}/Documentation/guide"
   "${PROJECT_SOURCE_DIR}/Documentation"
   COMMENT "Writing the documentation of the public headers and the guide")
-# The pages refer to images next to the guide's directory, and next to measurements.md.
+# The pages refer to images in the directory pictures next to the guide's directory, and next to
+# measurements.md.
 foreach (place IN ITEMS pictures html/pictures)
   add_custom_command(TARGET documentation POST_BUILD
     COMMAND "${CMAKE_COMMAND}" -E copy_directory

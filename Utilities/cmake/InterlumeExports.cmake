@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# interlume_export_public(MODULE...): makes visible only the classes of the installed headers, and
-# those classes of private headers that have the export macro because other modules use them. Other
-# classes and their template instantiations are hidden. The linker hides them, not the compiler, so
-# that tests can link the objects of private classes.
+# interlume_export_public(MODULE...): makes only two kinds of classes visible: those of the
+# installed headers, and those of private headers that have the export macro because other modules
+# use them. Other classes and their template instantiations are hidden. The linker hides them, not
+# the compiler, so that tests can link the objects of private classes.
 function (interlume_export_public)
   if (NOT UNIX OR APPLE OR NOT BUILD_SHARED_LIBS)
     return()
@@ -23,7 +23,8 @@ function (interlume_export_public)
     endforeach ()
     set(patterns)
     foreach (class IN LISTS classes)
-      # Blanks are written as ? here, because a quoted pattern cannot contain a wildcard.
+      # Each blank is written as ?, which matches any character, because a quoted pattern cannot
+      # contain wildcards.
       string(APPEND patterns "      ${class}::*;\n")
       foreach (kind IN ITEMS typeinfo?for typeinfo?name?for vtable?for VTT?for)
         string(APPEND patterns "      ${kind}?${class};\n      ${kind}?${class}::*;\n")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# The CMake package for `find_package(Interlume)`. Include this before the modules are added: its
-# RPATH lets installed libraries find each other.
+# The CMake package for `find_package(Interlume)`. Include this file before the modules are added:
+# with its RPATH, installed libraries find each other.
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_RPATH "$ORIGIN")
 # Libraries with the same minor version are compatible.

@@ -21,8 +21,8 @@ paraview_plugin_build(
   PLUGINS_COMPONENT    plugin
   PLUGINS              ${plugins})
 
-# A Python package for the plugin. The package for VTK's Python cannot be loaded in ParaView, and
-# both may be installed.
+# A Python package for the plugin. ParaView cannot load the package for VTK's Python. Both packages
+# may be installed.
 if (INTERLUME_PYTHON)
   set(modules ${interlume_modules})
   set(tetgen_modules)

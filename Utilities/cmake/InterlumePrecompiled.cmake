@@ -2,8 +2,8 @@
 # interlume_precompile(): if INTERLUME_PRECOMPILE_HEADERS is on, precompiles frequently included
 # headers: once for the libraries of all modules and their wrappers, and once for each other target
 # with enough files to benefit. Call it after all targets are defined. Clang tools cannot read GCC's
-# precompiled headers. They need the compilation database of a build without them, such as the
-# preset debug.
+# precompiled headers. They need the compilation database of a build without precompiled headers,
+# such as the preset debug.
 set(interlume_precompiled_headers
   <algorithm> <array> <cmath> <cstdint> <functional> <iostream> <limits> <map> <memory> <numeric> <sstream>
   <string> <unordered_map> <vector>

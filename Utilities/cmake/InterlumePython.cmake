@@ -6,8 +6,8 @@
 #   interlume_python_libraries   directory of VTK's libraries
 
 # interlume_find_python(): finds VTK's wrapping tools, and the Python version for which VTK's
-# modules are built. A macro, since imported targets are visible only in the directory that calls
-# find_package.
+# modules are built. This is a macro, since imported targets are visible only in the directory that
+# calls find_package.
 macro (interlume_find_python)
   set(INTERLUME_PYTHON OFF)
   if (NOT INTERLUME_WRAP_PYTHON)
@@ -19,7 +19,7 @@ macro (interlume_find_python)
   elseif (NOT VTK_WRAP_PYTHON)
     set(interlume_python_error "this VTK was built without Python wrapping")
   else ()
-    # Prefers the interpreter next to VTK, which may not be the first one on the path.
+    # Prefer the interpreter in VTK's prefix, which may not be the first interpreter in PATH.
     if (NOT DEFINED Python3_ROOT_DIR AND NOT DEFINED Python3_EXECUTABLE)
       set(Python3_ROOT_DIR "${VTK_PREFIX_PATH}")
     endif ()
@@ -79,8 +79,8 @@ function (interlume_python_path variable)
 endfunction ()
 
 # Sets VARIABLE to the directory below the prefix where Python looks for packages, relative to the
-# prefix. Queries the interpreter, since Debian's uses other directories. If it has no directory
-# below the prefix, uses lib/pythonX.Y/site-packages.
+# prefix. Queries the interpreter, since Debian's interpreter uses other directories than upstream.
+# If no directory is below the prefix, uses lib/pythonX.Y/site-packages.
 function (interlume_python_destination variable)
   execute_process(
     COMMAND "${Python3_EXECUTABLE}" -c [[

@@ -25,8 +25,8 @@ show_help()
   sed -n '3,/^[^#]/{/^#/s/^# \{0,1\}//p}' "$0"
 }
 
-# run_logged NAME COMMAND...: redirects output to a log. Shows its last line periodically, and its
-# end if the command fails.
+# run_logged NAME COMMAND...: redirects output to a log. Shows the last line of the log
+# periodically, and the end of the log if the command fails.
 run_logged()
 {
   local name=$1 log=$log_dir/$1.log pid status=0 waited=0
@@ -67,9 +67,8 @@ build_preset()
 
 # Runs a command on a virtual display, so that images do not depend on the desktop's driver. If
 # `window` is set to a VTK window class that needs no display, uses that class instead. The display
-# accepts more clients than the default, since each process of a parallel run opens windows. It does
-# not reset when the last client disconnects, since it would reject a client that connects
-# meanwhile.
+# accepts more clients than by default, since each process of a parallel run opens windows. It does
+# not reset when the last client disconnects, since during a reset it would reject new clients.
 with_display()
 {
   if [ -n "${window:-}" ]; then

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Installs missing Debian packages. Needs common.sh.
 
-# Packages for the modules in addition to either VTK or ParaView, which cannot be installed
+# Packages that the modules require in addition to VTK or ParaView, which cannot be installed
 # together. If a package has different names in different Debian releases, the names are separated
 # by |.
 module_packages=(
   g++ cmake ninja-build libboost-dev libeigen3-dev libglm-dev 'libtet1.5-dev | libtet-dev')
 
-# VTK with the tools for wrapping classes in Python, and NumPy, which libvtk9-dev does not depend
-# on.
+# VTK with its tools for wrapping classes in Python, and NumPy. libvtk9-dev does not depend on them.
 vtk_packages=(libvtk9-dev libpython3-dev python3-vtk9 python3-numpy)
 
 build_packages=(
@@ -16,9 +15,9 @@ build_packages=(
   libcli11-dev nlohmann-json3-dev
   xvfb xauth libgl1-mesa-dri libglx-mesa0)
 
-# Requirements of ParaView's CMake package, and a window manager for the tests of its client. The
-# run-time dependencies are read from the package. ParaView 5.11 uses Qt 5, later versions use Qt 6.
-# ParaView 6.1 uses Debian's VTK and builds its help with a tool of Qt 5.
+# Requirements of ParaView's CMake package, and a window manager for the tests of ParaView's client.
+# The run-time dependencies are read from the package. ParaView 5.11 uses Qt 5, later versions use
+# Qt 6. ParaView 6.1 uses Debian's VTK and builds its help with a tool of Qt 5.
 paraview_build_packages=(
   libtool-bin libopenmpi-dev openmpi-bin python3-mpi4py python3-numpy openbox)
 paraview_qt5_packages=(
@@ -72,8 +71,8 @@ install_packages()
   fi
 }
 
-# Prints the version of a package that apt would install, or nothing if it is not available even after
-# updating the package lists.
+# Prints the version of a package that apt would install. Updates the package lists if the package
+# is unknown; prints nothing if it is not available.
 available_version()
 {
   local -a show=(apt-cache show --no-all-versions "$1")

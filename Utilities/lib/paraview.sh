@@ -6,7 +6,8 @@ paraview_root=$build_root/paraview-root
 paraview_stamp=$paraview_root/.unpacked
 paraview_known='5.11 5.13 6.1'
 
-# Prints the ParaView version for the plugin: of the unpacked ParaView, or of the available package.
+# Prints the version of ParaView for which the plugin is built: the unpacked one, or else the
+# available package.
 paraview_version()
 {
   if [ -s "$paraview_stamp" ]; then
@@ -65,8 +66,8 @@ download_packages()
   apt-get -q download "$@" || { as_root apt-get -q update && apt-get -q download "$@"; }
 }
 
-# Prints the dependencies of a package except tclsh and Python packages: the scripts need only numpy
-# and mpi4py.
+# Prints the dependencies of a package except tclsh and Python packages. Of these, the scripts need
+# only numpy and mpi4py.
 libraries_of()
 {
   dpkg-deb -f "$1" Depends | sed -E 's/(^|, )(tclsh|python3-[^,]*)//g; s/^, //'
@@ -80,7 +81,8 @@ unpack_packages()
   done
 }
 
-# ParaView's CMake package refers to its Python modules without the interpreter's tag.
+# Adds links without the interpreter's tag to the names of Python modules, since ParaView's CMake
+# package refers to these names.
 link_python_modules()
 {
   local module plain

@@ -33,7 +33,7 @@ tested_version()
   fi
 }
 
-# skip WHAT WHY: prints a message now, and again in the summary. Skipping is not a failure.
+# skip WHAT WHY: prints a message now, and again in the summary. A skipped step is not a failure.
 skip()
 {
   say "Skipped: $1, because $2"

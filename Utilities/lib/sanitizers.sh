@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Runs the value and stability tests with a sanitizer. Needs common.sh and results.sh.
 
-# test_with_sanitizer address|thread: also the name of the preset and of the suppressions. Excludes
-# the gallery, because the OpenGL driver is not instrumented, and the project that uses the
+# test_with_sanitizer address|thread: the argument also selects the preset and the suppressions.
+# Excludes the gallery, because the OpenGL driver is not instrumented, and the project that uses the
 # installed package, which is not instrumented either. For threads, excludes all rendering, because
 # locks in the driver are not visible.
 test_with_sanitizer()
@@ -12,7 +12,8 @@ test_with_sanitizer()
     excluded="$excluded|TestTetrahedraMapper|TestVolumeStage"
   fi
   build_preset "sanitize-$name"
-  # Uses the thread pool of the standard library instead of TBB: ThreadSanitizer sees its locks.
+  # Use the thread pool of the standard library instead of TBB, since ThreadSanitizer sees its
+  # locks.
   VTK_SMP_BACKEND_IN_USE=STDThread \
   ASAN_OPTIONS=detect_leaks=1:detect_odr_violation=0 \
   LSAN_OPTIONS="suppressions=$suppressions/leaks.txt:print_suppressions=0" \

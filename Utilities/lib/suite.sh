@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs a command of Utilities/ in a minimal Debian system in a directory. Needs common.sh and
-# packages.sh.
+# Runs a command of Utilities/ in a minimal Debian system that is installed in a directory. Needs
+# common.sh and packages.sh.
 
 suites_dir=${INTERLUME_SUITES:-$build_root/suites}
 suites_known='bookworm trixie sid'
@@ -42,7 +42,7 @@ make_suite()
 enter_suite()
 {
   local root=$1 propagation=private
-  # Inside such a system, mount propagation cannot be changed.
+  # If this already runs inside such a system, mount propagation cannot be changed.
   as_root unshare --mount true 2>/dev/null || propagation=unchanged
   # The mounts exist only in the mount namespace of the command.
   as_root unshare --mount --propagation $propagation bash -euc '
@@ -60,16 +60,16 @@ enter_suite()
       chroot "$root" bash -c "cd \"\$1\" && shift && exec \"\$@\"" bash "$folder" "$@"' bash "$@"
 }
 
-# Prints the mirror that this system uses. Prints nothing if there is none; debootstrap then uses
-# its default.
+# Prints the Debian mirror that the current system uses. Prints nothing if there is none;
+# debootstrap then uses its default.
 debian_mirror()
 {
   cat /etc/apt/sources.list /etc/apt/sources.list.d/* 2>/dev/null |
     sed -nE 's/^(URIs: |deb (\[[^]]*\] )?)(http[^ ]*\/debian)\/?( .*)?$/\3/p' | head -n 1 || true
 }
 
-# Copies all files except build results. Changed files get a new modification time, so that only
-# they are rebuilt. Deleted files are deleted in the copy.
+# Copies all files of the source directory except build results. Only changed files get a new
+# modification time, so that the rest is not rebuilt. Deleted files are deleted in the copy.
 copy_source()
 {
   local root=$1 list=$1/src.files files=$log_dir/suite-files changed=$log_dir/suite-changed file

@@ -3,8 +3,8 @@
 # Runs in a minimal system with /packages and /trial (this directory). Installs the packages of the
 # VTK modules and uses them in C++ and in Python, first without the packages that require TetGen.
 set -eu
-# The system's clock may differ from the mirror's, and the package lists of a frozen mirror may have
-# expired.
+# apt-get update may fail: the system's clock may differ from the mirror's, and the package lists of
+# a frozen mirror may have expired.
 apt-get update -q || true
 install()
 {

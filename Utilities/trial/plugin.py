@@ -17,10 +17,10 @@ try:
     for result in (volume, mesh):
         result.UpdatePipeline()
         numbers.append(result.GetDataInformation().GetNumberOfCells())
-    # The client captures printed text in a window.
+    # print() is not used, since the client shows printed text in a window.
     os.write(1, f"{numbers} tetrahedra in ParaView\n".encode())
     status = 0 if all(numbers) else 1
 except Exception:
     os.write(2, traceback.format_exc().encode())
-# Otherwise the client waits for user input.
+# Exit explicitly, since the client would otherwise wait for user input.
 os._exit(status)

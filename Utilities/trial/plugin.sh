@@ -4,8 +4,8 @@
 # packages of the plugin. ParaView must find the plugin by its name in the plugin directory, and by
 # PV_PLUGIN_PATH. Without either, the script must fail.
 set -eu
-# The system's clock may differ from the mirror's, and the package lists of a frozen mirror may have
-# expired.
+# apt-get update may fail: the system's clock may differ from the mirror's, and the package lists of
+# a frozen mirror may have expired.
 apt-get update -q || true
 apt-get install -y -q --no-install-recommends /packages/paraview-interlume*.deb python3-paraview \
   xvfb xauth libgl1-mesa-dri libglx-mesa0

@@ -35,7 +35,8 @@ namespace interlume
  * @class   Advection
  * @brief   traces streamlines through the field of a cell walker, one at a time
  *
- * For the interface of the walker see CellWalker; for the method see vtkImplicitFlowField.
+ * For the interface of the walker see CellWalker; for the method see
+ * Documentation/methods/implicit-flow.md.
  *
  * Integration uses the parametric coordinates of the cell: dp/dt = velocity, or its negative for
  * backward integration. A step may end slightly outside the cell. It is accepted if its error,

@@ -122,7 +122,8 @@ public:
 private:
   static constexpr vtkIdType Patience = 64;
 
-  /// Returns the number of revolutions left: \a left divided by \a one.
+  /// Returns how many revolutions the remaining budget \a left allows if one revolution uses \a
+  /// one.
   static double GetRevolutions(double one, double left) { return left / one; }
 
   bool IsSame(const double x[3], const Budget& used, const Budget& limits) const

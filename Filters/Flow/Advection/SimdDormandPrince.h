@@ -23,9 +23,9 @@ namespace interlume
  * @class   SimdDormandPrince
  * @brief   Dormand-Prince steps for several streamlines at once
  *
- * A step comprises everything that Advection does between two entries of a cell in the ordinary
- * case: the step is accepted, reaches no surface, and remains in the cell or crosses one face.
- * The result is bit-identical to that of Advection. In all other cases the SIMD lane remains
+ * A step includes everything that Advection does between two calls of its Enter function in the
+ * ordinary case: the step is accepted, reaches no surface, and remains in the cell or crosses one
+ * face. The result is bit-identical to that of Advection. In all other cases the SIMD lane remains
  * unchanged, and Advection takes the step. For the interface of \a SimdWalker see SimdBoxWalker.
  */
 template <typename SimdWalker>
@@ -84,7 +84,7 @@ public:
   std::vector<SimdPack> Clearances;
   ///@}
 
-  /// Counters since a streamline was stored to the SIMD lane, and their limits.
+  /// Counters that start when a streamline is stored to the SIMD lane, and their limits.
   struct Count
   {
     int Steps = 0;

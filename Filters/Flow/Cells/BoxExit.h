@@ -200,8 +200,9 @@ private:
     return isClear & Math::Not(end < Math::Of(-LargestOvershoot) - this->Outside);
   }
 
-  /// Removes from \a sides, per SIMD lane, the face that the chord of the step reaches first. This
-  /// is usually the exit face. \a own are its coefficients.
+  /// Removes from \a sides, per SIMD lane, the face that the chord of the step reaches first, which
+  /// is usually the exit face. \a own, \a slack and \a face receive its coefficients, slack and
+  /// number.
   void RemoveNext(const Number (*b)[Size], int degree, Sides& sides, Number* own, Number& slack,
     Number& face) const
   {
@@ -232,7 +233,7 @@ private:
   }
 
   /// Returns a mask that is true if the chord from the first to the last coefficient of \a one
-  /// becomes negative before that of \a other.
+  /// becomes negative before the chord of \a other.
   static Mask IsBefore(const Number* one, const Number* other, int degree)
   {
     return one[0] * (other[0] - other[degree]) < other[0] * (one[0] - one[degree]);

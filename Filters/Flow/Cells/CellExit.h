@@ -30,8 +30,8 @@ public:
    * Prepares the search from \a p along \a rate. Returns the face to cross before the next step, or
    * -1. The streamline must cross a face if it is on or outside the face and moves outward, or if
    * it is far outside. \a closed has a bit for each face that cannot be crossed. If \a isHeld is
-   * true, no face is crossed at \a p, and the streamline may move outward by a hundredth of a cell
-   * width from faces that \a p is on or outside of. This prevents infinite loops around an edge.
+   * true, no face is crossed at \a p. If \a p is on or outside a face, the streamline may then move
+   * outward by another hundredth of a cell width. This prevents infinite loops around an edge.
    */
   int Approach(
     const Walker& field, const double p[3], const double rate[3], bool isHeld, unsigned int closed)

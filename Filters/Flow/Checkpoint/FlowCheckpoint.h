@@ -76,8 +76,8 @@ private:
   Warn WarnUser;
   /// True if this execution wrote the file or resumed from it.
   bool IsOwn = false;
-  /// True if no file may be written: a file that is not a checkpoint has the name, or the directory
-  /// is not writable.
+  /// True if no file may be written, because FileName names a file that is not a checkpoint, or
+  /// because the directory is not writable.
   bool IsWritingDisabled = false;
   bool HasFailed = false;
   vtkIdType RowsInFile = 0;

@@ -9,7 +9,7 @@ namespace interlume
 
 /**
  * @class   FlowLICReport
- * @brief   values of the report of vtkFlowLIC, which documents them
+ * @brief   values that vtkFlowLIC reports; see vtkFlowLIC::GetReport
  */
 struct FlowLICReport
 {

@@ -11,7 +11,8 @@ namespace interlume
 
 /**
  * @class   CellWalker
- * @brief   concept of a field in which streamlines are traced, and an empty base class
+ * @brief   concept of a walker, through which streamlines read a field, and defaults for some of
+ * its members
  *
  * A walker is in one cell of the field and stores local coordinates p. Position and velocity are
  * smooth functions of p inside the cell and slightly outside. Each thread has its own copy of the
@@ -21,7 +22,7 @@ namespace interlume
  * - `const Field& GetField() const`: the shared FlowField, with maximum speed and bounds.
  * - `bool Locate(const double x[3], double p[3])`: enters the cell that contains x and computes p,
  *   which is inside up to rounding error. Returns false if x is outside the field; the walker is
- *   then in no cell. A point on a face is always located in the same one of the two cells.
+ *   then in no cell. A point on a face is always located in the same one of the two adjacent cells.
  * - `vtkIdType GetCell() const`: cell id.
  * - `bool IsHere() const`: false if another process must trace streamlines in the cell.
  * - `bool IsFinite() const`: whether all vectors of the cell are finite.

@@ -26,7 +26,7 @@ struct FieldPartition
   int Own[6] = { 0, -1, 0, -1, 0, -1 };
   int Held[6] = { 0, -1, 0, -1, 0, -1 };
   /// Global ids of the first owned cell of an unstructured grid, and of the cell after the last
-  /// one.
+  /// owned cell.
   vtkIdType FirstCell = 0;
   vtkIdType EndCell = 0;
 

@@ -35,7 +35,8 @@ namespace interlume
 class FlowField
 {
 public:
-  /// Returns the error, part of a sentence, for a field without three-dimensional cells.
+  /// Returns the error for a field without three-dimensional cells, as a clause to complete a
+  /// sentence.
   static Error GetErrorWithoutCells()
   {
     return "the field has no three-dimensional cells. Flow in a plane needs two layers of points: "
@@ -94,7 +95,7 @@ protected:
   /// Returns an error if the arrays are invalid.
   Error SetArrays(
     vtkDataSet* data, vtkDataArray* vectors, const std::vector<vtkDataArray*>& arrays);
-  /// Excludes cells by the ghost arrays of a dataset.
+  /// Excludes the cells that the ghost arrays of a dataset hide.
   void SetBlanking(vtkDataSet* data, const CellPoints& cells);
   /// Sets the number of flat cells to the number in the full grid of all processes.
   void SetNumberOfFlatCells(vtkIdType number) { this->NumberOfFlatCells = number; }

@@ -59,7 +59,8 @@ private:
     }
   }
 
-  // Position of the first point, dx/dp and its inverse, and the tolerance at the boundary in cells.
+  // Position of the first point, dx/dp and its inverse, and the tolerance at the boundary in units
+  // of cells.
   double Origin[3] = { 0.0, 0.0, 0.0 };
   double Axes[3][3] = {};
   double Inverse[3][3] = {};

@@ -138,7 +138,8 @@ bool IndexedFlowField::Find(
 bool IndexedFlowField::FindIncludedNeighbor(
   const double slack[3], CellLocation& location, double p[3]) const
 {
-  // Combinations of faces to cross: single faces first, then two, then three.
+  // Bit masks of the axes along which to move to the neighbor: one axis first, then two, then
+  // three.
   constexpr int combinations[7] = { 1, 2, 4, 3, 5, 6, 7 };
   for (const int axes : combinations)
   {

@@ -68,8 +68,8 @@ Part MakePart(vtkDataSet* data)
   return part;
 }
 
-/// A point of a part. Keys are ordered by the bits of coordinates, because comparisons with NaN
-/// give no order.
+/// A point of a part. Keys are ordered by the bits of coordinates, because NaN compares false with
+/// every number.
 struct PointKey
 {
   std::array<std::uint64_t, 3> Bits;

@@ -29,7 +29,8 @@ namespace interlume
 class MeshLinks
 {
 public:
-  /// Objects of a mesh and their modification times. No time occurs twice in a process.
+  /// Objects of a mesh and their modification times. Modification times are unique within a
+  /// process.
   using Key = std::vector<std::pair<const void*, vtkMTimeType>>;
   static Key GetKey(vtkUnstructuredGrid* grid);
 

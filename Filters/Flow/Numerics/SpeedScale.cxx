@@ -141,7 +141,7 @@ FillValues SpeedScale::FindFillValues() const
   {
     return fill;
   }
-  // Vectors below the last gap that separates fill values.
+  // All vectors slower than the last gap found below fill values.
   Bin top;
   vtkIdType largestCount = 0;
   vtkIdType above = 0;

@@ -179,7 +179,7 @@ private:
     return found;
   }
 
-  // Calls visit(cell, loaded cell) for the cells of FindCells, in order.
+  // Calls visit(cell, loaded cell) in order for the cells that FindCells has marked.
   template <typename Visit>
   void ForEachCell(const std::vector<unsigned char>& found, Visit&& visit)
   {
@@ -393,7 +393,7 @@ private:
       cut->GetPoint(corners[i], x[i]);
     }
     cut->GetPoint(center, x[3]);
-    // The orientation differs between cell types, and between the programs that wrote a file.
+    // The orientation of a cell depends on its type and on the program that wrote the file.
     if (vtkTetra::ComputeVolume(x[0], x[1], x[2], x[3]) < 0.0)
     {
       std::reverse(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(number));
@@ -427,8 +427,8 @@ private:
   std::vector<vtkIdType> Centers;
 };
 
-// Returns the type of a cell of a structured grid, from its number of corners: VTK returns the
-// empty type for hidden cells.
+// Returns the type of a structured grid's cell from its number of corners, because VTK returns
+// VTK_EMPTY_CELL for hidden cells.
 int GetTypeByCorners(vtkIdType corners, bool isAligned)
 {
   switch (corners)

@@ -85,7 +85,8 @@ void Gather(RankExchange& exchange, const Rows& rows, vtkDataArray* from, vtkDat
   }
 }
 
-/// Creates the arrays of the first process with points, and the ghost array if any process has one.
+/// Creates the point arrays that the first process with points has, and the ghost array if any
+/// process has one.
 void GatherArrays(DistributedField& field, const Rows& rows, vtkDataSet* samples)
 {
   vtkPointData* from = field.GetData()->GetPointData();
@@ -100,7 +101,7 @@ void GatherArrays(DistributedField& field, const Rows& rows, vtkDataSet* samples
              << from->IsArrayAnAttribute(i) << " " << array->GetName() << "\n";
     }
   }
-  // Not every partition needs a ghost array.
+  // A ghost array may exist in only some of the partitions.
   const char* ghosts = vtkDataSetAttributes::GhostArrayName();
   const bool hasGhosts = field.GetExchange().IsAnywhere(from->GetArray(ghosts) != nullptr);
   std::istringstream known(field.GetExchange().FindFirstText(layout.str()) +
@@ -138,7 +139,7 @@ vtkSmartPointer<vtkDataSet> DistributedSamples::Make(DistributedField& field)
     const vtkSmartPointer<vtkStructuredGrid> grid = vtkSmartPointer<vtkStructuredGrid>::New();
     grid->SetExtent(vtkRectilinearGrid::SafeDownCast(samples)->GetExtent());
     vtkDataArray* from = field.IsEmpty() ? nullptr : data->GetPoints()->GetData();
-    // A process without points does not have their data type.
+    // The data type of the coordinates is unknown in a process without points.
     std::vector<double> type{ from ? static_cast<double>(from->GetDataType()) : 0.0 };
     field.GetExchange().Maximize(type);
     vtkNew<vtkPoints> points;

@@ -258,7 +258,7 @@ private:
   double Length = 0.0;
 };
 
-// Orders the corners of a sample by distance, the nearest surface first.
+// Orders corners by sample, and the corners of one sample by the distance of their surface.
 bool IsBefore(const FarSideCorners::Corner& a, const FarSideCorners::Corner& b)
 {
   return std::make_tuple(a.Sample, std::abs(a.Distance), a.Surface) <

@@ -77,7 +77,7 @@ public:
   struct Parts
   {
     Part All[2];
-    /// True if every part with a sample that reached a surface can be extracted.
+    /// True if vtkFlowVolume can extract every part with a sample that reached a surface.
     bool IsResolved = false;
   };
   /// Finds the parts of a cell with these corners.
@@ -113,8 +113,8 @@ public:
   bool IsAway(vtkIdType row) const;
   /// Returns the far-side id of the sample; -1 if unknown.
   int GetId(vtkIdType row) const;
-  /// Returns the time of the streamline to the surface, below 0 if it comes from the surface; 0 if
-  /// the time is unknown or there is no surface.
+  /// Returns the time that the streamline takes to the surface, negative if it comes from the
+  /// surface; 0 if the time is unknown or there is no surface.
   double GetNearTime(const ImplicitFlowArrays& arrays, vtkIdType row) const;
   void GetNormal(vtkIdType row, double normal[3]) const { this->Normals->GetTuple(row, normal); }
 

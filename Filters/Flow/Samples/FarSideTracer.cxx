@@ -18,12 +18,13 @@ namespace
 {
 // Maximum number of steps to the surface near a sample. Crossing a cell needs only a few.
 constexpr int MaximumSteps = 100;
-// Maximum length of a streamline to the surface, and distance behind the surface at which the
-// streamline continues, as fractions of the cell's diagonal.
+// Maximum distance from a sample to the point where its streamline reaches the surface, and
+// distance behind the surface at which the streamline continues, in units of the cell's diagonal.
 constexpr double MaximumDistance = 4.0;
 constexpr double StartBehind = 1e-4;
 
-/// Adds the path to the surface, and the short path through it, to the result behind it.
+/// Adds the path to the surface, and the short path through it, to the result \a on of the path on
+/// its far side.
 void Append(const AdvectionResult& to, double way, double before, AdvectionResult& on)
 {
   const double after = on.Time;

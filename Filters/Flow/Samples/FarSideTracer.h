@@ -52,7 +52,8 @@ private:
   using Corners = std::vector<FarSideCorners::Corner>;
   using Rows = std::vector<std::size_t>;
 
-  /// Negates a velocity if streamlines run backward. Returns true if the streamline moves.
+  /// Negates a velocity if streamlines run backward. Returns true if the velocity is in the field,
+  /// finite and faster than MinimumSpeed.
   bool OrientVelocity(Streamlines::Velocity& velocity) const;
   /// Computes side and normal of a corner from its velocity, and adds its row to \a back or \a on
   /// if its streamline must be traced back to the surface or on through it.
@@ -62,7 +63,8 @@ private:
   /// Follows streamlines from corners to their surface, backward or forward in time.
   bool FollowTo(
     const Corners& corners, const Rows& rows, bool isBack, std::vector<AdvectionResult>& results);
-  /// Continues streamlines behind the surface, which they reached with the results \a before.
+  /// Continues streamlines on the far side of the surface. \a before are their results at the
+  /// surface.
   bool FollowOn(const Corners& corners, const Rows& rows,
     const std::vector<AdvectionResult>& before, std::vector<SampleResult>& sampleResults);
 

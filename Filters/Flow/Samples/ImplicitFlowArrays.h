@@ -21,7 +21,8 @@ namespace interlume
  * @class   ImplicitFlowArrays
  * @brief   provides typed access to the arrays of vtkFlowStatus
  *
- * Arrays of other types, such as those that extraction filters produce, are copied and converted.
+ * Arrays whose types differ from the types of the members, for example after an extraction filter,
+ * are copied and converted.
  */
 class ImplicitFlowArrays
 {

@@ -67,8 +67,8 @@ public:
   const std::shared_ptr<const MeshLinks>& GetMesh() const { return this->Mesh; }
 
 private:
-  /// Replaces automatic values in the options. Error and minimum speed are fractions of \a speed
-  /// (SpeedScale).
+  /// Replaces automatic values in the options. The automatic error and minimum speed are fractions
+  /// of \a speed (SpeedScale).
   void ReplaceAutomatic(double speed);
   ///@{
   /// Build the field and advect all samples. ExecuteLocal requires that this process holds the

@@ -13,9 +13,9 @@ namespace interlume
  * @class   MarkedBisection
  * @brief   cuts tetrahedra at the midpoints of marked edges
  *
- * A tetrahedron is cut in two at its first marked edge, and both halves are cut at their remaining
- * marked edges in turn. The cuts on a face depend only on the order of the face's own edges.
- * Therefore neighbors agree.
+ * A tetrahedron is cut in two at its first marked edge (MarkedEdges::GetRank), and both halves are
+ * cut at their remaining marked edges in turn. The cuts on a face depend only on the order of the
+ * face's own edges. Therefore two cells that share a face cut it in the same way.
  */
 class MarkedBisection
 {

@@ -32,14 +32,14 @@ public:
   /// Returns the index of the edge between two points; -1 if it is not marked or a point is new.
   vtkIdType Find(vtkIdType a, vtkIdType b) const;
 
-  /// Returns the rank of an edge: longer edges first, among equal ones the edge with lower point
-  /// ids.
+  /// Returns the rank of an edge. Longer edges have lower ranks; edges of equal length are ranked
+  /// by point ids.
   vtkIdType GetRank(vtkIdType edge) const { return this->Ranks[static_cast<std::size_t>(edge)]; }
 
 private:
   std::vector<Edge> Edges;
   std::vector<vtkIdType> Ranks;
-  // For each point, index of the first edge that has it as the lower point.
+  // For each point, index of the first edge whose lower point it is.
   std::vector<vtkIdType> Starts;
 };
 

@@ -55,8 +55,8 @@ public:
     std::vector<SampleResult>& sampleResults);
 
 private:
-  /// The line between the samples of a pair, which are indices of sample results. First and Last
-  /// are the fractions of the line that bracket the boundary.
+  /// Line between the two samples of a pair. Reached and Other are indices into SampleResults.
+  /// First and Last are the fractions of the line that bracket the boundary.
   struct Line
   {
     std::size_t Reached;

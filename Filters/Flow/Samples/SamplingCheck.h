@@ -39,7 +39,7 @@ private:
   void GetCenter(vtkIdType i, double x[3]) const;
   /// Stores the result of a center. Threads may call it at once for different centers.
   void Set(vtkIdType i, const AdvectionResult& result);
-  /// Returns the report, once all centers are set.
+  /// Returns the report. Call it after Set for all centers.
   SamplingReport GetReport() const;
   /// Adds the arrays of vtkFlowStatus for a report.
   static void AddArrays(const SamplingReport& report, vtkFieldData* data);

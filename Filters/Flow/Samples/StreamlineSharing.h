@@ -101,8 +101,8 @@ private:
   /// Interpolates a sample midway between samples with spacing \a stride. Returns false if
   /// interpolation is not allowed.
   bool Predict(const Index& at, int stride, SampleResult& result) const;
-  /// Returns true if the known samples nearest to a midpoint reached one surface. Along axes with
-  /// several \a nodes, these are sample \a first and the next one.
+  /// Returns true if the known samples nearest to a midpoint reached one surface. Along an axis
+  /// with several \a nodes, these are sample \a first and the next sample; otherwise only \a first.
   bool ReachOneSurface(const Index& first, const Index& nodes, int stride) const;
   /// Interpolates from \a nodes samples along each axis, beginning at \a first. Returns false if
   /// they did not reach one surface.
@@ -113,8 +113,8 @@ private:
   double GetError(const Index& at, int stride) const;
   double GetError(const Index& at, const SampleResult& guess) const;
   bool IsAnyGood() const;
-  /// Calls visit(at) for the midpoints of a block until visit returns false. Returns true if it
-  /// never does.
+  /// Calls visit(at) for the midpoints of a block until visit returns false. Returns true if visit
+  /// never returned false.
   template <typename Visit>
   bool VisitMidpoints(const Index& block, Visit&& visit) const;
   /// Calls visit(at) for all samples of this level.

@@ -49,7 +49,7 @@ private:
   std::map<int, std::vector<const vtkTerminationSurface*>> Surfaces;
   // Power of 2 that scales the longest side of the samples' bounds to about 1.
   double Scale;
-  // Scaled distance of each sample, so that it fits a float; NaN if there is no surface, 0 only on
+  // Distance of each sample, scaled so that it fits a float; NaN if there is no surface, 0 only on
   // the surface.
   std::vector<float> Distances;
 };

@@ -46,9 +46,9 @@ public:
 
   /// Sets the data of this process, which must cover GetHeld(). Points are counted exactly only if
   /// this is necessary to decide whether there are more than \a few. If \a isOfBlocks is true, the
-  /// data are merged blocks: an unstructured grid that differs between processes. Shared points
-  /// then receive the values of the first process that has the point. Collective. If the data of
-  /// any process cannot be used, all processes return the same error.
+  /// data are the merged blocks of a composite dataset, which differ between processes. A point
+  /// that several processes share then receives the values of the first process that has it.
+  /// Collective. If the data of any process cannot be used, all processes return the same error.
   Error SetData(vtkDataSet* data, vtkIdType few, bool isOfBlocks = false);
 
   ///@{

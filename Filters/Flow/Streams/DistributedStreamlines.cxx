@@ -372,7 +372,7 @@ private:
   }
 
   /// Starts a streamline in the best cell found: queues it, or sends it to the process that owns
-  /// the cell.
+  /// the cell. If no cell was found, ends it.
   void BeginAt(const Request& request, const typename PartitionedCellSearch<Walker>::Best& best,
     Job& job, Outbox& sent) const
   {
@@ -487,7 +487,7 @@ private:
     }
   }
 
-  /// Results of a thread: messages to send, and counters.
+  /// Results of one thread: its messages to send, and its counters.
   struct Done
   {
     Outbox Sent;

@@ -42,7 +42,7 @@ public:
 
   /// Finds the domain faces for the walkers if necessary. Collective. Returns their number.
   virtual int FindDomainFaces() = 0;
-  /// Returns the number of steps that this process computed, and the number of streamlines that it
+  /// Return the number of steps that this process computed, and the number of streamlines that it
   /// transferred to other processes.
   virtual vtkIdType GetNumberOfSteps() const = 0;
   virtual vtkIdType GetNumberOfTransfers() const = 0;

@@ -20,7 +20,7 @@ struct AdvectionResult;
 
 /**
  * @class   FlowReport
- * @brief   values of the report of vtkImplicitFlowField
+ * @brief   values that vtkImplicitFlowField reports
  *
  * Sums over all samples do not depend on the number of threads.
  */
@@ -50,9 +50,9 @@ struct FlowReport
   /// Number of samples with at least one Rosenbrock step.
   vtkIdType StiffSamples = 0;
   /// Number of samples that were interpolated from neighboring samples (InterpolateStreamlines),
-  /// and number of these interpolations that were compared with a streamline. An error is the
-  /// distance between the end points or, if larger, the time difference multiplied by the largest
-  /// speed of the field. Both are relative to MaximumError times AdvectionTime.
+  /// and number of advected samples with which interpolation was compared. An error is the distance
+  /// between the end points or, if larger, the time difference multiplied by the largest speed of
+  /// the field. Both are relative to MaximumError times AdvectionTime.
   vtkIdType InterpolatedSamples = 0;
   vtkIdType InterpolationChecks = 0;
   double LargestInterpolationError = 0.0;
@@ -69,7 +69,7 @@ struct FlowReport
   /// Numbers of refined (mixed) cells and of added samples for each level of refinement.
   std::vector<vtkIdType> RefinedCells;
   std::vector<vtkIdType> AddedSamples;
-  /// Interpolation error between samples (SamplingChecks). The streamlines of this comparison are
+  /// Interpolation error between samples (SamplingChecks). The streamlines traced to measure it are
   /// not included in the other values of the report.
   SamplingReport Sampling;
   /// Number of executions that advected samples since the filter was created.
@@ -93,12 +93,12 @@ struct FlowReport
   vtkIdType FieldBytes = 0;
   /// Number of steps that each process took, including rejected steps and steps for samples of
   /// other processes, and total number of transfers of streamlines between processes. All processes
-  /// report the same values. If each process holds the whole field, the first is empty and the
-  /// second is 0.
+  /// report the same values. If each process holds the whole field, StepsPerProcess is empty and
+  /// StreamlineTransfers is 0.
   std::vector<vtkIdType> StepsPerProcess;
   vtkIdType StreamlineTransfers = 0;
-  /// Reason why each of several processes holds the whole field. Empty if the field is partitioned,
-  /// and for a single process.
+  /// Reason why every process holds the whole field instead of a partition. Empty if the field is
+  /// partitioned or there is only one process.
   std::string WholeFieldReason;
   /// Number of streamlines that were read from a checkpoint, and number of checkpoints written. All
   /// other values include the streamlines read.

@@ -20,8 +20,8 @@ namespace interlume
  * A patch may extend over several processes, and its number follows from its first face in the
  * whole grid. Therefore all processes receive the entire boundary, which is small compared to the
  * grid. Points of two processes are the same if their coordinates are bit-identical. If a process
- * has several points at one position, the n-th of them is the same as the n-th point of other
- * processes there.
+ * has several points at one position, the n-th of these points is the same as the n-th point at
+ * this position in any other process.
  */
 namespace PartitionedPatches
 {

@@ -17,14 +17,14 @@ namespace interlume
 /// Points of unstructured grids that several processes share.
 namespace SharedPoints
 {
-/// Returns, sorted, those of the given points that a process of lower rank also has, with
-/// bit-identical coordinates. If each process leaves these points out, every point is counted once
-/// over all processes. Collective.
+/// Returns, in ascending order, the given points that a process of lower rank also has, with
+/// bit-identical coordinates. If each process omits these points, every point is counted once over
+/// all processes. Collective.
 std::vector<vtkIdType> FindRepeated(
   const std::vector<vtkIdType>& points, const ArrayRows& positions, RankExchange& exchange);
 
-/// Replaces the tuples of shared points by those of the process with the lowest rank that has the
-/// point. The arrays must have contiguous tuples. All processes with points must pass the same
+/// Replaces the tuples of a shared point by the tuples of the process with the lowest rank that has
+/// the point. The arrays must have contiguous tuples. All processes with points must pass the same
 /// arrays in the same order. Collective.
 void CopyFromFirst(const ArrayRows& positions, const std::vector<vtkDataArray*>& arrays,
   vtkIdType numberOfPoints, RankExchange& exchange);

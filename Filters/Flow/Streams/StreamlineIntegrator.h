@@ -19,9 +19,10 @@ class StreamlineIntegrator
 {
 public:
   /**
-   * Traces streamlines. begin(advection, isActive) calls Start or Resume, sets \a isActive to its
-   * return value, and returns the id of the streamline, or -1 if none is left. The function end(id,
-   * advection) is called for each streamline, in any order, when it ends or leaves the process.
+   * Traces streamlines. The function begin(advection, isActive) calls Start or Resume, sets \a
+   * isActive to the return value of this call, and returns the id of the streamline, or -1 if none
+   * is left. The function end(id, advection) is called for each streamline, in any order, when it
+   * ends or leaves the process.
    */
   template <typename Begin, typename End>
   static void Follow(

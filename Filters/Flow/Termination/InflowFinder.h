@@ -12,11 +12,11 @@ namespace interlume
  * @class   InflowFinder
  * @brief   finds the axis-aligned plane where the flow enters a field
  *
- * The flow of a cell along an axis is its mean velocity times its volume, divided by its extent
- * along the axis. Flows along and against each axis are summed over slabs. The axis and direction
- * with the largest flow through a slab are chosen. The plane is in the first slab, in flow
- * direction, with a sizeable fraction (MinimumFraction) of that flow. Blanked and non-finite cells
- * are ignored. In a large field, only an evenly distributed subset of the cells is used.
+ * The flow of a cell along an axis is its mean velocity along the axis times its volume, divided by
+ * its extent along the axis. Flows along and against each axis are summed over slabs. The axis and
+ * direction with the largest flow through a slab are chosen. The plane is in the first slab, in
+ * flow direction, with a sizeable fraction (MinimumFraction) of that flow. Blanked and non-finite
+ * cells are ignored. In a large field, only an evenly distributed subset of the cells is used.
  */
 class InflowFinder
 {

@@ -15,12 +15,12 @@ namespace interlume
  *
  * The parameter cube of the cell is bisected along all axes until each box is resolved. A box is
  * resolved in two cases:
- * - A component has the same sign at all corners, which bound it on the box: no zero. The
- *   components are also multiplied by the inverse Jacobian at the center of the box, and the test
- *   is repeated. The products approximate the distance from a zero.
- * - The derivatives of these products differ from the identity by less than 1/2: at most one zero.
- *   The differences along the edges of the box bound the derivatives. Newton's method with the
- *   fixed inverse, restricted to the box, is a contraction and finds the zero.
+ * - A component has the same sign at all corners of the box. The corner values bound the component,
+ *   so there is no zero. The test is repeated after the components are multiplied by the inverse
+ *   Jacobian at the center of the box. The products approximate the offset from a zero.
+ * - The derivatives of these products differ from the identity by less than 1/2, so there is at
+ *   most one zero. The differences along the edges of the box bound the derivatives. Newton's
+ *   method with the fixed inverse, restricted to the box, is a contraction and finds the zero.
  *
  * A box that is unresolved at 2^-24 of the cell's size contains a zero with a singular Jacobian. If
  * the number of such boxes keeps growing, the zeros form lines or surfaces and are not isolated.

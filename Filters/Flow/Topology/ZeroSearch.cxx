@@ -28,8 +28,9 @@ namespace interlume
 
 namespace
 {
-// Cells that share a position give its points equal weights, and the largest weight is at least
-// 1/8.
+// Minimum interpolation weight of a point listed in Zero::Points. The largest weight is at least
+// 1/8. All cells that contain a position on a shared face give the same weights to the points of
+// that face.
 constexpr double MinimumSharedWeight = 0.05;
 // Distance from a face, in parameters, within which other cells may find the same zero.
 constexpr double NearFace = 1e-4;
@@ -45,7 +46,7 @@ struct Local
   MultilinearCell Cell;
 };
 
-// Counts the vectors of visible points.
+// Counts the speeds at visible points.
 SpeedCount CountSpeeds(vtkDataSet* data, vtkDataArray* vectors)
 {
   Blanking blanking;

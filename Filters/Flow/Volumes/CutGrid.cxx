@@ -43,7 +43,7 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, int components, vtkI
 
 vtkIdType CutGrid::GetOrAddPoint(const Point& point)
 {
-  // Points with known values are the same for both sides.
+  // The parts on both sides share points with known values.
   const int side = point.Kind == FarSideSamples::UNKNOWN ? point.Side : 0;
   const auto added =
     this->Known.emplace(std::make_tuple(point.Sample, point.Kind, side, point.IsBoundary),

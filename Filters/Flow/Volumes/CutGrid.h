@@ -23,15 +23,15 @@ class InterpolableCells;
 
 /**
  * @class   CutGrid
- * @brief   cells of an implicit flow field that are cut at a surface, one uncut copy per part
+ * @brief   grid of the cells that a surface cuts, with one uncut copy of each cell per part
  *
  * A cell that InterpolableCells excludes, and for which FarSideSamples has parts, is copied once
  * for each part. Each copy has the original corners on the side of the part, and duplicates of the
  * other corners. A duplicate has the values that the sample would have on the far side of the
  * surface. If these are unknown, for example where streamlines just miss the surface, it has the
  * values of a corner of the part, and its time to the surface is extrapolated in proportion to the
- * distances. The part of the cell to keep has Gap >= 0. Points have global ids so that cell faces
- * are split as in the input.
+ * distances. Only the region of a copy with Gap >= 0 belongs to its part. Points have global ids so
+ * that cell faces are split as in the input.
  */
 class CutGrid
 {

@@ -9,7 +9,7 @@ namespace interlume
 
 /**
  * @class   FlowVolumeReport
- * @brief   values of the report of vtkFlowVolume
+ * @brief   values that vtkFlowVolume reports
  */
 struct FlowVolumeReport
 {

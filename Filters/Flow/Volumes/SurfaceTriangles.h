@@ -26,8 +26,8 @@ public:
   using Triangle = std::array<vtkIdType, 3>;
 
   /**
-   * Reads the boundary of an extraction by the items of \a levels. A triangle shared by two items
-   * is assigned to the first item.
+   * Reads the boundary triangles of an extraction whose intervals are the items of \a levels. A
+   * triangle shared by two items is assigned to the first item.
    */
   void Take(vtkUnstructuredGrid* boundary, const SurfaceLevels& levels);
 

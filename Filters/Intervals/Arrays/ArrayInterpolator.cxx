@@ -62,7 +62,7 @@ public:
   void Interpolate(const ExtractionPoint* points, std::size_t number, void* out) const override
   {
     Out* const values = static_cast<Out*>(out);
-    // A number of components known at compile time needs no loop.
+    // If the number of components is known at compile time, no loop over components is needed.
     switch (this->Components)
     {
       case 1:

@@ -16,7 +16,7 @@ namespace interlume
  * @class   ArrayInterpolator
  * @brief   interpolates a numeric array at a batch of points
  *
- * Thread-safe.
+ * Interpolate() is thread-safe.
  */
 class ArrayInterpolator
 {

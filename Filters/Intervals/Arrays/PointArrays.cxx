@@ -61,7 +61,7 @@ struct PointArrays::Column
   char* Values;
   std::size_t Size;
 
-  // Returns the size in bytes of the values of some points, padded so that the next column is
+  // Returns the size in bytes of the values of \a points points, padded so that the next column is
   // aligned.
   std::size_t GetBytes(std::size_t points) const
   {

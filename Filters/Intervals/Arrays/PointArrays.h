@@ -73,7 +73,7 @@ public:
 
     ExtractionBuffer<Index> Corners;
     std::size_t NumberOfPoints = 0;
-    /// Values, array by array.
+    /// Values of the points, one array after the other.
     ExtractionBuffer<char> Values;
     /// Id of the closer edge end of each point, if there are non-numeric arrays.
     ExtractionBuffer<vtkIdType> Nearer;
@@ -120,7 +120,7 @@ private:
   std::unique_ptr<RowCoordinates> Rows;
   std::vector<Column> Columns;
   std::vector<Carried> Arrays;
-  // Whether there are non-numeric arrays. If so, Nearer holds the closer edge end of each point.
+  // If true, there are non-numeric arrays, and Nearer holds the closer edge end of each point.
   bool HasOthers = false;
   ExtractionBuffer<vtkIdType> Nearer;
   bool Allocated = false;

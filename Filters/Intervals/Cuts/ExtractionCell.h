@@ -51,7 +51,7 @@ public:
   }
 
   /**
-   * Finds the first slot of the same point for each of \a slots. If points of the cell may
+   * For each of \a slots, finds the first slot at the same point. If corners of the cell may
    * coincide, getPoint(slot) must return equal results for slots of the same point.
    */
   template <typename Table, typename GetPoint>

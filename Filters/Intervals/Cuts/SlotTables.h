@@ -32,7 +32,7 @@ struct TableCell
   int NumberOfCorners = 8;
   vtkIdType Ids[MaximumNumberOfVertices] = {};
   Code Codes[MaximumNumberOfVertices] = {};
-  /// If true, the corner ids are in ascending order and the cut of the table applies.
+  /// If true, the corner ids are in ascending order and the cut stored in the table applies.
   bool IsAscending = true;
   /// If true, reordering a tetrahedron has reversed its orientation.
   bool IsReflected = false;

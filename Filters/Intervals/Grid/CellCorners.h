@@ -18,10 +18,10 @@ public:
   enum Support
   {
     LINEAR,
-    /// The cell is treated as linear, using its corners.
+    /// The cell is treated as linear, using only its corner points.
     HIGHER_ORDER,
     LOWER_DIMENSIONAL,
-    /// The cell is a polyhedron and needs its faces.
+    /// The cell is a polyhedron, which is defined by its faces.
     POLYHEDRAL,
     UNSUPPORTED
   };
@@ -29,7 +29,7 @@ public:
   Support Kind = UNSUPPORTED;
   vtkIsotable::Shapes Shape = vtkIsotable::TETRAHEDRON;
   int NumberOfCorners = 0;
-  /// Whether corners 2 and 3, and 6 and 7, are swapped (VTK_HEXAHEDRON orders the corners of a
+  /// If true, corners 2 and 3, and 6 and 7, are swapped (VTK_HEXAHEDRON orders the corners of a
   /// quadrilateral cyclically).
   bool Turned = false;
 

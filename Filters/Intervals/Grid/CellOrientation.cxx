@@ -50,7 +50,8 @@ void FillColumns(vtkIsotable::Shapes shape, Coordinate&& x, Number* columns)
   }
 }
 
-// getPoint(v) returns the coordinates of a vertex.
+// Returns the sign of the Jacobian determinant at the cell center. getPoint(v) returns the
+// coordinates of a vertex.
 template <typename GetPoint>
 int GetDeterminantSign(vtkIsotable::Shapes shape, GetPoint&& getPoint)
 {

@@ -30,7 +30,7 @@ public:
   /// Returns whether the orientation may differ between cells, so that IsInverted needs the points.
   bool IsPerCell() const { return this->Points != nullptr; }
 
-  /// Prefetches the coordinates of a point that is used soon.
+  /// Prefetches the coordinates of a point that will be used soon.
   void Prefetch(vtkIdType point) const
   {
     if (this->Floats)

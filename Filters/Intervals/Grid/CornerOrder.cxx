@@ -43,7 +43,8 @@ struct HexahedronPermutations
   }
 };
 
-// Permutes ids one by one. Reading eight values that were just written as four pairs would stall.
+// Permutes the ids one by one. Loading ids in pairs just after they were written singly would
+// stall.
 template <std::size_t... V>
 void Permute(const std::uint8_t* from, vtkIdType* ids, std::index_sequence<V...>)
 {

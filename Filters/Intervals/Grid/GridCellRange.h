@@ -16,8 +16,8 @@ struct Blanking;
  * @class   GridCellRange
  * @brief   a box of cells of a structured grid
  *
- * A piece of an image surrounded by ghost cells is a box of included cells. Using the box avoids a
- * ghost test per cell.
+ * In a piece of image data that is surrounded by ghost cells, the cells to extract form a box.
+ * Using the box avoids a ghost test per cell.
  */
 struct GridCellRange
 {

@@ -19,7 +19,7 @@ void InteriorCellPass::Exclude(vtkDataArray* array, double lower, double upper)
       for (vtkIdType p = first; p < last; ++p)
       {
         const double value = array->GetComponent(p, 0);
-        // The comparisons exclude NaN.
+        // Both comparisons are false for NaN.
         this->Points[p] &= static_cast<unsigned char>(value >= lower && value <= upper);
       }
     });

@@ -66,9 +66,8 @@ struct BlockPool::Store
     this->Reused += std::min(bytes, block.Capacity);
     if (block.Capacity < bytes)
     {
-      // The margin costs no pages until it is used. Because of it, the block can later serve
-      // slightly larger requests. For a large block, realloc() remaps the pages instead of copying
-      // them.
+      // The margin occupies no pages until it is used. It lets the block serve slightly larger
+      // requests later. For a large block, realloc() remaps the pages instead of copying them.
       const std::size_t capacity = bytes + bytes / 8;
       void* const memory = std::realloc(block.Memory, capacity);
       if (!memory)

@@ -82,7 +82,7 @@ struct ExtractionReport
   /// zeros.
   double GetBalance() const;
 
-  /// Adds the counts of cells and simplices. Of any other value, takes the maximum.
+  /// Adds the counts of cells and simplices. For every other value, takes the maximum.
   void Add(const ExtractionReport& other);
   /// Copies all values and the balance to \a report.
   void CopyTo(vtkInterlumeReport* report) const;

@@ -58,8 +58,8 @@ public:
     this->Compact(values, size, std::max<vtkIdType>(parts, 1));
   }
 
-  /// Moves the retained tuples in \a parts in parallel. Each part first copies the tuples that it
-  /// would read from the destination of another part to a buffer.
+  /// Moves the retained tuples in parallel, divided into \a parts parts. Each part first copies the
+  /// tuples that it would read from the destination of another part to a buffer.
   template <typename T>
   void Compact(T* values, vtkIdType size, vtkIdType parts) const
   {

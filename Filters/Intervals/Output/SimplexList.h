@@ -275,8 +275,8 @@ public:
     this->Shorten(position);
   }
 
-  /// Renumbers the points after all but the retained ones of \a numberOfPoints points were removed.
-  /// The cells must use retained points only.
+  /// Renumbers the points after all but the \a retained ones were removed. \a numberOfPoints is
+  /// their number before the removal. The cells must use only retained points.
   void RemovePoints(const RetainedIdRanges& retained, vtkIdType numberOfPoints)
   {
     this->Visit(

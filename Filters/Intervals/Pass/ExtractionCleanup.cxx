@@ -22,8 +22,7 @@ namespace
 {
 using Triple = std::array<vtkIdType, 3>;
 
-// Faces of a tetrahedron, counterclockwise as seen from outside, by the vertex that they do not
-// contain.
+// Faces of a tetrahedron, counterclockwise as seen from outside. Face i does not contain vertex i.
 constexpr int FacesOutward[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
 // Removes the simplices with the given indices, which must be in increasing order.
@@ -384,7 +383,7 @@ void ExtractionCleanup::CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inpu
   {
     return;
   }
-  // Interior cells and their triangles remain unchanged.
+  // Copy the triangles of interior cells, which remain unchanged.
   std::vector<vtkIdType> newIds(input->GetNumberOfPoints(), -1);
   for (std::size_t p = 0; p < mesh.Points.GetSize(); ++p)
   {

@@ -57,11 +57,11 @@ struct ExtractionMesh
   std::vector<vtkIdType> TiedTriangles;
   /// Tetrahedra, or contour triangles, that lie in a face of a cell where values equal a bound.
   std::vector<vtkIdType> TiedSimplices;
-  /// For each boundary triangle, the interior cell that it is a face of, indexed after the
-  /// simplices, or -1; empty if no triangle is a face of an interior cell.
+  /// For each boundary triangle, the interior cell that it is a face of, or -1. Interior cells are
+  /// numbered after the simplices. Empty if no triangle is a face of an interior cell.
   std::vector<vtkIdType> TriangleInteriorCells;
 
-  /// Whether there are several items. If there is one, Allocate() sets all item ids.
+  /// If true, there are several items. If false, Allocate() sets all item ids to 0.
   bool HasSeveralItems = false;
 
   /// Allocates simplices with \a size points each, \a points points, and \a interiorCells interior
@@ -179,15 +179,15 @@ struct ExtractionContext : Blanking
   PointArrays* Arrays = nullptr;
   bool GenerateBoundaries = false;
   bool KeepCellIds = false;
-  /// Whether tetrahedra keep their stored orientation, instead of an orientation computed from
-  /// coordinates. Tetrahedra of a previous extraction may be inverted; then signed sums rely on
+  /// If true, tetrahedra keep their stored orientation. Otherwise the orientation is computed from
+  /// the coordinates. Tetrahedra of a previous extraction may be inverted; then signed sums rely on
   /// their orientation.
   bool KeepOrientation = false;
-  /// Whether ghost cells are extracted too, see GhostCells.
+  /// If true, ghost cells are extracted too (see GhostCells).
   bool IncludeGhostCells = false;
   ExtractionReport* Report = nullptr;
 
-  /// Returns whether a cell is skipped.
+  /// Returns true if a cell is skipped because of its ghost flags.
   bool IsCellLeftOut(vtkIdType cell) const
   {
     return this->IncludeGhostCells ? this->IsCellHidden(cell) : this->IsCellBlanked(cell);

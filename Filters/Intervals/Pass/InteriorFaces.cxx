@@ -87,7 +87,7 @@ vtkIdType Count(const ExtractionContext& context, const ExtractionMesh& mesh, co
           }
           if (mayCount)
           {
-            // Oriented as in the adjacent tetrahedron.
+            // Orient the triangle as in the adjacent tetrahedron.
             list.push_back({ { { triangle[1], triangle[0], triangle[2] } },
               mesh.ItemIds->GetValue(cells.GetNumber() + cell) });
           }

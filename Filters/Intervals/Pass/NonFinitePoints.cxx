@@ -89,7 +89,7 @@ bool AreFinite(vtkDataSet* grid)
     return AreFinite(rectilinear->GetXCoordinates()) && AreFinite(rectilinear->GetYCoordinates()) &&
       AreFinite(rectilinear->GetZCoordinates());
   }
-  // NaN or infinity in the origin, spacing or direction of an image affects its first or last
+  // NaN or infinity in the origin, spacing or direction of image data affects the first or last
   // point.
   return vtkImageData::SafeDownCast(grid) && grid->GetNumberOfPoints() > 0 &&
     IsPointFinite(grid, 0) && IsPointFinite(grid, grid->GetNumberOfPoints() - 1);

@@ -37,7 +37,7 @@ public:
     Word* NonFinite;
   };
 
-  /// Whether any Ties or NonFinite bits are set in some rows.
+  /// Records whether any Ties or NonFinite bits are set in one or more rows.
   struct Kinds
   {
     bool Ties = false;

@@ -43,7 +43,7 @@ void Classify(const T* INTERLUME_RESTRICT values, std::int64_t number, const T* 
   }
 }
 
-/// Returns whether no value is NaN or infinite.
+/// Returns true if all values are finite.
 template <typename T>
 bool AreFinite(const T* values, std::int64_t number)
 {
@@ -75,7 +75,7 @@ inline std::int64_t FindChange(const Code* codes, std::int64_t first, std::int64
   return first;
 }
 
-/// Returns the first index in [first, last) with an odd code in one of four rows, or \a last.
+/// Returns the first index in [first, last) with an odd code in any of four rows, or \a last.
 inline std::int64_t FindOdd(const Code* const rows[4], std::int64_t first, std::int64_t last)
 {
   // Codes are tested four at a time.

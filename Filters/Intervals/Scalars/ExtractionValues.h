@@ -19,9 +19,9 @@ namespace interlume
  * @brief   the isovalues of an extraction in ascending order, and the codes of scalars relative to
  * them
  *
- * The distinct isovalues v0 < v1 < ... < v(m-1) divide the number line into 2 m + 1 codes: 2k
- * between v(k-1) and vk, and 2k + 1 at vk. The combinatorial part of an extraction uses only codes,
- * so one consistent rule applies to values equal to an isovalue.
+ * The distinct isovalues v0 < v1 < ... < v(m-1) divide the number line into 2 m + 1 parts. Their
+ * codes are 2k between v(k-1) and vk, and 2k + 1 at vk. The combinatorial part of an extraction
+ * uses only codes, so one consistent rule applies to values equal to an isovalue.
  */
 class ExtractionValues
 {
@@ -34,10 +34,10 @@ public:
   {
     int Lower;
     int Upper;
-    /// First codes with digits 1 and 2, or NoCode.
+    /// The smallest codes that have the digits 1 and 2, or NoCode if there is none.
     Code First;
     Code Second;
-    /// Whether the item is an interval of zero width.
+    /// If true, the item is an interval of zero width.
     bool IsFlat;
 
     std::uint8_t GetDigit(Code code) const
@@ -59,9 +59,10 @@ public:
   };
   static constexpr Code NoCode = 65535;
 
-  /// Creates the values for isosurfaces, one item each.
+  /// Creates the values for isosurfaces, with one item per isovalue.
   static ExtractionValues ForContours(const std::vector<double>& values);
-  /// Creates the values for interval volumes, one item each, with lower <= upper.
+  /// Creates the values for interval volumes, with one item per interval. Each interval must have
+  /// lower <= upper.
   static ExtractionValues ForIntervals(const std::vector<std::array<double, 2>>& intervals);
 
   vtkIsotable::Kinds GetKind() const { return this->Kind; }

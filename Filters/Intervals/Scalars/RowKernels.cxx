@@ -24,8 +24,8 @@ template <int N>
 inline void FillMarksOf(const Code* INTERLUME_RESTRICT codes, std::int64_t number,
   const std::uint8_t* steps, std::uint8_t* INTERLUME_RESTRICT marks)
 {
-  // Eight-bit arithmetic and a mask instead of a branch; otherwise compilers do not vectorize the
-  // loop.
+  // Use eight-bit arithmetic, and a mask instead of a branch. Otherwise compilers do not vectorize
+  // the loop.
   using Byte = std::uint8_t;
   Byte s[N];
   std::copy_n(steps, N, s);

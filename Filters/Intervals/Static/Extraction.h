@@ -28,17 +28,17 @@ public:
   const char* IdName = nullptr;
   int OutputPointsPrecision = vtkAlgorithm::DEFAULT_PRECISION;
   bool GenerateBoundaries = false;
-  /// Whether contour triangles share points.
+  /// If true, contour triangles share points.
   bool SharePoints = true;
-  /// Whether the outputs contain arrays with the origin of each point and cell.
+  /// If true, the outputs contain arrays with the origin of each point and cell.
   bool GenerateOriginArrays = false;
-  /// Whether tetrahedra keep their stored orientation; set for a further criterion.
+  /// If true, tetrahedra keep their stored orientation. Set for the passes of criteria.
   bool KeepOrientation = false;
   /// State of interior cells, passed from pass to pass; null if interior cells are cut too.
   InteriorCellPass* InteriorPass = nullptr;
   /**
-   * Boundary of the input, port 1 of the previous pass, for a further criterion. Its triangles are
-   * cut like the tetrahedra they belong to. Null if there is none.
+   * In the pass of a criterion, the boundary of the input: port 1 of the previous pass. Its
+   * triangles are cut like the tetrahedra they belong to. Null if there is none.
    */
   vtkUnstructuredGrid* InputBoundary = nullptr;
 

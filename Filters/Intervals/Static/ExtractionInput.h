@@ -40,8 +40,8 @@ public:
   ///@{
   /**
    * Return a warning, or an empty string. The checks find points whose single-precision coordinates
-   * are off by more than a hundredth of a cell, as in an image far from the origin, polyhedra that
-   * are split into overlapping cells, and folded cells.
+   * are off by more than a hundredth of a cell, for example in image data far from the origin,
+   * polyhedra that are split into overlapping cells, and folded cells.
    */
   static std::string CheckPrecision(vtkDataSet* input, int precision);
   static std::string CheckPolyhedra(vtkIdType numberOfConcave);

@@ -110,8 +110,8 @@ private:
     this->CellIds.push_back(cell);
   }
 
-  // Returns the only neighbor of \a point along an edge that is not in \a face, or -1 if there are
-  // several.
+  // Returns the edge neighbor of \a point that is outside \a face, or -1 unless there is exactly
+  // one.
   static vtkIdType GetNeighborOff(
     const std::map<vtkIdType, std::set<vtkIdType>>& neighbors, vtkIdType point, const Face& face)
   {
@@ -338,8 +338,8 @@ private:
   }
 
   // Computes the mean. For integer values, the sum is divided at the end, so that the mean of
-  // values equal to a bound equals it too. For other values, each term is divided, since the sum
-  // might overflow.
+  // values equal to a bound equals the bound too. For other values, each term is divided, since the
+  // sum might overflow.
   double GetMean(vtkDataArray* array, const Face& vertices, int component) const
   {
     constexpr double maximumExactInteger = 4503599627370496.0; // 2^52

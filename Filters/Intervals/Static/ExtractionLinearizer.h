@@ -18,12 +18,12 @@ namespace interlume
  * @brief   converts a grid to an unstructured grid of cells with isotables
  *
  * A convex polyhedron with the faces of a tetrahedron, pyramid, wedge or hexahedron becomes that
- * cell. Any other polyhedron is split around a center, the mean of its vertices: a triangle becomes
- * a tetrahedron, a quadrilateral a pyramid, and a larger face a fan of tetrahedra from its point of
- * lowest id. Shared faces are preserved, so neighbors of any type conform. The value of a point
- * array at the center is the mean over the vertices, which is exact for linear fields. (An isotable
- * of a polyhedron with larger faces would not work: the hull of such a face's prism depends on the
- * shape of the face, so two polyhedra would not agree on it.)
+ * cell. Any other polyhedron is split around a center, the mean of its vertices: each triangle
+ * becomes a tetrahedron, each quadrilateral a pyramid, and each larger face a fan of tetrahedra
+ * from its point with the lowest id. Shared faces are preserved, so neighbors of any type conform.
+ * The value of a point array at the center is the mean over the vertices, which is exact for linear
+ * fields. (An isotable of a polyhedron with larger faces would not work: the hull of such a face's
+ * prism depends on the shape of the face, so two polyhedra would not agree on it.)
  *
  * Other cells without an isotable are copied, so that the extraction counts them.
  */

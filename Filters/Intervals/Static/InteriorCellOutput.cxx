@@ -38,7 +38,7 @@ void AppendCells(vtkUnstructuredGrid* input, const ExtractionMesh& mesh,
     for (vtkIdType at = 1; at < stream->GetNumberOfIds(); at += 1 + stream->GetId(at))
     {
       const vtkIdType size = stream->GetId(at);
-      // Faces with fewer points are ignored, since their points may be unused.
+      // Ignore faces with fewer than three points, since their points may be unused.
       if (size < 3)
       {
         continue;

@@ -34,7 +34,7 @@ struct CellRow
   vtkIdType FirstPoint;
   vtkIdType FirstCell;
   const Code* Codes[4];
-  /// Not set while cells are only counted.
+  /// The ids of each slot; not set while cells are only counted.
   SlotRow Slots[vtkIsotable::MaximumNumberOfSlots];
   bool HasTies = false;
   bool IsFinite = true;

@@ -31,7 +31,8 @@ struct RowBuffers : RowNotes
   RowPoints::Local Points;
   std::vector<ExtractionValues::Code> Columns;
   std::vector<ExtractionValues::Code> Keys;
-  /// Marks of the cells of the row: 1 if a cell produces simplices, 2 if boundary triangles only.
+  /// Marks of the cells of the row: 1 if a cell produces simplices, 2 if it produces only boundary
+  /// triangles.
   std::vector<std::uint8_t> OutputMarks;
   /// The columns [first, last) of the row that contain all cells with output.
   RowPoints::ColumnRange OutputRange = { 0, 0 };
@@ -196,7 +197,7 @@ private:
       isFirst ? cells.Last : std::max(local.OutputRange.Last, cells.Last) };
   }
 
-  // Returns true if no criterion excludes a corner of a cell.
+  // Returns true if the interior filter excludes no corner of a cell.
   bool MayBeInterior(const CellRow& around, vtkIdType i) const
   {
     for (int v = 0; v < 8; ++v)

@@ -210,7 +210,7 @@ struct RowIds
     std::vector<Id> Ids;
   };
 
-  // Indexed by the lowest bits of k and j.
+  // Cached rows, indexed by the lowest bits of k and j.
   std::array<std::array<Row, 2>, 2> Rows;
   // Pointer to the id of each slot in the first cell of the row, or null. The ids of the next cell
   // are MaximumOwned entries further.
@@ -298,7 +298,7 @@ public:
 
   void Finish()
   {
-    // The size of columns and keys, of the points of a row, and of four rows of ids.
+    // Size per column of the columns and keys, the points of a row, and four rows of ids.
     constexpr std::size_t bytesOfColumn = sizeof(std::uint32_t) + sizeof(std::uint8_t) +
       MaximumOwned * (sizeof(ExtractionPoint) + 4 * sizeof(vtkIdType));
     const std::ptrdiff_t threads = std::distance(this->Locals.begin(), this->Locals.end());
@@ -331,7 +331,7 @@ private:
   }
 
   // Calls visit(column, case, tied) for the cells of a row that the surface intersects. \a tied is
-  // null if the cut of the table applies.
+  // null if the cut stored in the table applies.
   template <typename Visitor>
   void ForEachCell(ContourLocal& local, const Around& around, Visitor&& visit) const
   {
@@ -359,8 +359,8 @@ private:
     }
   }
 
-  // Returns the cut of a cell where values equal the isovalue, or null if the cut of the table
-  // applies.
+  // Returns the cut of a cell where values equal the isovalue, or null if the cut stored in the
+  // table applies.
   TieCaseCache::Tied* FindTied(ContourLocal& local, const Around& around, vtkIdType column,
     const vtkIsotable::Case& found) const
   {

@@ -85,8 +85,8 @@ protected:
       context.KeepCellIds, total.Interior, 8 * total.Interior);
   }
 
-  /// Gathers the results of all threads: the reports, and the ties in ascending order. Records the
-  /// working memory, including \a bytes of the derived class.
+  /// Gathers the results of all threads: the reports, and the tied triangles and simplices in
+  /// ascending order. Records the working memory, including \a bytes of the derived class.
   void Gather(std::size_t bytes)
   {
     for (const Local& local : this->Locals)

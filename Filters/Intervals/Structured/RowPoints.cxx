@@ -17,7 +17,7 @@ namespace
 using Code = ExtractionValues::Code;
 
 // The codes of all rows are cached if they do not exceed this size. Otherwise each thread computes
-// the codes that it needs, and computes a row several times.
+// the codes that it needs, so that most rows are computed several times.
 constexpr std::size_t MaximumBytesOfCodes = std::size_t(1) << 26;
 // If the index selects a smaller fraction of the rows, codes are not cached but computed for the
 // selected rows only, about four times each.
@@ -257,7 +257,7 @@ void RowPoints::Write(
     const Code all = owners.Counts[i];
     *out = { id, id, 0.0 };
     out += own;
-    // Most of these grid points own no edge crossing.
+    // Most grid points here are themselves output points and own no edge crossing.
     if (all != own)
     {
       const Code second = owners.Offsets[1][i];
@@ -277,7 +277,7 @@ std::size_t RowPoints::GetBytes() const
 
 std::size_t RowPoints::GetBytes(const Local& local) const
 {
-  // Nine rows of codes and two layers of owners.
+  // Size per column of nine rows of codes and two layers of owners.
   const std::size_t bytesOfColumn =
     9 * sizeof(Code) + 2 * static_cast<std::size_t>(this->CachedRows) * BytesOfOwner;
   return static_cast<std::size_t>(this->Nx) * bytesOfColumn +

@@ -30,7 +30,7 @@ public:
   using Code = ExtractionValues::Code;
   using Slot = vtkIsotable::Slot;
 
-  /// The previous cell inside an interval in a row.
+  /// The previous cell in a row that is inside an interval.
   struct CellInside
   {
     vtkIdType Column = -1;

@@ -197,7 +197,7 @@ public:
   {
     std::size_t bytes =
       this->Columns.capacity() * sizeof(this->Columns[0]) + this->Points.GetBytes();
-    // The size of columns, keys and marks.
+    // Size per column of the columns, keys and marks.
     constexpr std::size_t bytesOfColumn = 2 * sizeof(Code) + sizeof(std::uint8_t);
     for (const RowBuffers& local : this->Locals)
     {
@@ -231,8 +231,8 @@ private:
       maximum = std::max(maximum, codes.Maximum);
       rows[r] = &codes;
     }
-    // Find the owners only now: this reads the codes of further rows, which may invalidate pointers
-    // to codes.
+    // FindSlotRows() also reads the codes of the next rows along j and k. RowPoints::Local holds
+    // three rows along each axis, so the pointers to codes remain valid.
     if (Write)
     {
       this->FindSlotRows(local, around);
@@ -337,7 +337,7 @@ private:
   std::atomic<bool> HasTiedGhost{ false };
   // The columns [first, last) of each row that contain all cells with output.
   std::vector<RowPoints::ColumnRange> Columns;
-  // Offsets, all 0, of grid points that are themselves output points.
+  // Zero offsets, used for slots that are grid points.
   std::vector<Code> Zeros;
 };
 }

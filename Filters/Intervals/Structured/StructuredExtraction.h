@@ -11,10 +11,10 @@ namespace interlume
  * @class   StructuredExtraction
  * @brief   extraction from a structured grid, where point ids are computed from the edge
  *
- * A grid point owns itself and its edges along +i, +j and +k. Output points are numbered by owner.
- * The first pass counts the points that each row owns and the simplices of each row of cells. A
- * prefix sum computes the start position of each row, and the second pass writes. Rows share no
- * data, so the output is independent of the number of threads.
+ * A grid point owns the output points on itself and its edges along +i, +j and +k. Output points
+ * are numbered by owner. The first pass counts the points that each row owns and the simplices of
+ * each row of cells. A prefix sum computes the start position of each row, and the second pass
+ * writes the output. Rows share no data, so the output is independent of the number of threads.
  */
 class StructuredExtraction
 {

@@ -28,7 +28,8 @@ public:
   {
   }
 
-  /// Returns the result of SpaceTimeSlots::FindFlat() for each simplex of a case's table cut.
+  /// Returns the result of SpaceTimeSlots::FindFlat() for each simplex of the cut that the table
+  /// stores for a case.
   const std::vector<std::uint8_t>& Find(
     const SpaceTimeTable::Case& what, const SpaceTimeSlots& slots, unsigned planar)
   {

@@ -63,7 +63,7 @@ struct ProjectedTetrahedra::Block
   vtkIdType Last;
   // Index of the first simplex, counted over all slabs.
   vtkIdType FirstIndex;
-  // Number of thick points and tetrahedra, later replaced by their start positions.
+  // Number of thick points and tetrahedra, later replaced by the indices of the first ones.
   vtkIdType ThickPoints = 0;
   vtkIdType Tetrahedra = 0;
   std::array<vtkIdType, SimplexSigns::NumberOfClasses> Classes{};
@@ -252,7 +252,7 @@ void ProjectedTetrahedra::AddMeans(Value* values, int components)
             double mean = 0.0;
             for (int p = 0; p < NumberOfPoints; ++p)
             {
-              // A value with zero weight may be NaN or infinite.
+              // Skip values with zero weight, which may be NaN or infinite.
               const double part = weights[p] * values[simplex[p] * components + c];
               mean += weights[p] == 0.0 ? 0.0 : part;
             }
@@ -313,7 +313,7 @@ void ProjectedTetrahedra::WritePoints(const Batch& batch, Value* values) const
     });
 }
 
-// Replaces the counts of a block by start positions.
+// Adds the counts of a block to the report and replaces them by start indices.
 void ProjectedTetrahedra::AssignStart(Block& block, TimeVaryingReport& report)
 {
   report.FlatSimplices += block.Last - block.First - block.ThickPoints;

@@ -28,9 +28,9 @@ struct TimeVaryingReport;
  *
  * The output has the points of a mesh, followed by one thick point per 4-simplex that is not
  * degenerate (see SimplexProjection). The first pass projects each 4-simplex, writes its thick
- * point and stores its signs. The second pass generates the tetrahedra from the signs. Thick points
- * are first written to one position per 4-simplex. If some 4-simplices are degenerate, the gaps are
- * removed afterward.
+ * point and stores its signs. The second pass generates the tetrahedra from the signs. Each block
+ * of 4-simplices has room for one thick point per 4-simplex. If some are degenerate, the gaps
+ * between the blocks are removed afterward.
  */
 class ProjectedTetrahedra
 {

@@ -27,9 +27,9 @@ namespace interlume
  * (3,2,0) is 1, (4,1,0) is 2, (2,2,1) is 3a, (3,1,1) is 3b, (2,1,2) is 4, (1,1,3) is 5.
  *
  * lambda_i is proportional to the volume of the tetrahedron without point i. It is set to zero if
- * it is below 2^-44 L f, where f is the thickness relative to the time extent of the simplex.
- * This bounds the relative error of volume times thickness by 1e-12. If double precision would lose
- * too many digits, long double is used.
+ * its absolute value is below 2^-44 L f, where f is the thickness relative to the time extent of
+ * the simplex. This bounds the relative error of volume times thickness by 1e-12. If double
+ * precision would lose too many digits, long double is used.
  */
 class SimplexProjection
 {
@@ -46,7 +46,8 @@ public:
   /// coplanar after projection.
   SimplexProjection(const Corners& points, unsigned flat);
 
-  /// Projects several simplices. Each result is the same as for a simplex projected alone.
+  /// Projects several simplices. The result does not depend on which simplices are projected
+  /// together.
   static void Project(
     const Corners* points, const std::uint8_t* flats, int number, SimplexProjection* projections);
 
@@ -76,8 +77,8 @@ public:
   /// one of them, the result is exact.
   void GetThickPoint(const Corners& points, double x[3]) const
   {
-    // Both faces contain the thick point. The face with fewer points causes fewer rounding errors,
-    // and is exact if it is a single point.
+    // The thick point lies on both the positive and the negative face. The face with fewer points
+    // causes fewer rounding errors, and is exact if it is a single point.
     const SimplexSigns::Cut& cut = this->Signs.GetCut();
     x[0] = x[1] = x[2] = 0.0;
     for (int m = 0; m < cut.NumberOfMeanPoints; ++m)

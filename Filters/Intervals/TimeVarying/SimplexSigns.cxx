@@ -39,7 +39,7 @@ constexpr std::array<std::uint8_t, 3> GetTetrahedron(int positive, int negative)
     }
   }
   // If the thick point is replaced by p_i, the result is the tetrahedron without p_j. Its sign is
-  // (-1)^j lambda_j, apart from the position of p_i in the order.
+  // (-1)^j lambda_j, up to the sign of the permutation that sorts p_i into its position.
   if ((positive + negative + (negative < positive ? 1 : 0)) % 2 == 0)
   {
     return rest;

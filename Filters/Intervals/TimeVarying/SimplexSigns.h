@@ -42,7 +42,7 @@ public:
   SimplexSigns() = default;
 
   /// Set bit i of \a positive if lambda_i is positive, and bit i of \a negative if it is negative.
-  /// See SimplexProjection for \a isInverted.
+  /// \a isInverted is the value of SimplexProjection::IsInverted().
   SimplexSigns(unsigned int positive, unsigned int negative, bool isInverted)
     : Bits(static_cast<std::uint16_t>(
         positive | (negative << NumberOfPoints) | (isInverted ? InvertedBit : 0u)))

@@ -77,14 +77,16 @@ Slice Make(unsigned int above)
       slice.Edges[slice.NumberOfSlots++] = { { ends.first, ends.second } };
     }
   }
-  // Orientation: the first tetrahedron of a prism is positive if the edge is below. The slice at a
-  // single vertex, with its edges in order, is positive if the vertex is above. Consecutive
-  // tetrahedra of a prism differ in one point at the same index, so their orientation alternates.
+  // Orientation: the first tetrahedron of a prism is positive if the edge is below the hyperplane.
+  // The slice at a single vertex, with its edges in order, is positive if the vertex is above.
+  // Consecutive tetrahedra of a prism differ in one point at the same index, so their orientation
+  // alternates.
   const bool isFirstInverted = sides.IsOdd != ((first == above) == (rows == 2));
   slice.NumberOfTetrahedra = rows == 1 ? 1 : columns;
   for (int t = 0; t < slice.NumberOfTetrahedra; ++t)
   {
-    // Points up to \a turn lie in the first row, and all later points in the last row.
+    // Points up to index \a turn are on edges of the first vertex, and all later points are on
+    // edges of the last vertex of the first side.
     const int turn = columns - 1 - t;
     vtkIsotable::Simplex& points = slice.Tetrahedra[t];
     for (int p = 0; p < 4; ++p)

@@ -11,15 +11,15 @@ namespace interlume
 
 /**
  * @class   SimplexSliceTable
- * @brief   case table for slicing a 4-simplex with a hyperplane, by the set of vertices above it
+ * @brief   slices of a 4-simplex with a hyperplane, indexed by the set of vertices above it
  *
  * Each edge with one end above and one end below the hyperplane contains a point of the slice, the
- * edge's slot. With a single vertex on one side, the slice is a tetrahedron with a point on each of
- * the vertex's four edges. With an edge a < b on one side and a triangle c < d < e on the other,
- * the slice is a prism, the product of the edge and the triangle. It is split into the tetrahedra
- * (ac,ad,ae,be), (ac,ad,bd,be) and (ac,bc,bd,be). How a quadrilateral face of the prism is split
- * depends only on the order of the vertices whose edges the face crosses. Therefore neighbors match
- * if all simplices use the same point order.
+ * edge's slot. If a single vertex is on one side, the slice is a tetrahedron with a point on each
+ * of the vertex's four edges. If an edge a < b is on one side and a triangle c < d < e on the
+ * other, the slice is a prism, the product of the edge and the triangle. It is split into the
+ * tetrahedra (ac,ad,ae,be), (ac,ad,bd,be) and (ac,bc,bd,be). How a quadrilateral face of the prism
+ * is split depends only on the order of the vertices whose edges the face crosses. Therefore the
+ * slices of adjacent simplices match if all simplices use the same point order.
  *
  * Number the vertices in ascending order. If they are positively oriented in (x,y,z,t) and vertices
  * with larger t are above, the tetrahedra have positive volume.

@@ -36,7 +36,7 @@ struct SliceChunk
   };
 
   std::vector<const CrossingLists::Node*> Nodes;
-  /// In the order of the cells.
+  /// The tetrahedra, in the order of their cells.
   std::vector<Tetrahedron> Tetrahedra;
 };
 
@@ -45,8 +45,8 @@ struct SliceChunk
  * @brief   buffers with which a thread fills chunks, and a cache of the latest points
  *
  * Consecutive 4-simplices share most of their points, so the cache avoids most searches in the
- * lists. A point evicted from the cache gets a second index in the chunk, which is harmless. \a Id
- * is the type of the grid's point ids.
+ * CrossingLists. A point that was evicted from the cache and is found again gets a second index in
+ * the chunk, which is harmless. \a Id is the type of the grid's point ids.
  */
 template <typename Id>
 class SliceChunkBuilder

@@ -42,7 +42,7 @@ struct SlicePoint
 
 /**
  * @class   SlicedSimplex
- * @brief   a 4-simplex with its vertices in the global order, and their codes for one value
+ * @brief   a 4-simplex with its vertices in the global order and their codes for the slice value
  */
 class SlicedSimplex
 {
@@ -54,7 +54,7 @@ public:
   static constexpr Code AtValue = 1;
   static constexpr Code AboveValue = 2;
 
-  /// Sorts the vertices of a 4-simplex. Of two equal ids, the first one is lower.
+  /// Sorts the vertices of a 4-simplex. Of two equal ids, the first one counts as lower.
   template <typename Id>
   void Sort(
     const Id* stored, const Code* codes, const CornerOrder& order, SliceIntersection intersection)
@@ -75,7 +75,7 @@ public:
     }
     if (intersection == SliceIntersection::InSlice)
     {
-      // Treat the tetrahedron as the beginning of a 4-simplex.
+      // Treat the tetrahedron as the face at which a 4-simplex begins.
       this->Codes[ranks[Size - 1]] = AboveValue;
     }
   }
@@ -94,7 +94,8 @@ public:
     return above;
   }
 
-  /// Returns the slice point on an edge. It is a vertex if that vertex is at the value.
+  /// Returns the slice point on an edge. If an end of the edge is at the value, that end is the
+  /// point.
   SlicePoint FindPoint(const std::array<Slot, 2>& edge) const
   {
     for (const Slot end : edge)

@@ -11,9 +11,9 @@ namespace interlume
  * @class   SortedSimplices
  * @brief   batch of 4-simplices whose vertices are sorted with SIMD instructions
  *
- * The slice value crosses each 4-simplex, and no vertex is at the value. A vertex is stored as
- * twice its id, plus 1 if it is above the value. \a Key must be unsigned 32-bit for ids that fit in
- * 31 bits, and signed 64-bit otherwise.
+ * Each 4-simplex has vertices below and above the slice value, but none at it. A vertex is stored
+ * as twice its id, plus 1 if it is above the value. \a Key must be unsigned 32-bit for ids that fit
+ * in 31 bits, and signed 64-bit otherwise.
  */
 template <typename Key>
 struct SortedSimplices
@@ -46,7 +46,7 @@ struct SortedSimplices
   Key GetId(int vertex, int simplex) const { return this->Vertices[vertex][simplex] >> 1; }
 };
 
-/// Sorts the vertices of all simplices, with the widest SIMD instructions of the machine.
+/// Sorts the vertices of all simplices, with the widest SIMD instructions available.
 namespace SimplexSorting
 {
 void Sort(SortedSimplices<std::uint32_t>& simplices);

@@ -35,11 +35,11 @@ public:
 
   explicit SpaceTimeSlots(vtkIsotable::Shapes shape);
 
-  /// Returns the sides of a slot: LOWER or UPPER for a crossing of that value, and START or END for
-  /// a slot at a time step.
+  /// Returns the sides of a slot: LOWER or UPPER for a crossing of the lower or upper value, and
+  /// START or END for a slot at the first or second step.
   std::uint8_t GetSides(Slot slot) const { return this->SidesOf[slot]; }
 
-  /// Returns which points of a simplex are on a side, as a bit mask.
+  /// Returns the points of a simplex that are on a side, as a bit mask.
   std::uint8_t GetPointsOn(Sides side, const Simplex& simplex) const
   {
     unsigned points = 0;
@@ -52,8 +52,9 @@ public:
 
   /**
    * Finds the degenerate facets of a simplex that is projected along time. Bit i is set if the
-   * points other than point i are coplanar: two points above one corner, three above one edge, or
-   * four above a planar face. Bit f of \a planar must be set if face f of the cell is planar.
+   * points other than point i are coplanar: two of them are above one corner, three above one edge,
+   * or all four above a planar face. Bit f of \a planar must be set if face f of the cell is
+   * planar.
    */
   std::uint8_t FindFlat(const Simplex& simplex, unsigned planar) const;
 
@@ -74,9 +75,9 @@ public:
 
 private:
   std::array<std::uint8_t, SpaceTimeTable::MaximumNumberOfSlots> SidesOf{};
-  // The corners of the cell below a slot, as a bit mask: one, or the two ends of a cell edge.
+  // The cell corners below a slot, as a bit mask: one corner, or both ends of a cell edge.
   std::array<std::uint8_t, SpaceTimeTable::MaximumNumberOfSlots> Supports{};
-  // The faces of the cell below a slot, as a bit mask.
+  // The cell faces below a slot, as a bit mask.
   std::array<std::uint8_t, SpaceTimeTable::MaximumNumberOfSlots> FacesOf{};
   std::array<unsigned, MaximumNumberOfFaces> Faces{};
 };

@@ -59,8 +59,8 @@ public:
   std::size_t GetBytes() const { return this->Codes.GetBytes(); }
 
   /**
-   * Returns true if the next step was written over this one. This is the case if its scalars use
-   * the same memory, or if its points or another array use the same memory and have changed since.
+   * Returns true if \a next was written over this step: its scalars use memory of this step, or its
+   * points or another array use memory of this step and were modified since.
    */
   bool IsOverwritten(vtkDataSet* next, vtkDataArray* scalars) const;
 

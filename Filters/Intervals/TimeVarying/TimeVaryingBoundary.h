@@ -16,9 +16,10 @@ namespace interlume
  * @class   TimeVaryingBoundary
  * @brief   finds the boundary facets of a 4-simplex from the sides of its points
  *
- * A cell of the table lies on one side of each of its facets. Therefore a tetrahedron whose points
- * are all lower crossings, or all at the first step, is on the boundary and belongs to one
- * 4-simplex. The triangles are faces of the tetrahedra at the first or last step.
+ * The table lifts a cell by one dimension. The lifted cell is convex, so it lies on one side of
+ * each of its facets. Therefore a tetrahedron whose points are all lower crossings, or all at the
+ * first step, is on the boundary and belongs to one 4-simplex. The triangles are faces of the
+ * tetrahedra at the first or last step.
  */
 class TimeVaryingBoundary
 {
@@ -64,8 +65,8 @@ public:
         }
       }
       const bool isAtEnd = HasAll(end, face, 4);
-      // The face without point i is outward for even i. Tetrahedra at the end are reversed so that
-      // their volume in space is positive.
+      // The face without point i is oriented outward for even i. Tetrahedra at the end are reversed
+      // so that their volume in space is positive.
       if (isAtEnd ? i % 2 == 0 : i % 2 == 1)
       {
         std::swap(face[0], face[1]);

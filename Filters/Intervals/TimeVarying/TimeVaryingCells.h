@@ -23,13 +23,13 @@
 namespace interlume
 {
 
-/// A cell of a slab.
+/// A cell of a slab, with its corners at both time steps.
 using TimeVaryingCell = TableCell<2>;
 
 /**
- * Base class of structured and unstructured cells, which finds the cells to skip. Cells of other
- * pieces are included if values equal bounds, because the output at the faces between pieces
- * depends on them.
+ * Base class of TimeVaryingRows and TimeVaryingUnstructured that finds the cells to skip. Cells of
+ * other pieces are not skipped if values equal bounds, because the output at the faces between
+ * pieces depends on them.
  */
 class TimeVaryingCellsBase
 {
@@ -52,7 +52,7 @@ protected:
     return this->Steps[0]->HasBlanking() || this->Steps[1]->HasBlanking();
   }
 
-  /// Returns true if a cell is skipped at either step.
+  /// Returns true if a cell or one of its points is blanked at either step.
   bool IsBlanked(const TimeVaryingCell& cell) const
   {
     return std::any_of(this->Steps, this->Steps + 2,
@@ -105,7 +105,7 @@ public:
   void FreeMarks() {}
   std::size_t GetMarkBytes() const { return 0; }
 
-  /// Appends the cells in [first, last) that an item may intersect.
+  /// Appends the cells in [first, last) that an interval may intersect.
   void FindNear(
     vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near, ExtractionReport& report) const
   {
@@ -122,7 +122,7 @@ public:
       const Code* rows[8];
       for (int row = 0; row < 8; ++row)
       {
-        // The even corners are at the start of the rows.
+        // Each row of points starts at an even corner.
         rows[row] = this->Steps[row / 4]->GetCodes() + cell.Ids[2 * (row % 4)];
       }
       RowKernels::FindRanges(rows, number, minimum, maximum, all);

@@ -18,7 +18,7 @@ using Sides = SpaceTimeSlots::Sides;
 using Slot = SpaceTimeTable::Slot;
 using SideArray = std::array<std::uint8_t, SpaceTimeTable::MaximumNumberOfSlots>;
 
-// Bit in addition to Sides: the corner equals the value of an interval of zero width.
+// Bit in addition to Sides: the value at the corner equals the bounds of a zero-width interval.
 constexpr unsigned Equal = 16;
 
 int GetNumberOfSlots(const SpaceTimeTable& table)
@@ -115,8 +115,8 @@ void TimeVaryingCut::AddFlatSides(const SpaceTimeTable& table, const SpaceTimeSl
 {
   const int vertices = table.GetNumberOfVertices();
   const Code tie = item.First;
-  // The side is the lower one if a corner is below the value, otherwise the upper one. Determine
-  // this for all corners together, and for each step.
+  // The surface is a lower one if any corner is below the value, otherwise an upper one. Determine
+  // this for all corners together, and for the corners at each step.
   const int corners = vertices / 2;
   const int upper = *std::min_element(codes, codes + vertices) < tie ? 0 : 1;
   const int upperAt[2] = { *std::min_element(codes, codes + corners) < tie ? 0 : 1,

@@ -17,8 +17,8 @@ namespace interlume
  * @class   TimeVaryingCut
  * @brief   cut of a case between two time steps, in a cell where several slots are the same point
  *
- * This class corresponds to MergedCut with an additional time axis. It also finds all kinds of
- * boundary cells. The sides of the convex pieces are triangulated separately because a piece
+ * This class corresponds to MergedCut, with time as an additional axis. It also finds the boundary
+ * cells of all kinds. The sides of the convex pieces are triangulated separately because a piece
  * without hypervolume also has sides. The volume and its surfaces at a step equal the result of
  * vtkIntervalVolume for that step.
  */
@@ -39,7 +39,8 @@ public:
   };
 
   /// Cuts the case in the order of \a ranks. \a same maps each slot to the slot that represents its
-  /// point. \a inside is the case with all corners inside the interval.
+  /// point. \a inside is the case with all corners inside the interval. If \a hasSides is false,
+  /// boundary cells are not computed.
   void Make(const SpaceTimeTable& table, const SpaceTimeSlots& slots, const Item& item,
     const Code* codes, const SpaceTimeTable::Case& what, const SpaceTimeTable::Case& inside,
     const SpaceTimeTable::RankArray& ranks, const Slot* same, bool hasSides);

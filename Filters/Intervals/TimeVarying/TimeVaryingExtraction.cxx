@@ -41,14 +41,14 @@ constexpr vtkIdType ChunkSize = 512;
 constexpr int MaximumNumberOfVertices = SpaceTimeTable::MaximumNumberOfVertices;
 constexpr int MaximumNumberOfSlots = SpaceTimeTable::MaximumNumberOfSlots;
 
-// A case of a cell in a chunk.
+// A case found for a cell of a chunk.
 struct Found
 {
   vtkIdType Cell;
   const SpaceTimeTable::Case* Case;
   int Item;
-  // If true, the cut of the table applies: the corner ids are in ascending order and all slots are
-  // distinct points.
+  // If true, the cut stored in the table applies: the corner ids are in ascending order and all
+  // slots are distinct points.
   bool IsPlain;
 };
 
@@ -56,17 +56,17 @@ struct Chunk
 {
   std::vector<Found> Cases;
   std::vector<TimeVaryingMesh::BoundaryCell> Boundary;
-  // The parts of the volume at the two steps that lie in cells with merged slots.
+  // The parts of the volume at both steps that lie in cells with merged slots.
   std::vector<TimeVaryingMesh::BoundaryCell> StepVolume;
-  // The 4-simplices above one face of a cell with merged slots.
+  // The 4-simplices that lie above a single face of a cell with merged slots.
   std::vector<vtkIdType> Tied;
   vtkIdType Simplices = 0;
   bool HasDuplicates = false;
   ExtractionReport Report;
 };
 
-// Cut of a case in a cell to which the cut of the table does not apply: the corner ids are not in
-// ascending order, or several slots are the same point.
+// Cut computed for a single cell because the cut stored in the table does not apply: the corner ids
+// are not in ascending order, or several slots are the same point.
 struct OwnCut
 {
   std::vector<Simplex> Simplices;
@@ -153,8 +153,8 @@ public:
     return local.GetCase(cell.Shape, key);
   }
 
-  // Returns true if the cut of the table applies. Otherwise merges the slots of the same point and
-  // cuts the case in the global order.
+  // Returns true if the cut stored in the table applies. Otherwise merges slots at the same point
+  // and cuts the case in the global order.
   bool Cut(const Cell& cell, const Item& item, const Case& what, Local& local) const
   {
     OwnCut& cut = local.Own;

@@ -27,7 +27,8 @@ vtkIdType GetOwner(const ExtractionPoint& point)
   return std::min(point.Near, point.Far);
 }
 
-// Maps points at both steps to points at the first step, if the grid points do not move.
+// Replaces grid points at the second step by the same points at the first step. Valid only if the
+// grid points do not move.
 PointList Fold(const PointList& points, vtkIdType split)
 {
   const auto fold = [split](vtkIdType id) { return id < split ? id : id - split; };
@@ -235,7 +236,8 @@ ExtractionBuffer<vtkIdType> TimeVaryingMesh::AddPoints(const TimeStep& first,
   ids.Allocate(number);
   PointList added;
   added.Allocate(number);
-  // Points are sorted by owner. Those shared with the previous slab therefore precede the others.
+  // Both lists are sorted by owner and key, so merging them finds the points shared with the
+  // previous slab. All points after the last shared one are new.
   vtkIdType unshared = 0;
   vtkIdType numberShared = 0;
   auto shared = this->EndPoints.begin();

@@ -117,8 +117,8 @@ public:
   /// Adds parts of the volume at the two steps of the slab, in cells where values equal a bound.
   void AddStepVolume(const std::vector<BoundaryCell>& cells);
 
-  /// Removes pairs of 4-simplices with the same points and opposite orientation from the
-  /// 4-simplices \a tied of the slab. Returns the number of removed 4-simplices.
+  /// Among the 4-simplices \a tied of the slab, removes pairs with the same points and opposite
+  /// orientation. Returns the number of removed 4-simplices.
   vtkIdType RemoveOppositeSimplices(const std::vector<vtkIdType>& tied);
 
   /// Removes pairs of 4-simplices that lie in a time step and have the same points and opposite
@@ -134,15 +134,15 @@ public:
    */
   void SettleTiedBoundary();
 
-  /// Removes the second copy of volume parts that both slabs at a step contain, and pairs of parts
-  /// with opposite orientation.
+  /// Removes the second copy of each volume part that occurs in both slabs adjacent to a step, and
+  /// pairs of parts with opposite orientation.
   void SettleStepVolume();
 
   /// Removes the cells of other pieces, and points that only these cells use. Call this last.
   /// Returns the number of removed 4-simplices.
   vtkIdType RemoveDuplicates();
 
-  /// Returns the slab started last.
+  /// Returns the current slab, the one started last.
   Slab& GetSlab() { return this->Slabs.back(); }
 
   ///@{
@@ -178,7 +178,7 @@ public:
   }
 
 private:
-  // A point at the end of a slab: its origin and its id.
+  // A point at the end of a slab: its owner and key in the next slab, and its id in the mesh.
   struct SharedPoint
   {
     vtkIdType Owner;
@@ -229,7 +229,7 @@ private:
   TimeVaryingOptions Options;
   std::array<bool, vtkTimeVaryingSettings::NUMBER_OF_BOUNDARY_KINDS> RequiredKinds{};
   vtkSmartPointer<vtkPoints> Points;
-  // The coordinates, either as float or as double.
+  // The point coordinates; the pointer of the other type is null.
   const float* Floats = nullptr;
   const double* Doubles = nullptr;
   vtkSmartPointer<vtkDoubleArray> Times;

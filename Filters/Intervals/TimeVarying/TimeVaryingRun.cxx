@@ -178,8 +178,8 @@ Error TimeVaryingRun::AddLeafStep(
   {
     return error;
   }
-  // The source may already have written the second step into the dataset of the first step. The
-  // cells are the same.
+  // Add the dataset of the second step, because the source may have overwritten that of the first
+  // step. Both have the same cells.
   this->Empty.Add(this->NextStep == 1 ? input : nullptr, scalars, 0);
   leaf.ScalarsKey = ArrayMatch::GetKey(input->GetPointData(), scalars);
   if (leaf.Before && leaf.Before->IsOverwritten(input, scalars))

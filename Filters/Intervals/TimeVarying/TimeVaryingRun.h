@@ -63,7 +63,7 @@ public:
   /// Returns the object that explains an empty output. Call this after the last step.
   EmptyOutputDiagnosis& GetEmptyResult() { return this->Empty; }
 
-  /// Creates the blocks of the input in a composite output.
+  /// Gives a composite output the block structure of the input.
   static void CopyStructure(vtkDataObject* input, vtkDataObject* output);
 
 private:

@@ -78,7 +78,7 @@ public:
   {
     constexpr vtkIdType run = ExtractionIndex::RunLength;
     const ExtractionIndex* const index = this->Context.Index;
-    // If there is neither an index nor interior cells, treat all cells as one run.
+    // If there is neither an index nor an interior filter, treat all cells as one run.
     const vtkIdType length = index || this->Context.InteriorFilter ? run : end - begin;
     int number = 0;
     for (vtkIdType first = begin; first < end; first += length)
@@ -93,7 +93,7 @@ public:
     return number;
   }
 
-  /// Prefetches the coordinates of a cell.
+  /// Prefetches the coordinates of a cell's points.
   void Prefetch(vtkIdType id) const
   {
     if (!this->Context.KeepOrientation)
@@ -142,7 +142,7 @@ public:
                                          : this->Orientation.IsInverted(cell.Shape, cell.Ids);
   }
 
-  /// Counts a cell with output in the report, and counts it as folded if it is.
+  /// If \a hasOutput is true, counts a cell in the report, also as a folded cell if it is folded.
   void CountOutput(const Cell& cell, bool hasOutput, ExtractionReport& report) const
   {
     report.CellsWithOutput += hasOutput;
@@ -196,7 +196,7 @@ private:
   }
 
   // Returns true if an item may intersect a cell and the cell can produce output. If the cell
-  // cannot, counts the reason.
+  // cannot produce output, counts the reason.
   bool Accept(vtkIdType id, ExtractionReport& report) const
   {
     const CellCorners& corners = this->Cells.GetCorners(id);

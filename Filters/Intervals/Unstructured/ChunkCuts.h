@@ -11,7 +11,7 @@
 namespace interlume
 {
 
-/// The case tables of the cells of one time step.
+/// The case tables for cells at a single time step, one table per shape.
 using ShapeTables = SlotTables<vtkIsotable>;
 
 /**
@@ -38,7 +38,7 @@ class ChunkCuts
 public:
   using Slot = vtkIsotable::Slot;
 
-  /// A case of a cell in the chunk.
+  /// A case found for a cell of the chunk.
   struct Found
   {
     Found(
@@ -56,22 +56,22 @@ public:
     std::uint16_t Position;
     std::uint16_t Key;
     std::uint16_t Item;
-    /// If true, the cut of the table applies: the corner ids are in ascending order and all slots
-    /// are distinct points.
+    /// If true, the cut stored in the table applies: the corner ids are in ascending order and all
+    /// slots are distinct points.
     bool IsPlain;
     /// If true, slots of the same point were merged.
     bool IsMerged;
     bool IsInverted;
   };
 
-  /// Properties that all cuts share.
+  /// Properties that all cuts of an extraction share.
   struct Kind
   {
     int SimplexSize;
     bool HasBoundaries;
   };
 
-  /// Position where a stored cut begins.
+  /// Indices of the first simplex and triangle of a stored cut.
   struct CutStart
   {
     std::size_t Simplex = 0;
@@ -89,7 +89,7 @@ public:
 
   void Reserve(std::size_t cases) { this->Cases.reserve(cases); }
 
-  /// Adds a case. Store the cuts of the cases that are not plain in the order of the cases.
+  /// Adds a case. The cuts of the cases that are not plain must be stored in the same order.
   void Add(const Found& found) { this->Cases.push_back(found); }
 
   ///@{
@@ -187,7 +187,7 @@ private:
   }
 
   std::vector<Found> Cases;
-  // The stored cuts, one after the other.
+  // The stored cuts, concatenated in the order of their cases.
   std::vector<Size> Sizes;
   std::vector<vtkIsotable::Simplex> Simplices;
   std::vector<vtkIsotable::Triangle> Triangles;

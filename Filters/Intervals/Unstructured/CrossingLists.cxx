@@ -13,7 +13,8 @@ namespace interlume
 
 namespace
 {
-// Number of owners that a thread numbers at a time, so that their points remain in its cache.
+// Number of grid points per block. A thread numbers the points of one block at a time, so that they
+// remain in its cache.
 constexpr vtkIdType OwnersInBlock = 2048;
 constexpr vtkIdType OwnersInWord = 64;
 constexpr int OwnersAhead = 8;

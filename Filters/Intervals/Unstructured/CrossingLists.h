@@ -70,7 +70,7 @@ public:
   /// Prefetches the list of a point that will be entered or searched soon.
   void Prefetch(vtkIdType owner) const { interlume::Prefetch::Read(&this->Heads[owner]); }
 
-  /// Numbers the points and computes their origins. Do not enter points afterward.
+  /// Numbers the points and computes their edges and weights. Do not enter points afterward.
   void MakePoints(const ExtractionScalars& scalars, ExtractionBuffer<ExtractionPoint>& points);
 
   /// Returns the id of an entered point.

@@ -16,9 +16,10 @@ namespace interlume
 
 /**
  * @class   InteriorCells
- * @brief   passes the cells inside an interval through uncut
+ * @brief   copies the cells inside an interval to the output without cutting them
  *
- * \a Stored is the value type of the cell array. \a points is a buffer of the calling thread.
+ * \a Stored is the value type of the cell array. In all methods, \a points is a buffer of the
+ * calling thread.
  */
 template <typename Stored>
 class InteriorCells
@@ -48,7 +49,7 @@ public:
   vtkIdType GetFirstPassed() const { return this->Filter.GetFirstPassed(); }
 
   /// Returns true if a cell with codes from \a minimum to \a maximum is passed through. Tetrahedra
-  /// are not, because their case is the tetrahedron itself.
+  /// are not, because cutting them yields the tetrahedron itself.
   bool IsInside(vtkIdType cell, const Item& item, Code minimum, Code maximum) const
   {
     if (this->Filter.IsPart(cell))
@@ -104,7 +105,7 @@ public:
     return true;
   }
 
-  /// Records that a cell is passed through in an item, and enters its points.
+  /// Records that a cell is passed through for an item, and enters its points.
   void Enter(vtkIdType id, vtkIdType position, std::size_t item, Chunk& chunk, CrossingLists& lists,
     CrossingLists::Arena& arena, std::vector<vtkIdType>& points) const
   {
@@ -144,8 +145,8 @@ public:
   }
 
 private:
-  // Returns the type of an interior cell, and gets its points in the order of the input. For a part
-  // of a polyhedron, only the first part has points.
+  // Returns the type of an interior cell, and gets its points in the order of the input. Of the
+  // parts of a polyhedron, only the first one has points.
   unsigned char GetPoints(vtkIdType cell, std::vector<vtkIdType>& points) const
   {
     if (this->Filter.IsPassed(cell))

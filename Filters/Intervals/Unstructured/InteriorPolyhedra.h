@@ -68,7 +68,7 @@ public:
 
   unsigned char GetType(vtkIdType part) const { return this->Filter.GetOriginalType(part); }
 
-  /// Gets the points of the polyhedron with the first part \a part.
+  /// Gets the points of the polyhedron whose first part is \a part.
   void GetPoints(vtkIdType part, std::vector<vtkIdType>& points) const
   {
     points.clear();
@@ -97,7 +97,7 @@ private:
     Code Maximum;
   };
 
-  // Visits the points of all parts of a polyhedron, without the mean.
+  // Visits the points of all parts of a polyhedron, except the common apex.
   template <typename Visitor>
   void ForEachPoint(vtkIdType part, Visitor&& visit) const
   {

@@ -100,12 +100,12 @@ public:
   void Free() { this->Marks.Free(); }
   std::size_t GetBytes() const { return this->Marks.GetBytes(); }
 
-  /// Returns true if there is a single isovalue: the marks are below, equal and above.
+  /// Returns true if there is a single isovalue. The marks then mean below, equal and above.
   bool AreOfOneValue() const { return this->NonFinite == 3; }
   ///@{
-  /// For a single isovalue: the first function returns true if a point's value is at least the
-  /// isovalue, the second if the value of any corner equals it. \a all is the bitwise union of the
-  /// marks of all corners.
+  /// For a single isovalue: IsReached() returns true if a point's value is at least the isovalue,
+  /// and HasTie() if the value of any corner equals it. \a all is the bitwise union of the marks of
+  /// all corners.
   static bool IsReached(Mark mark) { return mark > 1; }
   static bool HasTie(Mark all) { return all & 2; }
   ///@}

@@ -17,7 +17,7 @@ namespace interlume
 
 /**
  * @class   UnsharedPoints
- * @brief   collects triangles that share no points
+ * @brief   collects triangles whose corners become separate output points
  *
  * A small hash table caches the latest points, so that neighboring cells compute a common point
  * once. A point evicted from the table is computed again with the same result.
@@ -27,7 +27,7 @@ class UnsharedPoints
 public:
   using Index = PointArrays::Part::Index;
 
-  /// Starts a part without triangles.
+  /// Removes all points and triangles, to start a new part.
   void Begin()
   {
     this->Number = 0;

@@ -88,8 +88,8 @@ public:
       points, number, unshared.GetCorners(), unshared.GetNumberOfCorners());
   }
 
-  /// Returns true if triangles lie in one face of a cell. The neighbor may then have the same
-  /// triangles.
+  /// Returns true if any triangle lies in a cell face. The neighbor cell may then have the same
+  /// triangle.
   bool HasTiedFaces() const { return this->TiedFaces; }
 
 private:

@@ -35,7 +35,7 @@ struct UnstructuredChunk
   std::vector<const CrossingLists::Node*> Nodes;
   std::vector<vtkIdType> TiedTriangles;
   std::vector<vtkIdType> TiedSimplices;
-  /// Triangles that share no points.
+  /// The triangles, if they share no points.
   PointArrays::Part Unshared;
   std::vector<InteriorCell> InteriorCells;
   ///@{

@@ -386,8 +386,8 @@ private:
   ExtractionMesh& Mesh;
   vtkIdType NumberOfCells;
   // If true, the nodes of points are stored. A contour is small compared with its grid, and storing
-  // the points of its cells is faster than searching them again. For the tetrahedra of an interval,
-  // the nodes would take too much memory.
+  // the points of its cells is faster than searching for them again. For the tetrahedra of an
+  // interval, the nodes would take too much memory.
   bool KeepsNodes;
   // The points that cells share. Empty if every triangle has its own points.
   std::optional<CrossingLists> Points;

@@ -13,7 +13,7 @@ namespace interlume
 
 /**
  * @class   CasePatch
- * @brief   one case of an isotable: the isosurface patch inside a cell for given signs
+ * @brief   one case of an isotable: the isosurface patch inside a cell for given vertex signs
  *
  * The patch consists of the facets of the convex hull of { positive vertices } and { midpoints of
  * edges whose ends differ in sign } that do not lie in a facet of the cell (Bhaniramka, Wenger,
@@ -70,8 +70,8 @@ public:
   PointList GetEdges(const PointSet& face) const;
 
   /**
-   * Returns whether a simplex of dimension d - 1 has the orientation of the facet: the sign of
-   * det(p1 - p0, ..., outward). The determinant is never zero for a simplex of the facet.
+   * Returns whether a simplex of dimension d - 1 has the orientation of the facet: det(p1 - p0,
+   * ..., outward) is positive. The determinant is never zero for a simplex of the facet.
    */
   bool IsPositive(const Facet& facet, const PointList& simplex) const;
 

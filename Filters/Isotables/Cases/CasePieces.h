@@ -19,8 +19,9 @@ class CasePatch;
  *
  * A piece is a facet of the patch in five dimensions, stored with its faces: its solids, and their
  * polygons in cyclic order. Pull() computes the pulling triangulation. It joins the first point of
- * the piece to each solid that does not contain it. Each solid is split the same way, from its
- * first point over its polygons, and each polygon is a fan from its first point.
+ * the piece to each solid that does not contain it. Each solid is split in the same way by joining
+ * its first point to its polygons, and each polygon is split into a fan of triangles from its first
+ * point.
  *
  * Slots are defined by SlotOrder.
  */
@@ -104,9 +105,10 @@ public:
 
   /**
    * Triangulates the solids whose points share a side, as Pull() does. Calls solid(sides, points)
-   * for each of their tetrahedra, oriented outward: like the face opposite the last point of a
-   * simplex of Pull(). Calls polygon(sides, sidesOfPolygon, points) for each triangle of the
-   * solid's surface, outward. \a sides are the sides that all points of the solid share.
+   * for each of their tetrahedra, oriented outward, like the face opposite the last point of a
+   * simplex that Pull() visits. Calls polygon(sides, sidesOfPolygon, points) for each triangle of
+   * the solid's surface, oriented outward. \a sides are the sides that all points of the solid
+   * share.
    */
   template <typename SolidVisitor, typename PolygonVisitor>
   void PullSides(

@@ -30,7 +30,7 @@ public:
   {
     /// Image of each slot, indexed by slot. Vertex slots come first.
     std::vector<Slot> Slots;
-    /// Whether the symmetry is a reflection.
+    /// If true, the symmetry is a reflection.
     bool Reverses;
   };
 

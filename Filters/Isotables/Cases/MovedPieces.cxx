@@ -116,8 +116,9 @@ private:
     return piece;
   }
 
-  // Rotates a polygon to the start that CasePatch uses: its largest side, compared by the larger
-  // edge, then by the smaller. If that side is traversed backward, the polygon ends with it.
+  // Rotates a polygon so that it starts as in CasePatch: with its largest side. Sides are compared
+  // by the larger lifted edge of their ends, then by the smaller one. If the largest side is
+  // traversed backward, the polygon ends with it.
   void Rotate(std::vector<Slot>& points) const
   {
     const int number = static_cast<int>(points.size());

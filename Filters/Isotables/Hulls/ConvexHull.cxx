@@ -66,7 +66,7 @@ bool CanCombine(int dimension, std::int64_t a, const Normal& x, std::int64_t b, 
   return fits;
 }
 
-// Builds the hull by the double description method. A facet keeps all of its points.
+// Builds the hull by the double description method. A facet stores all points on its hyperplane.
 class Builder
 {
 public:
@@ -107,7 +107,7 @@ public:
   std::vector<Face> Faces;
 
 private:
-  // Creates a facet from points that span a hyperplane, and a point below it.
+  // Creates the facet on the hyperplane that \a points span. \a inside is a point below the facet.
   Face MakeFace(const PointSet& points, int inside) const
   {
     const Point& origin = this->Points[points.GetFirst()];

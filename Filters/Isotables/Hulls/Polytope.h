@@ -38,8 +38,9 @@ public:
 
   ///@{
   /**
-   * Create the cells of VTK. The edges of the cube are in the order lower, vertical, upper along
-   * the last axis, recursively. The edges of the simplex are in lexicographic order.
+   * Create a cell. In three dimensions, these are VTK_TETRA, VTK_VOXEL, VTK_WEDGE and VTK_PYRAMID.
+   * The edges of the cube are in the order lower, vertical, upper along the last axis, recursively.
+   * The edges of the simplex are in lexicographic order.
    */
   static Polytope Simplex(int dimension);
   static Polytope Cube(int dimension);

@@ -61,8 +61,8 @@ public:
   };
 
   /**
-   * Returns the table of the prism of a three-dimensional cell with time, shared by all users in
-   * the process. Let n be the number of vertices, in the order of vtkIsotable (VTK_TETRA,
+   * Returns the table of the product of a three-dimensional cell and a time interval, shared by all
+   * users in the process. Let n be the number of vertices, in the order of vtkIsotable (VTK_TETRA,
    * VTK_PYRAMID, VTK_WEDGE, VTK_VOXEL). Vertex v < n is v at the first time, and v + n is v at the
    * second time. The edges are the edges of the cell at the first time, its edges at the second
    * time, then the n edges along time.
@@ -137,9 +137,9 @@ public:
   ///@}
 
   /**
-   * Access of one thread to a table, which must outlive the reader. A reader caches its last cases,
-   * so that repeated lookups take no lock and touch no memory that other threads write. It adds its
-   * counts to the table when it is destroyed.
+   * Gives one thread access to a table, which must outlive the reader. A reader caches its last
+   * cases, so that repeated lookups take no lock and touch no memory that other threads write. It
+   * adds its counts to the table when it is destroyed.
    */
   class Reader
   {

@@ -20,10 +20,11 @@ struct Tetrahedra;
  * @brief   computes unknown values at mesh points from the given values at other mesh points
  *
  * The values are interpolated by the discrete harmonic function. It is linear on each tetrahedron,
- * equals the given values, and minimizes the integral of the squared gradient. These are linear
- * finite elements for Laplace's equation, with the three-dimensional version of the matrix of U.
- * Pinkall, K. Polthier, "Computing discrete minimal surfaces and their conjugates", Experimental
- * Mathematics 2(1), 1993. Unlike distance weighting, it respects cavities and concave boundaries.
+ * equals the given values, and minimizes the integral of the squared gradient. This is the linear
+ * finite element solution of Laplace's equation, with the three-dimensional version of the matrix
+ * of U. Pinkall, K. Polthier, "Computing discrete minimal surfaces and their conjugates",
+ * Experimental Mathematics 2(1), 1993. Unlike distance weighting, it respects cavities and concave
+ * boundaries.
  *
  * The solver works on deviations from the least-squares linear fit, which is then added again.
  * Therefore linear functions are reproduced up to rounding error, independent of the solver's

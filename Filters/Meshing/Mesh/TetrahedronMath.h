@@ -6,7 +6,7 @@ namespace interlume
 {
 
 /**
- * Geometry of a tetrahedron a, b, c, d. It is positive if (b-a) . ((c-a) x (d-a)) > 0.
+ * Measures of a tetrahedron a, b, c, d. Its orientation is positive if (b-a) . ((c-a) x (d-a)) > 0.
  */
 namespace TetrahedronMath
 {

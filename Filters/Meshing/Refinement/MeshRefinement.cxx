@@ -14,8 +14,9 @@ namespace
 {
 /// Quality bound that TetGen reaches most reliably.
 constexpr double ReliableQualityBound = 2.0;
-/// A pass is rejected if its smallest tetrahedron shrinks below this fraction of the previous one,
-/// or if its minimum shape falls below MinimumShape.
+/// A pass is rejected if a volume falls below this fraction of the first mesh's smallest volume or,
+/// if that is smaller, of the volume bound. It is also rejected if its minimum shape falls below
+/// MinimumShape and below that of the first mesh.
 constexpr double MinimumVolumeRatio = 1e-6;
 constexpr double MinimumShape = 1e-6;
 constexpr int MaximumNumberOfPasses = 12;
@@ -28,8 +29,9 @@ constexpr int MaximumNumberOfStalls = 2;
 constexpr double NearBoundFactor = 1.5;
 constexpr double TighterQuality = 0.02;
 constexpr double TighterVolume = 0.1;
-/// Maximum growth of the number of points for a mesh that nearly meets the volume bound. More
-/// growth indicates a refinement that does not terminate.
+/// Maximum factor by which refinement may multiply the number of points if the first mesh nearly
+/// meets the volume bound, or if there is none. More points indicate a refinement that does not
+/// terminate.
 constexpr int MaximumGrowth = 4;
 /// Weaker quality bounds. They are used for tetrahedra that remain too large because refinement
 /// with the given bound would not terminate next to small angles.
@@ -52,7 +54,8 @@ bool IsNearBounds(const MeshMeasures& measures)
       measures.LargestVolume <= NearBoundFactor * measures.MaximumVolume);
 }
 
-/// Returns false if a tetrahedron is tiny or degenerate compared to the first mesh and the bounds.
+/// Returns false if a tetrahedron is tiny or degenerate compared to the first mesh and the volume
+/// bound.
 bool IsSound(const MeshMeasures& now, const MeshMeasures& first)
 {
   const double size = now.MaximumVolume > 0.0 ? std::min(first.SmallestVolume, now.MaximumVolume)
@@ -61,8 +64,9 @@ bool IsSound(const MeshMeasures& now, const MeshMeasures& first)
     now.SmallestVolume > MinimumVolumeRatio * size;
 }
 
-/// Solves \a problem with all bounds. If TetGen fails, retries with a quality bound that it reaches
-/// more reliably. If both fail, keeps \a mesh, or returns the error if \a mesh is empty.
+/// Solves \a problem with all bounds. If TetGen fails, retries without a volume bound, and with a
+/// quality bound that it reaches more reliably. If both fail, keeps \a mesh, or returns the error
+/// if \a mesh is empty.
 Error SolveWithin(MeshingJob& job, const TetGenProblem& problem, TetGenSolution& mesh)
 {
   const double quality = job.QualityBound > 0.0 ? job.QualityBound : ReliableQualityBound;
@@ -108,7 +112,7 @@ Error RunPasses(MeshingJob& job, int maximumNumberOfPoints, TetGenSolution& mesh
   {
     const int tighter = IsNearBounds(best) ? stalls : 0;
     TetGenProblem problem;
-    // For a mesh input, TetGen's limit counts all points.
+    // If the input is a mesh, TetGen's limit applies to all points, not only to added points.
     problem.Switches = std::string("rMJnQ") + (job.PreserveBoundary ? "Y" : "") +
       job.GetRefinementSwitches(quality / (1.0 + TighterQuality * tighter),
         job.MaximumVolume / (1.0 + TighterVolume * tighter), maximumNumberOfPoints);

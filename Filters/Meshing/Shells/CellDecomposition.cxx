@@ -86,8 +86,8 @@ bool CellDecomposition::DecomposeFromPoint()
         continue;
       }
       const auto& p = triangle.Points;
-      // A face at the apex must be a fan around it: otherwise its other triangles give degenerate
-      // tetrahedra.
+      // A face that contains the apex must be a fan around the apex. Otherwise, its other triangles
+      // would give degenerate tetrahedra.
       isGood = isGood && std::find(faces.begin(), faces.end(), triangle.Face) == faces.end() &&
         PolarSine(this->Shell.GetPoint(apex), this->Shell.GetPoint(p[0]),
           this->Shell.GetPoint(p[1]), this->Shell.GetPoint(p[2])) > DegenerateShape;

@@ -228,7 +228,7 @@ void ClosedSurface::MergePoints(const std::map<int, int>& merged)
       }
     }
   }
-  // Triangles that collapse have no area.
+  // Collapsed triangles have no area, so remove them.
   const auto hasCollapsed = [](const Triangle& triangle)
   {
     const std::array<int, 3>& p = triangle.Points;

@@ -306,7 +306,8 @@ void PlanarTriangulation::AddSegment(const Edge& segment)
       }
       const int orientation = this->Orientation(a, b, apex);
       this->Good = orientation != 0;
-      // Continue with the edge between the apex and the end on the other side of the segment.
+      // Continue with the edge from the apex to that end of the current edge that is on the other
+      // side of the segment.
       t = u;
       i = orientation > 0 ? IndexOf(next.Points, edge[0] == right ? edge[1] : edge[0])
                           : IndexOf(next.Points, right);

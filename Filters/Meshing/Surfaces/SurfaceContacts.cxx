@@ -391,7 +391,7 @@ Error SurfaceContacts::SplitTogether(const std::vector<int>& members)
     }
     return found.first->second;
   };
-  // Members bounded by each edge segment.
+  // The overlapping triangles that each edge segment bounds.
   std::map<Edge, std::vector<int>> pieces;
   const auto addPiece = [&](int p, int q) -> std::vector<int>&
   {

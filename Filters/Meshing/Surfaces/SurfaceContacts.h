@@ -60,12 +60,12 @@ private:
   std::vector<int> PointsAlong(const Edge& edge) const;
   /// Splits a set of overlapping coplanar triangles, or a single triangle.
   Error SplitTogether(const std::vector<int>& members);
-  /// Adds the triangles that the members cover. \a pieces contains the members bounded by each edge
-  /// segment.
+  /// Adds the triangles of \a plane that any of the overlapping triangles covers. \a pieces lists,
+  /// for each edge segment, the overlapping triangles that it bounds.
   void AddCoveredTriangles(const class PlanarTriangulation& plane, const std::vector<int>& ids,
     const std::map<Edge, std::vector<int>>& pieces);
 
-  /// Adds a part of triangle \a t to the result.
+  /// Adds a part of triangle \a t, covered by \a layers input triangles, to the result.
   void AddPart(int t, const std::array<int, 3>& points, int layers);
   const double* GetPoint(int p) const { return this->Surface.GetPoint(p); }
   int GetCorner(int t, int i) const;

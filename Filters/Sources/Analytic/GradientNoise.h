@@ -12,10 +12,10 @@ namespace interlume
  * @brief   Perlin's improved gradient noise, and sums of its octaves
  *
  * The noise is from K. Perlin, "Improving noise", SIGGRAPH 2002. A permutation of 0 ... 255 assigns
- * one of twelve gradients, toward the edges of a cube, to each integer point. They are interpolated
- * with 6 t^5 - 15 t^4 + 10 t^3. The noise is 0 at integer points, has continuous second
- * derivatives, mean 0, values between about -1 and 1, and period 256 in each direction. It is 0 at
- * positions that are not finite.
+ * one of twelve gradients, toward the edges of a cube, to each integer point. Between integer
+ * points, the linear functions with these gradients are blended with 6 t^5 - 15 t^4 + 10 t^3. The
+ * noise is 0 at integer points, has continuous second derivatives, mean 0, values between about -1
+ * and 1, and period 256 in each direction. It is 0 at positions that are not finite.
  *
  * Seed 0 uses the published permutation. Other seeds shuffle 0 ... 255 with a built-in generator,
  * so that a seed produces the same noise with every compiler and library.

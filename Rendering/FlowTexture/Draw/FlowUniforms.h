@@ -20,7 +20,7 @@ public:
   /// Sets all uniforms of ray casting, including those of SetMedium.
   static void Set(
     vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderPass& pass);
-  /// Sets the uniforms for textures and shading, which slices use, too.
+  /// Sets the uniforms for textures and shading. Slices use only these.
   static void SetMedium(
     vtkShaderProgram* program, const FlowRenderState& scene, const FlowRenderPass& pass);
 };

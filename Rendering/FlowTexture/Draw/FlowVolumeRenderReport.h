@@ -25,8 +25,7 @@ struct FlowVolumeRenderReport
   int SurfacesWithoutTexture = 0;
   /// UniformCells: cells whose corners all reached the same surface. SplitCells: cells at a border
   /// between surfaces, at a seam, or with some corners that reached no surface. EmptyCells: cells
-  /// without a corner that reached a surface. Surface coordinates continue past a period, so there
-  /// is a seam only where the two directions around an axis meet.
+  /// without a corner that reached a surface. Few cells are at a seam, see UnwrappedParameters.
   vtkIdType UniformCells = 0;
   vtkIdType SplitCells = 0;
   vtkIdType EmptyCells = 0;
@@ -63,7 +62,7 @@ struct FlowVolumeRenderReport
   vtkIdType LightBufferBytes = 0;
   /// Distance between samples along a view ray, in world units.
   double SampleDistance = 0.0;
-  /// Number of viewport pixels per rendered pixel, along an axis.
+  /// Number of viewport pixels per rendered pixel, in x and in y.
   double ImageSampleDistance = 1.0;
   /// Time in seconds until all commands of this frame are sent to the GPU.
   double Seconds = 0.0;

@@ -38,7 +38,7 @@ public:
     std::array<int, 2> Size{};
   };
 
-  /// Finds the images of the grid's surfaces, and sets the data of each surface.
+  /// Finds the images for the grid's surfaces, and fills Paints and Surfaces.
   void Assign(const Images& images, const FlowGrid& grid);
 
   std::vector<Paint> Paints;
@@ -48,7 +48,7 @@ public:
   /// Incremented when Surfaces changes.
   vtkMTimeType Version = 0;
   int WithoutTexture = 0;
-  /// If true, all surfaces have the same data.
+  /// If true, all labels except 0 have the same numbers in Surfaces.
   bool IsUniform = true;
 };
 

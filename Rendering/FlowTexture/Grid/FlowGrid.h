@@ -41,7 +41,7 @@ public:
     SEAM = 4096,
     EMPTY = 8192
   };
-  /// Factor of labels in Groups. The remainder is 0, or 1 or 2 for the side of an AWAY voxel.
+  /// Factor of the labels in Groups. The side is added: 1 or 2 for an AWAY voxel, otherwise 0.
   static constexpr int NumberOfSides = 3;
 
   /// Periodicity of u and v.

@@ -11,7 +11,8 @@ class FlowGrid;
 
 /**
  * @class   SmoothVoxels
- * @brief   texels of an implicit flow field that often make one interpolated lookup sufficient
+ * @brief   packs an implicit flow field into texels, so that one interpolated lookup is often
+ * sufficient
  *
  * Each voxel has four numbers:
  * - u and v;
@@ -21,8 +22,8 @@ class FlowGrid;
  *   nearest cell that is not empty, in the maximum norm, if all adjacent cells are empty; otherwise
  *   MIXED.
  *
- * An interpolated fourth number is a label, or negative, only if no corner is MIXED: this value is
- * so large that even the smallest interpolation weight yields more than any label. Split cells and
+ * An interpolated fourth number is a label, or negative, only if no corner is MIXED: MIXED is so
+ * large that even with the smallest interpolation weight it exceeds any label. Split cells and
  * cells at a seam have only MIXED corners.
  */
 class SmoothVoxels

@@ -14,8 +14,9 @@ namespace interlume
 
 namespace
 {
-// Queue of voxels whose neighbors are to be visited. Voxels with a smaller difference from the
-// voxel they were reached from come first, in order of insertion.
+// Queue of voxels whose neighbors are to be visited. Voxels are ordered by their difference from
+// the voxel from which they were reached, in a fixed number of levels. Within a level they remain
+// in order of insertion.
 class VoxelQueue
 {
 public:

@@ -11,11 +11,12 @@ class FlowGrid;
  * @class   UnwrappedParameters
  * @brief   adds whole periods to the surface coordinates of voxels, to reduce the number of seams
  *
- * Along a periodic direction, u and u + 1 are the same point. In a rotating flow the seam between 1
- * and 0 is wound up, with one sheet per turn. Coordinates that continue past 1 have a seam only
- * where the two directions around the axis meet. Each voxel takes the period in which it differs
- * from a neighbor with the same label by at most one half (K. Itoh, "Analysis of the phase
- * unwrapping algorithm", 1982). Neighbors with small differences are processed first.
+ * Along a periodic direction, u and u + 1 are the same point. A rotating flow winds up the seam
+ * between 1 and 0, with one sheet per turn. If coordinates continue past 1, a seam remains only
+ * where voxels that were processed in opposite directions around the axis meet. Whole periods are
+ * added to a voxel's coordinate so that it differs from a neighbor with the same label by at most
+ * one half (K. Itoh, "Analysis of the phase unwrapping algorithm", 1982). Neighbors with small
+ * differences are processed first.
  */
 class UnwrappedParameters
 {

@@ -140,7 +140,7 @@ private:
   bool HasLayers = false;
   LayerBatches Plan;
   vtkNew<vtkOpenGLBufferObject> Tiles;
-  /// Mean of the layers, as large as a layer.
+  /// Mean of the layers, with as many texels as one layer.
   vtkNew<vtkTextureObject> Sum;
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   SlicePass Fill;

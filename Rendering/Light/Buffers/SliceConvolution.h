@@ -26,11 +26,11 @@ namespace interlume
  * @brief   soft shadows by convolving the light buffer from slice to slice
  *
  * Implements the method of C. Zhang, dissertation, Ohio State University, 2006, section 2.4. The
- * virtual light is the emitter projected onto the plane of the slices. Between the slice of the
- * last convolution, at distance Z from the light, and a slice dZ behind it, the penumbra widens by
- * dx = L dZ / Z (equation 2.14). dx accumulates along each axis of the buffer until it exceeds two
- * texels. The buffer is then convolved with a box whose width is the integer part of dx, and the
- * remainder is retained.
+ * virtual light, of width L, is the emitter projected onto the plane of the slices. Between the
+ * slice of the last convolution, at distance Z from the light, and a slice dZ behind it, the
+ * penumbra widens by dx = L dZ / Z (equation 2.14). dx accumulates along each axis of the buffer
+ * until it exceeds two texels. The buffer is then convolved with a box whose width is the integer
+ * part of dx, and the remainder is retained.
  *
  * The spread of n convolutions with boxes of width w is w sqrt(n / 12), not n w / sqrt(12).
  * Penumbras therefore become narrower as the slice spacing and the texel size decrease.

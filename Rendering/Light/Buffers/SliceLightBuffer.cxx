@@ -72,16 +72,16 @@ Error SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const ImageState&
   {
     this->Framebuffer->ActivateDrawBuffer(0);
   }
-  // Resize before clearing: OpenGL clears and draws only inside all attachments, and the attachment
-  // of the last image may be smaller.
+  // Resize before clearing: OpenGL clears and draws only inside all attachments, and the depth
+  // attachment of the last image may be smaller.
   this->Bytes += this->Occlusion.Prepare(window, this->Framebuffer, this->Size, this->Size, false);
   SliceOcclusion::Clear(window);
   // The buffer of a wide light contains optical depth.
   const float start = light.IsWide ? 0.0f : 1.0f;
   window->GetState()->vtkglClearColor(start, start, start, 1.0f);
   glClear(GL_COLOR_BUFFER_BIT);
-  // A layer must end far enough in front of a surface. Then this number of texels on each side of a
-  // position does not reach the surface, for light at up to 60 degrees from the normal.
+  // A layer must end far enough in front of a surface that lookups this many texels from a position
+  // are not darkened by the surface itself, for light at up to 60 degrees from the normal.
   constexpr double texels = 1.5;
   constexpr double maximum = 64.0;
   this->Period = static_cast<int>(

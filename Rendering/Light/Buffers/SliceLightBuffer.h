@@ -62,10 +62,10 @@ public:
   void SetUnused() { this->Bytes = 0; }
 
   /**
-   * Prepares the buffer for a sweep, with a transmittance of 1. \a light is the light of this
-   * buffer in the sweep. \a polygons are the slices of the volumes that attenuate it. The plan must
-   * remain valid during the sweep. Returns an error if the GPU runs out of memory or a shader
-   * cannot be compiled.
+   * Prepares the buffer for a sweep, with a transmittance of 1. \a light is the plan of this
+   * light in the sweep. \a polygons are the slices of the volumes that attenuate the light. The
+   * plan must remain valid during the sweep. Returns an error if the GPU runs out of memory or a
+   * shader cannot be compiled.
    */
   Error Prepare(vtkOpenGLRenderWindow* window, const ImageState& image,
     const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
@@ -103,7 +103,8 @@ public:
   /// whenever it updates the buffer.
   void MarkOccluded(vtkOpenGLRenderWindow* window);
 
-  /// Reads \a size times \a size texels. Returns an empty vector for a light inside the volume.
+  /// Reads the \a size x \a size texels of the buffer and sets \a size and \a channels. Returns an
+  /// empty vector for a wide light or an unused buffer.
   std::vector<float> Read(vtkOpenGLRenderWindow* window, int& size, int& channels);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -145,7 +146,7 @@ private:
   /// Framebuffer for drawing other volumes into a layer.
   vtkNew<vtkOpenGLFramebufferObject> LayerFramebuffer;
   SliceOcclusion Occlusion;
-  /// Method of the soft shadows of an area light. At most one of the two is set.
+  /// Soft shadows of an area light. At most one of these two pointers is set.
   std::unique_ptr<EmitterSampleLayers> Samples;
   std::unique_ptr<SliceConvolution> Convolution;
   bool IsWide = false;

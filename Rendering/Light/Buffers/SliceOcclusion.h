@@ -28,8 +28,8 @@ namespace interlume
 class SliceOcclusion
 {
 public:
-  /// Number of slabs between two updates. Slabs with a thick medium cost more to draw and are
-  /// checked more often.
+  /// Number of slabs between two updates. The second value applies if slabs have thick fragments or
+  /// a dense medium and therefore cost more to draw.
   static constexpr int Interval = 16;
   static constexpr int ThickInterval = 4;
 

@@ -12,7 +12,7 @@ namespace interlume
 
 /**
  * @class   ImageSettings
- * @brief   settings shared by all volumes of an image
+ * @brief   settings shared by all volumes of a rendered image
  *
  * If the volumes' settings differ, the highest quality and the lowest memory limit apply; see
  * vtkShadowedScenePass.h.
@@ -29,8 +29,8 @@ struct ImageSettings
   bool AutoAdjustSampleDistances = true;
   int NumberOfLightSamples = 1;
   int SoftShadowMethod = vtkShadowedSliceSettings::SAMPLED_LIGHTS;
-  /// Size of light buffers, or 0 if any volume has an automatic size. MinimumBufferSize is then a
-  /// lower bound.
+  /// Size of light buffers in texels, or 0 if any volume requests an automatic size.
+  /// MinimumBufferSize is then a lower bound.
   int LightBufferSize = std::numeric_limits<int>::max();
   int MinimumBufferSize = 0;
   vtkIdType MaximumTextureMemory = 0;

@@ -30,10 +30,10 @@ namespace
 constexpr int AutomaticCells = 32;
 // A key that differs from every valid key.
 const std::vector<double> NoKey{ -1.0 };
-// Maximum number of area light samples. More would not be visible at the grid's resolution.
+// Maximum number of samples per area light. More would not be visible at the grid's resolution.
 constexpr int MaximumLightSamples = 16;
 
-// Returns the lights that the medium attenuates. Only their light is scattered more than once.
+// Returns the lights that the medium attenuates. Multiple scattering is computed only for them.
 std::vector<LightSource> FindLights(const VolumeRenderState& frame)
 {
   std::vector<LightSource> lights;
@@ -113,7 +113,7 @@ std::vector<double> MakeKey(const VolumeRenderState& frame,
   }
   for (const LightSource& light : lights)
   {
-    // Maps are identified by their light's address.
+    // VolumeResources finds the light of each scattered-light map by address.
     key.push_back(GetAddress(light.Light));
     AddLight(key, light);
   }
@@ -200,7 +200,7 @@ bool ScatteringUpdater::MakeGrid(const std::vector<Volume>& volumes)
     this->HasGrid = this->Grid.Build(media);
     this->GridKey = key;
   }
-  // SurfaceOcclusionGrid marks the blocked cells again.
+  // MakeField marks the blocked cells again.
   this->Grid.GetMedium().Blocked.clear();
   return this->HasGrid;
 }
@@ -248,7 +248,8 @@ Error ScatteringUpdater::MakeField(vtkOpenGLRenderWindow* window, VolumeRenderSt
         direct[i].Direct[cell] *= transmitted[i][cell];
       }
     }
-    // Shadow maps resolve direct light better than blocked cells, which only stop scattered light.
+    // Block cells only now: shadow maps resolve direct light better than blocked cells do, so these
+    // must stop only scattered light.
     SurfaceOcclusionGrid::Block(*frame.Image->Scene, frame.Space.GetWorldFromUnit(), grid);
   }
   ScatteringSettings solverSettings;

@@ -41,21 +41,21 @@ public:
   };
 
   /**
-   * Computes multiple scattering if the settings request it and an input has changed: the medium or
-   * position of a volume, a light, the number of light samples, or the shadows of surfaces. Copies
-   * \a known, the scattering of another volume, if \a other has computed it from the same inputs.
-   * Returns an error if the computation fails.
+   * Computes multiple scattering if the settings request it and an input has changed: a setting,
+   * the medium or position of a volume, a light, the number of light samples, or the shadows of
+   * surfaces. If \a other has already computed the scattering of another volume, \a known, from the
+   * same inputs, copies \a known instead. Returns an error if the computation fails.
    */
   Error Solve(vtkOpenGLRenderWindow* window, VolumeRenderState& frame,
     const std::vector<Volume>& volumes, const vtkShadowedSliceSettings& settings, int lightSamples,
     const ScatteringUpdater* other, const SliceScattering* known);
 
-  /// Sets the values of \a report for the last result.
+  /// Writes the statistics of the last result to \a report.
   void Fill(SliceReport& report) const;
 
   /// Returns the number of cells blocked by opaque surfaces in the last result.
   int GetBlockedCells() const { return this->BlockedCells; }
-  /// Returns a version number above 0 that changes whenever the texels change.
+  /// Returns a version number above 0 that changes whenever the data of SliceScattering change.
   int GetVersion() const { return this->Version; }
 
 private:

@@ -49,7 +49,7 @@ void SlicePlanner::Make(ImageState& image, const States& states,
   report.SoftShadowLights =
     static_cast<int>(std::count_if(image.Lights.begin(), image.Lights.end(), isSoft));
 
-  // Surfaces and layers use the same samples of a light.
+  // Surfaces and sample layers use the same samples of a light.
   const int samples = std::max(
     shared.NumberOfLightSamples, image.Scene ? image.Scene->Occluders->GetLightSamples() : 0);
   std::vector<int> sampled;
@@ -57,8 +57,8 @@ void SlicePlanner::Make(ImageState& image, const States& states,
   {
     constexpr std::array<const char*, 3> names{ { "AccumulatedConvolution", "SampleLayers",
       "SampledLights" } };
-    // Surfaces of a scene attenuate an area light as a whole. With a separate light per sample, the
-    // transmitted fractions would be multiplied. Sample layers avoid this.
+    // Surfaces of a scene attenuate an area light as a whole. With a separate light per sample,
+    // the mean over all samples would attenuate each of them. Sample layers avoid this.
     const bool isOfLayers =
       image.Scene != nullptr && shared.SoftShadowMethod == vtkShadowedSliceSettings::SAMPLED_LIGHTS;
     const int method = isOfLayers ? static_cast<int>(vtkShadowedSliceSettings::SAMPLE_LAYERS)
@@ -106,7 +106,7 @@ vtkIdType SlicePlanner::GetBufferBytes(const ImageState& image, const States& st
     pixels * static_cast<vtkIdType>(sizeof(float)) * (image.Plan.HasFurtherImages() ? 9 : 5);
   for (std::size_t sweep = 0; sweep < image.Plan.Sweeps.size(); ++sweep)
   {
-    // Thick fragments need two layers per buffer.
+    // Each volume with thick fragments needs two layers per light buffer.
     const auto thick = static_cast<int>(std::count_if(states.begin(), states.end(),
       [sweep](const VolumeRenderState* other)
       { return SliceShader::HasThickPart(*other, sweep); }));
@@ -122,7 +122,8 @@ vtkIdType SlicePlanner::GetBufferBytes(const ImageState& image, const States& st
 
 double SlicePlanner::ChooseCoarseness(double seconds, double lastCoarseness, double allocated)
 {
-  // Rendering time is proportional to the number of slices and to the pixels along both edges.
+  // Rendering time is proportional to the number of slices and to the number of pixels along each
+  // edge of the image.
   const double full = seconds * std::pow(lastCoarseness, 3.0);
   for (const double coarseness : COARSENESS_FACTORS)
   {

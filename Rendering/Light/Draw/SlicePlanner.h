@@ -18,7 +18,7 @@ struct VolumeRenderState;
 
 /**
  * @class   SlicePlanner
- * @brief   creates the slice plan of an image from the shared settings
+ * @brief   creates the slice plan of an image from the volumes' shared settings
  */
 class SlicePlanner
 {
@@ -29,7 +29,7 @@ public:
   using States = std::vector<const VolumeRenderState*>;
 
   /**
-   * Plans the slices of \a volumes for \a image, whose camera, lights and scene are set. Area
+   * Plans the slices of \a volumes for \a image, whose camera, lights and scene must be set. Area
    * lights without soft-shadow buffers are replaced by one light per sample. \a coarseness
    * multiplies automatic spacings.
    */
@@ -40,8 +40,8 @@ public:
   /// Returns the size of the image and light buffers in bytes.
   static vtkIdType GetBufferBytes(const ImageState& image, const States& states);
 
-  /// Returns the factor for automatic spacings with which rendering should take the \a allocated
-  /// time, given the duration and the factor of the last image.
+  /// Returns the factor for automatic spacings that should keep rendering within the \a allocated
+  /// time, given the rendering time and the factor of the last image.
   static double ChooseCoarseness(double seconds, double lastCoarseness, double allocated);
 };
 

@@ -31,7 +31,8 @@ namespace interlume
 
 namespace
 {
-// Maximum ratio of slices rendered together to slices of all volumes rendered separately.
+// Maximum ratio of the number of slices for rendering volumes together to the number for rendering
+// them separately.
 constexpr double MAXIMUM_SLICE_RATIO = 8.0;
 
 std::array<double, 6> GetBounds(const VolumeResources* volume)
@@ -58,7 +59,7 @@ SlicePlan::Camera FindCamera(vtkRenderer* renderer, const UnitSpace& space)
   const glm::dmat4 inverse = glm::inverse(eye.ClipFromUnit);
 
   eye.IsParallel = camera->GetParallelProjection() != 0;
-  // The camera is the intersection of all view rays, also in sheared stereo views.
+  // The camera is the intersection of all view rays, even in sheared stereo views.
   const glm::dvec4 apex = inverse * glm::dvec4(0.0, 0.0, -1.0, 0.0);
   const glm::dvec4 near = inverse * glm::dvec4(0.0, 0.0, -1.0, 1.0);
   const glm::dvec4 far = inverse * glm::dvec4(0.0, 0.0, 1.0, 1.0);
@@ -74,7 +75,8 @@ ImageState::ViewPlane MakeViewPlane(const glm::dmat4& clipFromUnit, double sign)
 {
   const glm::dvec4 plane = glm::row(clipFromUnit, 3) + sign * glm::row(clipFromUnit, 2);
   const glm::dvec4 scaled = plane / glm::length(glm::dvec3(plane));
-  // The volumes are inside the unit sphere.
+  // The volumes are inside the unit sphere, so a plane at a distance of 1 or more cuts none of
+  // them.
   return { scaled.w < 1.0, { { scaled.x, scaled.y, scaled.z, scaled.w } } };
 }
 
@@ -292,8 +294,8 @@ Error SliceRenderer::DrawSlices(vtkRenderer* renderer, const Volumes& volumes, S
   Error error = rasterizer->Draw(renderer, this->Image, drawn, report);
   for (std::size_t i = 0; i < volumes.size() && !error && this->Image.Scene; ++i)
   {
-    // One volume's scattered light includes the medium of all volumes, so it must be added only
-    // once.
+    // The scattered light of one volume is computed from the media of all volumes, so it must be
+    // added only once.
     if (volumes[i]->AddScatteredLight(window))
     {
       break;

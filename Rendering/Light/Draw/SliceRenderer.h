@@ -34,7 +34,7 @@ struct VolumeRenderState;
  * Several volumes are moved to one unit space. They share the slice plan, the image and one buffer
  * per light. Each volume has its own samples, blocks, transfer functions, textures and programs.
  * Shared settings are documented in vtkShadowedScenePass.h. Volumes are sorted by their bounds, so
- * that the image does not depend on their order.
+ * that the image does not depend on the order in which they are passed.
  */
 class SliceRenderer
 {
@@ -51,8 +51,8 @@ public:
    */
   Error Draw(vtkRenderer* renderer, const Volumes& volumes, SliceScene* scene);
 
-  /// Composites the image over the bound framebuffer, once after Draw. During a selection, draws
-  /// the selector's color where the volumes are visible.
+  /// Composites the image over the bound framebuffer. Repeated calls after one Draw have no effect.
+  /// During a selection, draws the selector's color where the volumes are visible.
   void Show(vtkRenderer* renderer);
 
   /// Implements vtkShadowedSliceMapper::ReadLightBuffer.
@@ -82,7 +82,7 @@ private:
   UnitSpace Space;
   bool IsShown = false;
   std::map<vtkWindow*, std::unique_ptr<SliceRasterizer>> Windows;
-  /// Duration of the last image in seconds, and its coarseness.
+  /// Rendering time of the last image in seconds, and its coarseness.
   double LastSeconds = 0.0;
   double LastCoarseness = 1.0;
 };

@@ -23,8 +23,8 @@ struct SliceScene;
  * @class   SurfaceOcclusionGrid
  * @brief   computes the occlusion of light by surfaces of a scene in the cells of a grid
  *
- * The transmitted fraction of each light is evaluated with the same shadow maps and shader
- * functions as in slices, for opaque and translucent surfaces. Cells that opaque surfaces intersect
+ * The transmitted fraction of each light is evaluated with the shadow maps and shader functions
+ * that slices use, for opaque and translucent surfaces. Cells that opaque surfaces intersect
  * absorb scattered light.
  */
 class SurfaceOcclusionGrid
@@ -38,8 +38,8 @@ public:
   static void Block(const SliceScene& scene, const glm::dmat4& worldFromUnit, ExtinctionGrid& grid);
 
   /**
-   * Computes the transmitted fractions: a value per cell for each light, or an empty list if no
-   * surface blocks the light. The \a scene must have shadows of surfaces. Returns an error if
+   * Computes the transmitted fractions: for each light, a value per cell, or an empty list if no
+   * surface blocks the light. Call this only if GetTime(&scene) is above 0. Returns an error if
    * drawing fails.
    */
   static Error Make(vtkOpenGLRenderWindow* window, const SliceScene& scene,

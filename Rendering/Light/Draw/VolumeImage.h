@@ -43,13 +43,13 @@ public:
   static Error DrawTogether(vtkRenderer* renderer, const std::vector<VolumeImage*>& images,
     const std::shared_ptr<SliceRenderer>& together, SliceScene& scene);
 
-  /// Return true if the image is a part of a scene (until End), or if it was rendered together with
-  /// other volumes.
+  /// Returns true, until End is called, if the image is a part of a scene.
   bool IsInScene() const { return this->Scene != nullptr; }
+  /// Returns true if the volume was rendered together with other volumes.
   bool IsTogether() const { return this->Together != nullptr; }
 
-  /// Finishes the image after Draw, or after its whole scene is rendered, and updates the mapper's
-  /// report.
+  /// Finishes the image after Draw, or after the entire scene has been rendered, and updates the
+  /// mapper's report.
   void End();
 
   /// Returns true if there is a volume or an error.

@@ -240,7 +240,7 @@ Error VolumeResources::UpdateData(vtkOpenGLRenderWindow* window)
   VolumeRenderState& state = this->State;
   state.IsSoftware = SoftwareOpenGL::IsUsed(window);
   state.Medium = this->CurrentRequest.Medium;
-  // Gradient magnitudes do not depend on the axis direction.
+  // Gradient magnitudes do not depend on the sign of the spacing.
   const glm::dvec3 spacing = glm::abs(glm::make_vec3(this->CurrentRequest.Image->GetSpacing()));
   state.GradientSteps = (spacing.x + spacing.y + spacing.z) / 3.0 / spacing;
   const Request& request = this->CurrentRequest;

@@ -63,7 +63,7 @@ public:
   };
 
   /// Begins an image with an empty report. \a error is set if the request is invalid, and becomes
-  /// the result.
+  /// the error of the result.
   void SetRequest(const Request& request, const Error& error);
   const Request& GetRequest() const { return this->CurrentRequest; }
   const VolumeRenderState& GetState() const { return this->State; }
@@ -97,8 +97,8 @@ public:
   SliceTextures& GetTextures(vtkWindow* window);
   vtkIdType GetTextureBytes() const;
 
-  /// Adds the volume's multiply scattered light to the scene, for its surfaces. Call Upload first.
-  /// Returns false if no light has been scattered.
+  /// Adds the volume's multiply scattered light to the scene, so that it lights the surfaces there.
+  /// Call Upload first. Returns false if the volume has no multiply scattered light.
   bool AddScatteredLight(vtkOpenGLRenderWindow* window);
 
   /// Sets the report from values shared by all volumes and from values of this volume.
@@ -125,7 +125,7 @@ private:
   ScatteringUpdater Scatterer;
   int SamplesVersion = 0;
   int MaterialVersion = 0;
-  /// Number of bytes uploaded for this image.
+  /// Number of bytes uploaded for the current image.
   vtkIdType UploadedBytes = 0;
   std::map<vtkWindow*, std::unique_ptr<WindowResources>> Windows;
 };

@@ -24,9 +24,9 @@ class VolumeSamples;
  * @brief   mean extinction and albedo of volumes in the cells of a box
  *
  * The box encloses the visible blocks of all volumes that scatter, inside the cropping region. It
- * is aligned with the edges of the first volume if these are orthogonal and the other volumes'
- * edges are parallel to them. Otherwise it is aligned with the world axes. Its coordinates are
- * rotated unit space coordinates, which all volumes share, relative to the box's lower corner.
+ * is aligned with the edges of the first of these volumes if the edges are orthogonal and the other
+ * volumes' edges are parallel to them. Otherwise it is aligned with the world axes. Its coordinates
+ * are rotated unit space coordinates, which all volumes share, relative to the box's lower corner.
  * Extinctions refer to lengths in these coordinates.
  *
  * Cells are as close to cubes as integer counts allow. A box thinner than half a cell is enlarged

@@ -185,7 +185,7 @@ ExtinctionSampler::Sample ExtinctionSampler::Get(const glm::dvec3& position) con
     glm::dvec3 color(values[0], values[1], values[2]);
     if (material.Kind == MaterialTable::RGB_OPACITY)
     {
-      // The scalars of byte arrays are in 0 to 255. The slices' shader reads them as 0 to 1.
+      // The scalars of byte arrays range from 0 to 255. The slices' shader reads them as 0 to 1.
       const bool isByte =
         this->Volume.Samples.Scale[0] == 255.0 && this->Volume.Samples.Offset[0] == 0.0;
       color /= isByte ? 255.0 : 1.0;

@@ -21,7 +21,7 @@ namespace interlume
 
 namespace
 {
-// Unattenuated light of one position or direction in the cells of a grid.
+// Unattenuated light from one position or direction in the cells of a grid.
 class GridColor
 {
 public:

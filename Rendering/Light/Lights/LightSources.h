@@ -29,10 +29,10 @@ public:
 
   /**
    * Returns all lights that are switched on and not black, in the renderer's order. Positions and
-   * directions are valid for the renderer's camera. Among lights that cast shadows, only the
-   * brightest (intensity times the largest channel of the diffuse color) keep their ShadowStrength.
-   * The diffuse and specular colors of an area light are multiplied by the mean color of its
-   * emitter's image.
+   * directions are computed for the renderer's camera. Among lights that cast shadows, only the
+   * MaximumNumberOfShadowLights brightest (intensity times the largest channel of the diffuse
+   * color) keep their ShadowStrength. The diffuse and specular colors of an area light are
+   * multiplied by the mean color of its emitter's image.
    *
    * Adds a message to \a warnings for each light that is skipped: if values are not finite, the
    * image of a projective or area light is invalid, or position and focal point coincide.

@@ -13,17 +13,17 @@ namespace interlume
 namespace
 {
 
-// Border around a slice, in light buffer texels. Interpolation within the slice's slab reads it,
-// also in layers, whose texels are twice as large.
+// Border around a slice, in light buffer texels. Interpolation in the slice's slab reads this
+// border, also from layers, whose texels are twice as large.
 constexpr double Border = 4.0;
 
-// Maximum number of slabs in a batch. Inside a batch, its slabs cast hard shadows on each other.
+// Maximum number of slabs in a batch. Slabs of the same batch cast hard shadows on each other.
 constexpr int LongestBatch = 64;
 
 // Limits for the divergence between the shadows cast by light from the emitter's edge and from its
 // center within a batch, in texels of the light buffer. A small light diverges little over the
-// entire volume. It gets at least MinimumBatches batches, unless they would be finer than the
-// layers' resolution.
+// entire volume. It gets at least MinimumBatches batches, unless the divergence within a batch
+// would then be less than DivergenceResolution.
 constexpr double DivergenceBound = 2.0;
 constexpr double DivergenceResolution = 0.25;
 constexpr double MinimumBatches = 20.0;

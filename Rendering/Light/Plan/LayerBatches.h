@@ -16,15 +16,15 @@ class SlicePolygons;
  * @class   LayerBatches
  * @brief batches of slabs that are multiplied into an area light's layers together
  *
- * A batch starts at a slab that is not empty. Its end is determined by the divergence between the
- * shadows cast by light from the emitter's edge and from its center: it is limited to two texels of
- * the light buffer, and to 1/20 of the divergence over the entire volume. A batch is treated as if
- * all of its extinction were in its central plane, which shifts shadows by up to half that
- * divergence. The second bound is needed for small lights, whose penumbras are not much wider than
- * two texels. It costs at most 20 batches.
+ * A batch starts at a slab that is not empty. Shadows cast by light from the emitter's edge diverge
+ * from shadows cast by light from its center. Within a batch, they may diverge by at most two
+ * texels of the light buffer, and by at most 1/20 of the divergence over the entire volume. A batch
+ * is treated as if all of its extinction were in its central plane, which shifts shadows by up to
+ * half the divergence within the batch. The second limit is for small lights, whose penumbras are
+ * not much wider than two texels. It adds at most 20 batches.
  *
- * Only tiles of about TileSize x TileSize texels that may contain a slice of the batch are drawn,
- * with a border for interpolation. Adjacent tiles of a row are merged into one rectangle. The last
+ * Only tiles of TileSize x TileSize texels that may contain a slice of the batch are drawn, with a
+ * border for interpolation. Adjacent tiles of a row are merged into one rectangle. The last
  * batch covers the entire buffer, so that the final transmittance is valid everywhere.
  */
 class LayerBatches
@@ -44,8 +44,8 @@ public:
   void Build(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light,
     const std::vector<const SlicePolygons*>& polygons, bool coversBuffer);
 
-  /// Returns true if the shadows diverge by more than the limit for \a batches batches between the
-  /// end of \a first and the start of \a second.
+  /// Returns true if the slabs from the last one of \a first to the first one of \a second would
+  /// need more than \a batches batches.
   bool AreSeparated(const Batch& first, const Batch& second, int batches) const;
 
   const std::vector<Batch>& Get() const { return this->Batches; }

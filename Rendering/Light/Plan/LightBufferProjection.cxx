@@ -18,7 +18,7 @@ namespace
 
 using namespace UnitVector;
 
-// Minimum cosine between the axis and a ray, for a bounded perspective window.
+// Minimum cosine between the axis of a perspective window and a ray.
 constexpr double SmallestDepth = 1e-3;
 
 constexpr int SmallestBuffer = 16;
@@ -27,7 +27,8 @@ constexpr int SmallestWithLayers = 96;
 constexpr int LargestAutomatic = 2048;
 constexpr int Multiple = 16;
 
-// Number of emitter samples that are tested for slices seen edge-on, if there are no layers.
+// Without layers, number of emitter samples from which PlanSoftShadows tests that no slice is seen
+// edge-on.
 constexpr int CornerSamples = 16;
 
 // Returns the light direction at a point.
@@ -201,7 +202,7 @@ void LightBufferProjection::FitPlane(
     window = screen;
   }
 
-  // Depth that the matrix maps to 1, and depth of the boxes' center.
+  // Depth that the matrix maps to a fourth coordinate of 1, and depth of the boxes' center.
   double depth = 1.0;
   double centerDepth = 1.0;
   if (window.IsPerspective)
@@ -329,7 +330,8 @@ void LightBufferProjection::FitHalfSpace(
     const std::array<double, 2> range = this->Corners.GetRange(axes[i]);
     const double height = glm::dot(position, axes[i]);
     const double farthest = std::max(range[1] - height, i < 2 ? height - range[0] : 0.0);
-    // If the light is near a face, few rays reach the farthest point, and texels are expensive.
+    // If the light is near a face, few rays reach the farthest point, so do not refine the buffer
+    // for that point.
     const double outside = std::max({ range[0] - height, height - range[1], 0.0 });
     const double reach = std::min(farthest, 0.7 * (range[1] - range[0]) + 2.0 * outside);
     texels = std::max(texels, reach / this->GetVoxelSpacing(axes[i], reach));

@@ -26,12 +26,12 @@ class LightBufferProjection
 public:
   /// Width of the border on each side, in texels.
   static constexpr int Border = 2;
-  /// Minimum distance at which a positional light is fitted as a directional light. In single
-  /// precision there is no difference.
+  /// Minimum distance at which a positional light is fitted as a directional light. The
+  /// difference is not representable in single precision.
   static constexpr double FarDistance = 1e8;
-  /// Maximum number of texels per voxel in an automatic buffer. A light with layers gets this
-  /// number if the frame has two pixels per texel, and a light in a dense medium if the frame has
-  /// one pixel per texel. Other lights have one texel per voxel.
+  /// Maximum number of texels per voxel in an automatic buffer. A light with layers gets up to
+  /// this number as long as the frame has two pixels per texel, and a light in a dense medium as
+  /// long as the frame has one pixel per texel. Other lights have one texel per voxel.
   static constexpr double LargestFineness = 1.5;
 
   LightBufferProjection(const BoxCorners& corners,
@@ -52,8 +52,7 @@ public:
     const glm::dvec3& normal, const glm::dvec3& position, SlicePlan::ShadowedLight& light) const;
 
 private:
-  /// Axes of a plane and a rectangle in it. For positional lights, coordinates in the plane are
-  /// tangents.
+  /// Axes of a plane and a rectangle in it. In perspective, coordinates in the plane are tangents.
   struct Window
   {
     bool IsPerspective = false;
@@ -72,9 +71,9 @@ private:
   /// least \a smallest.
   void FitPlane(const LightSource& source, SlicePlan::ShadowedLight& light, double fineness,
     int smallest) const;
-  /// Returns the minimum length of a voxel along \a direction over all volumes. \a extent is the
-  /// extent of a buffer. If it is not 0, an axis is ignored if the entire volume is thinner along
-  /// it than one texel of the largest automatic buffer. Otherwise extremely flat voxels would
+  /// Returns the minimum length of a voxel along \a direction over all volumes. If \a extent, the
+  /// extent of the buffer, is not 0, axes are ignored along which the entire volume is thinner than
+  /// one texel of the largest automatic buffer. Without this rule, extremely flat voxels would
   /// require the largest buffer and still not be resolved.
   double GetVoxelSpacing(const glm::dvec3& direction, double extent) const;
 

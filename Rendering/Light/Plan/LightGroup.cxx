@@ -14,7 +14,7 @@ namespace
 // Tolerance within which light perpendicular to the view direction is treated as traveling along
 // it.
 constexpr double Perpendicularity = 1e-9;
-// Length below which a sum of directions has no direction.
+// Length below which a sum of directions is treated as 0.
 constexpr double MinimumLength = 1e-9;
 
 }

@@ -30,15 +30,15 @@ public:
   };
 
   /// Creates a group with one light. The sweep runs front to back if the light comes from the
-  /// viewer's side, otherwise back to front. It runs in the opposite order if only then a normal
-  /// suits both the view and the light.
+  /// viewer's side, otherwise back to front. If no normal then suits both the view and the light,
+  /// the order with the better normal is used.
   static LightGroup Make(const ViewRange& view, const Light& light);
 
   /// Adds the light if the group has fewer than \a maximum lights and one slice normal suits all of
   /// them. Returns true if the light was added.
   bool Join(const ViewRange& view, const Light& light, std::size_t maximum);
 
-  /// Returns true if the light travels in the view direction, so slices are drawn front to back.
+  /// Returns true if the slices are drawn front to back.
   bool IsFrontToBack() const { return this->Side > 0.0; }
   const std::vector<Light>& GetLights() const { return this->Lights; }
   /// Returns the half vector of the view direction, or its opposite, and the average light
@@ -52,7 +52,7 @@ private:
 
   void FindNormal(const ViewRange& view);
 
-  /// 1 if the light travels along the view direction, -1 if against it.
+  /// 1 if the sweep runs front to back, -1 if it runs back to front.
   double Side;
   std::vector<Light> Lights;
   glm::dvec3 Normal;

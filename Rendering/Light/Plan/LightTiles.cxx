@@ -28,8 +28,8 @@ struct Bounds
 
 // Tolerance for the rays, which are clipped to the box in single precision.
 constexpr double Margin = 1e-5;
-// Minimum cosine between a ray and the normal. It bounds the lateral distance at which rays
-// parallel to the slices intersect them.
+// Minimum cosine between a ray and the normal. It keeps the intersection with a slice finite for
+// rays parallel to the slices.
 constexpr double SmallestSlope = 1e-9;
 
 // Counts the visible blocks in a range of blocks, by prefix sums along all three axes.

@@ -192,7 +192,7 @@ public:
       ranges[static_cast<std::size_t>(axis)] =
         this->GetRange((*minimum)[axis], (*maximum)[axis], axis);
     }
-    // View rays vary linearly over the tiles, so the rays at the corners bound all others.
+    // View rays vary linearly over the tiles, so testing the rays at the corners suffices.
     const glm::dvec3 normal(glm::row(this->TilesFromUnit, 3));
     double side = 0.0;
     for (unsigned corner = 0; corner < 4; ++corner)
@@ -209,7 +209,7 @@ public:
     return true;
   }
 
-  // Adds the cross-sections of a block with the slabs from \a firstSlab on to their masks.
+  // Adds the block's cross-sections with \a slabs slabs, starting at \a firstSlab, to their masks.
   void Add(const Block& block, int firstSlab, int slabs, std::vector<TileMask>& masks) const
   {
     std::array<glm::dvec4, 8> corners;

@@ -12,7 +12,7 @@ namespace interlume
 {
 
 /**
- * Views of a plane.
+ * Maps between a plane and its views.
  */
 namespace PlaneView
 {

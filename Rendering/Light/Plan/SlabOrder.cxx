@@ -19,8 +19,8 @@ using namespace UnitVector;
 // Boxes with a smaller overlap are treated as separate.
 constexpr double OverlapTolerance = 1e-6;
 
-// Below this value, a ray is treated as parallel to the separating plane, and the order is
-// undefined.
+// For a point closer to the separating plane than this, or a direction more nearly parallel to it,
+// the order is undefined.
 constexpr double ParallelTolerance = 1e-9;
 
 // A plane n.x = Height that separates two boxes. The normal n points toward the second box.
@@ -110,7 +110,7 @@ void SlabOrder::Find(const SlicePlan::Sweep& sweep, const SlicePlan::Camera& eye
     order.clear();
     while (!remaining.empty())
     {
-      // If volumes block each other in a cycle, no volume is first. Take any.
+      // If volumes precede each other in a cycle, no volume is first. Take any.
       auto next = std::find_if(remaining.begin(), remaining.end(),
         [&](std::size_t i)
         {

@@ -19,7 +19,8 @@ namespace interlume
  * first. Without a light that casts shadows, the sweep's order along the view direction decides.
  * Such an order is correct for all rays of that light, and for other rays the error is limited to
  * the extinction within the slab. Overlapping volumes alternate: one is first in even slabs, the
- * other in odd slabs. The two orders' first-order errors in the slab's optical depth then cancel.
+ * other in odd slabs. The two errors, which are of first order in the slab's optical depth, then
+ * cancel.
  */
 class SlabOrder
 {

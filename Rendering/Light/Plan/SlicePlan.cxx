@@ -21,7 +21,7 @@ namespace
 
 using namespace UnitVector;
 
-// Minimum extent of the volume on a side of a wide light, below which the side is ignored.
+// If the volume extends less than this past a wide light, the light is ignored on that side.
 constexpr double MinimumExtent = 1e-9;
 
 // Adds a light to a group with a suitable normal, preferably one with the same drawing order, or to
@@ -136,8 +136,8 @@ void PairHalves(std::vector<SlicePlan::Sweep>& sweeps)
   }
 }
 
-// Returns true if the sweep must start at the front of the volumes rather than at its first light:
-// to draw the opacity, or because it has lights that are not wide.
+// Returns true if the sweep must start at the boundary of the volumes rather than at its first
+// light: to draw the opacity, or because it has lights that are not wide.
 bool CoversVolumes(const std::vector<SlicePlan::Sweep>& sweeps, std::size_t index)
 {
   const SlicePlan::Sweep& sweep = sweeps[index];

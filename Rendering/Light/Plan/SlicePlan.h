@@ -86,8 +86,8 @@ public:
     int Light = 0;
     /// Number of columns and rows of the buffer.
     int BufferSize = 0;
-    /// Whether the buffer stores the directions of a half space (octahedral map) instead of a
-    /// plane.
+    /// If true, the buffer is an octahedral map of the directions in a half space; otherwise it is
+    /// planar.
     bool IsWide = false;
     /// If the light is not wide, the matrix from unit space to clip coordinates of the buffer: -1
     /// to 1 after division by the fourth coordinate, which is positive in front of the light.
@@ -129,9 +129,9 @@ public:
   struct SlicedVolume
   {
     const UnitSpace* Space = nullptr;
-    /// The part that is not transparent, in texture coordinates.
+    /// The box that remains after cropping, in texture coordinates.
     std::array<std::array<double, 2>, 3> Box{};
-    /// Slice spacing of this volume; 0 uses the spacing of the settings.
+    /// Slice spacing of this volume. If 0, the spacing of the settings is used.
     double Spacing = 0.0;
     /// Maximum extinction, in unit space, of a medium whose surfaces are opacity ramps; otherwise
     /// 0.
@@ -151,7 +151,7 @@ public:
     int LargestBufferSize = 8192;
     /// Number of texels per voxel of an automatic buffer, except for lights inside the volume.
     double TexelsOfVoxel = 1.0;
-    /// Number of pixels along the image's shorter edge.
+    /// Number of pixels along the frame's shorter edge.
     int SmallerImageSize = 0;
     int MaximumNumberOfSlabs = 65536;
     int LightsOfSweep = 4;
@@ -163,13 +163,13 @@ public:
   /**
    * Creates the plan. \a lights are all lights; lights with a ShadowStrength above 0 get a buffer.
    * There is at least one sweep. Without shadows, it has no lights and its normal is the view
-   * direction. \a box is the part of the volume that is not transparent, in texture coordinates.
+   * direction. \a box is the box that remains after cropping, in texture coordinates.
    */
   void Make(const Camera& eye, const std::vector<LightSource>& lights, const UnitSpace& space,
     const std::array<std::array<double, 2>, 3>& box, const Settings& settings);
   /// Creates the plan for one or more volumes drawn in shared slices. Sweeps traverse all volumes
-  /// with the finest of their spacings. A light's buffer encloses all volumes, and its texels are
-  /// as fine as the finest voxels.
+  /// with the finest of their spacings. A light's buffer encloses all volumes, and the finest
+  /// voxels determine the size of its texels.
   void Make(const Camera& eye, const std::vector<LightSource>& lights,
     const std::vector<SlicedVolume>& volumes, const Settings& settings);
 
@@ -192,10 +192,11 @@ public:
   /// Returns true if there is more than one image.
   bool HasFurtherImages() const { return !this->IsOfFirstImage(this->Sweeps.size() - 1); }
 
-  /// Minimum cosines between a sweep's normal and view rays, light rays, and the rays of a light
-  /// that is not wide.
+  /// Minimum cosine between a sweep's normal and view rays, if such a normal exists.
   static constexpr double ViewCosine = 0.5;
+  /// Minimum cosine between a sweep's normal and light rays, if such a normal exists.
   static constexpr double LightCosine = 0.35;
+  /// A positional light is wide if its best normal has a smaller cosine with any of its rays.
   static constexpr double WideCosine = 0.2;
   /// Minimum cosine between the normal and rays from any point of an emitter.
   static constexpr double SampleCosine = 0.1;

@@ -30,7 +30,7 @@ std::vector<glm::dvec3> GetImageRays(const SlicePlan::Camera& eye)
   {
     for (const double y : { -1.0, 1.0 })
     {
-      // The ray is the intersection of two planes: the pixel's column and its row.
+      // The ray is the intersection of two planes, which project to the corner's column and row.
       const glm::dvec3 ray =
         Normalize(glm::cross(rows[0] - x * rows[2], rows[1] - y * rows[2]), none);
       const double forward = glm::dot(ray, eye.Direction);

@@ -13,8 +13,9 @@ namespace interlume
  * @class   ViewRange
  * @brief   view rays that must not be nearly parallel to the slices
  *
- * These are the rays through the corners of the boxes. If the camera is close to a volume or inside
- * it, the rays through the corners of the frame are used if they span a smaller range.
+ * In parallel projection, the only ray is the view direction. In perspective, the rays pass through
+ * the corners of the boxes. If the camera is close to a volume or inside it, the rays through the
+ * corners of the frame are used if they span a smaller range.
  */
 struct ViewRange
 {

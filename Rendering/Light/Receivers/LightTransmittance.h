@@ -21,8 +21,8 @@ namespace interlume
  * @class   LightTransmittance
  * @brief   transmittance of volumes for each light, at the surface visible in each pixel
  *
- * Each light has a tile of one texture, as large as the viewport. Texels where nothing is drawn are
- * 1. Call Clear at the start of a frame. The texture is allocated when it is first needed.
+ * Each light has a tile, as large as the viewport, in one texture. Texels where nothing is drawn
+ * are 1. Call Clear at the start of a frame. The texture is allocated when it is first needed.
  */
 class LightTransmittance
 {

@@ -151,8 +151,8 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
   this->Transmittance.Clear(0, 0, 1, {});
   Boxes boxes;
   const bool hasOthers = this->SortProps(renderer, boxes);
-  // When volumes are drawn ahead of the scene, props without surfaces have not written their depth
-  // yet.
+  // Do not draw volumes ahead of the scene if props without surfaces can hide them: these props
+  // have not written their depth yet.
   const bool isGroup = volumes > 1 && !hasOthers;
   if (this->Props.empty() && !isGroup)
   {
@@ -254,7 +254,7 @@ Error SceneRenderer::DrawEyeDepth(vtkRenderer* renderer, int channels)
       "The graphics card is out of memory for the depth of the actors, or the viewport is empty.",
       ErrorCode::OutOfMemory);
   }
-  // Surfaces from other renderers are occluders as well.
+  // Surfaces that other renderers have drawn also hide volumes.
   const bool isPreserved = renderer->GetPreserveDepthBuffer() &&
     SceneDepth::CopyTo(renderer, this->CameraDepth.GetTexture());
   this->IsDepthOnly = true;

@@ -140,7 +140,7 @@ private:
   std::vector<vtkProp*> Props;
   std::vector<vtkProp*> Opaque;
   std::vector<vtkProp*> Translucent;
-  /// Opaque and translucent props that cast shadows, and props that receive none.
+  /// Opaque and translucent props that cast shadows, and props that receive no shadows.
   std::vector<vtkProp*> Occluders;
   std::vector<vtkProp*> TranslucentOccluders;
   std::vector<vtkProp*> NonReceivers;

@@ -17,7 +17,8 @@ namespace interlume
 namespace
 {
 
-/// Extinction relative to its weighted mean below which light escapes freely from a cell.
+/// Extinction, relative to the medium's weighted mean, below which light escapes freely from a
+/// cell.
 constexpr double ThinFraction = 0.2;
 /// Ratio of outward flux to fluence at an open boundary.
 constexpr double Outflow = 0.5;
@@ -125,8 +126,8 @@ private:
     return kind == SideKind::Open && !this->Medium.Box.IsBlocked(other) ? 1.0 : 0.0;
   }
 
-  /// Returns the part of the flux through a face of a thick cell that is scattered only once.
-  /// GetSeen subtracts it, since single scattering is rendered separately. Light falling off as
+  /// Returns the flux of singly scattered light through a face of a thick cell. GetSeen subtracts
+  /// it, since single scattering is rendered separately. Light falling off as
   /// exp(-k depth) contributes (1 - log(1 + k) / k) / 2.
   double GetSingle(std::size_t at, int axis, int side) const
   {
@@ -174,15 +175,16 @@ private:
         }
       }
     }
-    // Cells with an optical depth of at most 0.5 stay thin enough for light to escape, in any
-    // medium.
+    // In any medium, light does not escape freely from a cell whose optical depth along its longest
+    // edge is above 0.5.
     const glm::dvec3& size = box.CellSize;
     this->MinimumExtinction = std::min(
       sum > 0.0 ? ThinFraction * squares / sum : 1.0, 0.5 / std::max({ size.x, size.y, size.z }));
   }
 
-  /// Returns the fraction of a source that leaves its cell through a face, at a \a distance from
-  /// the cell center. \a beyond is the conductance on the far side.
+  /// Returns the fraction of a source that leaves its cell through a face. \a distance is the
+  /// distance of the source from the cell center toward the face, in cells. \a beyond is the
+  /// conductance on the face's far side.
   double GetOutwardFraction(std::size_t at, int axis, double distance, double beyond) const
   {
     const double own = 0.5 * this->GetConductance(at, axis);
@@ -373,7 +375,7 @@ private:
   /// Transport extinction e (1 - a g).
   std::vector<double> Extinction;
   std::vector<double> RightSide;
-  /// Part of each cell's source that crosses a face along each axis.
+  /// Part of each cell's source that AddSource moves through a face along each axis, with its sign.
   std::vector<glm::dvec3> Transferred;
   double MinimumExtinction = 1.0;
   double Total = 0.0;

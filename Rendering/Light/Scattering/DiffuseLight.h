@@ -17,7 +17,8 @@ namespace interlume
  * @brief   computes multiple scattering in all directions by diffusion
  *
  * Solves the first two moments of the radiative transfer equation (delta-Eddington), with the
- * fluence phi, net flux F, extinction e, albedo a and the phase function's mean cosine g:
+ * fluence phi, net flux F, extinction e, albedo a, and the phase function's mean cosine g and
+ * forward-peak fraction f:
  *
  *   div F + e (1 - a) phi          = e a (1 - f) sum_i D_i
  *   grad phi / 3 + e (1 - a g) F   = e a (g - f) sum_i D_i d_i
@@ -26,9 +27,9 @@ namespace interlume
  * direction d_i, with delta-scaled transmittance exp(-depth (1 - a f)). No light enters at the
  * boundary of the box or at blocked cells (Marshak condition): the outward flux is phi / 2.
  *
- * Light escapes through cells that are optically much thinner than the medium's average, such as
- * the cells around a cloud, as through the boundary of the box. They get a sink that makes the flux
- * out of adjacent thick cells phi / 2. Without it, diffusion would redistribute light in empty
+ * Cells that are optically much thinner than the medium's average, such as the cells around a
+ * cloud, let light escape as the boundary of the box does. They get a sink that makes the flux out
+ * of adjacent thick cells phi / 2. Without this sink, diffusion would redistribute light in empty
  * space.
  */
 class DiffuseLight

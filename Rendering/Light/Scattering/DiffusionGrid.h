@@ -18,15 +18,16 @@ namespace interlume
  *   Sink_i x_i + sum_j Coupling_ij (x_i - x_j) = b_i   over the up to six neighbors j of cell i
  *
  * The solver is the conjugate gradient method, preconditioned by one multigrid V-cycle. Coarsening
- * merges two cells along each axis. Couplings between merged cells are half their sum because their
- * distance doubles. The result does not depend on the number of threads.
+ * merges two cells along each axis. The coupling of two merged cells is half the sum of the
+ * couplings across their common face, because the distance of the cell centers doubles. The result
+ * does not depend on the number of threads.
  */
 class DiffusionGrid
 {
 public:
   explicit DiffusionGrid(const glm::ivec3& cells);
 
-  /// Couplings of each cell to its upper neighbor along each axis.
+  /// Returns the couplings of each cell to its upper neighbor along each axis.
   std::array<std::vector<double>, 3>& GetCouplings() { return this->Levels.front().Coupling; }
   std::vector<double>& GetSink() { return this->Levels.front().Sink; }
   /// Builds the multigrid levels. Call this after setting couplings and sinks.

@@ -26,7 +26,7 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// A direction of view and its fraction of the sphere.
+/// A direction in which light leaves the box, and its fraction of the sphere.
 struct Ordinate
 {
   glm::dvec3 Out{ 0.0 };
@@ -38,9 +38,9 @@ struct Ordinate
 };
 
 /**
- * Returns 192 directions: around each axis, eight azimuths at each cosine of Gauss-Legendre
- * quadrature between 0 and 1 and their opposites. Directions close to each axis plane are included,
- * so light along thin layers is sampled too.
+ * Returns 192 directions: around each axis, eight azimuths for each cosine of Gauss-Legendre
+ * quadrature between 0 and 1, and for the negative of each cosine. Directions close to each axis
+ * plane are included, so light along thin layers is sampled too.
  */
 std::vector<Ordinate> MakeOrdinates()
 {
@@ -422,7 +422,7 @@ std::vector<EscapeRays::Sums> EscapeRays::Trace(const SanitizedMedium& medium,
     {
       sums[i].Add(part[i]);
     }
-    // Corrects two errors: the rays sample slightly more or less optical depth than the medium has,
+    // Correct two errors: the rays sample slightly more or less optical depth than the medium has,
     // and the directions are too few to sample a narrow phase function accurately.
     glm::dvec3 sent(0.0);
     for (std::size_t cell = 0; cell < medium.Extinction.size(); ++cell)

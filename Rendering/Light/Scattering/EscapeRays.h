@@ -15,9 +15,10 @@ namespace interlume
  * @class   EscapeRays
  * @brief   computes the fraction of scattered light that escapes the medium
  *
- * Traces rays for 192 view directions, as cameras around the box would see it. Each direction has a
- * ray per cell of the visible box faces, up to 8 along an edge. Fields are interpolated linearly
- * between cell centers and sampled at the same positions as in slices.
+ * Traces rays in 192 directions, like the view rays of cameras around the box. In each direction,
+ * there is one ray per cell on the visible faces of the box, but at most 8 along an edge. Fields
+ * are interpolated linearly between cell centers and sampled at the positions where slices sample
+ * them.
  */
 class EscapeRays
 {
@@ -25,7 +26,8 @@ public:
   /**
    * Light that a cell scatters into direction w per unit of optical depth: its albedo times Fluence
    * (1 + NetFluxFactor NetFlux . w). If Light is set, the fluence still travels in the light's
-   * direction, and the factor is the phase function toward w relative to an isotropic one.
+   * direction, and the factor in parentheses is replaced by the phase function toward w
+   * relative to an isotropic one.
    */
   struct Source
   {

@@ -29,8 +29,8 @@ constexpr double MaximumThreeCellVariance = 0.75;
 /// light in the margin.
 constexpr double MarginFraction = 0.25;
 
-/// Light passed from a cell to the next layer. All members except Light are weighted by the sum of
-/// Light.
+/// Light passed from a cell to the next layer. All members except Light are multiplied by the sum
+/// of Light over the colors.
 struct Beam
 {
   glm::dvec3 Light{ 0.0 };
@@ -131,9 +131,9 @@ public:
   }
 
   /**
-   * Updates a beam from the entry of a cell to its exit after a path of \a length. Returns the mean
-   * light along the path. \a spread is the variance of position along each of two axes, in squared
-   * cells, per square world unit.
+   * Propagates a beam through a cell, along a path of \a length. Returns the mean light along the
+   * path. \a spread converts the variance of position from square world units to squared cells, for
+   * each of two axes.
    */
   glm::dvec3 Go(
     std::size_t cell, double length, const std::array<double, 2>& spread, Beam& beam) const
@@ -293,8 +293,8 @@ private:
   std::vector<Beam> Next;
 };
 
-/// Solves for a directional light, layer by layer. Each layer scatters its outgoing light to cells
-/// of the next.
+/// Solves for a directional light, layer by layer. Each layer spreads its outgoing light to cells
+/// of the next layer.
 std::vector<glm::vec3> SolveLayers(
   const SanitizedMedium& medium, const CellStep& step, const glm::dvec3& direction, int& layers)
 {
@@ -472,8 +472,8 @@ private:
         }
       }
     }
-    // Light diverges: it spreads over more cells than in the previous layer, in proportion to the
-    // number of cells around the light.
+    // Light diverges: this layer has more cells around the light than the previous layer, so each
+    // cell gets a smaller fraction.
     const double closer = (reach - 1.0) * (reach - 1.0) + 1.0 / 12.0;
     Beam mean;
     mean.Add(total > 0.0 ? closer / (reach * reach + 1.0 / 12.0) / total : 0.0, sum);

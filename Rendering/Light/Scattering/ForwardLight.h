@@ -18,14 +18,14 @@ namespace interlume
  *
  * Implements the recurrence 2.19 of C. Zhang's dissertation: the light incident on a layer is what
  * the previous layer transmits and forward-scatters, spread by a convolution. Along the light's
- * path s,
+ * path s, the forward-scattered light P satisfies
  *
  *   dP/ds = -(extinction) (1 - albedo fraction) P + extinction albedo fraction Direct,
  *
- * solved exactly within a cell. A layer consists of the cells between two planes across the axis
- * closest to the light direction. Between mirrors, cells repeat periodically. For a positional
- * light, each cell has its own such axis, and cells are visited in the order of their distance from
- * the light along it.
+ * which is solved exactly within a cell. A layer consists of the cells between two planes across
+ * the axis closest to the light direction. Between mirrors, cells repeat periodically. For a
+ * positional light, each cell has its own such axis, and cells are visited in the order of their
+ * distance from the light along it.
  *
  * The convolution between two layers follows Fermi and Eyges. Each scattering event increases the
  * variance of the angle. Light carries the variance of its angle and the covariance of angle and
@@ -35,9 +35,9 @@ namespace interlume
  * layers. Light spread to neighbors is removed from its cell of origin, so that the sum does not
  * grow.
  *
- * Layers extend past the box by a quarter of its width, since kernels return some of that light.
- * For a positional light, kernels reach one cell per layer, which bounds the spread, and light that
- * leaves the box is lost.
+ * Layers extend past the box by a quarter of its width, since kernels return some of the light that
+ * leaves the box. For a positional light, kernels reach one cell per layer, which limits the
+ * spread, and light that leaves the box is lost.
  */
 class ForwardLight
 {

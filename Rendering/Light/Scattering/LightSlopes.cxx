@@ -33,7 +33,7 @@ double FindSlope(const ScatteringMedium& box, const std::vector<glm::vec3>& ligh
   const double before = find(-side);
   const double after = find(side);
   const double ratio = before > 0.0 ? before / here : (after > 0.0 ? here / after : 1.0);
-  // Without lit neighbors, the cell's full optical depth may attenuate the light.
+  // Without lit neighbors, assume that the cell's full optical depth attenuates the light.
   const double cellDepth = extinction * box.CellSize[axis] / std::abs(along);
   const bool isIsolated = !(before > 0.0) && !(after > 0.0);
   return side * std::min(isIsolated ? cellDepth : std::log(std::max(ratio, 1.0)), cellDepth);

@@ -24,7 +24,8 @@ namespace LightSlopes
  */
 std::vector<glm::vec3> Find(
   const SanitizedMedium& medium, const std::vector<std::vector<glm::vec3>>& lights);
-/// Returns the mean offset of scattering from the cell center, in cells, for a slope from Find.
+/// Returns the mean offset of scattering events from the cell center along an axis, in cells, for a
+/// slope from Find.
 double GetOffset(double slope);
 }
 

@@ -25,7 +25,7 @@ namespace
 {
 
 constexpr std::size_t Octants = 8;
-/// Factor by which the sweep's weight falls off with a cell's optical depth. Tests constrain it
+/// Decay rate of the sweep's weight, per unit of a cell's optical depth. Tests constrain it
 /// from both sides: at 1 the corners of a uniformly lit cube are too bright; at 2 the result
 /// depends too much on the cell size.
 constexpr float DepthFalloff = 1.5f;

@@ -17,8 +17,8 @@ namespace interlume
  * @class   SanitizedMedium
  * @brief   a medium and its lights with finite values only
  *
- * Non-finite values and the values of blocked cells are replaced by 0. Albedos are clamped to the
- * range from 0 to 1.
+ * Negative and non-finite values, and the extinction and light of blocked cells, are replaced by 0.
+ * Albedos are clamped to the range from 0 to 1.
  */
 struct SanitizedMedium
 {

@@ -28,7 +28,7 @@ namespace interlume
  *   light, and L_i T_i + Forward_i is attenuated by exp(-depth (1 - albedo f)).
  * - Fluence and NetFlux are light in all directions, in mode Full. Fluence is 4 pi times the mean
  *   radiance. NetFlux is the normalized net flux: the net flux divided by the fluence. Its length
- * is at most 1/3, so that no source is negative.
+ *   is at most 1/3, so that no source is negative.
  *
  * All values are relative to an unattenuated light of color 1.
  */

@@ -272,8 +272,8 @@ private:
    */
   void Balance(const DiffuseLight::Input& input, DiffuseLight::Output& diffuse)
   {
-    // The diffusion solution can be 0 if all light leaves at once through a thick cell or along a
-    // thin one. A small fluence lets the balance scale it.
+    // The diffusion solution can be 0 if all light leaves immediately, through a thick cell or
+    // along a thin one. A small fluence lets the balance scale it.
     for (std::size_t i = 0; i < diffuse.Fluence.size(); ++i)
     {
       for (const std::vector<glm::vec3>& light : input.Lights)
@@ -310,7 +310,7 @@ private:
       this->ReportOut(sums.back(), factor);
       return;
     }
-    // Light above the limit is not visible and is reported as dropped.
+    // Light removed by the limit is not visible and is reported as dropped.
     const EscapeRays::Sums out = EscapeRays::Trace(
       this->Medium, this->Phase, { this->GetSource(diffuse) }, this->GetMainDirection())
                                    .front();
@@ -355,7 +355,7 @@ private:
     return isLimited;
   }
 
-  /// Returns the maximum incident light in a cell, summed over all lights.
+  /// Returns the maximum incident light over all cells, summed over all lights.
   glm::vec3 FindIncoming() const
   {
     const ScatteringMedium& box = this->Medium.Box;

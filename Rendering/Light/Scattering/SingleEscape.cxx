@@ -164,7 +164,7 @@ private:
     return length;
   }
 
-  /// Returns the transmittance from the light to its entry into a cell.
+  /// Returns the transmittance from the light to \a position, where its ray enters a cell.
   double GetTransmittance(
     const glm::dvec3& position, const glm::dvec3& way, const glm::ivec3& cell) const
   {
@@ -187,8 +187,8 @@ private:
     return std::exp(-depth);
   }
 
-  /// Returns the fraction of light, scattered at \a position into direction \a way, that escapes.
-  /// Sets \a isBlocked to true if it ends in a blocked cell.
+  /// Returns the escaping fraction of light that is scattered at \a position into direction \a way.
+  /// Sets \a isBlocked to true if the path ends in a blocked cell.
   double GetEscape(const glm::ivec3& cell, const glm::dvec3& position, const glm::dvec3& way,
     bool& isBlocked) const
   {

@@ -18,8 +18,8 @@ namespace interlume
  * Follows 16384 random paths per light. A path enters a cell through a random point of its lit
  * faces, is scattered inside it, and continues in a direction sampled from the phase function.
  * Cells are sampled in proportion to the light that they scatter. Paths are weighted by the light
- * incident on the cell's face and the fraction extinguished inside the cell. Therefore escape uses
- * the exact transmittance within cells, for any optical depth. The paths use a low-discrepancy
+ * incident on the cell's face and the fraction extinguished inside the cell. Therefore the
+ * transmittance within cells is exact for any optical depth. The paths use a low-discrepancy
  * sequence and are the same in each run.
  */
 class SingleEscape

@@ -444,7 +444,7 @@ std::string SliceShader::GetReceiverSource(
   features.Add("NEAREST_LOOKUP", !frame.Image->IsSmoothLookup);
   AddLight(frame.Image->Lights[light.Light], &light, "_0", features);
   features.AddValue("LIGHT_NUMBER", light.Light);
-  // All volumes share the light buffer, so only the first volume's program includes it.
+  // All volumes share the light buffer, so only the first volume's program multiplies by it.
   features.Add("WITHIN", frame.Number > 0);
   return features.MakeSource(sources);
 }

@@ -26,7 +26,7 @@ struct SliceScattering;
 
 /**
  * @class   SliceTextures
- * @brief   textures of a volume, its transfer functions and light screens
+ * @brief   textures of a volume, its transfer functions and the screens of projective lights
  */
 class SliceTextures
 {

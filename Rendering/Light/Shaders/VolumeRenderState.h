@@ -52,7 +52,7 @@ struct VolumeRenderState
   /// Scalar opacity unit distance of each row, in world units.
   std::array<double, 4> UnitDistances{ { 1.0, 1.0, 1.0, 1.0 } };
 
-  /// Scattering. If it is on, the material's colors are the albedo.
+  /// Scattering settings and results. If scattering is on, the material's colors are the albedo.
   SliceScattering Scattering;
 
   /// The image, and the index of the volume in it.

@@ -14,7 +14,7 @@ class UnitSpace;
 
 /**
  * @class   BoxCorners
- * @brief   corners of the visible boxes of volumes, in unit space
+ * @brief   corners of the boxes of volumes, in unit space
  */
 class BoxCorners
 {

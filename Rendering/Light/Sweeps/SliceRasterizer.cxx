@@ -554,7 +554,7 @@ void SliceRasterizer::KeepLayers(const Sweep& sweep, int slab)
 
 void SliceRasterizer::AddSweep()
 {
-  // All sweeps have the same opacity. Their colors come from different lights.
+  // Add only colors, which come from different lights. All sweeps have the same opacity.
   this->BindImage(this->Image);
   this->SumQuad.Draw(this->Window, this->SweepImage, "SUM");
 }

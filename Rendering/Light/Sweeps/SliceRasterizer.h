@@ -38,8 +38,8 @@ struct SliceReport;
  * @brief   draws an image of slices with OpenGL 3.2, in one window
  *
  * Several volumes may share the slices. In each slab, one volume after the other draws into the
- * image and then attenuates the light buffers. It is lit through the preceding volumes of the slab
- * and is in their shadow. SlabOrder determines the order.
+ * image and then attenuates the light buffers. Each volume is therefore in the shadow of the
+ * preceding volumes of the slab. SlabOrder determines the order.
  *
  * The image buffer contains color times opacity, and opacity, in single precision. With thousands
  * of thin slices, small opacities retain their digits, whereas a transmittance close to 1 would

@@ -25,7 +25,7 @@ class VolumeSamples;
  * function has a breakpoint between two columns, such as a point, step or peak, the interval has a
  * list of breakpoints (see TransferColumns).
  *
- * If all values of a component are equal, its range starts at this value and is slightly wider. As
+ * If all values of a component are equal, its range starts at this value and has a small width. As
  * in VTK, a function without points is a ramp over the range: colors from 0 to 1, opacities from 0
  * to 0.5. For components that are not independent, the functions, the unit distance and the
  * gradient opacity of index 0 apply. As in VTK, weights apply only to two or more independent

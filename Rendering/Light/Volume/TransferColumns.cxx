@@ -18,7 +18,7 @@ using TransferMath::Mix;
 
 /// Error below which neither an edge nor a list is needed, as a fraction of the largest value.
 constexpr double Straight = 1e-3;
-/// Error inside an edge, averaged over the interval, as a fraction of the largest value.
+/// Maximum error inside an edge, averaged over the interval, as a fraction of the largest value.
 constexpr double Curved = 1e-2;
 constexpr double Tolerance = 1e-4;
 /// Maximum number of bisections of a linear piece.

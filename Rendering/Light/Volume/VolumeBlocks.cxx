@@ -22,7 +22,7 @@ struct Box
   std::array<int, 3> Last;
 };
 
-/// Finds the value ranges of the texels in \a box, without voxels that are not finite.
+/// Finds the value ranges of the texels in \a box. Ignores voxels that are not finite.
 template <typename Texel>
 void FindRanges(const VolumeSamples& samples, const Box& box, std::array<double, 2>* ranges)
 {

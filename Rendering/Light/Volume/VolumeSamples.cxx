@@ -144,7 +144,7 @@ double FindOffset(const std::array<double, 2>& range)
   return range[0] + 0.5 * (range[1] - range[0]);
 }
 
-/// Returns the largest power of two up to the largest difference from the offset.
+/// Returns the largest power of two that is not above the largest difference from the offset.
 double FindScale(const std::array<double, 2>& range, double offset)
 {
   // With smaller exponents, ratios of scales and ranges overflow doubles.

@@ -14,7 +14,7 @@ namespace interlume
 
 /**
  * @class   CroppingRegions
- * @brief   cropping of a vtkVolumeMapper as half spaces and gaps between them
+ * @brief   the visible regions of a cropped vtkVolumeMapper, as half spaces and gaps inside them
  *
  * Up to six half spaces bound all visible regions. They cut exactly, like a smaller box or clipping
  * planes. Regions that do not fill the half spaces leave gaps. Shaders remove these gaps from rays

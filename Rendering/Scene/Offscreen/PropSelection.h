@@ -15,7 +15,7 @@ namespace interlume
 
 /**
  * @class   PropSelection
- * @brief   draws a prop for a hardware selector, where the rendered prop is not transparent
+ * @brief   draws a prop in a hardware selector's color, where the prop's image is not transparent
  */
 class INTERLUMESCENE_EXPORT PropSelection
 {

@@ -12,10 +12,10 @@ namespace interlume
  * @class   LevelOfDetail
  * @brief   chooses the level of detail for the available time
  *
- * Level 0 has full detail. Each further level halves either the number of pixels along an edge,
- * down to a quarter, or the number of tetrahedra. Choose() returns the finest level whose measured
- * time does not exceed the allocated time. A level that was not measured is expected to take half
- * the time of the previous level. The number of tetrahedra is not reduced below MINIMUM_TETRAHEDRA.
+ * Level 0 has full detail. Each further level halves either the image's width and height, at most
+ * twice, or the number of tetrahedra. Choose() returns the finest level whose measured time does
+ * not exceed the allocated time. A level that was not measured is expected to take half the time of
+ * the previous level. The number of tetrahedra is not reduced below MINIMUM_TETRAHEDRA.
  */
 class LevelOfDetail
 {

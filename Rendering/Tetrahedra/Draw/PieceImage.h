@@ -36,9 +36,9 @@ public:
     SoftwareRasterizer& rasterizer);
 
   /**
-   * Returns the complete image as RGBA, premultiplied by opacity, which is the same in all
-   * processes. \a priorities contains the priorities of the layers, and \a order the processes from
-   * front to back.
+   * Returns the complete image as RGBA, premultiplied by opacity. All processes get the same image.
+   * \a priorities contains the priorities of the layers, and \a order the processes from front to
+   * back.
    */
   std::vector<float> Draw(TetrahedraFrame::Blends blend, const std::map<int, double>& priorities,
     const std::vector<int>& order);

@@ -43,8 +43,8 @@ public:
   /// Returns the start of each piece, followed by a number that is larger than any scalar.
   const std::vector<float>& GetStarts() const { return this->Starts; }
 
-  /// Return only the extinction in the Value and in the Slope of each piece, for loops that do not
-  /// need color.
+  /// Return the extinction components of each piece's Value and Slope, for loops that do not need
+  /// color.
   const std::vector<float>& GetExtinctions() const { return this->Extinctions; }
   const std::vector<float>& GetExtinctionSlopes() const { return this->ExtinctionSlopes; }
   /// Returns the indices of the pieces that contain i / 1024, for i from 0 to 1024.

@@ -14,8 +14,8 @@ namespace interlume
 
 namespace
 {
-/// Points within this distance of a plane are treated as on it. Mesh coordinates are between -1 and
-/// 1.
+/// Points within this distance of a plane are treated as lying on it. Mesh coordinates are between
+/// -1 and 1.
 constexpr double ON_PLANE = 1e-12;
 
 constexpr std::uint32_t RETAINED = std::numeric_limits<std::uint32_t>::max();

@@ -16,8 +16,8 @@ namespace interlume
 class BoundaryShading;
 
 /**
- * The data from which either render path draws one image. Pointers must remain valid until the
- * image is drawn.
+ * The data from which a render path, OpenGL or software, draws one image. Pointers must remain
+ * valid until the image is drawn.
  */
 struct TetrahedraFrame
 {
@@ -63,7 +63,8 @@ struct TetrahedraFrame
   /// Tetrahedra in drawing order: front to back, or by layers from the highest priority. Null for
   /// the order of the mesh.
   const std::vector<std::uint32_t>* Order = nullptr;
-  /// Depth of the closest opaque surface, in rows from the bottom; null if there is none.
+  /// Depth of the closest opaque surface at each pixel, in rows from the bottom; null if there is
+  /// none.
   const float* Opaque = nullptr;
   /// Shading of the boundary triangles; null if they are not drawn.
   const BoundaryShading* Surface = nullptr;
@@ -77,7 +78,7 @@ struct TetrahedraFrame
   /// If true, a vertex shader reads tetrahedra from buffers and creates their silhouettes (OpenGL).
   /// Otherwise a geometry shader creates the silhouettes.
   bool IsPulled = false;
-  /// Number of viewport pixels per image pixel, along an edge.
+  /// Number of viewport pixels per image pixel, in x and in y.
   int PixelStride = 1;
   /// Number of tetrahedra that each drawn tetrahedron represents.
   std::uint32_t TetrahedronStride = 1;

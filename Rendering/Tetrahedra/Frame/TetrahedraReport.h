@@ -74,8 +74,8 @@ struct TetrahedraReport
   vtkIdType BufferBytes = 0;
   vtkIdType MemoryBytes = 0;
 
-  /// Level of detail: number of viewport pixels per computed pixel along an edge (1, 2 or 4), and
-  /// number of tetrahedra per drawn tetrahedron. Both are 1 for a full image.
+  /// Level of detail: number of viewport pixels per computed pixel in x and in y (1, 2 or 4), and
+  /// number of tetrahedra per drawn tetrahedron. Both are 1 in full detail.
   int PixelStride = 1;
   int TetrahedronStride = 1;
   /// Number of control points of the piecewise linear transfer functions.

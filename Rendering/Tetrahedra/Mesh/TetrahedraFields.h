@@ -9,7 +9,7 @@ namespace interlume
 {
 
 /**
- * Values at the points and for the tetrahedra of a TetrahedraMesh. Extinction, the fourth component
+ * Values at the points and in the tetrahedra of a TetrahedraMesh. Extinction, the fourth component
  * of a color, is per unit length in mesh coordinates (TetrahedraMesh::Scale).
  */
 struct TetrahedraFields
@@ -34,8 +34,8 @@ struct TetrahedraFields
   std::vector<float> DeltaT;
   /// Layer of each tetrahedron; empty unless layers are drawn.
   std::vector<int> Layers;
-  /// Faces of each tetrahedron that are boundary triangles: bit k for the face opposite corner k.
-  /// Faces, Normals and TextureCoordinates are empty if no boundary is drawn.
+  /// Bit mask of each tetrahedron: bit k is set if the face opposite corner k is a boundary
+  /// triangle. Faces, Normals and TextureCoordinates are empty if no boundary is drawn.
   std::vector<unsigned char> Faces;
   /// Normals at points.
   std::vector<std::array<float, 3>> Normals;

@@ -28,8 +28,8 @@ struct Viewpoint
 };
 
 /**
- * The tetrahedra to draw, in coordinates from -1 to 1: world position = Origin + Scale * point. It
- * has no degenerate tetrahedra and no NaN.
+ * The tetrahedra to draw. Points have coordinates from -1 to 1; Origin + Scale * point is the
+ * position in the input. There are no degenerate tetrahedra and no NaN.
  */
 struct TetrahedraMesh
 {

@@ -32,8 +32,8 @@ namespace interlume
 namespace
 {
 
-// Returns true if pixels store the largest scalar instead of colors (-1 if no tetrahedron covers
-// them).
+// Returns true if pixels store the largest scalar instead of a color. The scalar is -1 in pixels
+// that no tetrahedron covers.
 bool HoldsScalars(const TetrahedraFrame& frame)
 {
   return frame.Blend == TetrahedraFrame::MAXIMUM && frame.Fields->Kind == TetrahedraFields::SCALARS;

@@ -51,7 +51,8 @@ ViewRayEvents::Event* RemoveTouched(
   return end;
 }
 
-// Moves the first event of the expected kind to the front if it is within the tolerance.
+// Moves the first entry or exit, depending on isEntry, to the front if its depth is within the
+// tolerance of the first depth.
 void BringForward(
   ViewRayEvents::Event* first, ViewRayEvents::Event* last, bool isEntry, double tolerance)
 {

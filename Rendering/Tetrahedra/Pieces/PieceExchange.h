@@ -39,7 +39,7 @@ public:
   int GetNumberOfRanks() const;
 
   ///@{
-  /// Replace numbers by their sums, maxima or minima over all processes.
+  /// Replace each number by its sum, maximum or minimum over all processes.
   template <typename Number>
   void Add(std::vector<Number>& numbers) const
   {

@@ -23,8 +23,9 @@ public:
 
   ///@{
   /**
-   * Composite segments behind the pixels. A pixel contains color times opacity, and opacity.
-   * CompositeWithSurface also composites boundary triangles in front of and behind each segment.
+   * Composite segments behind the colors already in their pixels. A pixel contains color times
+   * opacity, and opacity. CompositeWithSurface also composites boundary triangles in front of and
+   * behind each segment.
    */
   static void Composite(const Fragments& fragments, const TetrahedraFrame& frame, Pixel* pixels);
   static void CompositeWithSurface(const Fragments& fragments, const TetrahedraFrame& frame,
@@ -48,8 +49,8 @@ public:
 
   ///@{
   /**
-   * Set channel 0 of each pixel to the maximum scalar, or each channel to the maximum of color
-   * times opacity. Opacity is extinction times \a unit, clamped to 1.
+   * Update the maximum scalar in channel 0 of each pixel, or the maximum of color times opacity in
+   * each channel. Opacity is extinction times \a unit, clamped to 1.
    */
   static void MaximizeScalar(const Fragments& fragments, Pixel* pixels);
   static void MaximizeColor(

@@ -186,7 +186,8 @@ void MakeMeans(Fragments& f, bool hasDeltaT)
     f, hasDeltaT);
 }
 
-// Computes weights and opacity from optical depth and slope. Accurate below THIN.
+// Computes weights and opacity from optical depth and slope. Accurate only for optical depths below
+// THIN.
 void MakeThinOpacities(Fragments& f)
 {
   SimdDispatch::CallFused(
@@ -263,7 +264,8 @@ void MakeDepths(Fragments& f, bool isExact)
     f, isExact);
 }
 
-// A color is value + slope * scalar, where the scalar is relative to the start of the piece.
+// Converts the weights of colors to weights of a piece's value and slope. A color is the value plus
+// the slope times the scalar, relative to the start of the piece.
 void MakePieceWeights(Fragments& f)
 {
   SimdDispatch::CallFused(

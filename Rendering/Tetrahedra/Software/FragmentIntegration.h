@@ -11,7 +11,7 @@ class PiecewiseLinearTransfer;
 
 /**
  * @class   FragmentIntegration
- * @brief   integrates many segments at once, with SIMD instructions
+ * @brief   integrates many view ray segments at once, with SIMD instructions
  *
  * InterlumeTetrahedraFS.glsl has the same equations for GPUs.
  */
@@ -67,9 +67,9 @@ public:
     interlume::Fragments& fragments, bool hasDeltaT, bool isExact, Results results);
 
   /**
-   * Converts the color weights from Integrate() to weights of the value and slope of a segment's
-   * piece. Segments that cross control points are split there and integrated again or, unless \a
-   * isExact, averaged.
+   * Converts the color weights from Integrate() to weights of the value and slope of the transfer
+   * function piece that contains the segment. Segments that cross control points are split there
+   * and integrated again or, unless \a isExact, averaged.
    */
   static void FinishPieces(interlume::Fragments& fragments, const PiecewiseLinearTransfer& pieces,
     bool hasDeltaT, bool isExact, Results results);

@@ -22,7 +22,8 @@ struct FragmentRow
 
   float Thickness;
   /// For each pixel, the length of a view ray per unit of depth in parallel projection, and per
-  /// unit along the view axis in perspective. GROUP more values past the row must be readable.
+  /// unit along the view axis in perspective. Fragments::GROUP values past the end of the row must
+  /// be readable.
   const float* Slants;
   /// Values at the first pixel, and their change per pixel.
   float EdgeValues[4];

@@ -16,9 +16,9 @@ namespace interlume
  * @class   SoftwareRasterizer
  * @brief   draws tetrahedra on the CPU
  *
- * The image is divided into tiles. One thread draws a tile from front to back: silhouettes are
- * rasterized to segments (Fragments), which are integrated with SIMD instructions and then blended
- * sequentially. The result does not depend on the number of threads.
+ * The image is divided into tiles. Each tile is drawn by one thread, from front to back:
+ * silhouettes are rasterized to view ray segments (Fragments), which are integrated with SIMD
+ * instructions and then blended sequentially. The result does not depend on the number of threads.
  */
 class SoftwareRasterizer
 {
@@ -29,8 +29,8 @@ public:
   /// Returns RGBA in rows from the bottom, premultiplied by opacity, or sums if the frame requests
   /// them. Empty with SELECTION.
   const std::vector<float>& GetColors() const { return this->Colors; }
-  /// Return the number of the tetrahedron in each pixel plus 1, or 0 if there is none, and its
-  /// depth. Empty except with SELECTION.
+  /// Return the index of the closest tetrahedron at each pixel plus 1, or 0 if there is none, and
+  /// its depth. Empty except with SELECTION.
   const std::vector<std::uint32_t>& GetTetrahedra() const { return this->Tetrahedra; }
   const std::vector<float>& GetDepths() const { return this->Depths; }
 

@@ -45,7 +45,8 @@ private:
   static constexpr int CHANNELS = 6;
 
   void SetTetrahedron(std::uint32_t tetrahedron);
-  /// Finds the edge whose function is smallest at a pixel, and returns lambda there.
+  /// Finds the edge whose function is smallest at a pixel, and returns this minimum, lambda (see
+  /// TetrahedronSilhouette).
   double Locate(double x, double y, int& edge) const;
 
   const TetrahedraFrame& Frame;

@@ -86,8 +86,8 @@ void TileBins::Fill(const TetrahedraFrame& frame)
   const std::size_t number = order ? order->size() : all;
   const std::size_t chunks = (number + CHUNK - 1) / CHUNK;
   const auto tiles = static_cast<std::size_t>(this->GetNumberOfTiles());
-  // counts[chunk][tile] is first the number of tetrahedra, later the start of the chunk's part of
-  // the tile's list.
+  // counts[chunk][tile] is first the number of tetrahedra in the chunk and tile, and later their
+  // start in the tile's list.
   std::vector<std::size_t> counts(chunks * tiles, 0);
   std::vector<vtkIdType> drawn(chunks, 0);
   const auto visit = [&](std::size_t chunk, auto&& action)

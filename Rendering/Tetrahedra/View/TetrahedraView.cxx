@@ -28,8 +28,8 @@ glm::dmat4 GetRows(vtkMatrix4x4* matrix)
   return glm::make_mat4(matrix->GetData());
 }
 
-// Returns the rows of the matrix from some coordinates to clip coordinates, given the rows of the
-// matrix from them to world coordinates.
+// Returns the rows of the product of the camera's matrix, from world to clip coordinates, and the
+// matrix with the rows \a toWorld.
 glm::dmat4 GetClipRows(vtkRenderer* renderer, const glm::dmat4& toWorld)
 {
   vtkCamera* camera = renderer->GetActiveCamera();

@@ -44,8 +44,8 @@ public:
   };
 
   /**
-   * Reads the camera and the volume's matrix. One image pixel covers \a stride viewport pixels
-   * along an edge. Returns an error if a matrix is singular or not finite.
+   * Reads the camera and the volume's matrix. One image pixel covers \a stride viewport pixels in x
+   * and in y. Returns an error if a matrix is singular or not finite.
    */
   Error Set(vtkRenderer* renderer, vtkVolume* volume, const TetrahedraMesh& mesh, int stride);
 

@@ -188,7 +188,7 @@ private:
     return (q.X - p.X) * (r.Y - p.Y) - (q.Y - p.Y) * (r.X - p.X);
   }
 
-  // Handles a corner inside the triangle of the other corners.
+  // Handles a corner that projects into the triangle of the other three.
   void SetInner(bool innerIsPositive)
   {
     this->Size = 3;

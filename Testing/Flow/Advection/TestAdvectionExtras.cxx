@@ -55,7 +55,7 @@ void TestRotation(Check& check)
        integrator <= vtkImplicitFlowField::ROSENBROCK; ++integrator)
   {
     check.SetContext("integrator " + std::to_string(integrator));
-    // Half a rotation to the plane y = 0.
+    // The streamline reaches the plane y = 0 after half a rotation.
     KeepingOptions options = ExtraOptions({ FormulaSurface::Plane({ 0, 1, 0 }, -1e-9, 0, 2) });
     options.Integrator = integrator;
     for (const auto& result : AdvectInAll(flow, options, { 2.5, 0, 1 }))

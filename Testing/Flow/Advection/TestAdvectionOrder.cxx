@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors of streamlines, compared with exact streamlines and with a method of order 8(7):
-// convergence with the step size, and errors at a fixed tolerance.
+// Errors of streamlines, measured against exact streamlines or a method of order 8(7): their
+// convergence with the step size, and their size at a fixed tolerance.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceAdvection.h"
 
@@ -129,7 +129,7 @@ std::vector<Scene> MakeScenes()
   return scenes;
 }
 
-/// Convergence of a single step: its error at the end, its error in between, and the error
+/// Convergence of a single step: the error at its end, the error of the dense output, and the error
 /// estimate.
 template <typename Method>
 void TestStep(Check& check, const char* name, double endOrder, double denseOrder)
@@ -231,7 +231,7 @@ void TestSlopes(Check& check)
   }
 }
 
-/// Trilinear interpolation has kinks at cell faces. They do not reduce the order.
+/// The kinks of trilinear interpolation at cell faces do not reduce the order.
 void TestKinks(Check& check)
 {
   const Flow flow = Flow::Beltrami(1.0, 0.7, 0.43);
@@ -275,8 +275,8 @@ void TestKinks(Check& check)
   }
 }
 
-/// 2,000 samples that reach a surface, in a single cell and in many cells. 99.9 % of the errors are
-/// within ten times the tolerance.
+/// Streamlines of 2,000 samples that reach a surface, in a single cell and in many cells. 99.9 % of
+/// the errors are within ten times the tolerance.
 void TestTolerance(Check& check)
 {
   struct Case

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Closed orbits are detected long before the maximum number of steps. Spirals, inward, outward and
-// along an axis, reach the same surfaces as without the detection, however slow they are. The same
-// holds for streamlines near a repelling orbit.
+// Closed orbits are detected long before the maximum number of steps. Spirals that run inward,
+// outward or along an axis reach the same surfaces as without the detection, however slow they are,
+// and so do streamlines near a repelling orbit.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceAdvection.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -75,7 +75,7 @@ void TestSpirals(Check& check)
       {
         for (const double z : { 0.0, 1e-6, 0.01 })
         {
-          // Time at which the distance from the center reaches one of the radii.
+          // Time at which the exact streamline reaches one of the spheres.
           double time = 0.0;
           const auto distance = [&](double t)
           { return std::hypot(radius * std::exp(-inward * t), z * std::exp(along * t)); };
@@ -83,8 +83,7 @@ void TestSpirals(Check& check)
           {
             time += 0.01;
           }
-          // The limit affects the detection of orbits, so that a low limit and a high limit are
-          // compared.
+          // The step limit affects the detection of orbits, so a low and a high limit are compared.
           options.MaximumNumberOfSteps = 2000;
           const auto result = Advect(walker, options, { radius, 0, z });
           options.MaximumNumberOfSteps = 200000;
@@ -94,7 +93,8 @@ void TestSpirals(Check& check)
             check.Equal(full.Status, vtkFlowStatus::REACHED_SURFACE, Describe(full));
             check.Near(full.Time, time, 1e-3, "time", 10.0);
           }
-          // Streamlines that reach a surface within the step limit still do.
+          // A streamline that needs fewer steps than the low limit also reaches its surface with
+          // the low limit.
           const bool isReached =
             full.Status == vtkFlowStatus::REACHED_SURFACE && NumberOfSteps(full) < 2000;
           check.That(!isReached || result.Status == vtkFlowStatus::REACHED_SURFACE,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Termination without a surface: every status, and limits that are met exactly.
+// Streamlines that end without a surface: every status, and limits that are reached exactly.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceAdvection.h"
 
@@ -337,7 +337,7 @@ void TestStiffness(Check& check)
   check.That(!add(14, 3.3) && !add(6, 3.2) && !add(14, 3.3) && add(1, 3.3), "counting restarts");
 }
 
-/// Stable steps count the same whether they are added together or one by one.
+/// Steps far from the stability limit count the same whether they are added together or one by one.
 void TestHarmlessSteps(Check& check)
 {
   std::mt19937 random(5);

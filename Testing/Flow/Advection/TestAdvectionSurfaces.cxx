@@ -72,7 +72,7 @@ void TestExact(Check& check)
     }
     options = ForwardOptions({ sphere });
     options.Integrator = integrator;
-    // |x0 + v t| = 4 by the quadratic equation
+    // Solves |x0 + v t| = 4, a quadratic equation in t.
     const Position start = { 0.5, -1, 1.25 };
     const double a = 5.25;
     const double b = 2 * start[0] + start[1] + 0.5 * start[2];
@@ -86,7 +86,7 @@ void TestExact(Check& check)
       Expect(check, result, { 10, uv[0], uv[1], t }, 1e-13, "uniform to a sphere");
     }
 
-    // A quarter of a rotation backward, to the plane x = 0 from x > 0.
+    // Less than a quarter of a rotation backward, to a plane through the axis of rotation.
     options = ForwardOptions({ FormulaSurface::Plane({ 0.6, 0.8, 0 }, 0.0, 1, 2) });
     options.Integrator = integrator;
     options.SetBackward(true);
@@ -278,7 +278,8 @@ void TestExtents(Check& check)
   const Surface half = FormulaSurface::Plane({ 0, 1, 0 }, 0.0, 0, 2);
   half->Extent = [](const double* x) { return x[0] < 0.0; };
   each(half, rotation, start, { 10, -1.0, 0.0, 1.0 + vtkMath::Pi() }, "the second root");
-  // From the other side: the first intersection is outside the extent, the second is inside.
+  // The streamline starts on the other side of the plane. Its first intersection is outside the
+  // extent, its second intersection is inside.
   half->Extent = [](const double* x) { return x[0] > 0.99 && x[2] > -1.0; };
   each(half, rotation, { std::cos(1.0), std::sin(1.0), 0.0 },
     { 10, 1.0, 0.0, 2.0 * vtkMath::Pi() - 1.0 }, "after one rotation");
@@ -356,7 +357,7 @@ void TestBoundary(Check& check)
   Expect(check, advect(outside, true), { 501, 0.625, 0.5625, 1.0 }, 1e-14, "through a face");
   Expect(check, advect(FormulaSurface::Plane({ 1, 0, 0 }, 1.0, 1, 2), true),
     { 10, 0.25, 0.125, 1.0 }, 1e-12, "a surface in the domain boundary");
-  // A plane in the domain boundary that is inside or outside because of rounding errors.
+  // A plane that rounding errors place slightly inside or outside the domain boundary.
   for (double tilt : { -1e-15, 1e-15 })
   {
     Expect(check, advect(FormulaSurface::Plane({ 1, 0, 0 }, 1.0 + tilt, 1, 2), false),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Streamlines that leave the field at a surface on the domain boundary: meshes of the field's
-// boundary faces for six kinds of grids, with and without deformation, compared with known
-// streamlines. Also tests planes on rounded points, samples on the boundary, no-slip walls, and
-// surfaces that must not be reached.
+// Streamlines that leave the field at a surface on the domain boundary. The surfaces are meshes of
+// the field's boundary faces, for all kinds of grids, with and without deformation. Results are
+// compared with known streamlines. Also tests planes through rounded points, samples on the
+// boundary, no-slip walls, and surfaces that must not be reached.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -48,8 +48,8 @@ Vector Diverge(const Vector& x)
   return v;
 }
 
-/// Position, time and side of the box at which a streamline leaves. The side is 2 * axis, plus 1
-/// for the upper side.
+/// Side of the box through which a streamline leaves, with the time and position. The side is 2 *
+/// axis, plus 1 for the upper side.
 struct Exit
 {
   int Side = -1;
@@ -206,7 +206,8 @@ void TestBoundary(Check& check)
   check.SetContext("");
 }
 
-/// A mesh in single precision for a field in double precision, with and without the tolerance.
+/// A mesh in single precision for a field in double precision, with and without the arrival
+/// tolerance.
 void TestRounding(Check& check)
 {
   auto samples = MakeSamples(1000);
@@ -315,8 +316,8 @@ void TestWall(Check& check)
     "number of surfaces reached without the tolerance");
 }
 
-/// Surfaces along the streamline, past the end of the field, and with a boundary edge near the end
-/// of the streamline.
+/// A surface parallel to the streamline, surfaces past the end of the field, and surfaces whose
+/// boundary edge is near the end of the streamline. Only surfaces within the tolerance are reached.
 void TestMissed(Check& check)
 {
   auto image = MakeFlowImage(5, [](const Vector&) { return Vector{ { 1.0, 0.0, 0.0 } }; });

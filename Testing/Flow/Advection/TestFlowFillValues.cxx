@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Fill values in the velocity: automatic error and minimum speed ignore fill values at up to half
-// of the points and ignore no real values. Streamlines, line integral convolution, critical points,
+// Fill values in the velocity: the automatic error and minimum speed ignore fill values at up to
+// half of the points, but no real values. Streamlines, line integral convolution, critical points,
 // vortex axes and inflow surfaces are the same as without fill values, except nearby. A warning
 // names the value, including NaN and infinity.
 #include "Support/Checks/ReferenceCheck.h"
@@ -195,7 +195,7 @@ void HideLand(vtkImageData* image)
   }
 }
 
-/// Advection to a plane, and its results for a field without fill values.
+/// A filter that traces to a plane, and its results for a field without fill values.
 struct FlowToPlane
 {
   FlowToPlane()

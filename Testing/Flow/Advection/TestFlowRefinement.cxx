@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Samples refined where neighboring results differ. Cells match at faces and fill the original
-// cells on grids of every kind. The volume that a flow volume omits at a separatrix, and at a
-// surface to which the flow returns, halves with each level. Also tests arrays, threads, pieces,
+// cells on grids of every kind. Each level halves the volume that a flow volume omits at a
+// separatrix and at a surface to which the flow returns. Also tests arrays, threads, pieces,
 // ghosts, progress and abort.
 #include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -266,7 +266,7 @@ void TestGrids(Check& check)
   }
 }
 
-/// Volume omitted at a separatrix that contains no sample at any level.
+/// The volume omitted at a separatrix on which no sample lies at any level.
 void TestSeparatrix(Check& check)
 {
   constexpr double position = 0.0237;
@@ -300,7 +300,7 @@ void TestSeparatrix(Check& check)
         check.That(std::max(position - bounds[2], bounds[3] - position) <= width, "within a cell");
       }
     }
-    // The planes have two sides, and all samples reach one of them.
+    // All samples reach a plane, so the exact volume is the volume of the domain, 2.4.
     const double omitted = 2.4 - MeasureVolume(volume->GetOutput());
     check.That(omitted > 0.0 && omitted <= 1.2 * width + 1e-9, "omitted volume");
     check.That(levels == 0 || omitted < 0.6 * before, "the omitted volume halves per level");

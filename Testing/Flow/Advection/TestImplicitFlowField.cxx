@@ -132,7 +132,7 @@ void TestGrids(Check& check)
   check.SetContext("");
 }
 
-/// Samples on a separate image and on another dataset, some of them outside.
+/// Samples on a separate image and on another dataset, some of them outside the field.
 void TestSamples(Check& check)
 {
   auto image = MakeFlowImage(5, Shear);
@@ -247,8 +247,8 @@ void TestDomainFaces(Check& check)
   }
 }
 
-/// A flow source is enclosed in a sphere if critical points are searched. Otherwise streamlines
-/// stagnate.
+/// With CriticalPointSpheres, a flow source is enclosed in a sphere. Without it, streamlines
+/// stagnate there.
 void TestCriticalPoints(Check& check)
 {
   const auto field = [](const Vector& x) {
@@ -266,7 +266,7 @@ void TestCriticalPoints(Check& check)
     filter->GetReport()->GetCount("SamplesBySurface"), 728, "all samples reach the sphere");
   check.Equal(
     filter->GetReport()->GetCount("Statuses", vtkFlowStatus::STAGNATED), 1, "one sample is inside");
-  // In the other direction there is no sphere, and all streamlines leave.
+  // In the forward direction there is no sphere, and all streamlines leave the field.
   filter->DomainFacesOn();
   filter->SetDirectionToForward();
   filter->Update();
@@ -363,7 +363,8 @@ void TestThreads(Check& check)
   check.That(steps > 1000, "the report has steps");
 }
 
-/// NaN in a block of points: reported for samples that are in the block or reach it, and no others.
+/// A block of points with NaN: only samples that are in the block or reach it have the status
+/// NOT_FINITE.
 void TestNotFinite(Check& check)
 {
   auto image = MakeFlowImage(9,
@@ -509,14 +510,14 @@ void TestBuildingProgress(Check& check)
     {
       watch.Progress.clear();
       watch.AbortAfter = after;
-      // Newer executives do not reset the flag.
+      // Executives of newer VTK versions do not reset the abort flag.
       filter->SetAbortExecute(0);
       filter->Modified();
       check.That(MessagesOf(filter).empty(), "an abort is not an error");
       auto* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
       check.Equal(output->GetNumberOfPoints(), 0, "points after an abort");
       check.Equal(filter->GetReport()->GetCount("Executions"), 1, "an aborted execution");
-      // Newer executives report progress 1 for an aborted execution too.
+      // Executives of newer VTK versions report progress 1 even for an aborted execution.
       const std::size_t ends = watch.Progress.back() == 1.0 ? 1 : 0;
       check.That(watch.Progress.size() - ends == after + 1, "no progress after an abort");
     }

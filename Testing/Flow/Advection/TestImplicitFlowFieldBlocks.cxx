@@ -108,7 +108,7 @@ double GetValue(vtkDataSet* data, const char* name, vtkIdType id, int component 
   return data->GetPointData()->GetArray(name)->GetComponent(id, component);
 }
 
-/// Checks that each sample has the result of the sample of \a whole at the same position.
+/// Checks that each sample has the same result as the sample of \a whole at its position.
 void CheckSame(vtkDataSet* found, vtkDataSet* whole, Check& check)
 {
   for (vtkIdType id = 0; id < found->GetNumberOfPoints(); ++id)
@@ -195,7 +195,7 @@ void SetGhosts(vtkDataSet* grid, int attributes, unsigned char ghost,
   grid->GetAttributes(attributes)->AddArray(ghosts);
 }
 
-/// Hidden cells of a block stop streamlines. Duplicates of another block's cells do not.
+/// Hidden cells of a block stop streamlines. Duplicates of another block's cells do not stop them.
 void TestGhosts(Check& check)
 {
   const auto isLast = [](vtkIdType cell) { return cell % 2 == 1; };
@@ -333,7 +333,7 @@ void TestArrays(Check& check)
   check.Equal(first->GetPointData()->GetNumberOfArrays(), 3, "the input is unchanged");
 }
 
-/// A single block is used like a field without blocks.
+/// A single block yields the same results as its dataset without blocks.
 void TestSingle(Check& check)
 {
   for (const Grid& grid :

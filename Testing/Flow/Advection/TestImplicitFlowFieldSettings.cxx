@@ -88,7 +88,7 @@ void TestLimits(Check& check)
     "the minimum speed for a field without flow");
 }
 
-/// Integration methods, identified by their step counts, and the arrays of step counts.
+/// Integration methods, identified by their numbers of steps, and the arrays of these numbers.
 void TestMethods(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;
@@ -141,7 +141,8 @@ std::vector<std::vector<int>> GetSurfaces(vtkDataSet* output)
   return rows;
 }
 
-/// Unused ids skip all parts of other surfaces. Ids are unique. Also tests periodic parameters.
+/// Automatic ids skip the ids of all parts of other surfaces, so ids are unique. Also tests
+/// periodic parameters.
 void TestIds(Check& check)
 {
   vtkNew<vtkTerminationBox> box;

@@ -133,7 +133,7 @@ std::vector<Vector> MakeStarts(vtkDataSet* data, int number, unsigned int seed)
   std::vector<Vector> starts;
   for (int i = 0; i < number; ++i)
   {
-    // Some samples are outside. Some are at grid points.
+    // Some samples are outside the grid, some are at grid points.
     const double wide = i % 16 == 0 ? 0.2 : 0.0;
     Vector x;
     for (int axis = 0; axis < 3; ++axis)
@@ -309,8 +309,8 @@ void TestLimits(Seen& seen, Check& check)
   check.SetContext("");
 }
 
-/// Logarithms and powers compared with the standard library. Two SIMD lanes yield the same bits as
-/// four.
+/// Logarithms and powers compared with the standard library. SIMD packs of two and of four lanes
+/// yield the same bits.
 void TestPowers(Check& check)
 {
   using interlume::SimdPack;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Implicit flow fields stopped by an abort or a kill and resumed from the checkpoint: results are
-// bit-identical to an uninterrupted run. Also tests rejected files and when checkpoints are
-// written.
+// bit-identical to an uninterrupted run. Also tests which files are rejected and when checkpoints
+// are written.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -182,8 +182,8 @@ std::string GetBytes(vtkImplicitFlowField* filter)
   return bytes;
 }
 
-/// Returns a copy of the report without the statistics of checkpoints, and without SIMD steps,
-/// which depend on how streamlines are grouped.
+/// Returns a copy of the report without the statistics of checkpoints, and without the number of
+/// SIMD steps, which depends on how streamlines are grouped.
 ReportCopy GetNumbers(vtkImplicitFlowField* filter)
 {
   const auto report = CopyReport(filter->GetReport());
@@ -219,7 +219,7 @@ void Abort(const Case& test, const std::string& name, double progress, Check& ch
   check.Equal(GetOutput(filter)->GetPointData()->GetNumberOfArrays(), 0, "arrays after an abort");
 }
 
-/// The file is a table with an identifying array.
+/// Checks that the file is a table with an array that identifies checkpoints.
 void CheckFile(const std::string& name, Check& check)
 {
   vtkNew<vtkXMLTableReader> reader;
@@ -355,7 +355,7 @@ void TestRejection(const std::string& name, const std::string& what, const std::
   check.That(GetBytes(filter) == GetBytes(expected), "the result equals the result without a file");
 }
 
-/// A checkpoint with other settings is replaced when an execution is stopped.
+/// An existing checkpoint of other settings is replaced when an execution is stopped.
 void TestReplaced(const std::string& name, Check& check)
 {
   check.SetContext("replaced");

@@ -225,8 +225,8 @@ void TestValues(Check& check, const std::string& name, const VectorField& field,
   }
 }
 
-/// With few samples, the weights of the trapezoidal rule matter. Values are proportional to its
-/// sums.
+/// With few samples, the weights of the trapezoidal rule matter. Values, relative to 1/2, are
+/// proportional to the sums of this rule.
 void TestWeights(Check& check)
 {
   check.SetContext("weights: ");
@@ -257,7 +257,7 @@ void TestWeights(Check& check)
 }
 
 /// If a streamline leaves the field, the remaining part of the kernel is normalized with its own
-/// deviation.
+/// standard deviation.
 void TestEnds(Check& check)
 {
   Setting setting;
@@ -295,7 +295,7 @@ void TestEnds(Check& check)
   }
 }
 
-/// The mean and deviation of a volume do not depend on the kernel.
+/// The mean and standard deviation over a volume do not depend on the kernel.
 void TestContrast(Check& check)
 {
   for (const double length : { 0.05, 0.5, 1.5 })
@@ -416,7 +416,7 @@ void TestOutside(Check& check)
   }
 }
 
-/// A streamline does not alternate across a sink.
+/// A streamline does not jump back and forth across a sink.
 void TestSink(Check& check)
 {
   check.SetContext("sink: ");
@@ -470,7 +470,7 @@ void TestDatasets(Check& check)
       }
       check.Near(GetValue(filter, id), values[id], 1e-6, "value", 1.0);
     }
-    // Values at the field's own points, without points input.
+    // Without a separate field, the input is the field, and values are computed at its points.
     const vtkSmartPointer<vtkFlowLIC> own = MakeFilter(setting);
     own->SetInputData(grid.second);
     check.That(MessagesOf(own).empty(), "no messages without points input");
@@ -484,7 +484,7 @@ void TestDatasets(Check& check)
   }
 }
 
-/// A setting of 0 selects a default that depends on the bounds.
+/// If a setting is 0, its value is derived from the bounds.
 void TestDefaults(Check& check)
 {
   check.SetContext("defaults: ");

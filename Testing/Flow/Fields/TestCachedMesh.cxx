@@ -50,7 +50,7 @@ std::string GetBytes(vtkImplicitFlowField* filter)
   return bytes;
 }
 
-/// Executes the filter again and compares the results with those for a copy of the mesh.
+/// Executes the filter again and compares the results with the results for a copy of the mesh.
 void CheckAgain(vtkImplicitFlowField* filter, vtkUnstructuredGrid* mesh, bool isCached,
   const std::string& what, Check& check)
 {
@@ -115,7 +115,7 @@ void TestChanges(MeshKind kind, Check& check)
   mesh->GetCellGhostArray()->SetValue(6, vtkDataSetAttributes::HIDDENCELL);
   mesh->GetCellGhostArray()->Modified();
   CheckAgain(filter, mesh, false, "another hidden cell", check);
-  // Cells of the same size in another order.
+  // Swaps two cells with equal numbers of points.
   vtkNew<vtkIdList> first;
   vtkNew<vtkIdList> other;
   mesh->GetCellPoints(0, first);
@@ -129,7 +129,7 @@ void TestChanges(MeshKind kind, Check& check)
   }
 }
 
-/// The cache is released with its last filter. vtkFlowLIC keeps it too.
+/// The cache is released with the last filter that uses it. vtkFlowLIC uses it too.
 void TestOwners(Check& check)
 {
   const auto mesh = MakeSwirl(FlowMeshKinds().front());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flow filters with default settings: a limited number of samples for large fields, active scalars
-// for coloring, and a warning with properties of the data if the output is empty.
+// Flow filters with default settings: they limit the number of samples for large fields, set active
+// scalars for coloring, and warn with properties of the data if the output is empty.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -250,7 +250,7 @@ void TestWarnings(Check& check)
   texture->SetInputData(vtkNew<vtkUnstructuredGrid>());
   texture->SetMapping(mapping);
   check.Contains(WarningsOf(texture), "The input has no triangles.");
-  // Samples on a surface, which has no volume.
+  // Samples in a plane enclose no volume.
   const auto flat = MakeFlowImage(9, Along);
   flat->SetDimensions(9, 9, 1);
   vtkNew<vtkImageData> sheet;

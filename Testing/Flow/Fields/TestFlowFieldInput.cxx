@@ -215,7 +215,8 @@ void TestAbort(Check& check)
     ProgressWatch watch;
     Observe(filter, watch);
     watch.AbortAt = 0.0;
-    // Clears the flag at the end, so that clearing it does not modify the filter again.
+    // Clears the abort flag at the end of the execution, because clearing it later would modify the
+    // filter again.
     vtkNew<vtkCallbackCommand> clearAbort;
     clearAbort->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
       { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(0); });

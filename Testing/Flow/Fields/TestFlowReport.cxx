@@ -13,7 +13,8 @@ namespace
 
 using namespace reference;
 
-/// Returns a report of two samples that reached a surface and one that did not. All values differ.
+/// Returns a report of two samples that reached a surface and one sample that did not. All values
+/// differ.
 interlume::FlowReport MakeReport()
 {
   interlume::AdvectionResult result;

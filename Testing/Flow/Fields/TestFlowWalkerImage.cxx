@@ -252,7 +252,7 @@ void CheckTypes(Check& check)
   }
 }
 
-// Numbers that single precision cannot represent.
+// Tests vectors with integers that single precision cannot represent.
 void CheckLargeIntegers(Check& check)
 {
   check.SetContext("large integers");

@@ -284,7 +284,8 @@ bool IsPositive(const Walker& walker)
   return true;
 }
 
-// Strongly distorted cells, for which Newton's method from the center does not find all positions.
+// Strongly distorted cells, in which Newton's method, started at the center, does not find all
+// positions.
 void CheckDistorted(Check& check)
 {
   check.SetContext("distorted");
@@ -322,7 +323,7 @@ void CheckDistorted(Check& check)
   check.That(cells > 100, "the field has such cells");
 }
 
-// A cell inverted by a moved point, and collapsed cells: all walks end, and nothing is NaN.
+// A cell inverted by a moved point, and collapsed cells: all walks end, and no result is NaN.
 void CheckFolded(Check& check)
 {
   check.SetContext("folded");

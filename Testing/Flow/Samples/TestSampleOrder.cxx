@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The order in which samples are advected: each sample occurs once, samples of a block are
-// consecutive, and positions may be arbitrary.
+// The order in which samples are advected: each sample occurs once, the samples of a block are
+// consecutive, and any positions are allowed.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 

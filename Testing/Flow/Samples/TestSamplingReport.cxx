@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Error of interpolation between samples, as reported by vtkImplicitFlowField, compared with
 // formulas for uniform and rotating flow on all grids. Also tests split cells, seams, threads, and
-// when the check is off.
+// when the error is not checked.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -32,7 +32,7 @@ using namespace reference;
 
 constexpr int AllCells = 1000000;
 
-/// An image of samples.
+/// The numbers of points and the bounds of an image of samples.
 struct SampleGrid
 {
   std::array<int, 3> Points;
@@ -71,7 +71,7 @@ vtkSmartPointer<vtkImplicitFlowField> NewFilter(vtkDataSet* field, vtkTerminatio
   return filter;
 }
 
-/// Values of the report about interpolation between samples.
+/// Values that the report contains about interpolation between samples.
 struct Sampling
 {
   struct Error
@@ -229,8 +229,8 @@ End FollowRotation(const Vector& x)
   return end;
 }
 
-/// Compares the report with the formula for all grids, with and without boundaries of the field and
-/// of the reached region.
+/// Compares the report with the formula for all grids. The samples are inside the field, or extend
+/// past the boundaries of the field and of the reached region.
 void TestRotation(Check& check)
 {
   const SampleGrid sampleGrids[] = { { { { 15, 14, 4 } },

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Results interpolated from neighboring samples: errors compared with formulas and with full
-// advection, rejected blocks, threads, and the default.
+// Results interpolated from neighboring samples: their errors compared with formulas and with full
+// advection. Also tests rejected blocks, threads, and the default setting.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -45,7 +45,7 @@ struct Formula
 };
 using FormulaFunction = std::function<Formula(double i, double j, double k)>;
 
-/// Statistics of interpolation for known results.
+/// Counts and errors of the interpolation of known results.
 struct Outcome
 {
   vtkIdType Number = 0;
@@ -143,7 +143,8 @@ void TestFormulas(Check& check)
     check.SetContext("cubic, " + std::to_string(points[0]) + " points");
     const Outcome cubics = Run(points, cubic, 1e-9, { { false, false } }, check);
     check.That(cubics.LargestError < 1e-3, "no error for a cubic polynomial");
-    // On a line, all samples are at centers of blocks.
+    // On a line, every sample that could be interpolated is the center of a block, which is
+    // advected as a check.
     check.Equal(
       cubics.Shared.empty(), points[0] < 33, "samples are interpolated if there are blocks");
   }
@@ -204,8 +205,8 @@ void TestRejections(Check& check)
       number > 0.1 * all && number < all, std::to_string(number) + " interpolated on one side");
     check.That(found.LargestError <= 1.0, "no error on one side");
   }
-  // A small feature at a sample of the coarsest level: no checked sample is close to it, so that
-  // all measured errors are small.
+  // A small feature at a sample of the coarsest level: no checked sample is close to it, so all
+  // measured errors are small.
   for (const int kind : { 0, 1, 2 })
   {
     check.SetContext("around one sample, kind " + std::to_string(kind));
@@ -235,8 +236,8 @@ void TestRejections(Check& check)
   };
   const Outcome edges = fraction(edge, { { false, false } });
   check.That(edges.LargestError <= 1.0, "no error at a boundary edge");
-  // A wall with a width of one sample, which coarse levels miss. Its samples are advected at the
-  // first level that contains them.
+  // A wall one sample wide, which coarse levels miss. Its samples are advected at the first level
+  // that contains them.
   const auto wall = [&](double i, double j, double k)
   {
     Formula result = flat(i, j, k);

@@ -18,7 +18,7 @@ public:
   static CurvedGridSource* New();
   vtkTypeMacro(CurvedGridSource, vtkStructuredGridAlgorithm);
 
-  /// Computes the position of a point from its indices, which are scaled to the range 0 to 1 over
+  /// Computes the position of a point from its indices, which are mapped to the range 0 to 1 over
   /// the whole extent.
   using Shape = std::function<void(const double part[3], double x[3])>;
   /// @{ A closed ring around an axis whose first and last angles differ by rounding errors, a ring

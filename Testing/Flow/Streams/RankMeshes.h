@@ -24,7 +24,7 @@ namespace RankMeshes
 vtkSmartPointer<vtkUnstructuredGrid> Make(reference::MeshKind kind, const std::array<int, 3>& cells,
   CurvedGridSource::Shape shape, int field, int type = VTK_DOUBLE);
 
-/// Shuffles the cells, so that pieces are interleaved.
+/// Shuffles the cells, so that cells of different pieces are adjacent everywhere.
 void Shuffle(vtkUnstructuredGrid* mesh);
 
 /// Hides some cells and some points.

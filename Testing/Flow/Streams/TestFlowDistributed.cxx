@@ -143,7 +143,7 @@ void AddPlane(vtkImplicitFlowField* filter, double x)
   filter->AddTerminationSurface(plane);
 }
 
-/// Uses a plane, domain faces and all optional results.
+/// Adds a plane and turns on domain faces and all optional results.
 void SetAll(vtkImplicitFlowField* filter)
 {
   AddPlane(filter, 0.31);
@@ -561,7 +561,7 @@ bool ResetMemory()
 }
 
 /// Each process stores a fraction of a large field. Compares the reported size and the memory of
-/// the process for the distributed field with those for the full field.
+/// the process with the values for the full field.
 void TestMemory(Check& check, vtkMultiProcessController* controller, const std::string& name,
   vtkIdType points, std::size_t size, const std::function<vtkAlgorithm*()>& makeSource)
 {
@@ -632,7 +632,8 @@ void Abort(vtkObject* caller, unsigned long, void*, void*)
   }
 }
 
-/// An abort in one process aborts all, leaves no samples, and the filter can execute again.
+/// An abort in one process aborts all processes and leaves no samples. Afterward, the filter can
+/// execute again.
 void TestAbort(Check& check, vtkMultiProcessController* controller, const std::string& name,
   const vtkSmartPointer<vtkAlgorithm>& source)
 {
@@ -663,7 +664,8 @@ void TestAbort(Check& check, vtkMultiProcessController* controller, const std::s
     filter->GetReport()->GetCount("Executions"), 1, "executions after the next execution");
 }
 
-/// Some settings require the full field in every process. Their results are complete.
+/// Some settings require the full field in every process. With these settings, results are complete
+/// too.
 void TestWholeField(Check& check, vtkMultiProcessController* controller)
 {
   check.SetContext("full field");
@@ -775,7 +777,7 @@ void TestMeshPieces(Check& check, vtkMultiProcessController* controller)
   }
 }
 
-/// An error in one process is reported by every process, and no process waits.
+/// An error in one process is reported by every process, and no process waits for another forever.
 void TestErrors(Check& check, vtkMultiProcessController* controller)
 {
   check.SetContext("errors");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Implicit flow of a distributed field is aborted in one process: all processes stop without
-// results. After the flag is cleared, all have the complete results.
+// results. After the abort flag is cleared, all processes compute complete results.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkTerminationInflow: the rectangle is perpendicular to the main axis of the flow, at the end
-// where the flow enters, and as wide as the inflow, on every kind of grid. For forward streamlines
-// it is where the flow leaves.
+// where the flow enters, and as wide as the inflow, on every kind of grid. For forward streamlines,
+// the rectangle is at the end where the flow leaves.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -76,7 +76,8 @@ void TestUniform(Check& check)
   }
 }
 
-/// A jet through a part of the inlet, a flow whose rate increases, and the size of the rectangle.
+/// A jet through a part of the inlet, a flow whose rate increases downstream, and the size of the
+/// rectangle.
 void TestParts(Check& check)
 {
   check.SetContext("jet");
@@ -86,7 +87,7 @@ void TestParts(Check& check)
     });
   vtkNew<vtkTerminationInflow> surface;
   surface->InitializeFromField(image, image->GetPointData()->GetVectors(), true);
-  // The cells from 2 to 2.5 have flow on one side.
+  // In the cells with x from 2 to 2.5, only the points at x = 2 have flow.
   const double low[3] = { 0.0, 0.0, 0.0 };
   const double high[3] = { 2.5, 4.0, 4.0 };
   CheckRectangle(surface, 2, Inside, low, high, check);

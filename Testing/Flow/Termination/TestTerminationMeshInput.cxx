@@ -139,8 +139,8 @@ void CheckDoubledPoints(Check& check)
     const int first = static_cast<int>(separate.Points.size());
     for (int corner : triangle)
     {
-      // The distance is below the tolerance. Points lie on both sides of zero and of any hash grid
-      // plane.
+      // The shift is below the tolerance. Shifted points lie on both sides of zero and of any plane
+      // of the hash grid.
       const double shift = (static_cast<double>(separate.Points.size() % 7) - 3.0) * 1e-10;
       separate.Points.push_back(star.Points[corner] + Vector{ { shift, -shift, 0.5 * shift } });
       separate.Texture.push_back({ { 0.5, 0.01 * static_cast<double>(first) } });
@@ -148,7 +148,7 @@ void CheckDoubledPoints(Check& check)
     separate.Triangles.push_back({ { first, first + 1, first + 2 } });
   }
   CheckSame(separate, star, "separate points for each triangle", check);
-  // Points at a larger distance are not merged.
+  // With a smaller tolerance, these points are not merged.
   check.SetContext("tolerance");
   vtkNew<vtkTerminationMesh> surface;
   surface->SetMesh(separate.MakeData());

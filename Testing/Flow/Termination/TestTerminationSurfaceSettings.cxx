@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors that Update reports for invalid settings, ids, bounds, and PrintSelf.
+// Errors that Update reports for invalid settings. Also tests ids, bounds and PrintSelf.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Flow/ReferenceTermination.h"
@@ -133,7 +133,7 @@ void CheckDefaults(vtkTerminationSurface* surface, Check& check)
     "no point of a part that does not exist");
 }
 
-// Compares the bounds with many points.
+// Compares GetBounds() with the bounds of many points on the surface.
 void CheckBounds(Check& check)
 {
   check.SetContext("bounds");

@@ -100,7 +100,7 @@ std::vector<FlowVector> SearchZeros(vtkCell* cell, vtkDataArray* vectors, bool& 
       evaluate(p, value);
       for (int j = 0; j < 3; ++j)
       {
-        // The field is linear in each parameter, so that the difference is the derivative.
+        // The field is linear in each parameter, so the central difference is the exact derivative.
         double ahead[3];
         double behind[3];
         double q[3] = { p[0], p[1], p[2] };
@@ -151,7 +151,7 @@ void CheckRandomCells(Check& check)
     for (int n = 0; n < 1200; ++n)
     {
       auto mesh = MakeCell(type, type == VTK_VOXEL ? 0.0 : 0.1, random);
-      // Many random fields have a component with a constant sign and no zeros.
+      // In many random fields, a component has a constant sign, so there is no zero.
       SetVelocity(mesh, [&random](const FlowVector&) { return random.GetPoint(1.0); });
       vtkCell* cell = mesh->GetCell(0);
       bool isClear = true;
@@ -290,8 +290,8 @@ void CheckKnownPairs(Check& check)
   }
 }
 
-// Outward on the boundary, random inside: by Poincare and Hopf, the signs of det J sum up to 1 for
-// any inner values. The sum detects missing and duplicate zeros.
+// The field points outward on the boundary and is random inside. By the Poincare-Hopf theorem, the
+// signs of det J sum up to 1 for any inner values. The sum detects missing and duplicate zeros.
 void CheckIndices(Check& check)
 {
   Random random(41);
@@ -321,7 +321,7 @@ void CheckIndices(Check& check)
       }
       check.Equal(sum, 1, "sum of indices");
       check.Equal(generic.Filter->GetReport()->GetCount("DegenerateCells"), 0, "degenerate cells");
-      // Zeros at mesh points without common cells.
+      // Zeros at mesh points that share no cell.
       const FlowVector positions[3] = { { { 1, 1, 1 } }, { { 3, 2, 1 } }, { { 2, 3, 3 } } };
       for (FlowVector position : positions)
       {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Known zeros of linear and trilinear fields on all kinds of grids, including zeros on faces, edges
-// and points, without duplicates, at various scales.
+// Known zeros of linear and trilinear fields are found without duplicates, on all kinds of grids
+// and at various scales, including zeros on faces, edges and points.
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceCriticalPoints.h"

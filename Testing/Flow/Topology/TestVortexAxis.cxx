@@ -34,7 +34,7 @@ using namespace reference;
 
 constexpr double Pi = 3.14159265358979323846;
 
-// Position on an axis as a function of z.
+// Function that returns the position on an axis at a given z.
 using Curve = std::function<FlowVector(double)>;
 
 // Returns a vortex with zero in-plane velocity on a curve and a swirl that decays outward.
@@ -244,7 +244,7 @@ void CheckLayers(Check& check)
   }
 }
 
-// Other directions, and axes along edges and faces of cells.
+// Directions other than the default, and axes along edges and faces of cells.
 void CheckDirections(Check& check)
 {
   const std::vector<FlowVector> axes = { { { 0.0, 0.0, 1.0 } }, { { 3.0, 0.0, 0.0 } },

@@ -71,7 +71,7 @@ bool IsInSphere(const Case& one, const Vector& x)
     [&x](const auto& ball) { return GetNorm(x - ball.first) < ball.second; });
 }
 
-/// Cells of the field that use a point of the obstacle.
+/// The cells of the field that use a point of the obstacle.
 class Obstacle
 {
 public:
@@ -291,9 +291,9 @@ void TestAtPlane(Check& check)
   check.Near(found, exact, 0.02, "volume");
 }
 
-/// Values in cut cells are exact because the field is linear, also with intervals. Close to the
-/// boundary the error is up to the width of the bisection, a 64th of a cell, and slightly more if
-/// the distances of a cell's points are inconsistent.
+/// Values in cut cells are exact because the field is linear, with and without intervals. Close to
+/// the boundary the error is up to the width of the bisection, a 64th of a cell, and slightly more
+/// if the distances of a cell's points are inconsistent.
 void TestValues(Check& check)
 {
   check.SetContext("values");

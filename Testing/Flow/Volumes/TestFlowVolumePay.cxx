@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A flow volume only does what is requested: no passes for bounds outside the data, no repeated
-// passes for unchanged settings, and no surfaces, normals or copies of points that are not
+// A flow volume does only the work that is requested: no passes for bounds outside the data, no
+// repeated passes for unchanged settings, and no surfaces, normals or copies of points that are not
 // requested.
 #include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"

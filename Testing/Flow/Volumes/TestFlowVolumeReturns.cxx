@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Flow that returns to its termination surface: on which side samples lie and how streamlines
-// leave, which cells a flow volume omits, and the limit of time jumps.
+// Flow that returns to its termination surface: on which side of the surface samples lie and
+// streamlines arrive, which cells a flow volume omits, and the limit on time jumps.
 #include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
@@ -106,7 +106,7 @@ vtkIdType CountCells(
   return count;
 }
 
-/// Counts tetrahedra with points on both sides of an isovalue of a function.
+/// Counts tetrahedra with points on both sides of the zero of a function.
 vtkIdType CountAcross(
   vtkUnstructuredGrid* mesh, const std::function<double(const double*)>& function, double tolerance)
 {
@@ -134,8 +134,8 @@ double GetHalfPlane(const double* x)
   return x[0] > 0.0 ? x[1] : 0.0;
 }
 
-/// In a rotation with unit angular speed, the arc length of a far side is the time multiplied by
-/// the radius.
+/// Checks the far-side results of a rotation with unit angular speed: the arc length is the time
+/// multiplied by the radius.
 void CheckFarSides(vtkDataSet* samples, Check& check)
 {
   vtkFieldData* data = samples->GetFieldData();
@@ -302,8 +302,8 @@ void TestMesh(Check& check)
   }
 }
 
-/// Samples between two surfaces with one id have the side of the closer surface, and time continues
-/// there.
+/// Samples between two surfaces with one id have the side of the closer surface. Cells in the
+/// middle, where the side changes, remain.
 void TestOneId(Check& check)
 {
   check.SetContext("two surfaces with one id");

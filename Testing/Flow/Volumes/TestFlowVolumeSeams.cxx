@@ -40,8 +40,8 @@ void Connect(vtkInflowMapping* mapping, vtkFlowVolume* volume, vtkDataSet* data)
   volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
 }
 
-// Even \a points: no sample on the separatrix. Odd \a points: a row of samples on it, which have no
-// result.
+// If \a points is even, no sample lies on the separatrix. If it is odd, a row of samples lies on
+// the separatrix and has no result.
 void CheckSaddle(int points, Check& check)
 {
   check.SetContext("saddle, " + std::to_string(points) + " points");
@@ -51,8 +51,8 @@ void CheckSaddle(int points, Check& check)
   vtkNew<vtkInflowMapping> mapping;
   vtkNew<vtkFlowVolume> volume;
   Connect(mapping, volume, image);
-  // Values of the two sides differ, so that values in between indicate interpolation across the
-  // separatrix.
+  // The values of the two sides are far apart. Any value in between indicates interpolation across
+  // the separatrix.
   mapping->SetFormula(0, "u");
   mapping->SetFormula(1, "5+u");
   volume->SetInterval(0, -0.25, 0.25);
@@ -183,7 +183,7 @@ void CheckCylinder(Check& check)
   volume->SetTimeRange(0.1, 0.6);
   volume->SetTimeSurface(0, 0.3);
   volume->SetStreamSurface(0, 0.5);
-  // The mapping does not depend on u, so that the geometry equals the geometry without a seam.
+  // The mapping does not depend on u, so the geometry must equal the geometry without a seam.
   vtkNew<vtkInflowMapping> plainMapping;
   vtkNew<vtkFlowVolume> plain;
   Connect(plainMapping, plain, makeImage(0));
@@ -282,7 +282,8 @@ void CheckCylinder(Check& check)
     GetLargestSpread(volume->GetOutput(), "Inflow", 0) < 0.3, "no cell spans the discontinuity");
 }
 
-// Both directions are periodic: cells across one seam, the other seam, and both.
+// Both directions are periodic. Some cells lie across one seam, some across the other, some across
+// both.
 void CheckTorus(Check& check)
 {
   check.SetContext("torus");

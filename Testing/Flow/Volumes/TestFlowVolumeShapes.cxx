@@ -67,7 +67,8 @@ vtkSmartPointer<vtkImageData> MakeUniform(int points)
   return image;
 }
 
-// The cylinder of streamlines through a circle, from 0.4 to 1.5 in time: 0.2 to 0.75 in space.
+// The cylinder of streamlines through a circle, between the times 0.4 and 1.5, which extends from x
+// = 0.2 to 0.75.
 void CheckUniform(Check& check)
 {
   check.SetContext("uniform flow");

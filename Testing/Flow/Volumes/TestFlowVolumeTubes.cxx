@@ -95,7 +95,7 @@ vtkSmartPointer<vtkDataSet> MapSamples(vtkImplicitFlowField* field)
 
 using Tube = std::array<double, 2>;
 
-/// Random positions. The fraction of them in a tube yields the volume of the tube.
+/// Random positions, of which the fraction inside a tube yields the volume of the tube.
 class SampleBoxes
 {
 public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scalar on termination surfaces at every sample: formulas, rings and images compared with their
-// definitions, NaN without a value, periodicity, invalid settings, and threads.
+// vtkInflowMapping evaluates a scalar of the termination surfaces at every sample: formulas, rings
+// and images compared with their definitions, NaN at samples without a value, periodicity, invalid
+// settings, and threads.
 #include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -356,7 +357,7 @@ void CheckRuns(Check& check)
 int TestInflowMapping(int, char*[])
 {
   Check check;
-  // Samples with several ids in a thread's range.
+  // With the sequential backend, one range contains samples with several ids.
   vtkSMPTools::SetBackend("Sequential");
   CheckFormulas(check);
   CheckRings(check);

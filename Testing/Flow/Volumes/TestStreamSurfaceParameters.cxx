@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Texture coordinates of stream surfaces: lengths along inflow contours compared with formulas, for
-// closed, open and multiple contours, and across seams. Triangles never span the wrap-around. Also
-// tests start points, scales and errors.
+// closed, open and multiple contours, and across seams. No triangle spans the point where s wraps
+// around. Also tests start points, scales and errors.
 #include "Support/AnalyticFlows/ReferenceFlowResults.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
@@ -37,7 +37,7 @@ using namespace reference;
 
 const double Pi = vtkMath::Pi();
 
-// A stream surface of a formula, with texture coordinates.
+// A pipeline from an Inflow formula to a stream surface with texture coordinates.
 struct Pipeline
 {
   vtkNew<vtkInflowMapping> Mapping;
@@ -228,7 +228,7 @@ void CheckPlane(Check& check)
   check.Equal(circle.GetNumberOfClosedContours(), 1, "closed contours");
   check.Near(circle.GetLength(0), 2.0 * Pi * 0.3, 1e-4, "length");
   CheckTriangles(circle, 0.15, check);
-  // Higher values are outside: on the left for a clockwise contour.
+  // Higher values are outside, which is on the left of a clockwise contour.
   const auto angle = [](const double* x) { return std::atan2(x[2] - 0.5, x[1] - 0.5); };
   CheckCircle(circle, 0.3, angle, -1.0, 2e-3, check);
   check.That(
@@ -246,7 +246,7 @@ void CheckPlane(Check& check)
     {
       for (int c = 0; c < 3; ++c)
       {
-        // Clockwise from the top. Copies are one rotation ahead.
+        // Rotations clockwise from the top. Duplicate points at the start are one rotation ahead.
         double rotations = 0.25 - angle(corners[c].X) / (2.0 * Pi);
         rotations -= std::floor(rotations);
         const double found = corners[c].S / circle.GetLength(0);
@@ -317,7 +317,7 @@ void CheckPlane(Check& check)
     });
   check.Equal(static_cast<long long>(met.size()), 2, "both circles have triangles");
 
-  // In the square around the saddle, the branches pass each other.
+  // In the square of the contour grid around the saddle, two branches pass each other.
   for (double value : { 0.0004, -0.0004 })
   {
     check.SetContext("saddle, " + std::to_string(value));

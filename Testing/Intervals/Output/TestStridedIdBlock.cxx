@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Cell ids along a row and their multiples, written with normal and with streaming stores, compared
-// with scalar loops. Also compaction of retained points compared with a loop over the marks, and a
-// volume with enough tetrahedra to use streaming stores.
+// with scalar loops. Also tests the compaction of retained points, compared with a loop over the
+// marks, and a volume with enough tetrahedra to use streaming stores.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "Output/StridedIdBlock.h"

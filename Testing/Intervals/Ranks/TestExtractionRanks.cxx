@@ -68,7 +68,8 @@ vtkSmartPointer<vtkDataSet> ReadPart(
   return data;
 }
 
-/// Converts bytes to short integers, whose range allows for the values added per time step.
+/// Returns part of a volume, converted from bytes to short integers, whose range allows for the
+/// values added per time step.
 vtkSmartPointer<vtkDataSet> MakeImage()
 {
   vtkSmartPointer<vtkDataSet> image = ReadPart("neghip.vti", "SLCImage", 20, 32);
@@ -242,7 +243,7 @@ std::vector<double> CellsPerProcess(const Extraction& extraction)
   return cells;
 }
 
-/// Checks that the reported number of cells per process is correct and is equal in all processes.
+/// Checks that every process reports the same, correct numbers of cells per process.
 void TestBalance(Check& check, vtkMultiProcessController* controller, const Extraction& extraction,
   const std::string& context)
 {
@@ -353,8 +354,8 @@ void TestCase(Check& check, vtkMultiProcessController* controller, const Case& t
     check.That(CellsPerProcess(singles[number]).empty(), "no load balance for a single process");
     if (ranks > 1)
     {
-      // Cells that touch a value only in faces between pieces may be counted in a different way. Up
-      // to 74 of 1868 cells differed.
+      // Cells that touch a value only in faces between pieces may be counted differently than in
+      // the single process, hence the tolerance.
       const std::vector<double> cells = CellsPerProcess(pieces[number]);
       check.Near(std::accumulate(cells.begin(), cells.end(), 0.0),
         singles[number].Report->GetNumber("CellsWithOutput"), 0.05,

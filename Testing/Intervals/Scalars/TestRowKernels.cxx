@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// SIMD kernels compared with scalar loops: ranges of codes around the cells of a row, codes of
-// values, marks of codes, and tests for finite values.
+// SIMD kernels compared with scalar loops: the ranges of codes at the points of each cell in a row,
+// codes of values, marks of codes, and tests for finite values.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "Scalars/RowKernels.h"
@@ -22,7 +22,7 @@ using Code = interlume::RowKernels::Code;
 
 constexpr Code Mixed = 65535;
 
-/// Returns eight rows of codes below \a codes. Long runs have one code in all rows.
+/// Returns eight rows of codes below \a codes. In long runs of points, all rows have the same code.
 std::vector<std::vector<Code>> MakeRows(std::size_t points, unsigned codes, std::mt19937& random)
 {
   std::vector<std::vector<Code>> rows(8, std::vector<Code>(points));

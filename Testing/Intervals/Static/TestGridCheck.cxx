@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Errors for grids whose cells contradict their arrays, with 32-bit and 64-bit ids. The error names
-// the first invalid cell; valid grids have no error. Every filter reports the error, also for grids
-// from files.
+// Errors for grids whose cells contradict their connectivity arrays, with 32-bit and 64-bit ids.
+// The error names the first invalid cell; valid grids have no error. Every filter reports the
+// error, also for grids from files.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -36,7 +36,8 @@ namespace
 
 using namespace reference;
 
-// A thousand tetrahedra of ten points, alternating with empty cells or polygons of 3 or 5 points.
+// A thousand tetrahedra that share ten points, alternating with empty cells or polygons of 3 or 5
+// points.
 constexpr int Pairs = 1000;
 constexpr vtkIdType Points = 10;
 

@@ -134,7 +134,8 @@ void CheckReasons(Check& check)
   CheckWarnings(contour, {}, check);
 }
 
-/// A bound that is not a number is an error that quotes the text. A number as text is accepted.
+/// A bound given as text that is not a number causes an error that quotes the text. Text that is a
+/// number is accepted.
 void CheckTextBounds(Check& check)
 {
   auto filter = MakeFilter<vtkIntervalVolume>(MakeInput());

@@ -183,7 +183,8 @@ void CheckScalarTypes(Check& check)
   }
 }
 
-/// The output of one filter as input of the next: the ids refer to the input of the last filter.
+/// If the output of one filter is the input of the next, the ids refer to the input of the last
+/// filter.
 void CheckCascade(Check& check)
 {
   auto image = MakeInput(1);
@@ -208,8 +209,8 @@ void CheckCascade(Check& check)
   CheckIds(contour.Surface, "ContourId", 1, check);
 }
 
-/// Global ids and ghost flags are not valid for new points and cells. They must not be passed as
-/// such.
+/// Global ids and ghost flags are not valid for new points and cells, so they must not be passed
+/// with these roles.
 void CheckRoles(Check& check)
 {
   auto image = MakeInput(1);
@@ -300,7 +301,7 @@ void CompareArrays(
   }
 }
 
-/// Returns the outputs of both filters, with and without a criterion.
+/// Returns interval volumes with and without interior cells and a criterion, and a contour.
 std::vector<vtkSmartPointer<vtkUnstructuredGrid>> ExtractAll(vtkDataSet* data)
 {
   std::vector<vtkSmartPointer<vtkUnstructuredGrid>> all;

@@ -92,7 +92,7 @@ void CheckGhosts(size_t form, Check& check)
     CheckBlanked(lattice.Data, 8, "hidden point", check);
   }
   {
-    // Another process also has a duplicate point, but the cells belong to this process.
+    // A duplicate point exists in another process too, but its cells belong to this process.
     LatticeForm lattice = make();
     SetGhost(lattice.Data->GetPointData(), 125, InnerPoint, vtkDataSetAttributes::DUPLICATEPOINT);
     CheckBlanked(lattice.Data, 0, "duplicate point", check);

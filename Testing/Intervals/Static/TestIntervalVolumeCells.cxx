@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Other cell types: quadratic cells are treated as linear, with a warning. Lower-dimensional cells
-// and types without a linear counterpart are skipped and counted.
+// Cell types other than linear 3D cells: quadratic cells are treated as linear, with a warning.
+// Lower-dimensional cells and types without a linear counterpart are skipped and counted.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceReport.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -29,7 +29,7 @@ using namespace reference;
 
 const LinearFunction Function = { 0.1, { 0.3, 0.5, 0.7 } };
 
-/// Results and warnings of both filters for a mesh.
+/// Results and warnings of vtkIntervalVolume and vtkIsotableContour for a mesh.
 struct Run
 {
   double Volume;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Composite input yields composite output with the same structure, including empty leaves. The
-// simplices equal the results of the single leaves.
+// simplices of each leaf equal the result of extracting that leaf separately.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceField.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same regular grid as image, rectilinear, structured and unstructured grid yields
-// bit-identical simplices.
+// A regular grid yields bit-identical simplices whether it is given as an image or as a
+// rectilinear, structured or unstructured grid.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceField.h"

@@ -21,7 +21,7 @@ bool Expect(bool holds, const char* what)
   return holds;
 }
 
-// Tests point and row indices for row lengths whose reciprocal is rounded down or up.
+// Tests point and row indices for row lengths whose reciprocals are rounded down or up.
 bool TestRows()
 {
   bool holds = true;

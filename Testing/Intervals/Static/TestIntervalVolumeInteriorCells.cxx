@@ -430,7 +430,7 @@ void CheckMeshes(Check& check)
   }
 }
 
-/// A wide interval, so that most cells are interior. Criteria cut some of them.
+/// The interval is wide, so most cells are interior. Criteria cut some of these cells.
 void CheckCriteria(Check& check)
 {
   for (MeshKind kind : { MeshKind::Hexahedra, MeshKind::Voxels, MeshKind::Wedges, MeshKind::Mixed,
@@ -511,8 +511,7 @@ void MovePoints(vtkUnstructuredGrid* mesh, std::mt19937& random)
   mesh->GetPoints()->Modified();
 }
 
-/// Global ids determine the order of points. A mesh with nonplanar faces is tiled with and without
-/// them.
+/// Global ids determine the order of points, with planar and with nonplanar faces.
 void CheckOrder(Check& check)
 {
   for (unsigned int seed = 1; seed <= 3; ++seed)
@@ -581,8 +580,8 @@ void CheckNonPlanarFaces(Check& check)
   }
 }
 
-/// Meshes with nonplanar faces between interior cells, which are not counted, and with faces that
-/// are counted.
+/// Meshes with nonplanar faces. Faces between interior cells are not counted, faces between an
+/// interior cell and a cut cell are counted.
 void CheckNonPlanarMeshes(Check& check)
 {
   std::mt19937 random(5);

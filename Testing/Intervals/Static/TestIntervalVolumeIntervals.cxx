@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Several intervals extracted in one pass equal intervals extracted separately. Tests overlaps,
-// gaps, nested intervals and duplicate intervals. Values equal to a bound belong to the documented
-// side.
+// Several intervals extracted in one pass equal the same intervals extracted separately. Tests
+// overlaps, gaps, nested intervals and duplicate intervals. Values equal to a bound belong to the
+// interval that the documentation states.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceField.h"

@@ -64,13 +64,14 @@ void CheckKind(MeshKind kind, Check& check)
       CheckMatching(
         mesh, { { 0, 0 }, { 1, 1 }, { 0, 1 }, { 1, high }, { 0.5, 1 }, { 0.5, 1.5 } }, check);
       CheckMatching(mesh, { { 0, 1 }, { 1, high } }, check, { { "g", 0.5, 1 } });
-      // No other interval begins at the upper bounds.
+      // No other interval begins at an upper bound of these intervals.
       CheckMatching(mesh, { { 0, 1 }, { 0.5, 2 } }, check);
     }
   }
 }
 
-/// A single tetrahedron with a triangle that does not bound a volume.
+/// A single tetrahedron with the values 1, 1, 1, 0. Its face of value 1 is an upper triangle of [0,
+/// 1] only if another interval begins at 1.
 void CheckTetrahedron(Check& check)
 {
   check.SetContext("tetrahedron 1 1 1 0");

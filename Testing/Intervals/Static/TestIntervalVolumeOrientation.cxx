@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Number and volume of inverted tetrahedra on cells that are not simplices: with random values,
-// which are the worst case, and with a smooth field. The total volume is exact.
+// Number and volume of inverted tetrahedra from cells that are not simplices. Random values are the
+// worst case; a smooth field is tested too. The total volume is exact.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"
 #include "Support/Meshes/ReferenceField.h"

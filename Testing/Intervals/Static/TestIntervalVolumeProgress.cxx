@@ -102,7 +102,7 @@ int TestIntervalVolumeProgress(int, char*[])
   vtkDataSet* const inputsOfHexahedra[] = { image, hexahedra };
   for (vtkDataSet* data : inputsOfHexahedra)
   {
-    // Random values leave no hexahedron interior.
+    // With random values, no hexahedron is interior.
     check.SetContext(std::string("with KeepInteriorCells, ") + data->GetClassName());
     vtkNew<vtkIntervalVolume> volume;
     volume->SetInterval(0, 0.2, 0.4);

@@ -25,7 +25,7 @@ namespace
 {
 using namespace reference;
 
-/// The interval [1, 1] of a step function has its lower side at the smaller values.
+/// The lower boundary of the interval [1, 1] of a step function faces the smaller values.
 void CheckSidesOfZeroWidth(Check& check)
 {
   for (const bool isRising : { true, false })

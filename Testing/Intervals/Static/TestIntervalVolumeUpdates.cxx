@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A filter with ReuseMemory that is updated many times produces the same output as a fresh filter
-// in every state. Outputs held by others remain unchanged, and memory is reused, counted and freed.
+// with the same settings and data. Outputs that other objects hold remain unchanged, and memory is
+// reused, counted and freed.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Meshes/ReferenceField.h"
@@ -332,8 +333,8 @@ void CheckCounts(Check& check)
   check.That(filter->GetReport()->GetNumber("IdleBytes") > 0, "working memory is retained");
   const vtkIdType points = filter->GetOutput()->GetNumberOfPoints();
   const vtkIdType cells = filter->GetOutput()->GetNumberOfCells();
-  // Connectivity, offsets and interval ids of cells, coordinates and scalars of points. There is no
-  // list of points.
+  // The output stores connectivity, offsets and interval ids of cells, and coordinates and scalars
+  // of points. There is no list of points.
   const vtkIdType bytes = cells * (16 + 4 + 4) + points * (12 + 8);
   const double reused = update(0.201, 0.5)->GetNumber("ReusedBytes");
   std::cout << static_cast<vtkIdType>(reused) << " of at least " << bytes << " bytes reused, "
@@ -342,7 +343,7 @@ void CheckCounts(Check& check)
   check.That(update(0.202, 0.5)->GetNumber("IdleBytes") < bytes / 2,
     "idle memory is smaller than the output");
 
-  // An output held by others is not reused. It is reused after it is released.
+  // The memory of an output that another object holds is reused only after the object releases it.
   vtkNew<vtkUnstructuredGrid> held;
   held->ShallowCopy(filter->GetOutput());
   check.That(update(0.203, 0.5)->GetNumber("ReusedBytes") < reused / 2,

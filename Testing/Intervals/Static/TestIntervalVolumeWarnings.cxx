@@ -331,8 +331,8 @@ vtkSmartPointer<vtkOverlappingAMR> MakeLevels()
   return levels;
 }
 
-/// Cuts at x = 1.25 through the coarse cells from 1 to 2. Four cells are covered. Of the other
-/// cells, two adjoin the fine level on each of four sides.
+/// Cuts at x = 1.25 through the coarse cells from 1 to 2. The fine level covers four of these
+/// cells. Of the others, two adjoin the fine level on each of its four sides.
 void CheckLevels(Check& check)
 {
   const auto levels = MakeLevels();
@@ -349,7 +349,9 @@ void CheckLevels(Check& check)
       check.Equal(
         warned.Reports[i]->GetCount("CoveredCells"), isBlanked ? 0 : 4, name + ": covered cells");
       check.Equal(warned.Reports[i]->GetCount("LevelFaces"), 8, name + ": faces between levels");
-      check.That(Contains(warned.Texts[i], "4 cells of AMR levels are covered by a finer level but not blanked") == !isBlanked &&
+      check.That(
+        Contains(warned.Texts[i],
+          "4 cells of AMR levels are covered by a finer level but not blanked") == !isBlanked &&
           Contains(warned.Texts[i], "meet at 8 faces"),
         name + ": " + warned.Texts[i]);
     }

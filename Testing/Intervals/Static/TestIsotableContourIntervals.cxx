@@ -21,7 +21,7 @@ namespace
 
 using namespace reference;
 
-/// Returns the triangles whose last array has the given value, without that array.
+/// Returns the triangles whose last array value equals \a value, without this array value.
 std::vector<GeometricSimplex> Having(const std::vector<GeometricSimplex>& set, double value)
 {
   std::vector<GeometricSimplex> result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Documented guarantees for contours with values equal to the isovalue: no triangle is repeated or
-// also reversed, edges match, and the contour bounds the interval above it. Tested with all 8-bit
-// data files and with small integers in every cell type.
+// Documented guarantees for contours with values equal to the isovalue: no triangle occurs twice or
+// with both orientations, edges match, and the contour bounds the interval above it. Tested with
+// all 8-bit data files and with small integers in every cell type.
 #include "Support/Inputs/DataFiles.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Intervals/ReferenceExtraction.h"

@@ -209,7 +209,7 @@ void CheckKinds(Check& check)
   }
 }
 
-/// A single value equals the isovalue or is NaN, so that most rows have no such value.
+/// Only one value equals the isovalue or is not finite, so most rows have no such value.
 void CheckFew(Check& check)
 {
   for (double value : { 50.0, std::numeric_limits<double>::infinity(),
@@ -247,7 +247,7 @@ void SetGrowing(vtkDataSet* data, int type)
   }
 }
 
-/// The isovalue changes between executions, so that an index is used.
+/// The isovalue changes between executions, so the filter uses an index.
 void CheckIndex(vtkDataSet* data, Check& check)
 {
   vtkNew<vtkIsotableContour> retained;

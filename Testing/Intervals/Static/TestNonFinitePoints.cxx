@@ -398,8 +398,8 @@ void CheckGhosts(Check& check)
   ComparePoints(vtkPointSet::SafeDownCast(form.Data), "ghosts", check);
 }
 
-/// Time steps of a grid with non-finite points, at all steps or at one step. In the latter case the
-/// cells of the adjacent slabs are skipped.
+/// Time steps of a grid with non-finite points, at all steps or at one step. In the latter case,
+/// the cells at these points are skipped in the adjacent slabs.
 void CheckTime(Check& check)
 {
   for (const SpaceTimeGrid& grid : AllSpaceTimeGrids({ 4, 4, 4 }, 5))
@@ -435,7 +435,7 @@ void CheckTime(Check& check)
   }
 }
 
-/// Slabs in files have no non-finite points.
+/// The slabs that vtkTimeSlabWriter writes have no non-finite points.
 void CheckWriter(Check& check)
 {
   check.SetContext("writer of slabs");

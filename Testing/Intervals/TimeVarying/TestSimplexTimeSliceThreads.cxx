@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Output is bit-identical for any number of threads, between the time levels of a grid and at a
-// level.
+// Output is bit-identical for any number of threads, for slices between the time levels of a grid
+// and at a time level.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceThreads.h"
 #include "Support/TimeVarying/ReferenceSimplexGrid.h"

@@ -25,7 +25,8 @@ using Corners = std::array<Position, 4>;
 
 constexpr vtkIdType NumberOfSimplices = 6000;
 
-/// Returns randomly numbered simplices without common points, with the cell array simplex.
+/// Returns randomly numbered simplices without common points. The cell array `simplex` has their
+/// indices.
 vtkSmartPointer<vtkUnstructuredGrid> MakeRandomSimplices(unsigned int seed)
 {
   std::mt19937 random(seed);
@@ -91,8 +92,8 @@ bool Holds(const Corners& corners, const Position& point)
   return true;
 }
 
-/// Returns a random point of the slice: a random weighted mean of its points on the simplex's
-/// edges.
+/// Returns a random point of the slice: a random weighted mean of the points where the simplex's
+/// edges intersect the slice.
 Position PickPoint(const SimplexEvents& simplex, double t, std::mt19937& random)
 {
   std::uniform_real_distribution<long double> uniform(0.0L, 1.0L);
@@ -118,8 +119,8 @@ Position PickPoint(const SimplexEvents& simplex, double t, std::mt19937& random)
   return picked;
 }
 
-/// Checks the slices at a time. Adds the keys of the cases that occur. Bit i of a key is set if
-/// vertex i is above.
+/// Checks the slices at a time. Adds the keys of the cases that occur. Bit i of a key is set if the
+/// time of vertex i is above \a t.
 void CheckSlices(vtkUnstructuredGrid* simplices, double t, std::set<int>& cases, Check& check)
 {
   check.SetContext("t = " + std::to_string(t));

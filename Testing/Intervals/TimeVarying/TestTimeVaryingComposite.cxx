@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Composite steps yield composite outputs with the same structure, including empty leaves. The
-// simplices equal the results of the single leaves.
+// simplices of each leaf equal the result of extracting that leaf separately.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceLattice.h"

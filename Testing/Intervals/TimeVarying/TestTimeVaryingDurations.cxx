@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The sum of DeltaT over the tetrahedra that contain a point is the time that the function at the
-// point is in the interval.
+// The sum of DeltaT over the tetrahedra that contain a point is the time during which the function
+// at the point is in the interval.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceMesh.h"
 #include "Support/TimeVarying/ReferenceSimplices.h"
@@ -23,8 +23,7 @@ using namespace reference;
 constexpr int Samples = 40;
 const std::vector<double> Times = { -0.5, 0.25, 1.5 };
 
-/// Tests points near the center of the domain, within a tenth of its size, where every grid has
-/// cells.
+/// Tests points within a tenth of the domain's size from its center, where every grid has cells.
 template <typename Known>
 void CheckDurations(const TimeSteps& steps, const Interval& interval, Known&& known,
   const std::string& name, Check& check)

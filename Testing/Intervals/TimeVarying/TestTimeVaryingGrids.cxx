@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The same regular grid as image, rectilinear, structured and unstructured grid yields the same
-// 4-simplices, tetrahedra and boundaries.
+// A regular grid yields the same 4-simplices, tetrahedra and boundaries whether it is given as an
+// image or as a rectilinear, structured or unstructured grid.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceLattice.h"

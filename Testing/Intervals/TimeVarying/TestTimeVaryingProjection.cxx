@@ -172,9 +172,9 @@ std::vector<std::array<Position, 4>> TetrahedraOf(
   return tetrahedra;
 }
 
-/// Returns the length of the intersection of a line in time with the 4-simplex. Barycentric
-/// coordinates on the line are b + s lambda and must be nonnegative. Time is proportional to s,
-/// scaled by the moment.
+/// Returns the length of the intersection of the 4-simplex with the line through \a x along the
+/// time axis. Barycentric coordinates on the line are b + s lambda and must be nonnegative. Time is
+/// proportional to s, scaled by the moment.
 Real ExactDuration(const ExactProperties& exact, const Points& p, const Position& x)
 {
   // b comes from the tetrahedron without the point with the largest lambda.
@@ -272,9 +272,9 @@ struct Errors
   long long Count = 0;
 };
 
-/// Checks properties of every 4-simplex, even if it is close to another class. The error of the
-/// hypervolume is relative, plus terms for rounding errors of the thick point's coordinates and of
-/// a sum of times that cancel.
+/// Checks properties that hold for every 4-simplex, even if its class is ambiguous. The error of
+/// the hypervolume is relative, plus terms for rounding errors of the thick point's coordinates and
+/// of a sum of times that cancel.
 void CheckMeasures(const Points& p, Errors& errors, Check& check)
 {
   const ExactProperties exact = MakeTruth(p);
@@ -305,7 +305,7 @@ void CheckMeasures(const Points& p, Errors& errors, Check& check)
   ++errors.Count;
 }
 
-/// Checks properties of 4-simplices that are far from other classes.
+/// Checks properties of 4-simplices whose class is unambiguous.
 void CheckClass(
   const Points& p, int index, unsigned flat, Errors& errors, std::mt19937& random, Check& check)
 {
@@ -326,7 +326,7 @@ void CheckClass(
     static_cast<double>(size.Time));
   errors.Thickness = std::max(
     errors.Thickness, std::abs(projection.GetThickness() - exact.Thickness) / exact.Thickness);
-  // Both ends of the thick point have the same distance from the mean.
+  // The mean is halfway between both ends of the thick point.
   Real mean = 0;
   for (int i = 0; i < 5; ++i)
   {

@@ -40,7 +40,7 @@ void CheckFractions(Check& check)
     "4-simplex, above", 1);
   check.Near(Near(FractionBelow({ 1, 1, 1 }, 1)), 1, 0, "constant and equal");
   check.Near(Near(FractionBelow({ 1, 1, 1 }, 0)), 0, 0, "constant and above", 1);
-  // Four values at a distance of 1, one shifted by 1e-15: a half by symmetry.
+  // By symmetry, the fraction is a half up to the shift of 1e-15.
   check.Near(Near(FractionBelow({ 0, 1e-15L, 1, 1 }, 0.5)), 0.5, 1e-14, "nearly equal values");
 }
 

@@ -44,8 +44,8 @@ std::vector<GeometricSimplex> SetOf(
   return set;
 }
 
-/// Removes the tetrahedra at steps from the simplices of port 2. Two slabs may have the same
-/// tetrahedra.
+/// Removes the tetrahedra at steps from the simplices of port 2 and returns them. Two slabs may
+/// have the same tetrahedra.
 std::set<GeometricSimplex> RemoveAtSteps(std::vector<GeometricSimplex>& set)
 {
   std::set<GeometricSimplex> atSteps;
@@ -104,7 +104,7 @@ void CheckSlabs(const SpaceTimeGrid& grid, bool integers, Check& check)
   check.That(together == simplices, "4-simplices of single slabs");
   check.Equal(all.Report->GetCount("TimeSteps"), slabs + 1, "time steps reported");
   check.Equal(all.Report->GetCount("Slabs"), slabs, "slabs reported");
-  // Slabs share points at inner steps: no two points have the same position and time.
+  // Slabs share the points at inner steps, so no two points have the same position and time.
   if (!integers)
   {
     std::set<std::array<double, 4>> positions;

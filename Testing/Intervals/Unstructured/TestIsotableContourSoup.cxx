@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// MergePoints off: the triangles equal the triangles of the merged contour in order, with separate
-// points per triangle. Coordinates and arrays are bit-identical. Tests every grid and cell type,
-// ties, NaN, ghost cells, several values, arrays of any type, and any number of threads.
+// With MergePoints off, the triangles equal the triangles of the merged contour, in the same order,
+// but each triangle has its own points. Coordinates and arrays are bit-identical. Tests every grid
+// and cell type, ties, NaN, ghost cells, several values, arrays of any type, and any number of
+// threads.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceProgress.h"
 #include "Support/Checks/ReferenceThreads.h"

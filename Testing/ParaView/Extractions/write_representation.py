@@ -30,8 +30,8 @@ BY_TEMPERATURE = {
 BY_INTERVAL = {
     "color_by": ["CELLS", "IntervalId"], "colors": [[0.0, 0.22, 0.44, 0.72], [1.0, 0.93, 0.69, 0.26]],
     "opacities": [[0.0, 0.4], [1.0, 0.8]]}
-# Moving vortex tubes that appear and fade: green early, yellow between, red late, and denser where they stay
-# longer.
+# Moving vortex tubes that appear and fade: green early, yellow in between, red late, and denser
+# where they stay longer.
 BY_TIME = {
     "source": "AnalyticField",
     "source_properties": {

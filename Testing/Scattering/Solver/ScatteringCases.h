@@ -7,7 +7,7 @@
 namespace reference
 {
 
-/// Returns a homogeneous medium of size 1 along its longest side.
+/// Returns a homogeneous medium whose longest edge has length 1.
 interlume::ScatteringMedium MakeMedium(
   const glm::ivec3& cells, double extinction, const glm::vec3& albedo, double g);
 /// Returns a sphere with a soft, lumpy boundary in empty space. \a depth is the optical depth along
@@ -36,8 +36,8 @@ Solved Solve(const interlume::ScatteringMedium& medium,
   const std::vector<interlume::ScatteringLight>& lights, interlume::ScatteringMode mode,
   const interlume::ScatteringSettings& settings = {});
 
-/// An infinite slab of optical depth Depth along z, lit at the cosine mu. Its other sides are
-/// mirrors.
+/// An infinite slab of optical depth Depth along z. Cosine is the cosine between the light
+/// direction and z. Mirrors at the other faces make the slab infinite.
 struct Slab
 {
   double G = 0.0;
@@ -47,18 +47,18 @@ struct Slab
   int Layers = 64;
 
   interlume::ScatteringMedium MakeMedium() const;
-  /// Returns the light with exact means of the direct light over each layer.
+  /// Returns the light, with the exact mean of the direct light over each layer.
   interlume::ScatteringLight MakeLight(const interlume::ScatteringMedium& medium) const;
 };
 
-/// Flux of scattered light that leaves a slab, divided by the incident flux, from the viewed
-/// radiance.
+/// Fluxes of scattered light that leave a slab, divided by the incident flux. They are integrated
+/// from the radiance along view rays.
 struct SlabFlux
 {
   double Reflected = 0.0;
   double Transmitted = 0.0;
 };
-/// Integrates the radiance in all directions, by the formula of ScatteredLight and the phase
+/// Integrates the radiance over all directions. The radiance follows from \a field and the phase
 /// function. The direct light has \a parts times as many layers as the field.
 SlabFlux GatherSlab(const Slab& slab, const interlume::ScatteringMedium& medium,
   const interlume::ScatteredLight& field, int parts = 1);

@@ -153,7 +153,7 @@ double SeenLight::SampleIncomingLight(std::size_t light, Random& random) const
     if (glm::any(glm::lessThan(at, glm::dvec3(0.0))) ||
       glm::any(glm::greaterThan(at, glm::dvec3(this->Medium.Cells))))
     {
-      // Sample only the sides that the light illuminates.
+      // Sample only the faces that the light illuminates.
       glm::dvec3 toward;
       for (int axis = 0; axis < 3; ++axis)
       {
@@ -316,7 +316,7 @@ std::vector<SeenLight::Energy> SeenLight::GetEnergy(
       {
         incoming += this->SampleIncomingLight(light, random);
       }
-      // Half of the rays follow the single scattering of the lights.
+      // Half of the ray directions are distributed like the single scattering of the lights.
       glm::dvec3 out = GetDirection(random);
       double density = 1.0;
       if (!hasPointLights)

@@ -52,8 +52,8 @@ private:
   double GetTransmittance(std::size_t light, const glm::dvec3& position) const;
   double GetPhase(double cosine) const;
   glm::dvec3 Scatter(const glm::dvec3& direction, class Random& random) const;
-  /// Returns a position on the sides through which rays along \a direction enter, and sets the
-  /// projected area of these sides.
+  /// Returns a random position on the faces through which rays along \a direction enter. Sets \a
+  /// area to the projected area of these faces.
   glm::dvec3 SampleBoundary(const glm::dvec3& direction, class Random& random, double& area) const;
 
   const interlume::ScatteringMedium& Medium;

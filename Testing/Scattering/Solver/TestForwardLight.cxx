@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Mode FORWARD: the lateral variance of a light beam follows the theory of small-angle multiple
-// scattering for any number of layers, and its sum follows the one-dimensional equation.
+// scattering for any number of layers, and the light per layer follows the one-dimensional
+// equation.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Scattering/Solver/ScatteringCases.h"
 
@@ -106,8 +107,8 @@ void CheckSpread(Check& check)
       const double sum =
         std::exp(-Depth * (1.0 - fraction) * position) - std::exp(-Depth * position);
       worstSum = std::max(worstSum, std::abs(scattered / sum - 1.0));
-      // Each unit of depth adds to the mean angular variance of all light. Only scattered light
-      // contributes.
+      // Each unit of depth increases the mean angular variance of all light, because of the
+      // scattered light.
       const double variance = Variance * Depth * fraction * position * position * position / 3.0;
       worst = std::max(worst, std::abs(squares / (direct + scattered) / variance - 1.0));
     }

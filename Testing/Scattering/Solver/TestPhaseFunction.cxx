@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Phase functions: normalization, moments of their formulas, and errors.
+// Phase functions: normalization, moments compared with formulas, and errors.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "Scattering/PhaseFunction.h"

@@ -95,8 +95,8 @@ void CheckRandom(Check& check)
   std::cout << "energy fraction for random settings: " << minimum << " to " << maximum << "\n";
 }
 
-/// An infinite slab without absorption, lit from all sides, is as bright as its background in all
-/// directions.
+/// An infinite slab without absorption, lit from all directions, is as bright as its background in
+/// all directions.
 void CheckFurnace(Check& check)
 {
   constexpr int layers = 32;

@@ -76,7 +76,7 @@ private:
   StabilityCatalogue Catalogue;
 };
 
-/// Returns the largest difference of the fluence, relative to the largest fluence.
+/// Returns the largest difference between two fluences, relative to the largest fluence.
 double Difference(const ScatteredLight& a, const ScatteredLight& b)
 {
   double largest = 0.0;

@@ -176,7 +176,7 @@ ScatteringMedium MakeSphereMedium(int cells, double depth)
   return medium;
 }
 
-/// Without absorption, dense media emit the extinguished light, up to 1 % and the noise.
+/// Without absorption, all extinguished light leaves dense media, within 1 % plus the noise.
 void CheckThick(Check& check)
 {
   constexpr int rays = 400000;

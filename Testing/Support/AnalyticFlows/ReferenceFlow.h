@@ -18,14 +18,14 @@ struct Flow
 {
   std::function<void(const double x[3], double v[3])> Velocity;
   std::function<void(const double x[3], double gradient[9])> Gradient;
-  /// Returns the value of an array at x, for means along streamlines.
+  /// Returns the value at x of the array with the given index, for means along streamlines.
   std::function<double(int array, const double x[3])> Array;
 
   /// Returns v = velocity.
   static Flow Uniform(const Position& velocity);
   /// Returns v = matrix (x - center), with the matrix in row-major order.
   static Flow Linear(const std::array<double, 9>& matrix, const Position& center = {});
-  /// Returns the rotation about the z-axis with angular velocity \a rate.
+  /// Returns the flow that rotates about the z-axis with angular velocity \a rate.
   static Flow Rotation(double rate);
   /// Returns the potential flow around the unit sphere at the origin. The speed at infinity is 1
   /// along x.

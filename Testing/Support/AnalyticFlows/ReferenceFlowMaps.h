@@ -45,11 +45,11 @@ FlowVector MapLinear(
   const FlowVector& x, const FlowVector& center, const FlowMatrix& matrix, double t);
 ///@}
 
-/// Evaluates a function at the points of a dataset and stores it as active vectors `Velocity` of
-/// type double.
+/// Evaluates a function at the points of a dataset and stores the values as the active vectors
+/// `Velocity`, of type double.
 void SetVelocity(vtkDataSet* data, const FlowFunction& function);
 
-/// Returns the bytes of points, cells and point arrays.
+/// Returns the bytes of all points, cells and point arrays, for comparisons bit by bit.
 std::string GetBytes(vtkPolyData* data);
 
 }

@@ -19,7 +19,7 @@ class vtkUnstructuredGrid;
 namespace reference
 {
 
-/// Termination of a sample's streamline.
+/// Status, surface id, parameters and time at the end of a sample's streamline.
 struct FlowResult
 {
   int Status = 0;
@@ -30,7 +30,7 @@ struct FlowResult
 };
 using FlowResultFunction = std::function<FlowResult(const double* x)>;
 
-/// Surface id, and whether u and v are periodic.
+/// Id of a termination surface, and whether its parameters u and v are periodic.
 using FlowSurface = std::array<int, 3>;
 
 /// Adds the arrays of an implicit flow field to \a data.
@@ -60,7 +60,7 @@ FlowResultFunction RotationFlow();
 /// value count.
 double MeasureArea(vtkUnstructuredGrid* triangles, const char* array = nullptr, int value = 0);
 
-/// Returns the total volume of tetrahedra, with the same selection as in MeasureArea().
+/// Returns the total volume of tetrahedra, selected as in MeasureArea().
 double MeasureVolume(vtkUnstructuredGrid* tetrahedra, const char* array = nullptr, int value = 0);
 
 /// Returns the flux of a vector field through the triangles whose cell array has the given value.

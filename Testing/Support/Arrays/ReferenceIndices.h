@@ -11,8 +11,8 @@ namespace reference
 
 /**
  * @class   IndexRange
- * @brief   all indices below given sizes, in the order of nested loops; the last index varies
- * fastest
+ * @brief   range over all index tuples below given sizes, in the order of nested loops; the last
+ * index varies fastest
  *
  * @code
  * for (const auto& [j, i] : AllIndices(picture.Height, picture.Width))

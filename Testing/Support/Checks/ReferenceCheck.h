@@ -14,7 +14,7 @@ namespace reference
  * @brief   collects the failed expectations of one test
  *
  * Prints each failure to standard error with the expected and the found value. Only the first
- * twenty failures of a test are printed, the others are counted. A test ends with `return
+ * twenty failures of a test are printed; later failures are only counted. A test ends with `return
  * check.Result();`.
  */
 class Check
@@ -35,7 +35,7 @@ public:
     double found, double expected, double tolerance, const std::string& what, double scale = 0.0);
   /// Expects \a part as a substring of \a text.
   bool Contains(const std::string& text, const std::string& part);
-  /// Sets the text that precedes the following failures.
+  /// Sets the text that is printed before each later failure.
   void SetContext(const std::string& context) { this->Context = context; }
 
   int GetNumberOfFailures() const { return this->Failures; }

@@ -26,7 +26,7 @@ public:
   Exact operator-(const Exact& other) const;
   Exact operator*(const Exact& other) const;
 
-  /// Returns -1, 0 or 1.
+  /// Returns the sign: -1, 0 or 1.
   int Sign() const;
   /// Returns the nearest number, up to an error in the last bit.
   long double Round() const;
@@ -34,7 +34,7 @@ public:
 private:
   void Add(double value);
 
-  std::vector<double> Terms; ///< nonzero, in order of increasing magnitude
+  std::vector<double> Terms; ///< nonzero, sorted by increasing magnitude
 };
 
 using ExactPoint = std::array<Exact, 3>;

@@ -40,8 +40,8 @@ void CheckSame(const std::string& name, const Run& run, Check& check)
 }
 
 /// Checks that \a filter reports progress at least \a events times and that progress never
-/// decreases. After an abort at any of \a times (fractions of the work), the output is a dataset
-/// without points and cells. An update after the abort returns the complete output again. \a update
+/// decreases. After an abort at any of \a times (fractions of the work), the output must be a
+/// dataset without points and cells. The next update must return the complete output. \a update
 /// updates the filter and returns the bytes of its output.
 void CheckAborts(vtkAlgorithm* filter, std::size_t events, const std::vector<double>& times,
   const std::function<std::string()>& update, Check& check);

@@ -20,7 +20,7 @@ namespace reference
 struct ProgressWatch
 {
   std::vector<double> Progress;
-  /// Aborts the filter at this progress.
+  /// Aborts the filter at this progress. The default is never reached.
   double AbortAt = 2;
   /// Aborts the filter after this number of progress events.
   std::size_t AbortAfter = 1000000;

@@ -38,7 +38,7 @@ void AddLinear(
   vtkUnstructuredGrid* grid, const std::string& name, double constant, const Point3& gradient);
 
 /// Adds a cell array with the index of the slab that contains the cell's center. The bounds are
-/// divided into slabs along the axis.
+/// divided into \a slabs equal slabs along the axis.
 void AddSlabs(vtkUnstructuredGrid* grid, const std::string& name, int axis, int slabs);
 
 /// Returns the length of a view ray inside the bounds of a grid.

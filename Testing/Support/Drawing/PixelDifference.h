@@ -10,8 +10,9 @@ class vtkImageData;
 namespace interlume
 {
 /**
- * Difference of two images with 8-bit channels, per pixel and channel. Only equal positions are
- * compared, without averaging or threshold. Channel differences are in steps of 1/255.
+ * Difference of two images with 8-bit channels, per pixel and channel. Pixels are compared only
+ * with the pixel at the same position, without averaging or threshold. Channel differences are in
+ * steps of 1/255.
  */
 struct PixelDifference
 {

@@ -21,7 +21,7 @@ interlume::AdvectionResult Advect(
   const BoxWalker& field, const interlume::AdvectionOptions& options, Position start);
 ///@}
 
-/// Advection options that hold references to their surfaces.
+/// Advection options that keep their surfaces alive.
 struct KeepingOptions : interlume::AdvectionOptions
 {
   std::vector<vtkSmartPointer<FormulaSurface>> OwnedSurfaces;

@@ -59,7 +59,8 @@ vtkSmartPointer<vtkStructuredGrid> MakeStructuredGrid(const std::array<int, 3>& 
 /// the axis. The points of the seam are duplicated.
 vtkSmartPointer<vtkStructuredGrid> MakeRing(const std::array<int, 3>& cells);
 
-/// Returns the meshes of tetrahedra, voxels, hexahedra, wedges and pyramids.
+/// Returns the kinds for which MakeFlowMesh() returns only tetrahedra, voxels, hexahedra, wedges
+/// and pyramids.
 const std::vector<MeshKind>& FlowMeshKinds();
 /// Returns the mesh of MakeMesh() with its polyhedra converted to wedges and voxels, or hexahedra
 /// if \a hasVoxels is false.
@@ -67,14 +68,15 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeFlowMesh(
   MeshKind kind, const std::array<int, 3>& cells, bool hasVoxels = true, unsigned int seed = 1);
 
 /// Returns an image, a rectilinear grid, a structured grid with displaced interior points, and a
-/// mesh of each of FlowMeshKinds(), with names. All cover the cube from 0 to 4 with 5 points along
-/// each axis.
+/// mesh of each kind in FlowMeshKinds(), each with a name. All cover the cube from 0 to 4 with 5
+/// points along each axis.
 std::vector<std::pair<std::string, vtkSmartPointer<vtkDataSet>>> MakeFlowGrids();
 
-/// Returns an image of the cube from 0 to 4 with a field.
+/// Returns an image of points^3 points over the cube from 0 to 4, with the vectors of a field.
 vtkSmartPointer<vtkImageData> MakeFlowImage(int points, const VectorField& field);
 
-/// Returns the plane x = \a position from 0 to 4 in y and z; u along y and v along z.
+/// Returns the square in the plane x = \a position with y and z from 0 to 4; u along y and v along
+/// z.
 vtkSmartPointer<vtkTerminationPlane> MakeFlowPlane(double position);
 
 /// A position in a cell with the velocity that VTK's cell interpolates.

@@ -18,13 +18,14 @@ class vtkUnstructuredGrid;
 namespace reference
 {
 
-/// Returns the plane x = \a position from -5 to 5 in y and z; u along y and v along z.
+/// Returns the square in the plane x = \a position with y and z from -5 to 5; u along y and v along
+/// z.
 vtkSmartPointer<vtkTerminationPlane> MakeWidePlane(double position);
 
-/// Returns the flow volume of samples in double precision. Warnings are allowed.
+/// Returns the flow volume of samples, with double-precision points. Warnings are allowed.
 vtkSmartPointer<vtkUnstructuredGrid> ExtractFlow(vtkDataSet* samples);
 
-/// Returns the same flow volume without the cells that are cut at surfaces and boundaries.
+/// Like ExtractFlow(), but omits the cells that ExtractFlow() cuts at surfaces and boundaries.
 vtkSmartPointer<vtkUnstructuredGrid> ExtractUncutFlow(vtkDataSet* samples);
 
 /// Returns the total volume of the tetrahedra whose center is in a region.

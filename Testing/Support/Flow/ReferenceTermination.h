@@ -28,7 +28,7 @@ struct SurfaceScale
   double Rounding = 1e-12;
 };
 
-/// Returns surfaces of size 1, very small, very large, and far from the origin.
+/// Returns the scales of surfaces of size 1, very small, very large, and far from the origin.
 std::vector<SurfaceScale> MakeSurfaceScales();
 
 /// Returns random points around a surface.

@@ -37,16 +37,17 @@ TexturedMesh MakeSolid(
   const std::vector<Vector>& points, const std::vector<std::array<int, 3>>& triangles);
 
 TexturedMesh MakeTetrahedron();
-/// Returns a cube with a thin spike on every face, for concave edges, sharp edges and sharp tips.
+/// Returns a cube with a thin spike on every face. It has concave edges, sharp edges and sharp
+/// tips.
 TexturedMesh MakeStar();
 
 /// Returns points where the sign of the distance is hard to determine: near corners and edges, and
 /// outside each face in its plane.
 std::vector<Vector> DifficultPositions(const TexturedMesh& mesh);
 
-/// Returns the distance from the nearest triangle, by comparison with all triangles. This is the
-/// distance from the triangle's plane if the projected point is inside, otherwise from its nearest
-/// edge.
+/// Returns the distance from the nearest triangle, by comparison with all triangles. The distance
+/// from a triangle is the distance from its plane if the projected point is inside, otherwise from
+/// its nearest edge.
 double NearestDistance(const TexturedMesh& mesh, const Vector& x);
 /// Returns the winding number of the mesh around a point: the sum of the solid angles of its
 /// triangles, divided by 4 pi (A. van Oosterom, J. Strackee, 1983).

@@ -65,7 +65,8 @@ bool IsInside(const Walker& walker, const Vector& p)
   return true;
 }
 
-/// Raises \a worst to \a value. NaN counts as infinity, so that a check of the result fails.
+/// Sets \a worst to \a value if \a value is larger. NaN counts as infinity, so that a check of the
+/// result fails.
 inline void Raise(double& worst, double value)
 {
   worst = std::isnan(value) ? std::numeric_limits<double>::infinity() : std::max(worst, value);
@@ -103,8 +104,8 @@ inline double GetExtent(vtkDataSet* data)
 }
 
 /// Compares cell id, position, velocity and gradient at random points of every cell with VTK's
-/// cells. Turn off \a hasGradient if VTK's gradient is not usable: in tiny cells and in voxels of
-/// an image with a direction matrix.
+/// cells. Set \a hasGradient to false if VTK's gradient is not usable: in tiny cells and in voxels
+/// of an image with a direction matrix.
 template <typename Walker>
 void CheckLocations(Walker walker, vtkDataSet* data, vtkDataArray* vectors, int samples,
   double tolerance, Check& check, bool hasGradient = true)
@@ -512,8 +513,8 @@ inline void CheckCornerLines(const std::string& name, vtkDataSet* data, Check& c
     });
 }
 
-/// Hides the cells with i = 2 in 4 x 3 x 3 boxes of size 1. The center one of these cells becomes a
-/// duplicate cell instead, as if another piece owned it.
+/// Hides the cells with i = 2 in 4 x 3 x 3 boxes of size 1. The cell in the center of this layer
+/// becomes a duplicate cell instead, as if another piece owned it.
 inline void HideRow(vtkUnsignedCharArray* ghosts)
 {
   for (vtkIdType cell = 0; cell < ghosts->GetNumberOfTuples(); ++cell)

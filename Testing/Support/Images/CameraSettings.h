@@ -23,7 +23,8 @@ using Point3 = std::array<double, 3>;
 /// square image. The clipping range encloses the grid.
 vtkSmartPointer<vtkCamera> LookAt(
   vtkUnstructuredGrid* grid, const Point3& direction, bool parallel);
-/// Returns a camera that looks along \a direction at a sphere, as for a grid.
+/// Returns a camera that looks along \a direction at a sphere, which fills most of a square image.
+/// The clipping range encloses the sphere.
 vtkSmartPointer<vtkCamera> LookAt(
   const Point3& center, double radius, const Point3& direction, bool parallel);
 
@@ -39,7 +40,8 @@ struct FunctionNode
 vtkSmartPointer<vtkVolumeProperty> MakeProperty(
   const std::vector<FunctionNode>& nodes, double unitDistance = 1.0);
 
-/// Returns a color ramp from blue at 0 to yellow at 1, with an opacity that rises from low to high.
+/// Returns a color ramp from blue at 0 to yellow at 1, with an opacity that rises from \a low to \a
+/// high.
 vtkSmartPointer<vtkVolumeProperty> MakeRamp(double low, double high, double unitDistance = 1.0);
 
 }

@@ -14,8 +14,8 @@ class vtkCamera;
 class vtkImageData;
 
 /**
- * Implicit flow fields defined by formulas, their samples as voxels, and reference renderings in
- * double precision that use neither voxels nor textures.
+ * Implicit flow fields defined by formulas, samples of them on images, and reference renderings in
+ * double precision that use neither samples nor textures.
  */
 namespace reference
 {
@@ -63,7 +63,7 @@ struct FlowScene
   std::function<bool(const Position3&)> IsRetained;
 };
 
-/// Renders a scene with the given number of integration steps per view ray inside the cube.
+/// Renders a scene with \a pieces integration steps per view ray inside the cube.
 RgbaImage MakeFlowReferenceImage(const FlowScene& scene, int pieces = 4000);
 
 }

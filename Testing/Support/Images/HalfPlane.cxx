@@ -23,9 +23,10 @@ constexpr double Gap = 0.5;
 /// Number of sample layers of the volume along z.
 constexpr int Layers = 97;
 constexpr int Pixels = 192;
-/// Number of pixels skipped at the image's edge, where light passes the outer edge of the sheet.
+/// Number of pixels skipped at the edge of the rendering, where light passes the outer edge of the
+/// sheet.
 constexpr int SkippedPixels = 38;
-/// Fraction of the volume's width that the image shows.
+/// Fraction of the volume's width that the camera shows.
 constexpr double VisibleFraction = 0.9;
 
 vtkSmartPointer<vtkImageData> MakeSheets(double thickness)

@@ -18,7 +18,7 @@ constexpr double OutlierFactor = 3.0;
 /// invisible, differences above MaximumMean are outliers.
 constexpr double VisibleMean = 0.0025;
 constexpr double MaximumMean = 0.01;
-/// The same limits for the change of a pixel, 0 to 1.
+/// The same two limits for second differences of the change of a pixel, 0 to 1.
 constexpr double VisibleChange = 0.05;
 constexpr double MaximumChange = 1.0;
 

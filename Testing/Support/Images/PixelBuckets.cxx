@@ -17,7 +17,7 @@ struct PixelBox
   std::array<int, 2> High;
 };
 
-/// Returns the corners in front of the plane at \a depth and the intersections of the edges with
+/// Returns the corners at or beyond the plane at \a depth, and the intersections of the edges with
 /// this plane.
 std::vector<Vector> PointsInFront(
   const std::array<Vector, 4>& corners, const PixelRays& rays, Real depth)

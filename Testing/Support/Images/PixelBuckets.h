@@ -15,8 +15,8 @@ namespace reference
  * @class   PixelBuckets
  * @brief   tetrahedra that may intersect the view ray of each pixel
  *
- * A tetrahedron is listed for a pixel if the projected bounding box of its part in front of the
- * near plane, enlarged by one pixel, contains the pixel.
+ * A tetrahedron is listed for a pixel if the projected bounding box of its part beyond the near
+ * plane, enlarged by one pixel, contains the pixel.
  */
 class PixelBuckets
 {

@@ -24,8 +24,8 @@ public:
   using Value = std::array<double, 3>;
 
   StraightFunction() = default;
-  /// Throw std::invalid_argument if the function is not piecewise linear: midpoints and sharpness
-  /// other than VTK's defaults, a color space other than RGB, a logarithmic scale.
+  /// Throw std::invalid_argument if the function is not piecewise linear because of midpoints or
+  /// sharpness other than VTK's defaults, a color space other than RGB, or a logarithmic scale.
   explicit StraightFunction(vtkColorTransferFunction* function);
   explicit StraightFunction(vtkPiecewiseFunction* function);
 
@@ -45,7 +45,7 @@ private:
   };
 
   std::vector<Node> Nodes;
-  bool Clamping = true; ///< if true, constant outside the nodes, otherwise 0 there
+  bool Clamping = true; ///< if true, constant outside the nodes, otherwise 0
 };
 
 }

@@ -33,8 +33,8 @@ struct LightPoint
  * shaders, and vtkProjectiveLight by its screen matrix and color. The transformed position and
  * direction are used, so the renderer must have updated headlights and camera lights.
  *
- * A light with sample points illuminates like the light at its center. Its shadow is the mean of
- * the shadows cast by its points (equation 2.13 of the dissertation).
+ * Sample points affect only the shadow, which is the mean of the shadows cast by the points
+ * (equation 2.13 of the dissertation). The illumination is the light of a point at the center.
  */
 class ReferenceLightSource
 {

@@ -27,7 +27,7 @@ struct MaterialArrays
   std::string Scalars;
   /// Whether the scalars are cell data, with one value per tetrahedron.
   bool OfCells = false;
-  /// Name of the point array with the extent in time. If empty, it is 1 everywhere.
+  /// Name of the point array with the extent in time. If empty, the extent is 1 everywhere.
   std::string DeltaT;
 };
 

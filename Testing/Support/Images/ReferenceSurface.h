@@ -15,7 +15,8 @@ namespace reference
 
 /**
  * @class   ReferenceSurface
- * @brief   triangles of an actor in world coordinates and their reflection, in double precision
+ * @brief   triangles of an actor in world coordinates and the light they reflect, in double
+ * precision
  *
  * Polygons and strips are triangulated; vertices and lines are ignored. Normals are the
  * interpolated point normals of the mesh, or the normals of the triangles if the mesh has no

@@ -30,8 +30,8 @@ struct Segment
  *
  * The segment is the interval where all four barycentric coordinates, which are linear along the
  * ray, are >= 0. The coordinates are evaluated near the tetrahedron, and their gradients are
- * computed from differences of corners. Therefore, thin tetrahedra far away are as accurate as
- * regular ones.
+ * computed from differences of corners. Therefore, segments of thin tetrahedra far away are as
+ * accurate as those of regular tetrahedra.
  */
 class RayTetrahedron
 {

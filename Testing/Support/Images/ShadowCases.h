@@ -7,7 +7,7 @@
 #include <functional>
 
 /**
- * Scenes for images with shadows.
+ * Scenes for renderings with shadows.
  */
 namespace reference
 {
@@ -27,13 +27,14 @@ vtkSmartPointer<vtkImageData> MakeImage(
 /// Returns the density of equation 2.7 of the dissertation: 1 within the radius \a inner of the
 /// center, 0 outside \a outer.
 Field MakeSphere(double inner, double outer);
-/// Returns the density of two boxes with soft sides. With light along (1, -1, -1), one box shades
-/// the other.
+/// Returns the density of two boxes whose density rises from 0 at their faces to 1 inside. With
+/// light along (1, -1, -1), one box shades the other.
 double TwoBoxes(const Double3& x);
 
 /// Returns a white directional light along \a direction with intensity 0.8.
 vtkSmartPointer<vtkLight> MakeDirectionalLight(const Double3& direction);
-/// Returns a positional light toward the origin with intensity 0.8, without cone and attenuation.
+/// Returns a light at \a position that points toward the origin, with intensity 0.8, without cone
+/// and attenuation.
 vtkSmartPointer<vtkLight> MakePositionalLight(const Double3& position);
 
 /// Returns a camera that looks along \a direction at the center of the image, which fills most of a

@@ -145,7 +145,7 @@ void TriangleTree::Visit(const glm::dvec3& origin, const glm::dvec3& direction, 
   double end, const std::function<bool(const Meeting&)>& visit) const
 {
   const ShearedRay sheared(origin, direction);
-  // Twice the depth of a tree with as many items as an int can count.
+  // Twice the depth of a tree with the largest number of items that an int can represent.
   std::array<int, 64> stack;
   int size = 0;
   if (!this->Nodes.empty())

@@ -86,7 +86,8 @@ void VolumeStage::SetLights(const std::vector<vtkSmartPointer<vtkLight>>& lights
   }
   if (isSame)
   {
-    // Replacing the lights would modify the collection, and VTK would rebuild its shaders.
+    // The renderer already has these lights. Replacing them would modify the collection, and VTK
+    // would rebuild its shaders.
     return;
   }
   this->Renderer->RemoveAllLights();

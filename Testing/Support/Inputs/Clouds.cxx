@@ -52,7 +52,7 @@ vtkSmartPointer<vtkSpatialPrimitive> MakePuff(const std::array<double, 3>& cente
   return puff;
 }
 
-/// Arranges large spheres in a spiral on the base, higher toward the center, each with smaller
+/// Arranges large spheres in a spiral over the base, higher toward the center. Each has smaller
 /// spheres on its upper half.
 vtkSmartPointer<vtkSpatialObject> MakeHeaps(const Cumulus& cloud)
 {

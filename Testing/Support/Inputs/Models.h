@@ -13,7 +13,7 @@
 namespace interlume
 {
 
-/// A part of a single color.
+/// A part of a model, with a single color.
 struct ModelPart
 {
   vtkSmartPointer<vtkPolyData> Shape;

@@ -32,7 +32,7 @@ namespace
 constexpr int TurnSteps = 72;
 constexpr int SplineSteps = 12; ///< between two points
 
-/// Returns points of a spline through rows of numbers.
+/// Returns points of a spline through given points of N coordinates.
 template <std::size_t N>
 std::vector<std::array<double, N>> Spline(const std::vector<std::array<double, N>>& rows)
 {

@@ -13,7 +13,7 @@ class vtkDataSet;
 class vtkUnstructuredGrid;
 
 /**
- * One execution of each filter under test with the active scalars and double-precision points.
+ * Executes each extraction filter once, with the active scalars and double-precision points.
  */
 namespace reference
 {

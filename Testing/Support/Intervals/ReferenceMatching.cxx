@@ -295,7 +295,8 @@ private:
       });
   }
 
-  /// Checks that a triangle has the origin cell of a tetrahedron with this face.
+  /// Checks that the origin cell of each triangle is the origin cell of a tetrahedron with this
+  /// face.
   void CheckCells(int i, const std::string& name)
   {
     vtkDataArray* ids = this->Volume->GetCellData()->GetArray("IntervalId");

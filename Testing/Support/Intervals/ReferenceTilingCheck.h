@@ -35,7 +35,7 @@ struct TilingCounts
  * - Inside the domain, the triangles of an interval have no open edges, and each occurs once.
  * - The scalar is between the bounds on each tetrahedron and equal to the bound on each triangle.
  *
- * If no value equals a bound inside the range (\a generic), also:
+ * If no value equals a bound inside the range (\a generic), it also checks that:
  * - Every face of the tetrahedra is used once, or twice with opposite orientation.
  * - The lower and the upper boundary of each interval are two-manifolds.
  */

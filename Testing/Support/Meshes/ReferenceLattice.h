@@ -23,9 +23,9 @@ struct LatticeForm
   vtkSmartPointer<vtkDataSet> Data;
 };
 
-/// Returns the image, and the same points, cells and arrays in the same order as a structured grid,
-/// a rectilinear grid (if the image is not rotated), unstructured hexahedra and unstructured
-/// voxels.
+/// Returns the image and its conversions to a structured grid, a rectilinear grid (if the image is
+/// not rotated), unstructured hexahedra and unstructured voxels. All have the same points, cells
+/// and arrays in the same order.
 std::vector<LatticeForm> FormsOf(vtkImageData* image);
 
 }

@@ -12,9 +12,9 @@
 class vtkUnstructuredGrid;
 
 /**
- * Meshes for tests, built without the code under test. Every mesh is conforming: two cells share a
- * complete face, an edge, a point or are disjoint. Cells are convex with planar faces, and their
- * points have VTK's order, so every volume is positive.
+ * Meshes for tests, built without the code under test. Every mesh is conforming: two cells are
+ * disjoint or share a complete face, an edge or a point. Cells are convex with planar faces, and
+ * their points have VTK's order, so every volume is positive.
  */
 namespace reference
 {

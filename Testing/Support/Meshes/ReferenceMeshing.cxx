@@ -206,7 +206,7 @@ public:
     }
     if (this->Turn % 3 == 1)
     {
-      // The neighbors above and below must split their bottom and top in the same way. They belong
+      // The boxes above and below must split the common faces along the same diagonal. They belong
       // to the same column, so they are wedges too.
       this->Builder.AddCell(VTK_WEDGE, { c[0], c[1], c[2], c[4], c[5], c[6] });
       this->Builder.AddCell(VTK_WEDGE, { c[0], c[2], c[3], c[4], c[6], c[7] });

@@ -31,8 +31,9 @@ Real MeanOf(const MeanPoint& mean, Get&& get)
 
 /**
  * Splits the three-dimensional cells of a mesh into tetrahedra with the orientation of the cells. A
- * tetrahedron is not split. Any other cell is split from its center over its faces. Each face is
- * split from its point with the lowest id, so both cells of a face split it in the same way.
+ * tetrahedron is not split. Any other cell is split into tetrahedra that connect its center with
+ * the triangles of its faces. Each face is split into triangles from its point with the lowest id,
+ * so both cells of a face split it in the same way.
  */
 void ForEachTetrahedron(
   vtkDataSet* mesh, const std::function<void(vtkIdType cell, const SplitTetrahedron&)>& visit);

@@ -50,10 +50,12 @@ std::vector<StabilityCount> CountByClass(const std::vector<StabilityCase>& cases
  * A test creates a StabilityCatalogue, sets the class, reports each case, and returns
  * GetExitCode():
  *
- * @code StabilityCatalogue catalogue("TestStabilityValues", argc, argv);
- * catalogue.SetClass("vtkIntervalVolume"); catalogue.Measure("range-1e-30", "values within 1e-30",
- * "volume as at scale 1", error, 1e-12); catalogue.Check("missing-array", "no such array", "error
- * names it", message, named && empty); return catalogue.GetExitCode();
+ * @code
+ * StabilityCatalogue catalogue("TestStabilityValues", argc, argv);
+ * catalogue.SetClass("vtkIntervalVolume");
+ * catalogue.Measure("range-1e-30", "values within 1e-30", "volume as at scale 1", error, 1e-12);
+ * catalogue.Check("missing-array", "no such array", "error names it", message, named && empty);
+ * return catalogue.GetExitCode();
  * @endcode
  *
  * Every case prints one line. All cases of the test are written to the file

@@ -248,7 +248,7 @@ private:
     this->Test.Equal(times, 0, name + "points of 4-simplices with times outside the slab");
   }
 
-  /// Returns whether boundary cells of a kind may use the point.
+  /// Returns whether the point may belong to a boundary cell of the given kind.
   bool IsOfKind(vtkIdType id, int interval, int kind) const
   {
     const double tolerance = 1e-14 * (this->Bounds.back() - this->Bounds.front());

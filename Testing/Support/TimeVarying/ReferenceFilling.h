@@ -38,7 +38,7 @@ struct FillingCounts
  * - The upper boundary of interval i is the lower boundary of interval i + 1. Exceptions are cells
  *   of interval i on side walls and at the first and last step, with values equal to the bound.
  *
- * If no value equals a bound inside the range (\a generic), also:
+ * If no value equals a bound inside the range (\a generic), it also checks that:
  * - Every face of the 4-simplices is used once, or twice with opposite orientation.
  * - Every cell of port 1 is a face of one 4-simplex, or of one tetrahedron at a step.
  *

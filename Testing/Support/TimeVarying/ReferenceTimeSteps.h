@@ -71,8 +71,8 @@ struct SpaceTimeGrid
   vtkSmartPointer<vtkDataSet> Data;
 };
 
-/// Returns a grid of every dataset type. There is an unstructured grid of every kind in
-/// AllMeshKinds(), with randomly rotated cells and renumbered points. MovePoints() supports all
+/// Returns a grid of each structured dataset type, and an unstructured grid of each kind in
+/// AllMeshKinds() with randomly rotated cells and renumbered points. MovePoints() supports all
 /// except the image and the rectilinear grid. The domain is a box, except for honeycomb and Kelvin.
 std::vector<SpaceTimeGrid> AllSpaceTimeGrids(const std::array<int, 3>& cells, unsigned int seed);
 

@@ -41,7 +41,7 @@ private:
   std::vector<double> Times;
   std::vector<Box> Boxes;
   double Tolerance;
-  std::unique_ptr<DomainBoundary> Faces; ///< if the domain is not a box
+  std::unique_ptr<DomainBoundary> Faces; ///< set only if the domain is not a box
 };
 
 }

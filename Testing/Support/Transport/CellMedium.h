@@ -15,7 +15,8 @@ class CellMedium : public TransportMedium
 {
 public:
   /// Sets values for \a counts cells of the given size, starting at \a lower, x fastest. \a albedo
-  /// may have a single value. Throws std::invalid_argument for other numbers of values.
+  /// may have a single value for all cells. Throws std::invalid_argument for other numbers of
+  /// values.
   CellMedium(const glm::dvec3& lower, const glm::dvec3& size, const std::array<int, 3>& counts,
     std::vector<double> extinction, std::vector<glm::dvec3> albedo);
 

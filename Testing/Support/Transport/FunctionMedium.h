@@ -19,7 +19,7 @@ public:
   using Extinction = std::function<double(const glm::dvec3&)>;
   using Albedo = std::function<glm::dvec3(const glm::dvec3&)>;
 
-  /// The \a extinction must be in \a range everywhere. It applies only in the box.
+  /// The \a extinction must be in \a range everywhere. Outside the box, the medium is empty.
   FunctionMedium(const glm::dvec3& lower, const glm::dvec3& upper, const ExtinctionRange& range,
     const Extinction& extinction, const Albedo& albedo);
 

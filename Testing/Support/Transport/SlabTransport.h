@@ -48,7 +48,7 @@ struct SlabTransportResult
  * Between scattering events, the current depth plus mu / (1 - g), where mu is the cosine of the
  * direction, is a martingale: its mean at the end of paths equals its mean at the start. It is
  * therefore used as a control variate. Subtracting a multiple of it from a path's score keeps the
- * mean and reduces the variance, to a hundredth for deep slabs without absorption.
+ * mean and reduces the variance, most of all for deep slabs without absorption.
  */
 SlabTransportResult TraceSlab(const SlabTransportSettings& settings);
 

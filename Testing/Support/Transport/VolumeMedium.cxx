@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr int NumberOfColumns = 4096;
-/// Number of image cells along the edge of a block with a common extinction range.
+/// Number of image cells along the edge of a block that shares one extinction range.
 constexpr int BlockSize = 4;
 /// exp(-OpticalDepthOfOpaque) is negligible.
 constexpr double OpticalDepthOfOpaque = 700.0;

@@ -12,7 +12,8 @@
 class vtkRenderWindow;
 
 /**
- * Error against run time of approximate methods, over the values of a setting.
+ * Plots of error against run time for approximate methods, with a point for each value of a
+ * setting.
  */
 namespace approximations
 {
@@ -30,7 +31,7 @@ struct Question
   std::string ErrorNorm;
 };
 
-/// Origin of a trial: a setting of Interlume, its default setting, or another project.
+/// Origin of a trial: Interlume, Interlume with its default setting, or another project.
 enum class Maker
 {
   Own,
@@ -38,8 +39,8 @@ enum class Maker
   Baseline
 };
 
-/// Clock of the times of a plot: wall time, or the processor time of all threads. Processor time
-/// excludes other programs.
+/// Clock that measures the times of a plot: wall time, or the processor time of all threads.
+/// Processor time is not affected by other programs.
 enum class Clock
 {
   Wall,
@@ -61,11 +62,12 @@ public:
   void Add(const std::string& method, const std::string& setting, Maker maker,
     const BenchWork& work, const std::function<double()>& measure);
 
-  /// Stores a size, such as the number of pixels along an edge, in all rows for the caption.
+  /// Stores a size, such as the number of pixels along an edge, in all rows. The caption shows it.
   void SetSize(const std::string& name, double number) { this->Sizes[name] = number; }
 
-  /// Measures all trials and adds a row for each. Counts: `default` or `peer` with value 1 if the
-  /// trial is one of these, the sizes, and, with Clock::Processor, `processor_seconds`.
+  /// Measures all trials and adds a row for each. Counts: `default` with value 1 for
+  /// Maker::Default, `peer` with value 1 for Maker::Baseline, the sizes, and, with
+  /// Clock::Processor, `processor_seconds`.
   void Run(const Question& question, const BenchOptions& options, BenchRows& rows,
     Clock clock = Clock::Wall) const;
 
@@ -90,15 +92,17 @@ struct Family
   void (*AddRows)(const Question& question, const BenchOptions& options, BenchRows& rows);
 };
 
-/// Returns the plot of a question's rows: a series for each method, with a ring around the default.
-/// If the rows have processor times, the plot shows these and its axis and caption state so.
+/// Returns the plot of a question's rows: a series for each method, with a ring around the point of
+/// the default setting. If the rows have processor times, the plot shows them instead of wall
+/// times, and its axis and caption state this.
 BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows);
 
-/// Returns the claim that each default is on its Pareto front, see GetCostOverFront.
+/// Returns the claim that the default setting of each family is on its Pareto front, see
+/// GetCostOverFront.
 BenchClaim CheckDefaults(const std::vector<Family>& families, const std::vector<BenchRow>& rows);
 
-/// Returns a part of a suite whose cases are questions, each with a plot of error against run time.
-/// The target is that each default is on its Pareto front.
+/// Returns a part of a suite whose cases are questions, each with a plot of error against run time,
+/// and with the claim of CheckDefaults().
 BenchPart MakeFamilyPart(const std::vector<Family>& families);
 
 /// Formats the value of a setting, such as 0.5 or 64.

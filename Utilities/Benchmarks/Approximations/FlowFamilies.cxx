@@ -67,7 +67,7 @@ Vector Waves(const Vector& x)
   return { { a, b + 0.4 * a, c + 0.3 * b * (1.0 + 0.5 * a) } };
 }
 
-/// Returns the coordinates of the zeros, inside the cube, of the wave along an axis.
+/// Returns the coordinates, inside the cube, at which the wave along an axis is zero.
 std::vector<double> ZerosAlong(int axis)
 {
   std::vector<double> zeros;
@@ -82,8 +82,8 @@ std::vector<double> ZerosAlong(int axis)
   return zeros;
 }
 
-/// Returns the mean distance of the zeros of the waves from the nearest point found. A missed zero
-/// counts as 0.25, the maximum.
+/// Returns the mean distance of the zeros of the waves from the nearest point found. Each distance
+/// is limited to 0.25, which is also counted for a missed zero.
 double MeasureZeros(vtkPolyData* found)
 {
   constexpr double maximum = 0.25;
@@ -154,7 +154,8 @@ Vector BentVortex(const Vector& x)
 }
 
 /// Returns the mean distance of a polyline from the axis at equidistant heights, with linear
-/// interpolation between its points. Heights that the polyline does not reach count as 1.
+/// interpolation between its points. The distance counts as 1 at heights that the polyline does not
+/// reach.
 double MeasureAxis(vtkPolyData* line)
 {
   constexpr int heights = 400;
@@ -234,9 +235,9 @@ struct RoundSurface
   }
 };
 
-/// Returns the mean difference between s and the arc length of the circle at the points of the
-/// triangles, in turns. The start and the orientation of a contour are arbitrary, so the better
-/// orientation is used and the mean offset is removed.
+/// Returns the mean difference between the texture coordinate s and the arc length along the circle
+/// at the points of the triangles, in turns. The start and the orientation of a contour are
+/// arbitrary, so the better orientation is used and the mean offset is removed.
 double MeasureArcs(vtkPolyData* surface)
 {
   vtkDataArray* texture = surface->GetPointData()->GetArray("StreamTexture");

@@ -27,7 +27,7 @@ using Vector = std::array<double, 3>;
 constexpr double Scale = 0.02;
 constexpr int Seed = 7;
 constexpr double Length = 10.0 * Scale;
-/// In units of the noise scale.
+/// Step length in units of the noise scale.
 constexpr double DefaultStep = 0.25;
 
 /// Returns a rotation about the z-axis, which trilinear interpolation reproduces exactly.
@@ -50,7 +50,8 @@ Vector Along(const Vector& x, double arc)
   return { { c * x[0] - s * x[1], s * x[0] + c * x[1], x[2] } };
 }
 
-/// Returns points in an annulus that streamlines do not leave, distributed by the golden angle.
+/// Returns points that the golden angle distributes over an annulus, which streamlines do not
+/// leave.
 std::vector<Vector> MakePoints(int number)
 {
   std::vector<Vector> points;
@@ -104,8 +105,8 @@ double IntegrateNoise(const Vector& x, int kernel)
   return sum / weights;
 }
 
-/// Returns the root mean square residual of the values after a least-squares fit of the means, in
-/// standard deviations. Values clamped to 0 or 1 are excluded.
+/// Returns the root mean square difference, in standard deviations, between the LIC values and
+/// \a means, which are scaled by a least-squares fit. Values clamped to 0 or 1 are excluded.
 double MeasureMeans(vtkFlowLIC* filter, const std::vector<double>& means)
 {
   vtkDataArray* values =

@@ -8,8 +8,8 @@ namespace approximations
 {
 namespace
 {
-/// Starts interlume-bench-mesher from the directory of this program, if it was built. The mesher
-/// has another license and is therefore measured by a separate program.
+/// Runs interlume-bench-mesher in the directory of this program, if it was built. The mesher has
+/// another license, so a separate program measures it.
 void AddMesherRows(const Question&, const BenchOptions& options, BenchRows& rows)
 {
   const std::filesystem::path self = options.Program;

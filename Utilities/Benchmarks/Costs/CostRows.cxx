@@ -13,7 +13,7 @@ namespace costs
 {
 namespace
 {
-/// The counts that must be 0 for a feature that is off.
+/// Counts that must be 0 for a feature that is off.
 const std::vector<std::string> Counters = { "passes", "buffers", "bytes", "words", "arrays",
   "own" };
 

@@ -16,10 +16,10 @@
  * the median time of an object that never used the feature.
  *
  * The counts `passes`, `buffers`, `bytes`, `words` and `arrays` are the resources that remain after
- * the feature was switched on and off again. `own` is the number that the report of the object
- * shows for the feature while it is off. `ms` is the remaining time in milliseconds, `noise_ms` the
- * noise of the times, and `within_noise` is 1 if `ms` is not larger than the noise. Counts with the
- * prefix `on_` are the cost of the feature while it is on.
+ * the feature was switched on and off again. `own` is the larger value of Feature::Own before the
+ * feature is switched on and after it is switched off. `ms` is the time in milliseconds that
+ * remains, `noise_ms` is the noise of the times, and `within_noise` is 1 if `ms` does not exceed
+ * the noise. Counts with the prefix `on_` are the cost of the feature while it is on.
  *
  * Summaries have the case AllScenes. Their counts are `scenes`, the number of scenes that do not
  * use the feature, the largest remaining resources, median times, medians of the `on_` counts, and
@@ -30,12 +30,12 @@ namespace costs
 extern const char* const Suite;
 extern const char* const AllScenes;
 
-/// Returns the summaries of rows of single scenes.
+/// Returns the summaries of \a rows, which belong to single scenes.
 std::vector<BenchRow> Summarize(const std::vector<BenchRow>& rows);
 
-/// Returns two claims: no resources remain of any feature in any scene, and remaining times are
-/// within the noise. Their cases are the rows that miss the target, and the number of rows that
-/// meet it.
+/// Returns two claims: no feature leaves resources in any scene after it is switched off, and the
+/// times that remain are within the noise. Their cases are the rows that miss the target, and the
+/// number of rows that meet it.
 std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures the cost of unused features in scenes of the gallery, and the cost of enabling them: see
-// gallery::MeasureSceneCosts. Prints rows, see CostRows.h, and writes them as JSON.
+// Measures the cost of unused features in scenes of the gallery, and the cost of switching them on:
+// see gallery::MeasureSceneCosts. Prints rows, see CostRows.h, and writes them as JSON.
 // `interlume-bench report --costs` shows them as tables.
 #include "Benchmarks/Costs/CostRows.h"
 #include "Benchmarks/Results/BenchMachine.h"
@@ -62,7 +62,7 @@ BenchRow MakeRow(
 /// Rows by scene, without summaries.
 using SceneRows = std::map<std::string, std::vector<BenchRow>>;
 
-/// Replaces the rows of the scenes that a file contains.
+/// Replaces the rows of each scene that \a file contains.
 void Take(const BenchResults& file, SceneRows& scenes)
 {
   SceneRows taken;
@@ -145,7 +145,7 @@ void Measure(const std::vector<std::string>& names, const gallery::CostSettings&
       rows.Add(MakeRow(rows, scene.Id, feature));
     }
     scenes[scene.Id] = rows.Get();
-    // Write after each scene, so that an interrupted run also leaves a file.
+    // Write after each scene, so that an interrupted run leaves the rows of finished scenes.
     results.Suites[costs::Suite]["took"] = std::round(watch.Seconds());
     SetRows(results, scenes);
     if (!json.empty())

@@ -196,8 +196,8 @@ BenchData MakeRandomCells(int cellType, int numberOfCells, unsigned int seed)
   {
     for (std::size_t i = 0; i < corners; ++i)
     {
-      // All cells are located at the origin. This prevents rounding errors of large coordinates
-      // from looking like inversions.
+      // All cells are at the origin. Rounding errors of large coordinates could look like
+      // inversions.
       ids[i] = points->InsertNextPoint(shape.Corners[i].data());
       values->InsertNextValue(uniform(generator));
     }

@@ -27,8 +27,8 @@ struct BenchData
 };
 
 /**
- * Returns the structure of \a from with the point array \a name as the scalars and no other arrays.
- * Throws std::runtime_error if the array does not exist.
+ * Returns the geometry and cells of \a from. The point array \a name is the scalars; there are no
+ * other arrays. Throws std::runtime_error if the array does not exist.
  */
 vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& name);
 
@@ -58,8 +58,8 @@ int WaveletPoints(const BenchOptions& options);
 std::vector<BenchData> MakeSpeedCases(const BenchOptions& options);
 
 /**
- * Returns the case of MakeSpeedCases() with this name. Throws std::runtime_error if it does not
- * exist.
+ * Returns the case of MakeSpeedCases() with this name. Throws std::runtime_error if there is no
+ * such case.
  */
 BenchData MakeSpeedCase(const std::string& name, const BenchOptions& options);
 

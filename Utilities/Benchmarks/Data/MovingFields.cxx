@@ -60,7 +60,7 @@ MovingField MakeLinear(const BenchOptions& options)
   const int points = options.Pick(21, 11, 5);
   MovingField linear =
     MakeField("linear", vtkAnalyticFieldSource::LINEAR, { { points, points, points } }, -0.1, 0.1);
-  // The planes that bound the region do not intersect z = -1 or z = 1.
+  // The planes that bound the region do not intersect the faces z = -1 and z = 1 of the box.
   linear.Source->SetGradient(0.5, 0.3, 1.0);
   linear.Source->SetConstant(-0.05);
   linear.Source->SetRate(0.05);

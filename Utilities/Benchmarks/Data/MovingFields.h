@@ -14,8 +14,8 @@
 namespace interval4d
 {
 /**
- * A time-dependent field in a box. From FirstTime to LastTime, the volume of the region between two
- * values is known.
+ * A time-dependent field in a box. The volume of the region between the values Lower and Upper is
+ * known from FirstTime to LastTime.
  */
 struct MovingField
 {
@@ -30,18 +30,20 @@ struct MovingField
   /// Returns the volume of the region at a time.
   std::function<double(double time)> Volume;
 
-  /// Returns the distance, along the gradient, of a point from the isosurface f = \a bound at a
-  /// time.
+  /// Returns the distance of a point from the isosurface f = \a bound at a time, measured along the
+  /// gradient.
   double GetDistance(const double point[3], double bound, double time) const;
 };
 
 /**
+ * Returns the fields:
  * - `wave`: WAVE in (-2, 2) x (-1, 1) x (-1, 1), -0.15 <= f <= 0.15, with a constant volume of 2.4;
  * - `ball`: SPHERE_DISTANCE with radius 0.3 + 0.025 t around (-0.5 + 0.5 t, 0, 0), -0.1 <= f <=
  *   0.1, a spherical shell;
  * - `linear`: LINEAR, 0.5 x + 0.3 y + z + 0.05 (t - 1), -0.1 <= f <= 0.1, with a constant volume of
  *   0.8.
- * The last two are defined in (-1, 1)^3.
+ *
+ * `ball` and `linear` are defined in (-1, 1)^3.
  */
 std::vector<MovingField> MakeMovingFields(const BenchOptions& options);
 }

@@ -11,8 +11,8 @@
  * @class   StoredTimeSteps
  * @brief   time steps held in memory, so that only the downstream filter is timed
  *
- * Produces shallow copies. Provides TIME_STEPS and TIME_RANGE. Returns the step at the requested
- * time, or the last step before it.
+ * Provides TIME_STEPS and TIME_RANGE. The output is a shallow copy of the step at the requested
+ * time, or of the last step before it.
  */
 class StoredTimeSteps : public vtkDataObjectAlgorithm
 {

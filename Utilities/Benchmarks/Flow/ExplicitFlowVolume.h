@@ -15,9 +15,9 @@
 
 /**
  * Explicit flow volume of a disk, following N. Max, B. Becker and R. Crawfis, "Flow volumes for
- * interactive vector field visualization", IEEE Visualization 1993. A triangle patch is advected
- * along the field. Each triangle sweeps out prisms from layer to layer, which are split into
- * tetrahedra.
+ * interactive vector field visualization", IEEE Visualization 1993. A patch of triangles is
+ * advected along the field. Each triangle sweeps out prisms from layer to layer, which are split
+ * into tetrahedra.
  *
  * Streamlines are integrated by vtkRungeKutta4 in equal steps of at most half a cell, with VTK's
  * interpolation. A streamline that leaves the field stops at its last position.
@@ -35,7 +35,7 @@ public:
   ExplicitFlowVolume(
     vtkImageData* field, const flow::Disk& disk, double time, const Settings& settings);
 
-  /// Returns the tetrahedra. They are right-handed unless the flow flips triangles.
+  /// Returns the tetrahedra. Their volumes are positive unless the flow flips triangles.
   vtkSmartPointer<vtkUnstructuredGrid> MakeTetrahedra() const;
   std::size_t GetNumberOfStreamlines() const { return this->Streamlines.size(); }
 

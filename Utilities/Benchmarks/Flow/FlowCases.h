@@ -19,7 +19,7 @@
 namespace flow
 {
 /**
- * A field, the start points of streamlines, and the box where they end.
+ * A field, the start points of streamlines, and the box at whose faces streamlines end.
  */
 struct Case
 {
@@ -39,9 +39,9 @@ vtkSmartPointer<vtkAnalyticFlowSource> MakeBeltrami(int points);
 vtkSmartPointer<vtkPolyData> MakeSeeds(int number, double half, unsigned int seed);
 
 /**
- * Returns ABC flow on images (`image-64`, `image-128`) and on unstructured grids of hexahedra and
- * of five tetrahedra per cell (`hexahedra-64`, `tetrahedra-64`), with points displaced by up to a
- * tenth of a cell. \a options may select smaller sizes.
+ * Returns ABC flow on images (`image-64`, `image-128`) and on unstructured grids whose points are
+ * displaced by up to a tenth of a cell (`hexahedra-64`, and `tetrahedra-64` with five tetrahedra
+ * per cell). \a options may select smaller sizes.
  */
 std::vector<Case> MakeSpeedCases(const BenchOptions& options);
 }

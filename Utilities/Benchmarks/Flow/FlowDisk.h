@@ -30,8 +30,8 @@ struct Disk
 };
 
 /**
- * The implicit stream volume of a disk. Samples are advected backward to an unbounded plane; the
- * inflow value is the distance from the center of the disk.
+ * The implicit stream volume of a disk. Samples are advected backward to the unbounded plane of the
+ * disk; the inflow value is the distance from the center of the disk.
  */
 struct DiskVolume
 {

@@ -23,7 +23,7 @@ const char* const Again = "implicit-again";
 const char* const Refined = "implicit-refined";
 constexpr int Levels = 2;
 
-/// Sets the error of tetrahedra relative to the exact stream volume, and counts.
+/// Sets the error of the tetrahedra relative to the exact stream volume, and the counts of the row.
 void SetErrors(const Tube& tube, vtkUnstructuredGrid* tetrahedra, BenchRow& row)
 {
   double total = 0.0;
@@ -70,7 +70,8 @@ void AddExplicit(const Tube& tube, int rings, BenchRows& rows)
   rows.Add(row);
 }
 
-/// Samples the box behind the disk's plane; the first layer of samples is on the plane.
+/// Samples the part of the domain downstream of the disk's plane. The first layer of samples is on
+/// the plane.
 void SetSamples(const Tube& tube, int samples, vtkImplicitFlowField* field)
 {
   double bounds[6];
@@ -80,7 +81,7 @@ void SetSamples(const Tube& tube, int samples, vtkImplicitFlowField* field)
   field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
   field->SetSampleBounds(bounds);
   field->SetSampleDimensions(samples, samples, samples);
-  // Cells that contain the end time need results at later times.
+  // Cells in which the end time is reached also need results at points that are reached later.
   field->SetMaximumTime(1.3 * tube.Time);
 }
 
@@ -120,9 +121,9 @@ void AddImplicit(
 
 /**
  * Measures the cases of MakeTubes with one thread. Methods and their parameters:
- * - `explicit`: ExplicitFlowVolume; the number of rings, with four layers per ring;
- * - `implicit`: DiskVolume, including the flow field; samples along each side of a box behind the
- *   disk's plane;
+ * - `explicit`: ExplicitFlowVolume; number of rings, with four layers per ring;
+ * - `implicit`: DiskVolume, including the flow field; number of samples along each edge of a box
+ *   downstream of the disk's plane;
  * - `implicit-again`: the same volume after a change of the inflow mapping;
  * - `implicit-refined`: `implicit` with two levels of refinement.
  */

@@ -38,7 +38,7 @@ public:
     return source;
   }
 
-  /// Without a formula, the reference is the interpolated field.
+  /// If \a formula is null, the reference is TrilinearFlow.
   void Add(const std::string& name, vtkAnalyticFlowSource* source, const Formula& formula = nullptr,
     bool isStiff = false)
   {

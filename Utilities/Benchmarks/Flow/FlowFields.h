@@ -22,17 +22,17 @@ struct FieldCase
 };
 
 /**
- * Returns fields on images over [-1, 1]^3. Linear fields are reproduced exactly by interpolation
- * and have formulas as references: `uniform`, `rotation` around an axis outside the image,
- * `saddle`, `spiral`, and `stiff-<ratio>`, saddles with this ratio of eigenvalues. TrilinearFlow is
- * the reference of `source-sink` (both outside the image), `sphere` and `abc`.
+ * Returns fields on images over [-1, 1]^3. Interpolation reproduces linear fields exactly. Formulas
+ * are the references of the linear fields `uniform`, `rotation` around an axis outside the image,
+ * `saddle`, `spiral`, and `stiff-<ratio>`, a saddle with this ratio of eigenvalues. TrilinearFlow
+ * is the reference of `source-sink` (source and sink are outside the image), `sphere` and `abc`.
  */
 std::vector<FieldCase> MakeFieldCases(const BenchOptions& options);
 
 /**
- * Returns fields on images over [-1, 1]^3, with the seeds of MakeFieldCases: `shear`, a layer of a
- * tenth of the width across which the velocity reverses, `rotation`, `source-sink`, `sphere`,
- * `abc`, `hurricane`, and `stiff-1e2`.
+ * Returns fields on images over [-1, 1]^3. The seeds are those of MakeFieldCases. The fields are
+ * `shear`, whose velocity reverses across a layer with a tenth of the width, `rotation`,
+ * `source-sink`, `sphere`, `abc`, `hurricane`, and `stiff-1e2`.
  */
 std::vector<Case> MakeSharingCases(const BenchOptions& options);
 }

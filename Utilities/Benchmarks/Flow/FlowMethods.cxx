@@ -29,8 +29,8 @@ double GetLargestSpeed(const Case& what)
   return what.Field->GetPointData()->GetVectors()->GetMaxNorm();
 }
 
-/// Terminates streamlines outside the box, as vtkImplicitFlowField does, to avoid unnecessary
-/// steps.
+/// Returns true if a streamline has left the box, where vtkImplicitFlowField also ends it. This
+/// avoids unnecessary steps.
 bool HasLeftBox(void* bounds, vtkPoints* points, vtkDataArray*, int)
 {
   const vtkIdType number = points->GetNumberOfPoints();
@@ -48,8 +48,8 @@ vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
   box->SetBounds(bounds);
   box->SetId(0);
   auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();
-  // An explicit method may reach no surface if the field is stiff. The warning is ignored, since
-  // the row shows this.
+  // In stiff fields, explicit methods may reach no surface. The warning is ignored, since the row
+  // shows the number of results.
   vtkNew<vtkCallbackCommand> ignore;
   filter->AddObserver(vtkCommand::WarningEvent, ignore);
   filter->SetInputData(what.Field);

@@ -17,15 +17,15 @@
 #include <vector>
 
 /**
- * Two methods of integrating streamlines backward, vtkImplicitFlowField and vtkStreamTracer, and
- * the endpoints of their streamlines.
+ * The filters vtkImplicitFlowField and vtkStreamTracer as methods of integrating streamlines
+ * backward, and the endpoints of their streamlines.
  */
 namespace flow
 {
 inline const char* const Baseline = "streamtracer";
 
-/// Limits of a streamline in time, length and steps of vtkImplicitFlowField. They are large, so
-/// that rows show the cost of explicit methods in stiff fields.
+/// Limits of vtkImplicitFlowField for the time, length and number of steps of a streamline. They
+/// are large, so that rows show the cost of explicit methods in stiff fields.
 constexpr double MaximumTime = 5.0;
 constexpr double MaximumLength = 12.0;
 constexpr int MaximumSteps = 100000;
@@ -49,14 +49,14 @@ struct MethodResult
 
 /**
  * Returns a filter that traces from the seeds to the box and has not been executed. \a tolerance is
- * MaximumError divided by the maximum speed of the field. ReadAdvection() returns its endpoints.
- * HasResult is true for streamlines that reached the box.
+ * MaximumError divided by the maximum speed of the field. ReadAdvection() returns the endpoints.
+ * Their HasResult is true if the streamline reached the box.
  */
 vtkSmartPointer<vtkImplicitFlowField> NewAdvection(
   const Case& what, int integrator, double tolerance);
 MethodResult ReadAdvection(const Case& what, vtkImplicitFlowField* filter);
 
-/// Returns the wall time of an update with one thread.
+/// Updates the filter with one thread and returns the wall time.
 BenchSeconds RunOnce(vtkAlgorithm* filter);
 
 /// Settings of vtkStreamTracer.
@@ -74,8 +74,8 @@ struct TracerSettings
 
 /**
  * Returns a filter that traces from the seeds, without vorticity, and has not been executed. A
- * streamline stops when a step ends outside the box. Its endpoints are the last points inside the
- * box. \a what must outlive it.
+ * streamline stops when a step ends outside the box. ReadTracer() returns the last points inside
+ * the box as endpoints. \a what must outlive the filter.
  */
 vtkSmartPointer<vtkStreamTracer> NewTracer(const Case& what, const TracerSettings& settings);
 /// Returns work that creates and executes a new tracer.

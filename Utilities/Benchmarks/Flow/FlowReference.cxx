@@ -108,7 +108,7 @@ Reference Reference::OfInterpolation(const Case& what)
 
 Difference Reference::Compare(const MethodResult& result, vtkIdType stride, double error) const
 {
-  // Bound of the rounding error of a position.
+  // Upper bound of the rounding error of a position.
   constexpr double rounding = 1e-13;
   std::vector<double> distances;
   std::vector<double> times;
@@ -126,7 +126,7 @@ Difference Reference::Compare(const MethodResult& result, vtkIdType stride, doub
     this->Follow(position, time);
     const double carried =
       std::sqrt(vtkMath::Distance2BetweenPoints(position, end.Position.data()));
-    // Moves to the point of the streamline that is closest to the endpoint.
+    // Move to the point of the exact streamline that is closest to the endpoint.
     for (int iteration = 0; iteration < 4; ++iteration)
     {
       double v[3];

@@ -16,11 +16,11 @@ namespace flow
 /// Difference between a MethodResult and the reference.
 struct Difference
 {
-  /// Mean and median distance of the endpoints from the streamlines, in world units: the error of
-  /// (u,v).
+  /// Mean and median distance of the endpoints from the exact streamlines, in world units: the
+  /// error of (u,v).
   double Mean = 0.0;
   double Median = 0.0;
-  /// Mean difference between the time at an endpoint and the reference: the error of t.
+  /// Mean absolute difference between the time at an endpoint and the exact time: the error of t.
   double Time = 0.0;
   /// Fraction of the endpoints whose distance from the exact position after the same time is at
   /// most the error bound multiplied by that time.
@@ -46,9 +46,9 @@ public:
    */
   static Reference OfInterpolation(const Case& what);
 
-  /// Compares every \a stride-th seed that reached the box. \a error is the error bound of
-  /// Difference::Within in world units per unit of time. Throws std::runtime_error if a reference
-  /// position is not finite.
+  /// Compares the result of every \a stride-th seed, if it reached the box. \a error is the error
+  /// bound of Difference::Within in world units per unit of time. Throws std::runtime_error if a
+  /// reference position is not finite.
   Difference Compare(const MethodResult& result, vtkIdType stride, double error = 0.0) const;
 
 private:

@@ -23,7 +23,7 @@ namespace
 {
 const char* const Shared = "shared";
 constexpr double Within = 10.0;
-/// Replaces an infinite error, which JSON cannot represent.
+/// Written instead of an infinite error, which JSON cannot represent.
 constexpr double Infinite = 1e30;
 
 vtkSmartPointer<vtkImageData> MakeSamples(int side, double half)
@@ -140,15 +140,16 @@ void AddRow(const Case& what, vtkImageData* samples, double tolerance, BenchRows
 }
 
 /**
- * Measures the fields of MakeSharingCases with about 100,000 samples on an image, which is a
- * quarter as wide for `dense`. Method `shared`: processor time of vtkImplicitFlowField with
- * InterpolateStreamlines; the baseline has it off. The parameter is MaximumError divided by the
- * maximum speed.
+ * Measures the fields of MakeSharingCases with about 100,000 samples on an image. In cases with
+ * `dense` in the name, the image is a quarter as wide. Method `shared`: processor time of
+ * vtkImplicitFlowField with InterpolateStreamlines; the baseline has it off. The parameter is
+ * MaximumError divided by the maximum speed.
  *
- * The error of a sample is the larger of the distance of the endpoints and the difference of times
- * multiplied by the maximum speed, divided by MaximumError times the advection time. It is infinite
- * (written as 1e30) if status or id differ. `median`, `q99`, `q999` and `largest` are quantiles for
- * the interpolated samples. `within` is the fraction of all samples with an error of at most 10.
+ * The error of a sample is the larger of the distance between the endpoints and the difference of
+ * times multiplied by the maximum speed, divided by MaximumError times the advection time. It is
+ * infinite (written as 1e30) if the status or the id differs. `median`, `q99`, `q999` and `largest`
+ * are quantiles of the errors of interpolated samples. `within` is the fraction of all samples with
+ * an error of at most 10.
  */
 void AddSharingRows(const BenchOptions& options, BenchRows& rows)
 {

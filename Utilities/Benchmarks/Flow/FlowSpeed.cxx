@@ -24,7 +24,8 @@ const char* const EqualError = "equal-error";
 const char* const EqualAgain = "equal-error-again";
 const char* const Norm = "mean distance of the ends from the streamlines";
 constexpr double DefaultTolerance = 1e-6;
-/// Rounding error of vtkStreamTracer's points near 1, which have single precision on images.
+/// Rounding error of vtkStreamTracer's points at coordinates near 1. On images, the points have
+/// single precision.
 constexpr double TracerRounding = 3e-8;
 
 /// A run of one method: setting, times, endpoints and error.
@@ -46,8 +47,8 @@ BenchWork MakeAdvection(const Case& what, double tolerance)
   };
 }
 
-/// Returns the steps per second without the setup, whose measured time may exceed the total for
-/// short runs.
+/// Returns the steps per second, excluding the setup time. In short runs, the measured setup time
+/// may exceed the total.
 double StepsPerSecond(vtkIdType steps, double seconds, double setup)
 {
   return static_cast<double>(steps) / std::max(seconds - setup, 0.01 * seconds);
@@ -107,8 +108,8 @@ private:
     this->Rows.Add(row);
   }
 
-  /// Runs the tracer with finer settings until its error is at most \a target or the number of
-  /// settings is exhausted.
+  /// Runs the tracer with finer and finer settings until its error is at most \a target or the
+  /// maximum number of runs is reached.
   Trial AddBaseline(TracerSettings settings, double target)
   {
     const bool isAdaptive = settings.Integrator == vtkStreamTracer::RUNGE_KUTTA45;
@@ -138,7 +139,8 @@ private:
   {
     settings.Search =
       this->What.IsBoxGrid ? CellSearch::CLOSEST_POINT : CellSearch::STATIC_CELL_LOCATOR;
-    // A run with one streamline shows the time of preprocessing, such as faces and locators.
+    // A run with one streamline shows the preprocessing time, such as for face matching and
+    // locators.
     Case one = this->What;
     one.Seeds = MakeSeeds(1, 0.01, this->Options.Seed);
     if (!this->What.IsBoxGrid)
@@ -169,7 +171,7 @@ private:
     this->Rows.Add(row);
   }
 
-  /// Adds a row for a repeated execution, which reuses the face matches of the mesh.
+  /// Adds a row for a second execution, which reuses the face matches of the mesh.
   void AddAgain(const Trial& own, const TracerSettings& settings, const Trial& other)
   {
     const auto filter = NewAdvection(this->What, vtkImplicitFlowField::AUTOMATIC, DefaultTolerance);
@@ -201,8 +203,8 @@ void AddSecondThread(Case what, const BenchOptions& options, BenchRows& rows)
   rows.Add(row);
 }
 
-/// Returns a function that evaluates \a number for rows of method `equal-error` on images, or on
-/// other grids.
+/// Returns a function that evaluates \a number for rows of method `equal-error`, either on images
+/// or on other grids.
 template <typename Number>
 std::function<std::optional<double>(const BenchRow&)> OfEqualError(bool isImage, Number number)
 {
@@ -219,11 +221,12 @@ std::function<std::optional<double>(const BenchRow&)> OfEqualError(bool isImage,
 /**
  * Measures streamlines of ABC flow from seeds to a box, with one thread unless stated otherwise.
  * Methods:
- * - `advection`, and `RK4` and `RK45` of the baseline: error against run time. The parameter is
- *   MaximumError divided by the maximum speed, the step in cells, and MaximumError;
- * - `equal-error`: the default settings of the advection. The baselines `streamtracer-RK4` and
- *   `streamtracer-RK45` use their first setting with an error at most twice as large. Each setting
- *   halves the step or divides MaximumError by ten;
+ * - `advection`, and `RK4` and `RK45` of the baseline: error against run time. The parameters are
+ *   MaximumError divided by the maximum speed for `advection`, the step in cells for `RK4`, and
+ *   MaximumError for `RK45`;
+ * - `equal-error`: the default settings of `advection`. The baselines `streamtracer-RK4` and
+ *   `streamtracer-RK45` use the first of their settings whose error is at most twice as large. Each
+ *   setting halves the step or divides MaximumError by ten;
  * - `threads-2`: two threads relative to one.
  */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)

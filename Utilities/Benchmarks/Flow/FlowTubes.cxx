@@ -67,7 +67,8 @@ Tube MakeRoundSphere(const std::string& name, const Disk& inflow, double time, i
   const reference::FlowFunction velocity = [flow = reference::Flow::RoundSphere()](
                                              const FlowVector& x)
   {
-    // Continue the formula a little into the sphere, so that cells at its surface contain no jump.
+    // Continue the formula a little into the sphere, so that the field has no jump in cells at its
+    // surface.
     constexpr double core = 0.6;
     const double factor = std::max(1.0, core / std::max(1e-12, std::hypot(x[0], x[1], x[2])));
     const double position[3] = { factor * x[0], factor * x[1], factor * x[2] };

@@ -18,7 +18,8 @@
 namespace flow
 {
 /**
- * The stream volume of a divergence-free field, from a disk perpendicular to x, after a given time.
+ * The stream volume of a divergence-free field that starts at a disk perpendicular to x and is
+ * advected for a given time.
  */
 struct Tube
 {
@@ -28,20 +29,20 @@ struct Tube
   double Time = 0.0;
   /// Volume, which is the flux through the disk multiplied by the time.
   double Volume = 0.0;
-  /// Returns the point (y,z) of the disk's plane on the streamline through x.
+  /// Returns (y,z) of the point where the streamline through x starts in the plane of the disk.
   std::function<std::array<double, 2>(const double x[3])> Origin;
-  /// Returns whether no streamline from the plane reaches x.
+  /// Returns true if no streamline from the plane of the disk reaches x.
   std::function<bool(const double x[3])> IsShadow;
 
-  /// Returns the distance from the disk's edge to the start of the streamline through x, negative
-  /// for starts inside the disk.
+  /// Returns the distance from the disk's edge to the start of the streamline through x. It is
+  /// negative if the streamline starts inside the disk.
   double GetExcess(const double x[3]) const;
 };
 
 /**
  * Returns tubes on images with \a points points along each axis: `contraction`, in the field (x,
  * -y/2, -z/2), which interpolation reproduces exactly; `beside` and `around`, in potential flow of
- * speed 1 around a sphere of radius 1, next to the sphere and around it.
+ * speed 1 around a sphere of radius 1. The tube passes next to the sphere or surrounds it.
  */
 std::vector<Tube> MakeTubes(int points);
 }

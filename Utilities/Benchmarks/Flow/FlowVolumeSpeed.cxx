@@ -147,10 +147,10 @@ void AddChanges(const std::string& name, Volumes& volumes, const BenchSeconds& a
 /**
  * Measures stream volumes of the field HURRICANE, advected backward to the faces of the domain for
  * at most 10 units of time. The samples have twice the resolution of the field. Methods:
- * - `samples`: the advection with all threads, run once;
- * - `new-mapping`, `new-interval`, `new-times`: a new stream volume after a change of the inflow
- *   mapping, of its interval only, or of the time range only. The baseline `advection` is the time
- *   of `samples`. The count `advections` is the number of advections that the change caused.
+ * - `samples`: the advection of the samples with all threads, run once;
+ * - `new-mapping`, `new-interval`, `new-times`: a new stream volume after a change of only the
+ *   inflow mapping, the interval, or the time range. The baseline `advection` is the time of
+ *   `samples`. The count `advections` is the number of advections that the change caused.
  */
 void AddVolumeRows(const BenchOptions& options, BenchRows& rows)
 {

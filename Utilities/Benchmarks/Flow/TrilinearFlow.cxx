@@ -47,7 +47,7 @@ struct TrilinearFlow::Cell
 namespace
 {
 /// The face through which a step from \a p to \a q first leaves the unit cell \a at. Axis is -1 if
-/// the step stays inside.
+/// the step ends inside the cell.
 struct Exit
 {
   int Axis = -1;

@@ -19,7 +19,7 @@ public:
 
   /// Returns the interpolated velocity, or 0 outside the image.
   void GetVelocity(const double x[3], double v[3]) const;
-  /// Moves \a x for a positive or negative time, but not out of the image.
+  /// Moves \a x along the field for a positive or negative time, but not out of the image.
   void Follow(double x[3], double time) const;
 
 private:
@@ -29,7 +29,8 @@ private:
   /// Converts between world coordinates and continuous point indices.
   Vector ToIndices(const double x[3]) const;
   void ToWorld(const Vector& p, double x[3]) const;
-  /// Return false if the image has no such cell.
+  /// Load() sets the velocities of the cell with the indices of \a cell; Locate() first finds the
+  /// cell that contains \a p. Both return false if the image has no such cell.
   bool Load(Cell& cell) const;
   bool Locate(const Vector& p, Cell& cell) const;
 

@@ -8,18 +8,18 @@
 class vtkDataSet;
 
 /**
- * VTK's velocity interpolation, as vtkStreamTracer uses it, with a choice of the search method for
+ * VTK's velocity interpolation for vtkStreamTracer, with a choice of the method that searches for
  * the next cell.
  *
  * VTK 9.1 has a class for each method, vtkInterpolatedVelocityField and
- * vtkCellLocatorInterpolatedVelocityField. They are deprecated since 9.2 and removed in 9.4. Their
+ * vtkCellLocatorInterpolatedVelocityField. They were deprecated in 9.2 and removed in 9.4. Their
  * replacement is vtkCompositeInterpolatedVelocityField with a vtkFindCellStrategy.
  */
 namespace flow
 {
 enum class CellSearch
 {
-  /// Walks from the cells around the closest point; the default in all VTK versions.
+  /// Finds the closest point and walks from the cells around it. The default of all VTK versions.
   CLOSEST_POINT,
   /// vtkStaticCellLocator.
   STATIC_CELL_LOCATOR

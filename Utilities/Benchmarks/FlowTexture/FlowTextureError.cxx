@@ -23,8 +23,8 @@ using Mapper = vtkImplicitFlowVolumeMapper;
 /// Number of view rays along each edge of a pixel in the reference image.
 constexpr int Finer = 3;
 
-/// Returns the end of a streamline in a curved flow along x. u and v are the coordinates where it
-/// starts.
+/// Returns the streamline end at x in a curved flow along the x axis. u and v are the coordinates
+/// at which the streamline starts.
 reference::FlowEnd Bent(const reference::Position3& x)
 {
   const double a = x[0] + 0.5;
@@ -40,7 +40,7 @@ reference::Color4 Paint(double u, double v)
   return { { stripes, spots, 1.0 - stripes, 0.5 * spots * spots } };
 }
 
-/// Returns the image whose pixels are the means of Finer x Finer pixels.
+/// Returns a smaller image. Each pixel is the mean of Finer x Finer pixels.
 reference::RgbaImage MakeCoarser(const reference::RgbaImage& fine)
 {
   reference::RgbaImage image(fine.Width / Finer, fine.Height / Finer);

@@ -6,7 +6,8 @@
 
 namespace approximations
 {
-/// vtkImplicitFlowVolumeMapper at several voxel resolutions, with TextureFilter on and off.
+/// vtkImplicitFlowVolumeMapper with several resolutions of the flow field, with TextureFilter on
+/// and off.
 Family MakeFlowVoxelFamily();
 }
 

@@ -15,8 +15,8 @@
 namespace growth
 {
 /**
- * Expected exponent of N and the reason for it. It is a range from Minimum to Maximum if two terms
- * contribute to the cost.
+ * Expected exponent of N and the reason for it. Minimum and Maximum differ if two terms contribute
+ * to the cost.
  */
 struct Theory
 {
@@ -38,7 +38,7 @@ struct Job
 };
 
 /**
- * A quantity N that cost grows with.
+ * A quantity N on which costs depend.
  */
 struct Quantity
 {
@@ -61,9 +61,9 @@ extern const char* const SizeMethod;
 extern const char* const TimeExponent;
 extern const char* const MemoryExponent;
 
-/// Tolerance of a fitted exponent.
+/// Largest acceptable deviation of a fitted exponent from the theory.
 constexpr double Margin = 0.15;
-/// Smaller amounts of memory are allocator pages, and are fitted as this amount.
+/// Amounts of memory below this are due to allocator pages. The fit replaces them with this amount.
 constexpr double MinimumKib = 64.0;
 
 /**
@@ -75,7 +75,7 @@ BenchRow MakeSizeRow(const BenchRows& rows, const Quantity& quantity,
 
 /**
  * Adds the fitted exponents of \a quantity, from its rows in \a rows, if there are at least two
- * sizes. The parameter is the reason of the theory. Counts:
+ * sizes. The parameter is Theory::Reason. Counts:
  * - `exponent`: the slope of a least-squares line through the logarithms;
  * - `least` and `most`: the theoretical exponents;
  * - `sizes`: the number of sizes;

@@ -10,7 +10,7 @@ namespace growth
 {
 namespace
 {
-/// A cost that exponents are fitted to, and the method of its rows.
+/// A cost whose exponent is fitted, and the method name of its rows.
 struct Measure
 {
   const char* Method;

@@ -64,7 +64,7 @@ interval4d::Case MakeGyroidCase(int points, int slabs)
   return made;
 }
 
-/// Returns a job whose N is \a n or, if it is empty, the number of 4-simplices.
+/// Returns a job whose N is \a n or, if \a n is empty, the number of 4-simplices.
 Job MakeTimeJob(const interval4d::Case& what, std::optional<double> n)
 {
   const auto simplices = std::make_shared<double>(0.0);

@@ -41,8 +41,8 @@ void AddRows(const BenchOptions& options, BenchRows& rows)
   }
 }
 
-/// Measures in this process, which was started for this purpose. Memory is measured in the second
-/// execution, after code and tables have been loaded.
+/// Measures one size in this process, which was started for this purpose. Memory is measured in the
+/// second execution, after code and tables have been loaded.
 nlohmann::ordered_json Measure(const Quantity& quantity, int size, const BenchOptions& options)
 {
   const Job job = quantity.Make(size, options);

@@ -24,8 +24,8 @@ vtkIdType TrianglesOf(const BenchWork& work)
   return vtkDataSet::SafeDownCast(work())->GetNumberOfCells();
 }
 
-/// Adds rows of \a works with the given number of threads. The first is Interlume's, the others are
-/// baselines.
+/// Adds rows of \a works with the given number of threads. The first of \a works is Interlume's,
+/// the others are baselines.
 void AddRows(const BenchRow& common, int threads, const std::vector<std::string>& baselines,
   std::vector<BenchWork> works, const BenchOptions& options, BenchRows& rows)
 {
@@ -116,7 +116,7 @@ void AddContourRows(const BenchOptions& options, BenchRows& rows)
 std::vector<BenchPlot> MakePlots(const std::vector<BenchRow>& rows)
 {
   std::vector<BenchPlot> plots;
-  // Plots of different methods against the same baseline need different names.
+  // Two methods have the same baseline, so their plots need different names.
   for (const auto& [name, method] :
     { std::make_pair("contour", OnHexahedra), std::make_pair("contour", OnImage),
       std::make_pair("contour-unmerged", OnHexahedraUnmerged) })

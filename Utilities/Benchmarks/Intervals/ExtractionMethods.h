@@ -22,7 +22,7 @@ namespace methods
 vtkSmartPointer<vtkIntervalVolume> NewIntervalVolume(vtkDataSet* data, double lower, double upper);
 
 /**
- * Returns the tetrahedra of vtkIntervalVolume.
+ * Returns the tetrahedra that vtkIntervalVolume extracts.
  */
 vtkSmartPointer<vtkUnstructuredGrid> IntervalVolume(vtkDataSet* data, double lower, double upper);
 

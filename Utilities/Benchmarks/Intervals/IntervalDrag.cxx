@@ -23,7 +23,7 @@ namespace interval
 {
 namespace
 {
-/// Position of a dragged bound in the range of the scalars.
+/// Position of a dragged bound, as a fraction of the scalar range.
 struct BoundPosition
 {
   const char* Name;
@@ -38,7 +38,8 @@ struct DragCase
   vtkSmartPointer<vtkImageData> Image;
 };
 
-/// CT data with 256^3 points: the original bonsai, and the head resampled by linear interpolation.
+/// Returns CT data with 256^3 points: the original bonsai, and the head resampled by linear
+/// interpolation. Smaller sizes use the wavelet.
 std::vector<DragCase> MakeCases(const BenchOptions& options)
 {
   if (options.Size != BenchOptions::FULL)
@@ -101,7 +102,7 @@ vtkIdType CountCells(vtkImageData* image, double first, double second)
   return number;
 }
 
-/// A filter whose lower bound moves up and down by a constant step.
+/// A filter whose lower bound moves up and down by a constant step between updates.
 class Drag
 {
 public:
@@ -169,9 +170,10 @@ void AddDragRow(const DragCase& one, const BoundPosition& position, bool isTied,
  * Measures updates after small changes of a bound. Methods: `drag`, and `drag-tied` with bounds
  * that equal scalars of the data. The upper bound is the maximum of the scalars. The lower bound
  * moves by 1/200 of the scalar range between updates, in the low, middle or high part of the range.
- * ReuseMemory is on; the baseline `new-memory` has it off. Rows use one thread and all threads.
- * Count `changed` is the number of cells that the bound passes through between two updates, `share`
- * their fraction. Other counts are the size of the output and the reused and idle memory.
+ * ReuseMemory is on; the baseline `new-memory` has it off. Rows use one thread and all threads. The
+ * count `changed` is the number of cells whose values the bound passes between two updates, and
+ * `share` is their fraction of all cells. Other counts are the size of the output and the reused
+ * and idle memory.
  */
 void AddDragRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -29,7 +29,8 @@ const char* const VolumeNorm = "volume, relative";
 const char* const SurfaceNorm = "surface distance, rms, share of the domain's edge";
 const char* const SampledNorm = "volume, relative, with sampling";
 
-/// A method of extracting the interval volume: its input grid and whether it is the baseline.
+/// A method of extracting the interval volume, and its input grid. IsClip marks the baseline
+/// `clip2`.
 struct Method
 {
   std::string Name;
@@ -59,7 +60,7 @@ std::vector<Method> MakeMethods(vtkImageData* image)
   return methods;
 }
 
-/// The tetrahedra of a result, and triangles that include its boundary.
+/// The tetrahedra of a result, and triangles among which are all triangles of its boundary.
 struct Result
 {
   vtkSmartPointer<vtkUnstructuredGrid> Tetrahedra;
@@ -90,7 +91,8 @@ Result Extract(const Method& method, double lower, double upper)
   return result;
 }
 
-/// Returns the root mean square distance of the boundary inside the box from the exact surface.
+/// Returns the root mean square distance from the exact surface to the part of the boundary that is
+/// not on the faces of the box.
 double SurfaceDistance(
   vtkPointSet* boundary, const TrilinearRegion& region, double lower, double upper)
 {

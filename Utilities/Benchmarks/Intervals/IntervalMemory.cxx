@@ -66,7 +66,7 @@ nlohmann::ordered_json MeasureMemory(
   return json;
 }
 
-/// Adds rows for all cases, as structured data and as unstructured hexahedra.
+/// Adds rows for all cases, with structured data and with unstructured hexahedra as input.
 void AddMemoryRows(const BenchOptions& options, BenchRows& rows)
 {
   for (const BenchData& data : MakeSpeedCases(options))

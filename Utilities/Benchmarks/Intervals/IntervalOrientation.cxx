@@ -28,7 +28,7 @@ void AddOrientationRow(const BenchData& data, BenchRows& rows)
 
 /**
  * Counts inverted tetrahedra for cells of each shape with random values and for the data files. The
- * method is `inverted`, and the error is their fraction of the volume.
+ * method is `inverted`, and the error is the fraction of the volume that is in inverted tetrahedra.
  */
 void AddOrientationRows(const BenchOptions& options, BenchRows& rows)
 {

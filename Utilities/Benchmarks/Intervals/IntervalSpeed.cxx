@@ -73,7 +73,8 @@ void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 }
 
 /**
- * Measures the method `threads-2`, two threads, with the baseline `threads-1`, one thread.
+ * Measures extraction with two threads (method `threads-2`) and with one thread (baseline
+ * `threads-1`).
  */
 void AddThreadRows(const BenchOptions& options, BenchRows& rows)
 {

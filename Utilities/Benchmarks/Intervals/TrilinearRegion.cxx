@@ -11,8 +11,8 @@
 
 namespace
 {
-/// Returns the length of { z in [0,1] : value <= bound } for the linear function from bottom to
-/// top.
+/// Returns the length of the part of [0, 1] where a linear function with the values \a bottom at 0
+/// and \a top at 1 is at most \a bound.
 double LengthBelow(double bottom, double top, double bound)
 {
   const bool bottomInside = bottom <= bound;
@@ -41,7 +41,8 @@ struct Square
   double X, Y, Size;
 };
 
-/// Lines along z through a cell, given by the values on the bottom and top faces.
+/// A cell as lines along z. The function is bilinear on the bottom and top faces, and linear along
+/// each line.
 class CellColumns
 {
 public:

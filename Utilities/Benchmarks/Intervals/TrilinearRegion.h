@@ -22,14 +22,15 @@ public:
 
   /**
    * Returns the volume of { lower <= g <= upper }. Along z the interpolant is linear, so the length
-   * inside the region has a closed form. This length is integrated over x and y by a Gauss rule of
-   * 3 x 3 points. Squares in which the length has a kink, where the isosurface crosses a face or an
-   * edge of the cell, are subdivided \a depth times.
+   * inside the region has a closed form. A Gauss rule of 3 x 3 points integrates this length over x
+   * and y. The length has kinks where an isosurface crosses the bottom or top face of the cell;
+   * squares that may contain one are subdivided up to \a depth times.
    */
   double GetVolume(double lower, double upper, int depth = 4) const;
 
   /**
-   * Returns the distance of \a point from { g = value }, along the gradient of g.
+   * Returns the distance of \a point from the isosurface g = \a value, measured along the gradient
+   * of g.
    */
   double GetDistance(const double point[3], double value) const;
 

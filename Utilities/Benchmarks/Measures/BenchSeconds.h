@@ -14,10 +14,10 @@ struct BenchSeconds
   int Runs = 0;
   /// Begin and end of each run in seconds of std::chrono::steady_clock.
   std::vector<std::array<double, 2>> Spans = {};
-  /// Median processor time of all threads, which excludes other programs.
+  /// Median processor time of all threads, which other programs do not affect.
   double Processor = 0.0;
 
-  /// Returns the processor time as Value.
+  /// Returns a copy whose Value is the processor time.
   BenchSeconds OfProcessor() const { return { this->Processor, this->Runs, this->Spans }; }
 
   operator double() const { return this->Value; }

@@ -50,8 +50,8 @@ BenchWork WithThreads(int threads, const BenchWork& work)
 {
   return [threads, work]()
   {
-    // With TBB, VTK 9.6 only lowers the number of threads, unless Initialize() is called for all
-    // processors in between. VTK up to 9.5 ignores a call with the same number as before, unless
+    // With TBB, VTK 9.6 can only lower the number of threads, unless Initialize() is first called
+    // for all processors. VTK up to 9.5 ignores a call with the number of the previous call, so
     // another number is set in between.
     vtkSMPTools::Initialize();
     vtkSMPTools::Initialize(static_cast<int>(std::thread::hardware_concurrency()));

@@ -27,14 +27,15 @@ double GetSteadySeconds();
 BenchSeconds TimeOnce(const BenchWork& work);
 
 /**
- * Returns the median times of all \a works. Each is run once untimed; then they run alternately, A
- * B C A B C ..., \a repeats times. Other activity on the machine thus affects all of them equally.
+ * Returns the median times of all \a works. Each work is run once untimed; then all run
+ * alternately, A B C A B C ..., \a repeats times. Other activity on the machine thus affects all
+ * works equally.
  */
 std::vector<BenchSeconds> MeasureAlternately(const std::vector<BenchWork>& works, int repeats);
 
 /**
- * Returns \a work with the number of threads of vtkSMPTools set to \a threads. It remains set
- * afterward.
+ * Returns \a work, preceded by setting the number of threads of vtkSMPTools to \a threads. The
+ * number remains set afterward.
  */
 BenchWork WithThreads(int threads, const BenchWork& work);
 
@@ -60,7 +61,7 @@ double Median(std::vector<double> numbers);
 BenchSeconds MedianOf(const std::vector<double>& runs);
 
 /**
- * Returns the medians of single runs, with all their spans.
+ * Returns the medians of single runs, with the spans of all runs.
  */
 BenchSeconds MedianOf(const std::vector<BenchSeconds>& runs);
 

@@ -5,8 +5,8 @@
 #include <cmath>
 
 /**
- * Returns the distance of \a point from the level set of a function at \a value, along its
- * gradient. Newton steps continue until the remaining distance is below 1e-14 of \a length.
+ * Returns the distance of \a point from the level set of a function at \a value, measured along the
+ * gradient. Newton steps continue until the remaining distance is below 1e-14 times \a length.
  *
  * \a evaluate(at, gradient) returns the value of the function and sets its gradient.
  */

@@ -10,7 +10,7 @@
 
 namespace
 {
-/// Returns N of the line `name: N kB` of /proc/self/status.
+/// Returns N from the line `name: N kB` of /proc/self/status.
 std::optional<long> StatusKib(const std::string& name)
 {
   std::ifstream status("/proc/self/status");

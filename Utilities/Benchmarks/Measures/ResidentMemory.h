@@ -7,7 +7,7 @@
 ///@{
 /**
  * Return the current resident memory of this process in KiB, and its maximum since
- * ResetPeakMemory(). Empty if the system does not report it.
+ * ResetPeakMemory(). The result is empty if the system does not report it.
  */
 std::optional<long> ResidentKib();
 std::optional<long> PeakResidentKib();

@@ -15,8 +15,8 @@ struct SurfaceDistances
   /// Integral of the squared distance.
   double SquareIntegral = 0.0;
 
-  /// Adds a triangle by a three-point rule of degree 2. \a distance returns the distance of a point
-  /// from the other surface.
+  /// Adds the integrals over a triangle, by a three-point rule of degree 2. \a distance returns the
+  /// distance of a point from the other surface.
   void AddTriangle(
     const double x[3][3], const std::function<double(const double point[3])>& distance);
 

@@ -8,7 +8,7 @@ class vtkUnstructuredGrid;
 
 /**
  * Sums of the volumes of tetrahedra. A tetrahedron is inverted if its signed volume is below -1e-12
- * of the cube of its longest edge. Flatter tetrahedra have no reliable orientation.
+ * times the cube of its longest edge. Flatter tetrahedra have no reliable orientation.
  */
 struct TetrahedronSums
 {
@@ -17,9 +17,9 @@ struct TetrahedronSums
   /// Sum of signed volumes, so that an inverted tetrahedron cancels the volume that its neighbors
   /// cover twice.
   double Volume = 0.0;
-  /// Volume of the inverted tetrahedra, positive.
+  /// Sum of the absolute volumes of inverted tetrahedra.
   double InvertedVolume = 0.0;
-  /// Sum of absolute volumes.
+  /// Sum of the absolute volumes of all tetrahedra.
   double AbsoluteVolume = 0.0;
 
   double GetInvertedFraction() const;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures vtkTetrahedralMesher for the suite filter-errors of interlume-bench. The mesher is not
-// part of that program's package, so interlume-bench starts this program, which prints rows as
-// JSON.
+// Measures vtkTetrahedralMesher for the suite filter-errors of interlume-bench. The package of
+// interlume-bench does not contain the mesher, so interlume-bench starts this program, which prints
+// rows as JSON.
 #include "Benchmarks/Approximations/FilterFamilies.h"
 
 #include "vtkTetrahedralMesher.h"
@@ -66,8 +66,8 @@ vtkSmartPointer<vtkPolyData> MakeSphere(int subdivisions)
   return sphere;
 }
 
-/// Returns the root mean square difference between the interpolated values and the field over all
-/// tetrahedra, by a four-point rule.
+/// Returns the root mean square difference between the interpolated values and the field,
+/// integrated over all tetrahedra by a four-point rule.
 double MeasureInterpolation(vtkUnstructuredGrid* mesh)
 {
   constexpr double near = 0.58541019662496852;
@@ -171,7 +171,8 @@ int main(int argc, char* argv[])
   options.Size = tiny ? BenchOptions::TINY : quick ? BenchOptions::QUICK : BenchOptions::FULL;
   try
   {
-    // Redirect the rows that are printed while measuring; standard output contains only the JSON.
+    // Redirect the rows that are printed while measuring, since standard output must contain only
+    // the JSON.
     std::streambuf* output = std::cout.rdbuf(std::cerr.rdbuf());
     auto json = nlohmann::ordered_json::array();
     const BenchRows rows = Measure(options);

@@ -67,7 +67,7 @@ SceneSurface MakeFloor(double height, double half)
   return MakeSurface(plane);
 }
 
-/// Adds spheres in two circles around the center of \a bounds, and a plane below them.
+/// Adds spheres on two circles around the center of \a bounds, and a plane below the spheres.
 void AddSpheres(MixedScene& scene, const double bounds[6], int triangles)
 {
   constexpr int count = 16;

@@ -8,7 +8,7 @@
 #include <string>
 
 /**
- * Scenes of the suite `mixed`: white media and surfaces without ambient and specular light.
+ * Scenes of the suite `mixed`. Media and surfaces are white and have no ambient and specular light.
  */
 namespace mixed
 {
@@ -16,7 +16,7 @@ struct Case
 {
   std::string Name;
   reference::MixedScene Scene;
-  /// Position of the first light. Frames that move lights change it.
+  /// Initial position of the first light, to restore it after frames that move the lights.
   reference::Double3 LightPosition{};
 };
 
@@ -24,7 +24,7 @@ struct Case
 /// The sphere has about \a triangles triangles.
 Case MakePosts(int pixels, int triangles);
 
-/// Returns spheres with about \a triangles triangles in total around a volume.
+/// Returns a volume surrounded by spheres that have about \a triangles triangles in total.
 Case MakeAmongSpheres(
   const std::string& name, const reference::ShadowScene& volume, int pixels, int triangles);
 }

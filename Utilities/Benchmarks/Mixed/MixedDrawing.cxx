@@ -37,8 +37,8 @@ vtkSmartPointer<vtkRenderPass> MakeShadowMaps(int resolution)
   return camera;
 }
 
-/// Returns the same surface with a separate mapper, so that each window keeps its own graphics
-/// resources.
+/// Returns an actor of the same surface with its own mapper, so that each window has its own
+/// graphics resources.
 vtkSmartPointer<vtkActor> Copy(vtkActor* actor)
 {
   vtkNew<vtkPolyDataMapper> mapper;

@@ -28,7 +28,8 @@ enum class Method
   ScenePass,
   /// vtkShadowMapPass, which renders only opaque actors, under spotlights and directional lights.
   ShadowMaps,
-  /// The default of the renderer without a pass: volumes shadow themselves, actors cast no shadows.
+  /// vtkRenderStepsPass, which renders like a renderer without a pass: volumes shadow themselves,
+  /// actors cast no shadows.
   Plain
 };
 
@@ -50,14 +51,14 @@ public:
     this->Stage.SetLights(lights);
   }
 
-  /// Returns the image in floating point, with the current camera and lights. Initially they are
-  /// the camera and lights of the scene.
+  /// Renders with the current camera and lights, and returns the image in floating point.
+  /// Initially, the camera and lights are those of the scene.
   reference::RgbaImage Capture();
 
-  /// Returns work that renders one frame, until it is complete, with \a threads threads of
-  /// vtkSMPTools. The camera rotates by half a degree per frame. If \a areLightsMoved, the lights
-  /// rotate by a fifth of a degree around z, so that shadow maps are rendered again. The drawing
-  /// must outlive the work.
+  /// Returns work that renders one frame with \a threads threads of vtkSMPTools, and waits until
+  /// the frame is complete. The camera rotates by half a degree per frame. If \a areLightsMoved,
+  /// the lights rotate by a fifth of a degree around z, so that shadow maps are rendered again. The
+  /// drawing must outlive the work.
   BenchWork GetFrame(int threads, bool areLightsMoved = false);
 
   /// Returns the report of the pass, or null for methods other than ScenePass.

@@ -25,11 +25,12 @@ void SetError(
 }
 
 /**
- * Measures frames of surfaces under a spotlight, without a volume, by vtkShadowedScenePass. The
- * baseline is vtkShadowMapPass with shadow maps of the same resolution, which is the parameter.
- * Errors are relative to a ray caster in double precision. `scene-pass` and `shadow-maps`: only the
- * camera moves. over_peer, processor_over_peer and error_over_peer are Interlume's numbers divided
- * by the baseline's. `scene-pass, light moves`: shadow maps are rendered for each frame.
+ * Measures frames of surfaces under a spotlight, without a volume, rendered by
+ * vtkShadowedScenePass. The baseline is vtkShadowMapPass with shadow maps of the same resolution,
+ * which is the parameter. The reference for errors is a ray caster in double precision.
+ * `scene-pass` and `shadow-maps`: only the camera moves. over_peer, processor_over_peer and
+ * error_over_peer are Interlume's numbers divided by the baseline's. `scene-pass, light moves`:
+ * shadow maps are rendered for each frame.
  */
 void AddMapRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -8,8 +8,8 @@ class vtkImplicitFlowField;
 class vtkIntervalVolume;
 
 /**
- * Pipelines for several processes. Each process creates the same pipeline and executes its piece.
- * Sources create only the requested piece.
+ * Pipelines for several processes. Each process creates the same pipeline and requests its own
+ * piece. Sources create only the requested piece.
  */
 namespace ranks
 {

@@ -9,8 +9,8 @@ class vtkAlgorithm;
 class vtkMultiProcessController;
 
 /**
- * Measurements of filters that all processes execute together. Numbers are valid in process 0.
- * Lists have one entry per process in process 0 and are empty in other processes.
+ * Measurements of filters that all processes execute together. Numbers are valid only in process 0.
+ * Lists have one entry per process in process 0 and are empty in all other processes.
  */
 namespace ranks
 {
@@ -21,7 +21,7 @@ struct Times
   int Runs = 0;
   /// Median processor time of each process.
   std::vector<double> ProcessorSeconds;
-  /// Work of each process, as returned by getWork.
+  /// Result of getWork in each process.
   std::vector<double> Work;
 };
 
@@ -29,8 +29,8 @@ struct Times
 Times MeasureTimes(vtkMultiProcessController* controller, vtkAlgorithm* filter, int repeats,
   const std::function<double()>& getWork);
 
-/// Returns the largest growth of resident memory in KiB during the first execution of a filter and
-/// its input. Empty if the system does not report resident memory.
+/// Returns the largest growth of each process's resident memory, in KiB, during the first execution
+/// of a filter and its input. Empty if the system does not report resident memory.
 std::vector<double> MeasureMemory(vtkMultiProcessController* controller, vtkAlgorithm* filter);
 }
 

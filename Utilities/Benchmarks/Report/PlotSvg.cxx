@@ -35,7 +35,7 @@ std::string Number(double number)
   return text.str();
 }
 
-/// A range of numbers and the range of pixels that it is drawn on.
+/// A range of numbers, and the range of pixels in which it is drawn.
 struct Axis
 {
   double Low = 0.0;
@@ -224,7 +224,8 @@ private:
     this->AddRings(this->Plot.DefaultPoint, isNamed);
   }
 
-  /// Draws the front as a staircase. Points above and to the right of it are dominated.
+  /// Draws the Pareto front as a staircase. Points above and to the right of the front are
+  /// dominated.
   void AddFront()
   {
     std::string path;
@@ -312,7 +313,7 @@ private:
     return Number(this->X.At(series.X[i])) + " " + Number(this->Y.At(series.Y[i]));
   }
 
-  /// Adds an entry to the legend and returns the right end of its sample line.
+  /// Adds an entry to the legend and returns the coordinates of the right end of its sample line.
   std::string AddLegend(const std::string& label)
   {
     this->LegendHeight += 30.0;

@@ -8,20 +8,21 @@
 #include <string>
 #include <vector>
 
-/// Number of distinct marks. They differ in shape, so that lines are distinguishable without
+/// Number of distinct marks. Marks differ in shape, so that lines can be distinguished without
 /// colors.
 constexpr std::size_t NumberOfMarks = 14;
 
 /// Returns the SVG attributes of the mark of a series: path and fill.
 std::string MarkOf(std::size_t series);
 
-/// Returns the color of a series, #rrggbb. The first five differ in brightness, for use in bars.
+/// Returns the color of a series, #rrggbb. The first five colors also differ in brightness, for
+/// bars.
 std::string ColorOf(std::size_t series);
 
 /**
  * Returns \a plot as an SVG image. Elements have classes: `line` (also `peer` or `no-choice`, which
- * are dashed), `bar`, `default` for rings around the default, and `front` for the Pareto front.
- * Points that cannot be drawn on a logarithmic axis are skipped.
+ * are dashed), `bar`, `default` for rings around points of the default settings, and `front` for
+ * the Pareto front. Points that cannot be drawn on a logarithmic axis are skipped.
  */
 std::string MakeSvg(const BenchPlot& plot, const std::string& caption);
 

@@ -33,24 +33,24 @@ struct SuitePlot
 std::string Folded(const std::string& summary, const std::string& content);
 
 /**
- * Returns the number of defaults on their Pareto fronts, then each question with its plot, linked
- * to the image file, its conclusion and the plot's conditions.
+ * Returns the number of questions whose default setting is on the Pareto front, then each question
+ * with its plot (a link to the image file), its conclusion and the plot's conditions.
  */
 std::string FiguresOf(const std::vector<SuitePlot>& questions);
 
 /**
- * Returns a table of claims with the measured number of each case. Claims that are not met come
- * first, and missed cases are highlighted.
+ * Returns a table of claims with the measured number of each case. Missed claims come first, and
+ * missed cases are highlighted.
  */
 std::string TableOf(const std::vector<SuiteClaim>& claims);
 
 /**
- * Returns one table with a column for each field of the rows, in order of appearance.
+ * Returns one table with a column for each field that occurs in the rows, in order of appearance.
  */
 std::string TableOf(const std::vector<BenchRow>& rows);
 
 /**
- * Return the stability catalog, and the number of cases per class.
+ * Return the table of the stability catalog, and the table of the number of cases per class.
  */
 std::string TableOf(const std::vector<StabilityCase>& cases);
 std::string TableOf(const std::vector<StabilityCount>& counts);

@@ -25,16 +25,17 @@ struct BenchClaim
   std::string Text;
   std::vector<Measured> Cases;
 
-  /// Returns whether the target is met in every case.
+  /// Returns true if the target is met in every case.
   bool IsMet() const;
 
-  /// Returns text, met and cases; each case has case, number and met.
+  /// Returns an object with the fields `text`, `met` and `cases`. Each case has the fields `case`,
+  /// `number` and `met`.
   nlohmann::ordered_json ToJson() const;
 
   /**
    * Returns the claim that \a number of every row is at least, or at most, \a bound. Rows for which
-   * \a number is empty are excluded. The names of cases include method, parameter and peer if these
-   * are required to distinguish rows.
+   * \a number is empty are excluded. The names of cases include the method, parameter and baseline
+   * if rows differ in them.
    */
   static BenchClaim AtLeast(const std::string& text, double bound,
     const std::vector<BenchRow>& rows,
@@ -45,20 +46,20 @@ struct BenchClaim
 
 /**
  * Returns a function for AtLeast() and AtMost() that returns the ratio of a row if the row is of
- * this method and baseline with one thread, and otherwise nothing.
+ * this method and baseline with one thread, and otherwise std::nullopt.
  */
 std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
   const std::string& method, const std::string& baseline);
 
 /**
  * Returns a function for AtLeast() and AtMost() that returns the ratio of a row if the row is of
- * this method, and otherwise nothing.
+ * this method, and otherwise std::nullopt.
  */
 std::function<std::optional<double>(const BenchRow&)> RatioOf(const std::string& method);
 
 /**
  * Returns a function for AtLeast() and AtMost() that returns a count of a row if the row is of this
- * method and has the count, and otherwise nothing.
+ * method and has the count, and otherwise std::nullopt.
  */
 std::function<std::optional<double>(const BenchRow&)> CountOf(
   const std::string& method, const std::string& count);

@@ -25,8 +25,8 @@ std::string Compiler()
 #endif
 }
 
-/// Returns the processor name of /proc/cpuinfo, or of vtksys on other systems. vtksys supports
-/// fewer processor families.
+/// Returns the processor name from /proc/cpuinfo, or from vtksys on systems without that file.
+/// vtksys recognizes fewer processor families.
 std::string ProcessorName(vtksys::SystemInformation& information)
 {
   std::ifstream file("/proc/cpuinfo");

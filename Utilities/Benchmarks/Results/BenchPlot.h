@@ -29,7 +29,8 @@ struct BenchPlot
   enum Kinds
   {
     LINES,
-    /// One group of bars for each of BarLabels. The Y values of a series are in the same order.
+    /// One group of bars for each of BarLabels. The Y values of a series are in the order of
+    /// BarLabels.
     BARS
   };
 
@@ -46,14 +47,14 @@ struct BenchPlot
   std::string YLabel;
   bool LogX = false;
   bool LogY = false;
-  /// Whether X is a cost and Y an error, so that a Pareto front is drawn: see ErrorFront.h.
+  /// Whether X is a cost and Y an error, so that a Pareto front is drawn (see ErrorFront.h).
   bool HasFront = false;
   /// The point of the default settings, or the series whose points all have default settings. Rings
-  /// mark them.
+  /// mark these points.
   Series DefaultPoint;
   std::string DefaultSeries;
   std::vector<std::string> BarLabels;
-  /// Bars: height of a dashed reference line, such as ratio 1, or 0 to omit the line.
+  /// Height of a dashed reference line in bar plots, such as ratio 1, or 0 for no line.
   double Reference = 0.0;
   std::vector<Series> AllSeries;
 
@@ -66,10 +67,10 @@ struct BenchPlot
   static BenchPlot OfBars(
     const std::string& name, const std::string& title, const std::string& label);
 
-  /// Adds a bar to the group \a group, which is created if it is missing.
+  /// Adds a bar to the group \a group, which is created if it does not exist.
   void AddBar(const std::string& group, const std::string& label, bool isBaseline, double height);
 
-  /// Adds a point to the series \a label, which is created if it is missing.
+  /// Adds a point to the series \a label, which is created if it does not exist.
   void AddPoint(const std::string& label, bool isBaseline, double x, double y,
     const std::string& name = std::string());
 
@@ -78,7 +79,7 @@ struct BenchPlot
   /// logarithmic.
   void AddRow(const BenchRow& row, bool isBaseline, const std::string& label = {});
 
-  /// Excludes the series \a label, if it exists, from the possible answers.
+  /// Sets IsChoice of the series \a label to false, if the series exists.
   void SetNoChoice(const std::string& label);
 
   /// Marks the last point of the series \a label, or its point named \a name, as the default. Marks
@@ -86,7 +87,8 @@ struct BenchPlot
   void SetDefault(const std::string& label, const std::string& name = std::string());
 };
 
-/// Returns the plot of the same name in \a plots. Appends \a fresh if it is missing.
+/// Returns the plot in \a plots with the name of \a fresh. If there is none, appends \a fresh and
+/// returns it.
 BenchPlot& FindOrAdd(std::vector<BenchPlot>& plots, const BenchPlot& fresh);
 
 #endif

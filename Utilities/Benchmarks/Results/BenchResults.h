@@ -10,8 +10,8 @@
 #include <vector>
 
 /**
- * The results that the program writes: machine, VTK version, conditions, information on each suite,
- * and rows.
+ * The results that the benchmark programs write: machine, VTK version, conditions, information on
+ * each suite, and rows.
  */
 struct BenchResults
 {
@@ -24,7 +24,8 @@ struct BenchResults
   nlohmann::ordered_json Suites = nlohmann::ordered_json::object();
   std::vector<BenchRow> Rows;
 
-  /// Returns empty results for this machine, VTK version and these conditions.
+  /// Returns results without rows, with this machine, this VTK version and the conditions of
+  /// \a options.
   static BenchResults Here(const BenchOptions& options);
 
   /// Reads results from a file. Throws std::runtime_error with the path if the file cannot be read

@@ -34,14 +34,14 @@ struct BenchRow
   void SetTimes(
     const BenchSeconds& seconds, const std::string& baseline, const BenchSeconds& baselineSeconds);
   void SetError(const std::string& norm, double error);
-  /// Sets or overwrites some counts.
+  /// Adds counts. Existing counts of the same names are overwritten.
   void Set(const nlohmann::ordered_json& counts) { this->Counts.update(counts); }
 
   /// Returns the parameter as text: strings unchanged, floating-point numbers with six digits,
   /// other values as JSON.
   std::string GetParameterText() const;
 
-  /// Returns BaselineSeconds / Seconds. Above 1, the method is faster than the baseline.
+  /// Returns BaselineSeconds / Seconds, which is above 1 if the method is faster than the baseline.
   std::optional<double> GetRatio() const;
 
   /// Converts to JSON, including the begin and end of each run if \a hasSpans is set.

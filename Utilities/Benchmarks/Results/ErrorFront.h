@@ -31,19 +31,20 @@ std::vector<ErrorPoint> FindFront(const BenchPlot& plot);
 
 /**
  * Returns the cost of the default divided by the cost of the cheapest point whose error is not
- * larger. It is 1 on the front. Empty if the plot has no default.
+ * larger. The ratio is 1 if the default is on the front, and empty if the plot has no default.
  */
 std::optional<double> GetCostOverFront(const BenchPlot& plot);
 
 /**
- * Largest relative cost at which the default still counts as on the front. It covers the noise of
- * measured medians.
+ * Largest result of GetCostOverFront() at which the default still counts as on the front. It allows
+ * for the noise of measured medians.
  */
 constexpr double FrontTolerance = 1.1;
 
 /**
  * Returns a sentence that states whether the default is on the front, with its error and cost. If
- * it is not, the sentence names the point that dominates it. Empty if the plot has no default.
+ * the default is not on the front, the sentence names the point that dominates it. The sentence is
+ * empty if the plot has no default.
  */
 std::string SummaryOf(const BenchPlot& plot);
 

@@ -35,7 +35,8 @@ double GetRelativeError(const reference::RgbaImage& found, const reference::Rgba
   return difference / sum;
 }
 
-/// Returns the relative error that noise with the standard errors of \a image causes on average.
+/// Returns the mean relative error that is due to the noise of \a image, from the standard errors
+/// of its pixels.
 double GetNoise(const reference::TransportImage& image)
 {
   // Mean absolute deviation of the normal distribution, in standard deviations.
@@ -108,8 +109,8 @@ BenchRow MakeRow(const BenchRows& rows, const std::string& method, const std::st
  * Compares images of a cloud with reference::TraceScene. Methods: `single`, `forward` and `full`.
  * The parameter is `default` or a changed setting: `grid 16`, `buffer 128`, `spacing 2` (relative
  * to the default spacing). Rows with default settings have the count over_shadowed, their time
- * divided by the time of the same image without scattered light. `monte-carlo`: the parameter is
- * the number of paths per pixel, the error is its noise.
+ * divided by the time of the same image without scattered light. Method `monte-carlo`: the
+ * parameter is the number of paths per pixel, and the error is the noise of the image.
  */
 void AddCloudRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -22,17 +22,17 @@ extern const char* const Forward;
 extern const char* const Full;
 extern const char* const MonteCarlo;
 
-/// Returns the names of the three modes, as in the rows.
+/// Returns the names of the three scattering modes, which are the methods of rows.
 std::vector<std::string> GetModes();
 
 using Change = std::function<void(vtkShadowedSliceMapper*)>;
 
-/// Returns a change that sets this mode and the Henyey-Greenstein phase function, and then applies
-/// \a more.
+/// Returns a change of a mapper's settings: it sets this mode and the Henyey-Greenstein phase
+/// function, and then applies \a more.
 Change InMode(const std::string& mode, double g, const Change& more = nullptr);
 
-/// Returns a frame of \a method in which the light also moves by half a degree, so that scattered
-/// light is computed again. The light must belong to the scene of the method.
+/// Returns work that renders a frame of \a method after moving the light by half a degree, so that
+/// scattered light is computed again. The light must belong to the scene of the method.
 BenchWork GetLitFrame(shadows::Method& method, vtkLight* light, int threads);
 }
 

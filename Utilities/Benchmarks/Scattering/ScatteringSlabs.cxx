@@ -55,18 +55,18 @@ void AddModeRow(reference::VolumeStage& stage, const Published& slab, const std:
 
 /**
  * Compares the reflection and transmission of slabs with van de Hulst's tables. Each slab is
- * rendered from several directions on both sides, and the flux is integrated over them. A case is a
- * row of a table; rows with grazing light are in the full suite only. Methods: `single`, `forward`
- * and `full`. The parameter is the number of grid cells across the slab. The error is the larger
- * relative error of reflection and transmission. Counts: reflected, transmitted (scattered light
- * only) and the published values.
+ * rendered from several directions on both sides, and the flux is integrated over the directions. A
+ * case is a row of a table; rows with grazing light are in the full suite only. Methods: `single`,
+ * `forward` and `full`. The parameter is the number of grid cells across the slab. The error is the
+ * larger relative error of reflection and transmission. Counts: reflected, transmitted (scattered
+ * light only) and the published values.
  */
 void AddSlabRows(const BenchOptions& options, BenchRows& rows)
 {
   const std::array<int, 2> pixels = { { 4, 4 } };
   reference::VolumeStage stage(pixels);
   const std::vector<int> grids = options.Pick<std::vector<int>>({ 8, 16, 32 }, { 16 }, { 2 });
-  // Grazing light requires fine slices or wide boxes, and minutes per row.
+  // Slabs in grazing light require fine slices or wide boxes, and take minutes per row.
   const auto number = static_cast<std::size_t>(options.Pick(7, 3, 1));
   for (std::size_t i = 0; i < number; ++i)
   {

@@ -24,13 +24,14 @@ constexpr std::array<double, 8> Weights = { { 0.0506142681451884, 0.111190517226
   0.1568533229389437, 0.1813418916891810, 0.1813418916891810, 0.1568533229389437,
   0.1111905172266872, 0.0506142681451884 } };
 
-/// Size of the light buffer if the mean free path is short.
+/// Size of the light buffer for short mean free paths.
 constexpr int FineBuffer = 384;
 
 /// Maximum number of cells along the box.
 constexpr int MaximumCells = 128;
 
-/// Returns the width of the box in thicknesses. Grazing light in a thin slab arrives from far away.
+/// Returns the width of the box divided by its thickness. Thin slabs need wide boxes, since grazing
+/// light in them comes from far away.
 int GetWidth(const Slab& slab)
 {
   return slab.Depth < 0.1 ? 64 : slab.Depth < 4.0 ? 12 : slab.Depth < 16.0 ? 8 : 3;
@@ -57,7 +58,8 @@ reference::ShadowScene MakeScene(const Slab& slab)
   return scene;
 }
 
-/// Returns a camera that views the center of the upper or lower face at a cosine to the normal.
+/// Returns a camera that views the center of the upper or lower face. \a cosine is the cosine of
+/// the angle between the view direction and the normal.
 vtkSmartPointer<vtkCamera> MakeCamera(double cosine, bool isAbove, double width)
 {
   const double across = std::sqrt(1.0 - cosine * cosine);

@@ -21,27 +21,28 @@ struct Slab
 
 /**
  * @class   SlabDrawing
- * @brief   flux reflected and transmitted by a rendered slab, integrated over images
+ * @brief   flux reflected and transmitted by a slab, integrated from rendered images
  *
  * The slab is a box of thickness 1. It is wide enough for its center to behave like an infinite
  * slab: in optically thin slabs, light that travels sideways leaves through the faces only after
- * many thicknesses, in thick slabs after few. Slices and the light buffer resolve the mean free
- * path of light and view rays. The scattering grid has \a across cells across the slab, but at most
- * 128 cells along the box.
+ * many thicknesses, in thick slabs after few. The slice spacing and the light buffer resolve the
+ * mean free path of light rays and view rays. The scattering grid has \a across cells across the
+ * slab, but at most 128 cells along the box.
  */
 class SlabDrawing
 {
 public:
   SlabDrawing(reference::VolumeStage& stage, const Slab& slab, const std::string& mode, int across);
 
-  /// Returns the flux of scattered light divided by the incident flux, on the side of the light or
-  /// on the other side: the integral of cosine times radiance over Gauss directions.
+  /// Returns the flux of scattered light divided by the incident flux, on the lit side if
+  /// \a isReflected, otherwise on the far side. It is the integral of cosine times radiance, by
+  /// Gauss quadrature over directions.
   double GetFlux(bool isReflected);
-  /// Returns a frame in which the light has moved.
+  /// Returns work that moves the light and renders a frame.
   BenchWork GetLitFrame(int threads);
   /// Returns the number of cells across the slab.
   int GetAcross() const { return GetAcross(this->Medium, this->Across); }
-  /// Returns the number of cells across a slab for a requested number.
+  /// Returns the number of cells across \a slab if \a across cells are requested.
   static int GetAcross(const Slab& slab, int across);
 
 private:

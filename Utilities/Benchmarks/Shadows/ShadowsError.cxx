@@ -106,14 +106,14 @@ void AddSceneRows(reference::VolumeStage& stage, const std::string& name,
   }
 }
 
-/// A point of a plot.
+/// A time and an error, as in the plots.
 struct Point
 {
   BenchSeconds Seconds = {};
   double Error;
 };
 
-/// Returns the points of a method in a case, by descending error.
+/// Returns the points of the method \a method in the case \a name, in descending order of errors.
 std::vector<Point> GetPoints(
   const std::vector<BenchRow>& rows, const std::string& name, const std::string& method)
 {
@@ -130,8 +130,8 @@ std::vector<Point> GetPoints(
   return points;
 }
 
-/// Returns the time at which a line through the points has the given error. Outside the range,
-/// returns the time of the nearest end.
+/// Returns the time at the given error, interpolated between the points on logarithmic axes. For
+/// errors outside the range of the points, returns the time of the first or last point.
 BenchSeconds GetSecondsAt(double error, const std::vector<Point>& points)
 {
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -171,17 +171,17 @@ void AddEqualErrorRow(const std::string& name, BenchRows& rows)
 }
 
 /**
- * Compares images with one light with a ray marcher in double precision with shadow rays. Cases are
- * `<case>, scattering` (see MakeScattering) and `<case>, shaded` (without gpu-shadows, whose
- * shading model differs). Methods:
+ * Compares images under one light with images of a ray marcher that traces shadow rays in double
+ * precision. Cases are `<case>, scattering` (see MakeScattering) and `<case>, shaded` (without
+ * gpu-shadows, which has another shading model). Methods:
  * - `spacing`: the parameter is the slice spacing relative to the default;
  * - `buffer`: the parameter is the size of the light buffer;
  * - `gpu-shadows`: the parameter is the sample distance in voxels.
  *
  * Rows of method `equal-error` have the time of the default settings. Their peer_seconds is the
- * time of gpu-shadows at the same error, on the line through its points in the log-log plot. If
- * gpu-shadows never reaches this error, it is the time at its smallest error, and the count
- * at_least is 1.
+ * time of gpu-shadows at the same error, interpolated between its points in the log-log plot. If
+ * gpu-shadows does not reach this error, peer_seconds is the time at the smallest error of
+ * gpu-shadows, and the count at_least is 1.
  */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {

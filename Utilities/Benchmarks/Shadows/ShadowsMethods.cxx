@@ -85,8 +85,8 @@ reference::RgbaImage Method::Capture()
   {
     return this->Stage.Capture(1);
   }
-  // vtkGPUVolumeRayCastMapper cannot read its depth buffer from the floating-point framebuffer, and
-  // renders nothing there until it has a depth buffer.
+  // vtkGPUVolumeRayCastMapper cannot read the depth buffer of the floating-point framebuffer. It
+  // renders nothing there unless it has read a depth buffer before.
   this->Stage.Render();
   return this->Stage.Capture();
 }

@@ -30,8 +30,8 @@ extern const char* const GpuBaseline;
 extern const char* const GpuShadowsBaseline;
 
 /**
- * A volume in a window shared by several methods, of which one is visible at a time. Alternating
- * methods therefore rebuild nothing and share compiled shaders.
+ * A volume in a window that several methods share. Only one method is visible at a time.
+ * Alternating methods therefore rebuild nothing and share compiled shaders.
  */
 class Method
 {
@@ -43,13 +43,14 @@ public:
   Method(const Method&) = delete;
   Method& operator=(const Method&) = delete;
 
-  /// Returns work that renders one frame, until it is complete, with \a threads threads of
-  /// vtkSMPTools. The camera rotates by half a degree per frame. The method must outlive the work.
+  /// Returns work that renders one frame with \a threads threads of vtkSMPTools, and waits until
+  /// the frame is complete. The camera rotates by half a degree per frame. The method must outlive
+  /// the work.
   BenchWork GetFrame(int threads);
   /// Returns the image at the initial camera position, in floating point.
   reference::RgbaImage Capture();
 
-  /// Returns null for mappers of VTK.
+  /// Returns the mapper, or null if the mapper is VTK's.
   vtkShadowedSliceMapper* GetSlices();
 
 private:
@@ -64,14 +65,14 @@ private:
 
 using MethodPointer = std::unique_ptr<Method>;
 
-/// Creates vtkShadowedSliceMapper at full quality. \a set changes default settings.
+/// Creates vtkShadowedSliceMapper at full quality. \a set may change its settings.
 MethodPointer MakeSlices(reference::VolumeStage& stage, const reference::ShadowScene& scene,
   const std::function<void(vtkShadowedSliceMapper*)>& set = nullptr);
 
 /**
  * Create vtkGPUVolumeRayCastMapper with one ray per pixel and the given sample distance in voxels.
- * MakeShadowRays() adds shadows by CastGpuShadows() and turns Shade on, which they require. It
- * returns null if this VTK has no volumetric shadows.
+ * MakeShadowRays() adds shadows by CastGpuShadows() and turns Shade on, which the shadows require.
+ * It returns null if this VTK has no volumetric shadows.
  */
 MethodPointer MakeRays(
   reference::VolumeStage& stage, const reference::ShadowScene& scene, double sampleDistance);
@@ -91,7 +92,7 @@ struct Setting
 /// Times frames of all settings alternately.
 void MeasureFrames(std::vector<Setting>& settings, int threads, int repeats);
 
-/// Adds counts of the mapper's last frame: slices, passes, lights, light buffers, bytes.
+/// Adds counts of the last frame to \a row: slices, passes, lights, light buffers, bytes.
 void AddReport(vtkInterlumeReport* report, BenchRow& row);
 }
 

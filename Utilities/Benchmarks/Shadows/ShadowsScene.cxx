@@ -36,7 +36,7 @@ struct Node
   double Opacity;
 };
 
-/// Opacities refer to the distance \a unit.
+/// Returns a property whose opacities refer to the distance \a unit.
 vtkSmartPointer<vtkVolumeProperty> MakeProperty(const std::vector<Node>& nodes, double unit)
 {
   vtkNew<vtkColorTransferFunction> color;
@@ -59,8 +59,8 @@ vtkSmartPointer<vtkVolumeProperty> MakeProperty(const std::vector<Node>& nodes, 
   return property;
 }
 
-/// Returns a perspective camera. A cube with edge length \a edge in the center of the image nearly
-/// fills the view.
+/// Returns a perspective camera that looks at the center of \a image. A cube of edge length \a edge
+/// around that center nearly fills the view.
 vtkSmartPointer<vtkCamera> MakeCamera(
   vtkImageData* image, const Double3& direction, const Double3& viewUp, double edge)
 {
@@ -209,7 +209,7 @@ Case MakeBox(int points)
   image->SetOrigin(-1.0, -1.0, -1.0);
   image->AllocateScalars(VTK_FLOAT, 1);
   auto* values = static_cast<float*>(image->GetScalarPointer());
-  // Returns the occupancy of a box at a point, 0 to 1, with a linear ramp of two voxels.
+  // Returns the occupancy, 0 to 1, of a box at a point. It falls linearly within two voxels.
   const auto occupancy = [&](const double x[3], const Double3& center, const Double3& half)
   {
     double value = 1.0;

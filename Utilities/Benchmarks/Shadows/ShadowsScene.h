@@ -15,11 +15,11 @@ namespace shadows
 struct Case
 {
   std::string Name;
-  /// The scene with the light of MakeLights(1), rendered with 512^2 pixels.
+  /// The scene with the light of MakeLights(1). Initially it is rendered with 512^2 pixels.
   reference::ShadowScene Scene;
 };
 
-/// Returns the cases, rendered with \a pixels pixels along both edges.
+/// Returns the cases, changed to be rendered with \a pixels pixels along both edges.
 std::vector<Case> WithPixels(std::vector<Case> cases, int pixels);
 
 /**
@@ -31,8 +31,8 @@ Case MakeBonsai(int stepXY, int stepZ);
 
 /**
  * Returns the case `sphere-<points>`: the sphere of equation 2.7 of C. Zhang (dissertation, Ohio
- * State 2006) on points^3 points of a cube. It is a haze whose optical depth through the center
- * would be 6 if it were homogeneous. Shade is on.
+ * State 2006) on points^3 points of a cube. It is a haze. If it were homogeneous, its optical depth
+ * through the center would be 6. Shade is on.
  */
 Case MakeSphere(int points);
 
@@ -56,8 +56,8 @@ Case MakeBox(int points);
 
 /**
  * Returns the case \a from with isotropic single scattering: C = c kd I T, without ambient light.
- * vtkShadowedSliceMapper renders it with Shade off, the volumetric shadows of
- * vtkGPUVolumeRayCastMapper with Shade on.
+ * vtkShadowedSliceMapper renders it with Shade off. The volumetric shadows of
+ * vtkGPUVolumeRayCastMapper require Shade on.
  */
 Case MakeScattering(const Case& from);
 
@@ -66,7 +66,8 @@ using Lights = std::vector<vtkSmartPointer<vtkLight>>;
 /// Returns 1 to 8 white directional lights on the viewer's side, with a total intensity of 1.
 Lights MakeLights(const reference::ShadowScene& scene, int number);
 /// Returns a round, positional vtkAreaLight in the direction of MakeLights(1), at a distance of 1.5
-/// diagonals of the volume from its center. \a size is the light's diameter in diagonals.
+/// diagonals of the volume from its center. \a size is the light's diameter divided by the
+/// diagonal.
 Lights MakeAreaLights(const reference::ShadowScene& scene, double size);
 }
 

@@ -41,7 +41,7 @@ std::vector<Case> MakeCases(const BenchOptions& options)
   return WithPixels(std::move(cases), options.Pick(512, 192, 32));
 }
 
-/// Settings that run alternately, identified by name and number of lights.
+/// Settings that run alternately. A setting is identified by its name and number of lights.
 using Turns = std::vector<Setting>;
 
 reference::ShadowScene WithLights(
@@ -142,8 +142,8 @@ bool IsOfBonsai(const BenchRow& row)
   return row.Case.compare(0, 6, "bonsai") == 0;
 }
 
-/// Returns a function for claims: the time of the bonsai rows with \a lights shadowed lights,
-/// divided by the time without shadows.
+/// Returns a function for claims. It returns the time of bonsai rows with \a lights lights and
+/// shadows, divided by the time without shadows.
 std::function<std::optional<double>(const BenchRow&)> OverOff(int lights)
 {
   return [lights](const BenchRow& row) -> std::optional<double>
@@ -154,7 +154,8 @@ std::function<std::optional<double>(const BenchRow&)> OverOff(int lights)
   };
 }
 
-/// Returns 1 plus the time that each further light adds, as a fraction of the time of one light.
+/// Returns 1 plus the mean time that each light after the first adds, divided by the time of one
+/// light.
 std::optional<double> OverFurtherLight(const BenchRow& row)
 {
   if (row.Method != On || row.Baseline != Off || !IsOfBonsai(row) || row.Parameter == 1)

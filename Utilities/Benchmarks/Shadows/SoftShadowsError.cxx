@@ -23,7 +23,7 @@ const char* const BufferSuffix = ", buffer";
 const char* const Hard = "hard";
 const char* const Default = "default";
 const char* const EqualTime = "equal-time";
-/// Diameter of the light in diagonals of the volume.
+/// Diameter of the light divided by the diagonal of the volume.
 constexpr double LightSize = 1.0;
 constexpr int Repeats = 3;
 /// Maximum number of sample lights per rendered image. Shaders contain a copy of the light code for
@@ -74,7 +74,7 @@ Change WithSpacing(int method, double spacing)
   };
 }
 
-/// \a spacing is the default slice spacing.
+/// Returns all settings to be measured. \a spacing is the default slice spacing.
 std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
   const reference::ShadowScene& scene, double spacing, const BenchOptions& options)
 {
@@ -109,7 +109,7 @@ std::vector<Setting> MakeSettings(reference::VolumeStage& stage,
 }
 
 /// Returns point lights at the positions of the light's samples, in groups. The mean of the images
-/// of all groups is the image with all lights.
+/// of all groups is the image under all lights.
 std::vector<std::vector<vtkSmartPointer<vtkLight>>> MakeSampleLights(vtkLight* light, int count)
 {
   auto* area = vtkAreaLight::SafeDownCast(light);
@@ -179,8 +179,8 @@ BenchRow MakeRow(const Setting& setting, const std::string& name, const BenchRow
   return row;
 }
 
-/// Returns the setting of the convolution with the smallest error that takes at most \a seconds. If
-/// all settings take longer, returns the fastest.
+/// Returns the convolution setting with the smallest error among those that take at most \a seconds
+/// of processor time. If all take longer, returns the fastest.
 const Setting& FindEqualTime(const std::vector<Setting>& settings, double seconds)
 {
   const Setting* best = nullptr;
@@ -237,22 +237,23 @@ void AddSceneRows(
 }
 
 /**
- * Measures errors of images with a round area light in an isotropically scattering medium. The
+ * Measures errors of images of an isotropically scattering medium under a round area light. The
  * reference is rendered by the same mapper with a point light for each of 256 light samples (32 in
- * quick runs), sixteen per image. It has half the default slice spacing and a light buffer of 256^2
- * (128^2) texels. processor_seconds is the processor time of all threads. Methods:
+ * quick runs), sixteen per image. The reference has half the default slice spacing and a light
+ * buffer of 256^2 texels (128^2 in quick runs). processor_seconds is the processor time of all
+ * threads. Methods:
  * - `sample-layers`: the parameter is the number of light samples; `sample-layers, buffer`: the
  *   size of the light buffer, with the default number of samples;
  * - `accumulated-convolution`: the parameter is the slice spacing relative to the default;
  *   `accumulated-convolution, buffer`: the size of the light buffer;
- * - `hard`: the same light with size 0;
+ * - `hard`: a light of size 0;
  * - `default`: all settings have their defaults; the baseline is `hard`, and over_hard is the ratio
  *   of processor times.
  *
  * Rows of method `equal-time` have the error of the default settings. Their baseline is the
- * convolution at its smallest error in at most the default's processor time, or at its fastest
- * setting if all settings take longer. convolution_over_default is its error divided by the
- * default's error.
+ * convolution setting with the smallest error in at most the default's processor time, or the
+ * fastest convolution setting if all take longer. convolution_over_default is the error of the
+ * baseline divided by the error of the default settings.
  */
 void AddSoftShadowRows(const BenchOptions& options, BenchRows& rows)
 {

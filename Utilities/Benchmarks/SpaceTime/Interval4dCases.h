@@ -18,7 +18,8 @@ class vtkTimeVaryingIntervalVolume;
  */
 namespace interval4d
 {
-/// Counts of C. Zhang, dissertation, Ohio State 2006, table 3.4, for the data that a case replaces.
+/// Counts in table 3.4 of C. Zhang, dissertation, Ohio State 2006, for the original data, which the
+/// case replaces.
 struct StatedCounts
 {
   vtkIdType Simplices;
@@ -34,12 +35,13 @@ struct Case
   vtkSmartPointer<StoredTimeSteps> Steps;
   double Lower = 0.0;
   double Upper = 0.0;
-  /// Set only for cases of the full size.
+  /// Empty for sizes other than full.
   std::optional<StatedCounts> Stated;
 
   vtkIdType GetNumberOfCells() const;
 
-  /// Returns the filter on these steps, not yet executed, with output on port 0 only.
+  /// Returns a filter whose input is these steps. It has not been executed and generates only the
+  /// output of port 0.
   vtkSmartPointer<vtkTimeVaryingIntervalVolume> NewFilter() const;
 };
 

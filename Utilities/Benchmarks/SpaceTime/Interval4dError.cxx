@@ -190,7 +190,7 @@ void AddMethodRows(const FieldSeries& series, const Method& method, const BenchS
   found.push_back(row);
 }
 
-/// Adds the rows of a field, grouped by method.
+/// Adds the rows of a field for each number of slabs, grouped by method.
 void AddFieldRows(const MovingField& field, const std::vector<int>& numbersOfSlabs,
   const BenchOptions& options, BenchRows& rows)
 {
@@ -232,14 +232,14 @@ void AddSliceAgainRow(const FieldSeries& series, const BenchOptions& options, Be
 
 bool IsOf(const BenchRow& row, const std::string& field, const std::string& method)
 {
-  // Errors that are only rounding have no order of convergence and cannot be drawn on a logarithmic
-  // axis.
+  // Rounding errors have no order of convergence, and an error of 0 cannot be drawn on a
+  // logarithmic axis.
   return row.Case == field && row.Method == method && row.ErrorNorm == DifferenceNorm &&
     *row.Error > 1e-12;
 }
 
-/// Returns the error of `sampled` for the same time step. Other methods cannot have a smaller
-/// error.
+/// Returns the error of `sampled` for the time step of \a row, the spatial error that all methods
+/// share.
 double GetFloor(const BenchRow& row, const std::vector<BenchRow>& rows)
 {
   const auto found = std::find_if(rows.begin(), rows.end(),
@@ -270,20 +270,21 @@ void AddOrderRow(const std::string& field, const char* method, BenchRows& rows)
 
 /**
  * Measures errors of the regions midway between consecutive equidistant time steps, with one thread
- * and a filled case table. The parameter is the time step, which is halved. Methods:
+ * and a filled case table. The parameter is the time step, which is halved from row to row.
+ * Methods:
  * - `slice`: vtkTimeVaryingIntervalVolume on each slab, then vtkSimplexTimeSlice;
- * - `interpolate`, the baseline: the mean of both time steps, then vtkIntervalVolume;
- * - `sampled`: the field sampled at that time on the same grid, then vtkIntervalVolume (sampling is
- *   not timed). Its error is the spatial error without any temporal error.
+ * - `interpolate`, the baseline: the mean of the fields at both time steps, then vtkIntervalVolume;
+ * - `sampled`: the field sampled midway between the steps on the same grid, then vtkIntervalVolume
+ *   (sampling is not timed). Its error is the spatial error without any temporal error.
  *
- * There is one row for each norm, the mean over the regions:
+ * There is one row for each norm. Its error is the mean over the regions:
  * - `symmetric difference, share of the volume`: the volume between the result's surface and the
  *   analytic surface, to first order: the distance between the surfaces, integrated over the area;
  * - `volume, relative`: the volume error relative to the analytic region.
  *
- * Rows with the count `order` have the exponent of the first norm as a function of the time step,
- * fitted to errors more than four times the error of `sampled`. Rows of method `slice-again` have
- * the time of a second slice of the same 4-simplices, compared with `interpolate` for one region.
+ * The count `order` is the exponent of the symmetric difference as a function of the time step,
+ * fitted to errors above four times the error of `sampled`. Rows of method `slice-again` have the
+ * time of a second slice of the same 4-simplices. Their baseline is `interpolate` for one region.
  */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {

@@ -53,7 +53,7 @@ void AddWarmRows(const Case& what, const BenchOptions& options, BenchRows& rows)
 /**
  * Adds rows for every case, with the case table filled by an earlier run:
  * - method `warm`, with one thread and with all threads;
- * - method `threads-2`, two threads; the baseline `threads-1` is one thread.
+ * - method `threads-2`, with two threads; the baseline `threads-1` has one thread.
  */
 void AddSpeedRows(const BenchOptions& options, BenchRows& rows)
 {

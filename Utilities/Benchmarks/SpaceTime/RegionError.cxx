@@ -16,8 +16,8 @@ namespace interval4d
 {
 namespace
 {
-/// Returns whether a point is on the surface of a bound. Its value equals the bound up to rounding
-/// error.
+/// Returns true if \a value equals \a bound up to rounding error. The point is then on the surface
+/// of that bound.
 bool IsAt(double value, double bound)
 {
   return std::abs(value - bound) < 1e-9;

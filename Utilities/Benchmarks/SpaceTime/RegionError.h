@@ -9,8 +9,8 @@ class vtkUnstructuredGrid;
 namespace interval4d
 {
 /**
- * Differences between tetrahedra, with the field as the point array "f", and the analytic region of
- * a moving field at a time. Both are fractions of that region's volume.
+ * Differences between tetrahedra, whose point array "f" is the field, and the analytic region of a
+ * moving field at a time. Both differences are fractions of the volume of the analytic region.
  */
 struct RegionError
 {

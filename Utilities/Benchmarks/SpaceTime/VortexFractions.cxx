@@ -23,7 +23,7 @@ VortexFractions::VortexFractions(int points)
   this->What.Name = "vortex, 2 x " + std::to_string(points) + "^3 points";
   this->What.Steps = vtkSmartPointer<StoredTimeSteps>::New();
   this->What.Steps->AddStepsOf(source);
-  // Larger than all values.
+  // This bound exceeds all values of the field.
   this->What.Upper = 100.0;
 
   vtkDataArray* scalars =

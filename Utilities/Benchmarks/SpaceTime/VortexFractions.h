@@ -8,15 +8,15 @@ namespace interval4d
 {
 /**
  * The region f >= c of the field VORTEX at times 0 and 1 on points^3 points. c is chosen so that a
- * given fraction of the points is inside at time 0. This varies the size of the output on a fixed
- * grid.
+ * given fraction of the points is inside at time 0. The fraction varies the size of the output
+ * without changing the grid.
  */
 class VortexFractions
 {
 public:
   explicit VortexFractions(int points);
 
-  /// Chooses c. Returns false without a change if no point would be inside.
+  /// Chooses c. Returns false and changes nothing if no point would be inside.
   bool SetFraction(double fraction);
   const Case& Get() const { return this->What; }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 /**
- * Options of the command line, common to all suites.
+ * Command-line options that are common to all suites.
  */
 struct BenchOptions
 {
@@ -21,7 +21,7 @@ struct BenchOptions
   };
 
   Sizes Size = FULL;
-  /// Number of threads of rows that use all threads.
+  /// Number of threads in rows that use all threads.
   int Threads = 1;
   /// Seed of all pseudo-random numbers.
   unsigned int Seed = 1;

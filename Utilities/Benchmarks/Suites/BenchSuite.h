@@ -20,17 +20,17 @@ struct BenchPart
   using Task = nlohmann::ordered_json (*)(const std::string& argument, const BenchOptions& options);
 
   std::function<void(const BenchOptions& options, BenchRows& rows)> AddRows = {};
-  /// Returns the plots of \a rows, which belong to this suite.
+  /// Returns the plots of \a rows, which are the rows of the whole suite.
   std::function<std::vector<BenchPlot>(const std::vector<BenchRow>& rows)> MakePlots = {};
-  /// Returns the targets and whether \a rows, which belong to this suite, meet them.
+  /// Returns the claims about \a rows, which are the rows of the whole suite.
   std::function<std::vector<BenchClaim>(const std::vector<BenchRow>& rows)> CheckClaims = {};
   /// Functions that RunChild() can execute, by name.
   std::map<std::string, Task> Tasks = {};
 };
 
 /**
- * A group of measurements that are run, written and plotted together. To add a suite, write a
- * function that returns it and call the function in MakeAllSuites().
+ * A group of measurements whose rows are measured, written and plotted together. To add a suite,
+ * write a function that returns it and call the function in MakeAllSuites().
  */
 struct BenchSuite
 {

@@ -12,7 +12,7 @@ namespace
 {
 using PointList = FacetTriangulation::PointList;
 
-// Computes pulling triangulations and caches them by face, since faces are shared.
+// Computes pulling triangulations. Caches the triangulation of each face, since facets share faces.
 class Puller
 {
 public:

@@ -10,16 +10,17 @@
  * @class   FacetTriangulation
  * @brief   cuts the facets of a patch into simplices in a given order of the points
  *
- * Both methods depend only on the order of a face's points. Two cells that order the points of
- * their common face in the same way therefore cut it in the same way.
- * - Placing: points are added in order. Each point is joined to the visible faces of the simplices
- *   so far (coplanar faces are not visible), as in C. Zhang, dissertation, Ohio State 2006, section
- *   3.3.
+ * The cut of a face depends only on the order of its points. Two cells that order the points of
+ * their common face in the same way therefore cut it in the same way. Methods:
+ * - Placing: points are added in order. Each point is joined to the faces of the existing simplices
+ *   that are visible from it (coplanar faces are not), as in C. Zhang, dissertation, Ohio State
+ *   2006, section 3.3.
  * - Pulling: a face is split from its first point into cones over its faces that do not contain
  *   that point.
  *
- * All simplices have the orientation of their facet. \a rank has one entry for each edge of the
- * cell. Points of a facet must have different ranks.
+ * All simplices have the orientation of their facet. \a rank defines the order of the points. It
+ * has one entry for each edge of the cell, since each point is on an edge. Points of a facet must
+ * have different ranks.
  */
 class FacetTriangulation
 {

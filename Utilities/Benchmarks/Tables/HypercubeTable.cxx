@@ -21,8 +21,8 @@ constexpr int Vertices = 16;
 constexpr std::uint32_t Cases = 43046721;
 using PointList = CasePatch::PointList;
 
-// A symmetry of the cube: images of the vertices, images of the edges of the lifted cube, and the
-// weight of each digit of a key after the symmetry.
+// A symmetry of the cube: the images of the vertices and of the edges of the lifted cube, and, for
+// each vertex, the weight of its digit in the key of the image.
 struct Symmetry
 {
   std::array<int, Vertices> Vertex;
@@ -80,7 +80,7 @@ struct Kind
 {
   std::uint32_t Key;
   std::uint32_t Size;
-  // Orbit of each facet, and the symmetry that maps the orbit's first facet to it.
+  // For each facet: its orbit, and the symmetry that maps the first facet of the orbit to it.
   std::vector<std::array<int, 2>> Facets;
 };
 
@@ -122,7 +122,8 @@ std::vector<Kind> FindKinds(const std::vector<Symmetry>& symmetries)
   return kinds;
 }
 
-// The face lattice of a facet with local point numbers, to count pulling triangulations quickly.
+// The face lattice of a facet with local point numbers. It counts the simplices of pulling
+// triangulations quickly.
 class Lattice
 {
 public:
@@ -197,7 +198,7 @@ private:
   int Top = 0;
 };
 
-// All images of one facet, with the number of simplices of each image by each rule.
+// All images of one facet, with the number of simplices of each image under each rule.
 struct Orbit
 {
   std::uint32_t Key;
@@ -336,7 +337,7 @@ private:
     {
       indexOf[this->Symmetries[g].Vertex] = g;
     }
-    // product[g * n + h] is g followed by h.
+    // product[g * n + h] is the symmetry that applies g and then h.
     std::vector<int> product(n * n);
     for (int g = 0; g < n; ++g)
     {

@@ -12,9 +12,9 @@
  * @brief   counts over all 3^16 cases of the interval table of the four-dimensional cube
  *
  * The 384 rotations and reflections of the cube reduce the cases to 132,102 classes; the patch is
- * computed for one case of each class. A triangulation in a fixed order is not symmetric, so the
- * number of simplices is counted for each of the 384 images. Each patch facet belongs to an orbit
- * of facets and is triangulated once for each image of the facet.
+ * computed for one case of each class. A triangulation in a fixed order is not symmetric, so
+ * simplices are counted for each of the 384 images of the case. Each facet of a patch belongs to an
+ * orbit of facets. Facets are triangulated once for each image in the orbit.
  */
 class HypercubeTable
 {
@@ -30,8 +30,8 @@ public:
     std::uint64_t CasesAtMaximum = 0;
   };
 
-  /// Order of the points, by edge of the lifted cube, and the method that cuts facets in that
-  /// order.
+  /// Rank of the point on each edge of the lifted cube, and the method that cuts facets in the
+  /// order of the ranks.
   struct Rule
   {
     FacetTriangulation::Methods Method;
@@ -39,7 +39,8 @@ public:
   };
 
   /**
-   * Returns one result for each rule. Counts every \a stride-th class of cases; 1 counts all.
+   * Returns the statistics for each rule, over every \a stride-th class of cases. With stride 1,
+   * all classes are counted.
    */
   static std::vector<Statistics> Count(const std::vector<Rule>& rules, int stride);
 };

@@ -13,8 +13,8 @@
 
 namespace
 {
-/// Returns the part of a view ray inside the cube, from entry to exit. It is empty if entry is not
-/// smaller than exit.
+/// Returns the ray parameters at which a view ray enters and leaves the cube. The ray misses the
+/// cube if the first is not smaller than the second.
 std::array<double, 2> Chord(const reference::Ray& ray, double low, double high)
 {
   double entry = 0.0;

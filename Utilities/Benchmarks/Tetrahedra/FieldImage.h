@@ -11,9 +11,8 @@
 #include <functional>
 
 /**
- * Renders a field given by a formula in the cube [low, high]^3 without a mesh. It integrates in
- * double precision by the midpoint rule with \a steps steps along each view ray, composited front
- * to back.
+ * Renders a field in the cube [low, high]^3 from its formula, without a mesh. Integrates in double
+ * precision along each view ray, front to back, by the midpoint rule with \a steps steps.
  */
 reference::RgbaImage IntegrateField(const std::function<double(double, double, double)>& field,
   double low, double high, vtkVolumeProperty* property, vtkCamera* camera,

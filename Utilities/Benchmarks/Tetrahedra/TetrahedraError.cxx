@@ -52,7 +52,7 @@ void AddResolutionRows(SharedStage& stage, int cubes, const reference::RgbaImage
     works.push_back(WithThreads(options.Threads, stage.FrameOf(method.Mapper)));
   }
   const std::vector<BenchSeconds> seconds = MeasureAlternately(works, options.GetRepeats());
-  // Mappers that have not rendered before, each in a separate window.
+  // Images are rendered by new mappers, each in a separate window.
   const std::vector<Method> fresh = MakeMethods(grid);
   for (std::size_t i = 0; i < methods.size(); ++i)
   {
@@ -72,8 +72,9 @@ void AddResolutionRows(SharedStage& stage, int cubes, const reference::RgbaImage
 }
 
 /**
- * Compares images of meshes with several resolutions, by every render path and the baseline, with
- * an image of the field without a mesh. The parameter is the number of cubes along an edge.
+ * Compares images of meshes of several resolutions, rendered by every render path and by the
+ * baseline, with an image of the field rendered without a mesh. The parameter is the number of
+ * cubes along an edge.
  */
 void AddErrorRows(const BenchOptions& options, BenchRows& rows)
 {

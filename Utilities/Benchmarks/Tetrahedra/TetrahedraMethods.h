@@ -40,14 +40,14 @@ extern const char* const Unsorted;
 extern const char* const OpticalDepth;
 
 const std::vector<RenderMode>& AllRenderModes();
-/// Returns the mode with all defaults of the mapper.
+/// Returns the mode in which all settings have the mapper's defaults.
 const RenderMode& GetDefaultMode();
 
-/// Returns a mapper with this path and mode, without level of detail.
+/// Returns a mapper with this render path and mode. Level of detail is off.
 vtkSmartPointer<vtkTimeWeightedTetrahedraMapper> NewMapper(
   vtkUnstructuredGrid* grid, const RenderPath& path, const RenderMode& mode);
 
-/// Adds counts of the mapper's last frame: tetrahedra, passes, sort, bytes.
+/// Adds counts of the last frame to \a row: tetrahedra, passes, sort, bytes.
 void AddReport(vtkInterlumeReport* report, BenchRow& row);
 }
 

@@ -26,14 +26,14 @@ double GetLow();
 double GetHigh();
 
 /**
- * Returns the field on cubes^3 cubes of five tetrahedra, with four layers in the cell array
- * `IntervalId`.
+ * Returns the field on cubes^3 cubes, each split into five tetrahedra. The cell array `IntervalId`
+ * distinguishes four layers.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(int cubes);
 
 /**
- * Returns piecewise linear transfer functions with nodes inside the range and opacities of at most
- * 1, which vtkProjectedTetrahedraMapper supports.
+ * Returns piecewise linear transfer functions, each with a node inside the scalar range. Opacities
+ * are at most 1, so that vtkProjectedTetrahedraMapper supports them.
  */
 vtkSmartPointer<vtkVolumeProperty> MakeProperty();
 
@@ -55,7 +55,8 @@ public:
   BenchWork FrameOf(vtkUnstructuredGridVolumeMapper* mapper);
   /// Returns the image of a mapper at the initial camera position, in floating point.
   reference::RgbaImage Capture(vtkUnstructuredGridVolumeMapper* mapper);
-  /// Returns the same image from a separate window, for a mapper that has not rendered before.
+  /// Returns the image that Capture() returns, but renders in a separate window. The mapper must
+  /// not have rendered before.
   reference::RgbaImage CaptureSeparately(vtkUnstructuredGridVolumeMapper* mapper) const;
 
   reference::VolumeStage& GetStage() { return this->Stage; }

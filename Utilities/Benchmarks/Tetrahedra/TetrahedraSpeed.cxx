@@ -80,8 +80,8 @@ bool IsOf(const BenchRow& row, const std::string& path, const std::string& mode)
   return IsSpeedRow(row) && row.Method == path && row.Parameter == mode;
 }
 
-/// Returns a function for claims: the ratio of the default mode of a path, for cases with \a
-/// minimum to \a maximum tetrahedra.
+/// Returns a function for claims. It returns the ratio of rows in the default mode of a render
+/// path, for cases with \a minimum to \a maximum tetrahedra.
 std::function<std::optional<double>(const BenchRow&)> RatioOf(
   const std::string& path, double minimum, double maximum)
 {

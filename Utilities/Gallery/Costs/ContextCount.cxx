@@ -15,7 +15,7 @@ namespace gallery
 {
 namespace
 {
-/// Upper bound of OpenGL names. Drivers assign names from 1 on and reuse free ones first.
+/// Upper bound of OpenGL names. Drivers assign names from 1 on and first reuse free names.
 constexpr GLuint MAXIMUM_NAME = 20000;
 
 struct Target
@@ -64,7 +64,7 @@ GLint GetNumberOfLevels(GLenum target)
   std::array<GLint, 3> size = GetLevelSize(target, 0);
   if (target != GL_TEXTURE_3D)
   {
-    size[2] = 0; // layers of an array
+    size[2] = 0; // number of layers of an array texture, not an edge length
   }
   GLint levels = 0;
   for (GLint side = *std::max_element(size.begin(), size.end()); side > 0; side /= 2)
@@ -74,8 +74,8 @@ GLint GetNumberOfLevels(GLenum target)
   return levels;
 }
 
-/// Returns the bytes of a texture, or 0 for a buffer texture: its storage is counted as a buffer
-/// object.
+/// Returns the bytes of a texture. Returns 0 for a buffer texture, whose storage is counted as a
+/// buffer object.
 vtkIdType GetTextureBytes(GLuint texture)
 {
   for (const Target& target : TARGETS)
@@ -167,7 +167,7 @@ vtkIdType CountProgramWords(GLuint program)
 ContextCount CountContext(vtkRenderWindow* window)
 {
   window->MakeCurrent();
-  // Binding a texture to a wrong target is an expected error here.
+  // Textures are tried with all targets, and binding to the wrong target is an expected error.
   const bool reports = glIsEnabled(GL_DEBUG_OUTPUT) == GL_TRUE;
   glDisable(GL_DEBUG_OUTPUT);
   ContextCount count;

@@ -9,7 +9,8 @@ class vtkRenderWindow;
 namespace gallery
 {
 /**
- * Resources of an OpenGL context. They are queried from OpenGL, so that all owners are included.
+ * Resources of an OpenGL context. OpenGL is queried, so that the resources of all owners are
+ * included.
  */
 struct ContextCount
 {

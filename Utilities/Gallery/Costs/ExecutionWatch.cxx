@@ -13,7 +13,7 @@ namespace
 {
 ExecutionWatch* Current = nullptr;
 
-/// The executive of most algorithms, extended to report executions.
+/// The default executive of algorithms, extended to report executions.
 class WatchedPipeline : public vtkCompositeDataPipeline
 {
 public:

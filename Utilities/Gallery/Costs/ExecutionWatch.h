@@ -14,7 +14,7 @@ namespace gallery
  * @brief   records the VTK algorithms that execute
  *
  * Algorithms created during the lifetime of a watch get executives that report each execution to
- * it. Only one watch may exist at a time. Algorithms may outlive it.
+ * the watch. Only one watch may exist at a time. Algorithms may outlive it.
  */
 class ExecutionWatch
 {

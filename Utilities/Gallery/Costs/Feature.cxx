@@ -43,7 +43,7 @@ bool HasBoundaries(vtkTimeVaryingIntervalVolume* filter)
   return isAny;
 }
 
-/// Adds features of one class, described by its member functions.
+/// Adds features of the class Type. Each feature is described by functions of the class.
 template <typename Type>
 class FeatureList
 {
@@ -54,7 +54,8 @@ public:
   {
   }
 
-  /// Adds a setting that the value \a on switches on. \a isOn returns whether the feature is on.
+  /// Adds a feature that is switched on by setting the value \a on. \a isOn returns true if it is
+  /// on.
   template <typename IsOn, typename Get, typename Set, typename Own, typename Value>
   void AddIf(
     const char* name, const IsOn& isOn, const Get& get, const Set& set, const Own& own, Value on)
@@ -74,7 +75,7 @@ public:
     };
     this->Features.push_back(feature);
   }
-  /// Adds a setting that is on if its value differs from \a off.
+  /// Adds a feature that is on if the value of its setting differs from \a off.
   template <typename Get, typename Set, typename Own, typename Value = bool>
   void Add(const char* name, Get get, Set set, const Own& own, Value on = true, Value off = false)
   {

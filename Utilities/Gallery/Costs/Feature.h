@@ -20,8 +20,8 @@ struct Feature
   std::string Name;
   /// Returns true if the last execution or rendering of the object used the feature.
   std::function<bool(vtkObject* object)> IsOn;
-  /// Returns the sum of the amounts that only this feature adds to the object's report and outputs.
-  /// It is 0 if the feature is off.
+  /// Returns the sum of those numbers in the object's report and outputs that are 0 while the
+  /// feature is off.
   std::function<double(vtkObject* object)> Own;
   /// Switches the feature on. Returns a function that restores the previous state.
   std::function<std::function<void()>(vtkObject* object)> SwitchOn;

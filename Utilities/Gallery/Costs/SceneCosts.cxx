@@ -66,18 +66,19 @@ struct Subject
   vtkObject* Object;
   /// Performs one run and returns its costs.
   std::function<Costs()> Run;
-  /// Prepares a state, so that all states start in the same condition.
+  /// Prepares the runs of a state, so that all states start under the same conditions.
   std::function<void()> Begin;
 };
 
-/// Differences of the times of two subjects in alternating runs.
+/// Differences between the times of two subjects that run alternately.
 struct Pairs
 {
   std::vector<double> Differences;
   /// Times of the second subject.
   std::vector<double> Seconds;
 
-  /// Adds up to \a maximum pairs within the time limit. The subject that runs first alternates.
+  /// Adds up to \a maximum pairs of runs within the time limit. The subjects take turns at running
+  /// first.
   void Add(const Subject& one, const Subject& other, const CostSettings& settings, int maximum)
   {
     const Stopwatch watch;
@@ -106,7 +107,7 @@ public:
   /// switched on. Its object is null if there is no counterpart.
   void Add(const Subject& subject, const Subject& never)
   {
-    // Differences of the times of both subjects before any feature is on.
+    // Pairs of runs before any feature is switched on.
     Pairs without;
     for (const Feature& feature : AllFeatures())
     {
@@ -119,7 +120,7 @@ public:
         {
           never.Begin();
           subject.Begin();
-          // Two pairs that are not evaluated fill caches.
+          // Two pairs are not evaluated; they only fill caches.
           Pairs().Add(subject, never, this->Settings, 2);
           without.Add(subject, never, this->Settings, this->Settings.Pairs);
         }
@@ -154,14 +155,14 @@ private:
       stateCosts[state] = subject.Run();
       if (never.Object && state > 0)
       {
-        // The counterpart starts in the same condition.
+        // The counterpart must start under the same conditions.
         never.Begin();
         never.Run();
         pairs[state].Add(subject, never, this->Settings, this->Settings.Pairs);
       }
       if (state == 2 && ExceedsNoise(pairs[2], without))
       {
-        // More pairs distinguish a difference from noise.
+        // With more pairs, a true difference is distinguished from noise.
         pairs[state].Add(subject, never, this->Settings, 3 * this->Settings.Pairs);
       }
       *own[state] = feature.Own(subject.Object);
@@ -298,8 +299,9 @@ private:
     return { object, [this]() { return this->Run(); },
       [this]()
       {
-        // A pass first compiles the shaders of the previous state, and OpenGL retains them. Drawing
-        // in another window first avoids that.
+        // Before it adopts the new state, a pass compiles the shaders of the previous state, and
+        // OpenGL retains them. Drawing in a separate window first keeps these shaders out of the
+        // measured window.
         this->Open();
         this->Drawn.DrawIn(this->Window);
         this->Open();
@@ -331,7 +333,7 @@ private:
   vtkSmartPointer<vtkRenderWindow> Window;
 };
 
-/// A scene that was built, and its filters.
+/// A built scene and its filters.
 class BuiltScene
 {
 public:
@@ -367,7 +369,8 @@ private:
   std::vector<vtkSmartPointer<vtkAlgorithm>> Filters;
 };
 
-/// Measures the features of \a subjects. The counterparts in \a never are used for times.
+/// Measures the features of \a subjects. Times are measured relative to the counterparts in
+/// \a never.
 void Add(Meter& meter, const std::vector<Subject>& subjects, const std::vector<Subject>& never)
 {
   for (std::size_t i = 0; i < subjects.size(); ++i)

@@ -10,25 +10,25 @@ namespace gallery
 struct Scene;
 
 /**
- * Costs of an execution of a filter or of rendering a panel. For rendering, buffers, bytes and
- * words are those of OpenGL. For filters, arrays and bytes are those of the outputs.
+ * Costs of executing a filter or of rendering a panel. For rendering, buffers, bytes and words are
+ * counted in OpenGL. For filters, arrays and bytes are counted in the outputs.
  */
 struct Costs
 {
-  /// Passes reported by mappers and render passes, or executions of a filter.
+  /// Passes reported by mappers and render passes, or number of executions of a filter.
   double Passes = 0.0;
   double Buffers = 0.0;
   double Bytes = 0.0;
   double Words = 0.0;
   double Arrays = 0.0;
-  /// Processor time of all threads, which excludes other load of the machine.
+  /// Processor time of all threads, which other programs do not affect.
   double Seconds = 0.0;
 };
 /// Returns \a one minus \a other.
 Costs Subtract(const Costs& one, const Costs& other);
 
 /**
- * A feature that an object of a scene does not use: its cost while off, and while on.
+ * A feature that an object of a scene does not use: its cost while it is off and while it is on.
  */
 struct FeatureCosts
 {
@@ -46,8 +46,8 @@ struct FeatureCosts
   Costs Added;
   /// Median time of an object whose feature was never switched on, in seconds.
   double Seconds = 0.0;
-  /// Noise of the times, in seconds: the larger interquartile range of the pairs' differences,
-  /// before the first feature was switched on and after the feature was switched off.
+  /// Noise of the times, in seconds: the larger of the interquartile ranges of the differences of
+  /// pairs before the first feature was switched on and after this feature was switched off.
   double Noise = 0.0;
   /// Number of pairs of runs in the medians of Left and of Added.
   int Pairs = 0;
@@ -64,7 +64,7 @@ struct CostSettings
   int Height = 200;
   /// Pairs of runs for each state. 0 measures no times.
   int Pairs = 5;
-  /// Time limit of a state in seconds. At least two pairs are measured.
+  /// Time limit for each state in seconds. At least two pairs are measured.
   double Limit = 10.0;
   /// If not empty, measures only the features of this class.
   std::string OnlyClass;
@@ -75,11 +75,11 @@ struct CostSettings
  * first object that supports it. Returns one entry for each combination of a filter or mapper class
  * of the scene and a feature that is off.
  *
- * For times, the scene is built twice. In one copy the features are switched, in the other they are
- * not. Runs of an object alternate with runs of its counterpart in the other copy: before the first
- * feature is switched on, which measures the difference without features, while a feature is on,
- * and after it is switched off again. Each state renders in a new window, after one rendering in
- * another window.
+ * To measure times, the scene is built twice. Features are switched only in one copy. Runs of an
+ * object alternate with runs of its counterpart in the other copy. They are repeated in each state:
+ * before the first feature is switched on (which measures the difference between the copies), while
+ * a feature is on, and after it is switched off again. Each state is rendered in a new window,
+ * after one rendering in another window.
  */
 std::vector<FeatureCosts> MeasureSceneCosts(const Scene& scene, const CostSettings& settings);
 }

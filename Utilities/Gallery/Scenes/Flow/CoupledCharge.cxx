@@ -29,7 +29,7 @@ void Build(gallery::Stage& stage)
   source->SetCenter(-HALF_SEPARATION, 0.0, 0.0);
   source->SetRadius(RADIUS);
   source->SetAxis(1.0, 0.0, 0.0);
-  // Samples one half only, so that the cut shows the nesting.
+  // Samples only one half of the domain, so that the cut shows the nested surfaces.
   const gallery::FlowGrid samples = { { 45, 31, 49 }, { -0.6, 0.6, 0.0, 0.67, -0.67, 0.67 } };
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(charges, { source }, samples), "1 - v");

@@ -21,7 +21,7 @@
 
 namespace
 {
-/// The vessel around the z axis. Gas enters at its top.
+/// Dimensions of the vessel, whose axis is z. Gas enters at its top.
 constexpr double RADIUS = 5.75;
 constexpr double TOP = 10.1;
 constexpr double DISK_RADIUS = 3.8;
@@ -33,8 +33,8 @@ constexpr double TIME = 7.0;
 constexpr double COLD = 293.0;
 constexpr double HOT = 913.0;
 
-/// Traces half of the vessel, so that the cut shows the nesting. The inflow value is the distance
-/// from the axis.
+/// Traces only half of the vessel, so that the cut shows the nested surfaces. The inflow value is
+/// the distance from the axis.
 gallery::MappedFlow MakeFlow(vtkDataSet* disk)
 {
   disk->GetPointData()->SetActiveVectors("V");
@@ -50,8 +50,8 @@ gallery::MappedFlow MakeFlow(vtkDataSet* disk)
   return { vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0)), mapping, lid, 1.0 };
 }
 
-/// Returns the stream surface that starts at the fraction \a inflow of RADIUS, with streamlines and
-/// colored by temperature.
+/// Returns the stream surface that starts on a circle whose radius is \a inflow times RADIUS. It
+/// shows streamlines and is colored by temperature.
 vtkSmartPointer<vtkActor> MakeSurface(
   gallery::MappedFlow flow, double inflow, vtkDataSet* disk, vtkColorTransferFunction* colors)
 {
@@ -64,7 +64,7 @@ vtkSmartPointer<vtkActor> MakeSurface(
   probe->Update();
   surface->GetPointData()->AddArray(probe->GetOutput()->GetPointData()->GetArray("Temp"));
   vtkSmartPointer<vtkActor> actor = gallery::MakeColoredActor(surface, "Temp", colors);
-  // The texture multiplies vertex colors only.
+  // The texture can only be multiplied by vertex colors.
   actor->GetMapper()->InterpolateScalarsBeforeMappingOff();
   const vtkSmartPointer<vtkStreamlineTexture> lines = gallery::MakeStreamlines(48, gallery::Ink());
   vtkStreamlineTexture::AddTo(actor, lines, nullptr);

@@ -38,8 +38,8 @@ constexpr double BEGIN = -2.4;
 constexpr double END = 3.1;
 constexpr double WIDTH = 1.9;
 
-/// Returns points on lines from the post to the sides of a box, with higher density at the post and
-/// at the plate.
+/// Returns points on lines from the post to the sides of a box. They are denser near the post and
+/// near the plate.
 vtkSmartPointer<vtkStructuredGrid> MakeSamples()
 {
   constexpr int outward = 37;
@@ -70,7 +70,8 @@ vtkSmartPointer<vtkStructuredGrid> MakeSamples()
   return samples;
 }
 
-/// Merges the points where the grid closes around the post, so that streamlines can pass.
+/// Reads the flow and merges the coincident points where the grid closes around the post, so that
+/// streamlines can pass.
 vtkSmartPointer<vtkAppendFilter> ReadFlow()
 {
   vtkSmartPointer<vtkDataSet> post = interlume::ReadData("post.vts");
@@ -147,11 +148,12 @@ vtkSmartPointer<vtkPiecewiseFunction> MakeGate(const std::vector<std::array<doub
   return gate;
 }
 
-/// Adds a panel for each of two time gates: paint released from one time on, and paint released in
-/// pulses.
+/// Adds a panel for each of two time gates. The first releases paint from a certain time on, the
+/// second in pulses.
 void BuildInflow(gallery::Stage& stage)
 {
-  // Time in which the liquid passes through the box, and number of pulses in that time.
+  // Time in which the liquid passes through the displayed region, and number of pulses in that
+  // time.
   constexpr double duration = 4.2;
   constexpr int pulses = 4;
   constexpr double stillFraction = 0.7;

@@ -27,7 +27,7 @@ namespace gallery
 {
 namespace
 {
-/// Returns a filter without samples.
+/// Returns a filter whose samples are not set yet.
 vtkSmartPointer<vtkImplicitFlowField> MakeFlowFilter(
   vtkAlgorithm* field, const std::vector<vtkTerminationSurface*>& surfaces, double time)
 {

@@ -22,7 +22,7 @@ class vtkTexture;
 class vtkVolume;
 
 /**
- * Implicit flow fields, and actors and volumes of flow scenes.
+ * Support for flow scenes: implicit flow fields, actors and volumes.
  */
 namespace gallery
 {
@@ -41,7 +41,7 @@ struct FlowGrid
 vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowGrid& grid);
 
 /**
- * Returns a hurricane around the z axis that is as high as its grid.
+ * Returns a hurricane around the z axis. It is as high as its grid.
  */
 vtkSmartPointer<vtkAnalyticFlowSource> MakeUprightHurricane();
 
@@ -54,14 +54,15 @@ vtkSmartPointer<vtkDataSet> MakeImplicitFlow(vtkAlgorithm* field,
   double time = std::numeric_limits<double>::max());
 
 /**
- * As above, with the points of a dataset as samples.
+ * As above, but traces the points of the dataset \a samples.
  */
 vtkSmartPointer<vtkDataSet> MakeImplicitFlow(vtkAlgorithm* field,
   const std::vector<vtkTerminationSurface*>& surfaces, vtkDataSet* samples,
   double time = std::numeric_limits<double>::max());
 
 /**
- * Returns \a flow with inflow values from a formula of u, v and f, the id of the surface.
+ * Returns \a flow with inflow values from a formula of u, v and f. f is the id of the termination
+ * surface.
  */
 vtkSmartPointer<vtkDataSet> MapInflow(vtkDataSet* flow, const std::string& formula);
 
@@ -77,7 +78,7 @@ constexpr int STREAM_SURFACES = 1;
 constexpr int TIME_SURFACES = 2;
 
 /**
- * Returns the stream or time surface (\a port) of \a filter with this id.
+ * Returns the stream surface or time surface of \a filter with this id. \a port selects the type.
  */
 vtkSmartPointer<vtkUnstructuredGrid> GetFlowSurface(vtkFlowVolume* filter, int port, int id);
 
@@ -87,12 +88,13 @@ vtkSmartPointer<vtkUnstructuredGrid> GetFlowSurface(vtkFlowVolume* filter, int p
 vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, const vtkColor3d& color);
 
 /**
- * Returns an opaque actor with a texture, over the active texture coordinates.
+ * Returns an opaque actor with a texture at the active texture coordinates.
  */
 vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, vtkTexture* texture);
 
 /**
- * Returns an actor of a termination surface with a texture over its parameters.
+ * Returns an actor of a termination surface. The texture coordinates are the parameters of the
+ * surface.
  */
 vtkSmartPointer<vtkActor> MakeTerminationActor(vtkTerminationSurface* surface, vtkTexture* texture);
 
@@ -116,7 +118,7 @@ vtkSmartPointer<vtkActor> MakePillar(
 void SetStreamlineCoordinates(vtkUnstructuredGrid* surfaces, int component, int lines, int number);
 
 /**
- * Draws translucent textured surfaces inside the volume. They must share the points of the
+ * Draws translucent textured surfaces inside the volume. The surfaces must share the points of the
  * tetrahedra.
  */
 void SetTexturedBoundary(vtkVolume* volume, vtkUnstructuredGrid* surfaces, vtkTexture* texture);

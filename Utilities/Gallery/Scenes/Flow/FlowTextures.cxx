@@ -13,7 +13,7 @@ namespace gallery
 {
 namespace
 {
-/// Number of pixels per period of lines, and number of pixels along a texture.
+/// Number of texels per period of lines, and number of texels along an edge of a texture.
 constexpr int LINE_PERIOD = 256;
 constexpr int SIZE = 1024;
 

@@ -14,15 +14,16 @@
 namespace gallery
 {
 /**
- * Returns a texture of \a cellsU x \a cellsV squares separated by lines, over parameters 0 to 1.
+ * Returns a texture of \a cellsU x \a cellsV areas separated by lines, for texture coordinates from
+ * 0 to 1.
  */
 vtkSmartPointer<vtkTexture> MakeGridTexture(
   int cellsU, int cellsV, const vtkColor3d& area, const vtkColor3d& line);
 
 /**
- * Returns a texture with a dark opaque line at each integer of the first coordinate. The second
- * coordinate, from 0 to 1, selects one of \a colors for the areas between the lines. These areas
- * have the given \a opacity.
+ * Returns a texture with a dark opaque line at each integer of the first texture coordinate. The
+ * second texture coordinate, from 0 to 1, selects one of \a colors for the areas between the lines.
+ * These areas have the given \a opacity.
  */
 vtkSmartPointer<vtkTexture> MakeStreamlineTexture(
   const std::vector<vtkColor3d>& colors, double opacity);

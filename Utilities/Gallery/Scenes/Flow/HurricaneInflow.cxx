@@ -58,8 +58,8 @@ void Build(gallery::Stage& stage)
   const vtkSmartPointer<vtkDataSet> flow =
     gallery::MakeImplicitFlow(hurricane, { eye }, samples, 12.0);
   const vtkSmartPointer<vtkImageData> spokes = gallery::MakePaint(512, 256, &Spokes);
-  // The dye is released for a limited time and fades at its front. It therefore ends in a round
-  // front within the samples, not at their square boundary.
+  // The dye is released for a limited time and fades at its front. The front is round and remains
+  // within the samples, whose boundary is square.
   vtkNew<vtkPiecewiseFunction> front;
   front->AddPoint(0.0, 0.0);
   front->AddPoint(0.25, 1.0);

@@ -21,7 +21,7 @@ void Build(gallery::Stage& stage)
   const vtkSmartPointer<vtkTerminationPlane> ground =
     gallery::MakeInflowPlane({ 0.0, 0.0, -0.8 }, { 1.5, 0.0, 0.0 }, { 0.0, 1.5, 0.0 });
   const gallery::FlowGrid samples = { { 57, 57, 61 }, { -0.9, 0.9, -0.9, 0.9, -0.8, 1.0 } };
-  // A star with four points.
+  // The contours of the formula are stars with four points.
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(tornado, { ground }, samples),
       "3 * sqrt((u - 0.5)^2 + (v - 0.5)^2) * (1 + 0.25 * cos(4 * atan2(v - 0.5, u - 0.5)))");

@@ -21,7 +21,7 @@ namespace
 {
 constexpr int SIZE = 256;
 
-/// Returns the value of brush strokes, 0 to 1: a spiral and three dots.
+/// Returns the strength, 0 to 1, of brush strokes: a spiral and three dots.
 double Paint(double u, double v)
 {
   const double x = u - 0.5;

@@ -100,7 +100,7 @@ vtkSmartPointer<vtkTexture> MakeInflowTexture(vtkImageData* image, const vtkColo
   {
     for (int i = 0; i < size[0]; ++i)
     {
-      // Dye that is faint in the volume must be visible here.
+      // Increase the opacity: dye that is faint in the volume must be visible on the surface.
       const double alpha = std::min(1.0, 4.0 * image->GetScalarComponentAsDouble(i, j, 0, 3));
       for (int c = 0; c < 3; ++c)
       {

@@ -15,7 +15,7 @@ class vtkDataSet;
 class vtkImplicitFlowVolumeMapper;
 
 /**
- * Images on termination surfaces, and the volumes into which the flow carries them.
+ * Images on termination surfaces, and volumes into which the flow carries these images.
  */
 namespace gallery
 {
@@ -41,14 +41,15 @@ void WriteText(vtkImageData* image, const std::string& text, const vtkColor3d& c
   double opacity, double height, double center = 0.5);
 
 /**
- * Returns a volume in which the flow carries \a image from the termination surfaces.
+ * Returns a volume that shows \a image carried by the flow from the termination surfaces.
  */
 vtkSmartPointer<vtkVolume> MakeInflowVolume(
   vtkDataSet* flow, vtkImageData* image, double unitDistance);
 vtkImplicitFlowVolumeMapper* GetInflowMapper(vtkVolume* volume);
 
 /**
- * Returns the image as an opaque texture over the color \a ground, for the termination surface.
+ * Returns the image as an opaque texture for the termination surface, blended over the color
+ * \a ground.
  */
 vtkSmartPointer<vtkTexture> MakeInflowTexture(vtkImageData* image, const vtkColor3d& ground);
 }

@@ -14,7 +14,7 @@
 
 namespace
 {
-/// Traces air that rises from a square, rotates and converges.
+/// Returns the flow of air that rises from a square, rotates and converges.
 vtkSmartPointer<vtkDataSet> MakeUpdraft(vtkTerminationPlane* plane, int n)
 {
   const vtkSmartPointer<vtkAnalyticFlowSource> updraft = gallery::MakeAnalyticFlow(

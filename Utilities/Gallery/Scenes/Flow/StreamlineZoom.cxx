@@ -23,7 +23,7 @@ void Build(gallery::Stage& stage)
     { "nine times nearer", 1.0 / 9.0 } };
   double bounds[6];
   surface->GetBounds(bounds);
-  // A point on the side of the surface that faces the camera.
+  // A point on the part of the surface that faces the camera.
   const double center[3] = { 0.0, -0.47, -0.3 };
   for (const auto& view : views)
   {
@@ -32,7 +32,7 @@ void Build(gallery::Stage& stage)
     panel.Add(gallery::MakeLinedActor(surface, gallery::IntervalColor(0), lines, nullptr));
     if (view.Size < 1.0)
     {
-      // Frames the bounds scaled by Size around that point.
+      // Frames the bounds of the surface, scaled by Size around the center.
       double part[6];
       for (int i = 0; i < 6; ++i)
       {

@@ -15,7 +15,7 @@
 #include <array>
 
 /**
- * Stream surfaces with lines, in the flow of a tornado.
+ * Stream surfaces with streamlines and timelines, in the flow of a tornado.
  */
 namespace gallery
 {
@@ -44,7 +44,7 @@ vtkSmartPointer<vtkPolyData> MakeStreamSurface(
   vtkDataSet* samples, double inflow, double start, double end);
 
 /**
- * As above, with texture coordinates: the arc length along the inflow curve, which is 1 for the
+ * As above, with texture coordinates: the arc length along the inflow curve divided by the
  * circumference, and the advection time divided by \a period.
  */
 vtkSmartPointer<vtkPolyData> MakeTexturedSurface(
@@ -58,13 +58,14 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeStreamVolume(
 
 /**
  * Return textures of streamlines (lines of constant arc length) and of timelines (lines of constant
- * time). \a texels is the distance of the lines in pixels of the supersampled image.
+ * time). \a texels is the distance between lines in pixels of the supersampled image.
  */
 vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(int texels, const vtkColor3d& color);
 vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(int texels, const vtkColor3d& color);
 
 /**
- * Returns an actor of one color with lines. One of the two textures may be null.
+ * Returns an actor of one color with streamlines, timelines, or both. One of the two textures may
+ * be null.
  */
 vtkSmartPointer<vtkActor> MakeLinedActor(vtkPolyData* surface, const vtkColor3d& color,
   vtkStreamlineTexture* streamlines, vtkStreamlineTexture* timelines);

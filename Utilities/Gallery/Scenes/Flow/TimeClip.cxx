@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A stream volume clipped by advection time, and with stream and time surfaces inside.
+// A stream volume that is clipped by advection time and contains stream surfaces and time surfaces.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"

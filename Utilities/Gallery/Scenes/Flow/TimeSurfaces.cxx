@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A flow volume between two time surfaces with a grid that the flow carries.
+// A flow volume between two time surfaces, on which a grid shows how the flow deforms them.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"

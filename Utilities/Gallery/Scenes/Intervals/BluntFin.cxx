@@ -30,7 +30,7 @@ namespace
 {
 using namespace gallery;
 
-/// Returns the lid between the upper edges of both sides of the fin.
+/// Returns the top of the fin: a surface between the upper edges of its two sides.
 vtkSmartPointer<vtkPolyData> MakeLid(vtkStructuredGrid* flow)
 {
   int dimensions[3];
@@ -57,9 +57,9 @@ vtkSmartPointer<vtkPolyData> MakeLid(vtkStructuredGrid* flow)
   return MakeSurface(lid);
 }
 
-/// Reads the flow past a blunt fin and adds its mirror image. The data contain one half, whose
-/// surface i = 0 is the plane of symmetry y = 0 upstream of the fin. Both halves share the points
-/// of that surface. One-component point arrays are retained; `Speed` is the magnitude of the
+/// Reads one half of the flow past a blunt fin and adds its mirror image. The surface i = 0 of the
+/// grid is the plane of symmetry, y = 0, upstream of the fin. Both halves share the points of that
+/// surface. Only point arrays with one component are retained; `Speed` is the magnitude of the
 /// velocity.
 vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
 {

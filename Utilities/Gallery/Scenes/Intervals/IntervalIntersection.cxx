@@ -26,7 +26,7 @@ struct Range
   double Upper;
 };
 
-/// Extracts the tetrahedra in the range and, if given, in the range of \a criterion. Sets their
+/// Extracts the tetrahedra inside \a range and, if it is not null, inside \a criterion. Sets their
 /// `IntervalId` to \a id.
 vtkSmartPointer<vtkUnstructuredGrid> MakeSolid(
   gallery::Stage& stage, vtkDataSet* disk, const Range& range, const Range* criterion, int id)
@@ -71,7 +71,8 @@ void Build(gallery::Stage& stage)
   second.Add(gallery::MakeVolumeOfIntervals(rich, { none, { blue, 0.25 } }));
   vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeOfIntervals(overlapping->GetOutput(),
     { { amber, 0.05 }, { blue, 0.05 }, { gallery::IntervalColor(1), 0.3 } });
-  // Overlapping tetrahedra have no visibility order; this blend mode is order-independent.
+  // Overlapping tetrahedra have no visibility order, so the blend mode must not depend on the
+  // order.
   gallery::GetMapper(volume)->SetBlendModeToOpticalDepth();
   both.Add(volume);
 }

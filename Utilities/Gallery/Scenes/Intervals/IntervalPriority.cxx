@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Intervals drawn by priority, and by the reverse priority.
+// Intervals drawn by priority, and in reverse order.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"

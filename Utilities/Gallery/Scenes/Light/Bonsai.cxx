@@ -14,7 +14,7 @@ namespace gallery
 {
 namespace
 {
-/// Returns the part of the scan in the index range \a box.
+/// Returns the part of the scan in the extent \a box.
 vtkSmartPointer<vtkImageData> Cut(vtkDataSet* scan, const int box[6])
 {
   vtkNew<vtkExtractVOI> part;
@@ -29,7 +29,7 @@ vtkSmartPointer<vtkSpatialObject> MakeBonsai()
 {
   vtkSmartPointer<vtkDataSet> scan = interlume::ReadData("bonsai.vti");
 
-  // Leaves are thin and have low values; the trunk has higher ones.
+  // Leaves are thin and have low values; the trunk has higher values.
   vtkNew<vtkColorTransferFunction> tree;
   tree->AddRGBPoint(20.0, 0.36, 0.52, 0.20);
   tree->AddRGBPoint(75.0, 0.47, 0.60, 0.26);
@@ -50,7 +50,7 @@ vtkSmartPointer<vtkSpatialObject> MakeBonsai()
   const int bowl[6] = { 36, 206, 10, 60, 76, 255 };
   vtkSmartPointer<vtkSpatialObject> pot = MakeImageObject(Cut(scan, bowl), 30.0, 110.0, clay);
 
-  // Up is +y in the scan. The scan cuts off the pot at the upper end of z.
+  // In the scan, +y is up, and the pot is cut off at the maximum of z.
   vtkSmartPointer<vtkSpatialObject> bonsai =
     Unite({ pot, vtkSmartPointer<vtkSpatialObject>(leaves) });
   const double scale = 1.0 / 210.0;

@@ -8,8 +8,8 @@
 namespace gallery
 {
 /**
- * Returns the scanned bonsai as an object: about 1.05 high, on z = 0, with its trunk near the z
- * axis. The scan cuts off one side of the pot, here at +y. Noise in the air and the sheet under the
+ * Returns the scanned bonsai as an object: about 1.05 high, standing on z = 0, with its trunk near
+ * the z axis. The scan cuts off the +y side of the pot. Noise in the air and the sheet under the
  * pot are excluded.
  */
 vtkSmartPointer<vtkSpatialObject> MakeBonsai();

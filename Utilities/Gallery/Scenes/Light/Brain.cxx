@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scanned head with exposed brain, without and with shadows, and close up.
+// A scanned head with exposed brain, without and with shadows, from a distance and close up.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"

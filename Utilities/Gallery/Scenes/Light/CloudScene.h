@@ -26,7 +26,7 @@ enum class Scattering
 };
 
 /// Returns clouds within \a bounds, sampled with \a cells cells along the longest edge. The phase
-/// function is that of water droplets.
+/// function approximates that of water droplets.
 vtkSmartPointer<vtkVolume> MakeCloudVolume(
   vtkSpatialObject* clouds, const std::array<double, 6>& bounds, int cells, Scattering scattering);
 
@@ -34,8 +34,8 @@ vtkSmartPointer<vtkVolume> MakeCloudVolume(
 /// MakeSlicedVolume().
 void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy);
 
-/// Adds sunlight from direction \a sun, weak blue light from above, and a sky as background.
-/// \a exposure scales both lights.
+/// Sets the lights of the panel to sunlight from direction \a sun and weak blue light from above,
+/// and its background to a sky. \a exposure scales both lights.
 void UseSky(Panel& panel, const vtkVector3d& sun, double exposure = 1.0);
 }
 

@@ -14,10 +14,11 @@ namespace gallery
 {
 namespace
 {
-/// The density at which MakeSolidMediumInSmoke() sets its opacity.
+/// The density to which the opacity of MakeSolidMediumInSmoke() applies.
 constexpr double SMOKE_DENSITY = 60.0 / 255.0;
 
-/// Tilts \a object backward by \a tilt, then rotates it around the vertical by \a degrees.
+/// Scales \a object, tilts it backward by \a tilt degrees, rotates it around the vertical by
+/// \a degrees, and moves it by \a offset.
 vtkSmartPointer<vtkSpatialObject> Arrange(vtkSmartPointer<vtkSpatialObject> object,
   const vtkVector3d& offset, double degrees, double tilt, double scale)
 {
@@ -47,8 +48,8 @@ vtkSmartPointer<vtkImageData> SampleRoom()
 Panel& AddHazyPanel(Stage& stage, vtkImageData* room, const vtkBoundingBox& inside, double opacity,
   const Lights& lights)
 {
-  // This density is far below that of solids, so the smoke does not affect their normals. It is
-  // constant, because eight bits have few steps for such a thin medium.
+  // The density of the smoke is far below the density of solids, so smoke does not affect their
+  // normals. It is constant, because eight bits have only a few levels for such a thin medium.
   constexpr double density = 12.0 / 255.0;
   vtkVector3d lower;
   vtkVector3d upper;
@@ -60,7 +61,7 @@ Panel& AddHazyPanel(Stage& stage, vtkImageData* room, const vtkBoundingBox& insi
     MakeSolidMediumInSmoke(room, SMOKE_DENSITY / density * opacity);
   medium->SetAmbient(0.1);
   vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(room, medium, SMOKE_GRADIENT);
-  // The medium fills the volume, which makes large light buffers slow.
+  // The medium fills the whole volume, so large light buffers are slow.
   GetSlicedMapper(volume)->SetLightBufferSize(512);
   Panel& panel = stage.AddPanel("");
   panel.Add(volume);

@@ -11,13 +11,13 @@ class Stage;
 
 /**
  * Adds a panel of \a room, a `Color` image of Sample(), on a dark background. Thin smoke within
- * \a inside makes light beams visible. \a opacity is its opacity per voxel.
+ * \a inside makes light beams visible. \a opacity is the opacity of the smoke per voxel.
  */
 Panel& AddHazyPanel(Stage& stage, vtkImageData* room, const vtkBoundingBox& inside, double opacity,
   const Lights& lights);
 
 /**
- * As above, with the room of MakeRoom(), a robot and rings.
+ * As above, but the room is MakeRoom() with a robot and rings.
  */
 Panel& AddHazyRoom(Stage& stage, const Lights& lights);
 }

@@ -124,7 +124,8 @@ vtkSmartPointer<vtkProjectiveLight> MakeBeam(const vtkVector3d& position, const 
 Panel& AddPatternPanel(Stage& stage, vtkImageData* image, vtkProjectiveLight* light)
 {
   vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(image, MakeSolidMedium(image));
-  // Slices are closer here than in other scenes, so that they are not visible on bright walls.
+  // Slices are closer together than in other scenes. Otherwise, they would be visible on bright
+  // walls.
   GetSlicedMapper(volume)->SetSliceSpacing(0.3 * image->GetSpacing()[0]);
   Panel& panel = stage.AddPanel("");
   panel.Add(volume);

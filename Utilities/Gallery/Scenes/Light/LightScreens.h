@@ -12,7 +12,7 @@
 #include <functional>
 
 /**
- * Lights that shine through a screen, and the images on their screens.
+ * Lights that shine through screens, and the images on these screens.
  */
 namespace gallery
 {
@@ -21,17 +21,18 @@ class Stage;
 
 /**
  * Returns an RGB image (unsigned char) of width x height samples. \a pattern is a function of u and
- * v, 0 to 1 from the lower left corner. Each sample is the mean over its area.
+ * v, which range from 0 to 1 from the lower left corner. Each sample is the mean of the pattern
+ * over the area of the sample.
  */
 vtkSmartPointer<vtkImageData> MakePattern(
   int width, int height, const std::function<vtkColor3d(double, double)>& pattern);
 
-/// Returns a white image with \a lines dark lines in each direction. \a fraction is the fraction of
-/// each direction that the lines cover.
+/// Returns a white image with \a lines dark lines along each axis. \a fraction is the fraction of
+/// the spacing that a line covers.
 vtkSmartPointer<vtkImageData> MakeGridPattern(int lines, double fraction);
 
-/// Returns a white disk that fills the image, black outside. The width of its soft edge is \a edge
-/// times the radius.
+/// Returns an image of a white disk on black. The disk touches the edges of the image. The width of
+/// its soft edge is \a edge times the radius.
 vtkSmartPointer<vtkImageData> MakeSoftDisk(double edge);
 
 /**
@@ -42,7 +43,7 @@ vtkSmartPointer<vtkProjectiveLight> MakeProjector(const vtkVector3d& position,
   const vtkVector3d& center, double width, double height, double intensity,
   vtkImageData* image = nullptr);
 
-/// As above, with parallel rays.
+/// As above, but the light rays are parallel.
 vtkSmartPointer<vtkProjectiveLight> MakeParallelProjector(const vtkVector3d& position,
   const vtkVector3d& center, double width, double height, double intensity,
   vtkImageData* image = nullptr);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Penumbra widths of a tilted light: exact, by the virtual light of the dissertation, and measured
-// in images.
+// Penumbra widths of a tilted light: exact widths, widths of the dissertation's virtual light, and
+// widths measured in images.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
@@ -41,7 +41,7 @@ constexpr double TO_OCCLUDER = 1.6;
 constexpr double TO_RECEIVER = 0.9;
 constexpr double HALF_OCCLUDER = 0.55;
 
-/// Returns an end of the light, \a side -1 or 1. The occluder is at height 0.
+/// Returns the end of the light that \a side (-1 or 1) selects. The occluder is at height 0.
 Point2 GetEnd(double degrees, double side)
 {
   const double angle = vtkMath::RadiansFromDegrees(degrees);
@@ -61,7 +61,8 @@ double GetExactWidth(double degrees, double edge)
   return std::abs(GetFoot(GetEnd(degrees, -1.0), edge) - GetFoot(GetEnd(degrees, 1.0), edge));
 }
 
-/// Returns the width by equation 2.14, which projects the light orthogonally onto the slices.
+/// Returns the penumbra width of equation 2.14, which projects the light orthogonally onto the
+/// slices.
 double GetVirtualWidth(double degrees)
 {
   return LIGHT * std::cos(vtkMath::RadiansFromDegrees(degrees)) * TO_RECEIVER / TO_OCCLUDER;
@@ -113,7 +114,8 @@ public:
     }
   }
 
-  /// Adds text. \a position is the center or the left end of its lower edge.
+  /// Adds text. \a position is the center of its lower edge if \a isCentered, otherwise the left
+  /// end of that edge.
   void AddText(const std::string& words, const Point2& position, double height, bool isCentered,
     double degrees = 0.0)
   {
@@ -224,7 +226,7 @@ void DrawAxes(Drawing& drawing, const std::vector<std::string>& across,
   drawing.AddText(titles[1], { { -0.5, 1.5 } }, 0.16, true, 90.0);
 }
 
-/// Plots widths as a function of the angle of the light.
+/// Plots penumbra widths as a function of the angle of the light.
 void DrawAngles(gallery::Panel& panel)
 {
   Drawing drawing(panel);
@@ -268,7 +270,8 @@ double MeasureWidth(reference::VolumeStage& stage, double ratio, int method)
   return width / exact;
 }
 
-/// Plots widths in images, divided by the exact widths, for distance ratios from 0.05 to 5.
+/// Plots penumbra widths in images, divided by the exact widths, for distance ratios from 0.05 to
+/// 5.
 void DrawMeasured(gallery::Panel& panel)
 {
   Drawing drawing(panel);

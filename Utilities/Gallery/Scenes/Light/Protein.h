@@ -8,8 +8,8 @@
 namespace gallery
 {
 /**
- * Returns the absolute value of the wave function of an electron in an iron protein, as an object
- * between -0.5 and 0.5 along each axis: blobs around the maxima.
+ * Returns an object that consists of blobs around the maxima of an electron's wave function in an
+ * iron protein (its absolute value). The object extends from -0.5 to 0.5 along each axis.
  */
 vtkSmartPointer<vtkSpatialObject> MakeProtein();
 }

@@ -8,8 +8,8 @@
 namespace gallery
 {
 /**
- * Returns six tori threaded on a seventh, above a disk of radius 1.25 whose upper side is at z = 0,
- * as a `Color` image of Sample().
+ * Returns a `Color` image of Sample(): six tori threaded on a seventh torus, above a disk of radius
+ * 1.25 whose upper side is at z = 0.
  */
 vtkSmartPointer<vtkImageData> SampleRings();
 }

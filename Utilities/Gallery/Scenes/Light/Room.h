@@ -9,14 +9,15 @@
 namespace gallery
 {
 /**
- * Returns a floor, a wall at +y and a wall at -x, open on the other sides. The interior is [-1, 1]
- * x [-1, 1] x [0, 1.3].
+ * Returns a room with a floor, a wall at +y and a wall at -x; the other sides are open. The
+ * interior is [-1, 1] x [-1, 1] x [0, 1.3].
  */
 vtkSmartPointer<vtkSpatialObject> MakeRoom();
 
 /**
- * Returns the room with a robot, rings that lean on the wall and a cloud of smoke, with
- * \a resolution points along the longest side. Densities below a quarter of the maximum are smoke.
+ * Returns a `Color` image of Sample() with \a resolution points along the longest side: the room
+ * with a robot, rings that lean on the wall, and a cloud of smoke. Densities below a quarter of the
+ * maximum are smoke.
  */
 vtkSmartPointer<vtkImageData> SampleFurnishedRoom(int resolution);
 }

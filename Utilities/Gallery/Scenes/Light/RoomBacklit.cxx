@@ -16,7 +16,7 @@
 
 namespace
 {
-/// Returns a room that is open only toward the camera, with a window on the left of the wall at +y.
+/// Returns a room that is open only toward the camera. The wall at +y has a window on the left.
 vtkSmartPointer<vtkSpatialObject> MakeShell()
 {
   const vtkColor3d plaster = gallery::Plaster();

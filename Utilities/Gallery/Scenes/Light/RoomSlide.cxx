@@ -17,8 +17,8 @@
 
 namespace
 {
-/// The coverage of a rendered word, as a function of coordinates from 0 to 1 over its width and
-/// height.
+/// Coverage by the letters of a rendered word, as a function of position. Coordinates range from 0
+/// to 1 along the width and height of the word.
 class Word
 {
 public:
@@ -51,7 +51,7 @@ private:
 /// Width of the slide divided by its height.
 constexpr double ASPECT = 1.6;
 
-/// Radius of the emblem, in heights of the slide.
+/// Radius of the emblem divided by the height of the slide.
 constexpr double RADIUS = 0.25;
 
 vtkSmartPointer<vtkImageData> MakeSlide()
@@ -62,7 +62,7 @@ vtkSmartPointer<vtkImageData> MakeSlide()
   return gallery::MakePattern(1024, static_cast<int>(1024 / ASPECT),
     [&](double u, double v)
     {
-      // Coordinates relative to the center, in units of the height.
+      // Coordinates relative to the center of the slide, in units of its height.
       const double x = ASPECT * (u - 0.5);
       const double y = v - 0.5;
       constexpr double width = 1.2;

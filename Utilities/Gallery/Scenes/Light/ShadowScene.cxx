@@ -29,7 +29,7 @@ namespace gallery
 {
 namespace
 {
-/// Intensity of the fill light as a fraction of the key light.
+/// Intensity of the fill light divided by the intensity of the key light.
 constexpr double FILL_FRACTION = 0.25;
 
 /// If there is smoke, the densities of solids, 0 to 255, are stretched so that this value becomes 0
@@ -73,7 +73,7 @@ void WeightColors(vtkImageData* image, const Operation& weigh)
     });
 }
 
-/// Blurs the density, and the colors weighted by density. Colors of empty space therefore have no
+/// Blurs the density, and the colors weighted by density, so that colors of empty space have no
 /// effect.
 vtkSmartPointer<vtkImageData> Blur(vtkImageData* image, double deviation)
 {
@@ -101,7 +101,8 @@ vtkSmartPointer<vtkImageData> ToBytes(vtkImageData* image)
   return bytes->GetOutput();
 }
 
-/// Returns the maximum of the 5 x 5 x 5 samples around each sample, one axis at a time.
+/// Returns the maximum of the 5 x 5 x 5 samples around each sample. Each axis is processed
+/// separately.
 vtkSmartPointer<vtkImageData> LargestAround(vtkImageData* image)
 {
   vtkSmartPointer<vtkImageData> largest = image;
@@ -325,10 +326,10 @@ vtkSmartPointer<vtkVolume> MakeSlicedVolume(
   // The image must not depend on the speed of the machine.
   mapper->AutoAdjustSampleDistancesOff();
   mapper->SetSurfaceGradient(surfaceGradient);
-  // A light buffer finer than the volume avoids aliasing patterns on lit surfaces.
+  // The light buffer is finer than the volume, to avoid aliasing patterns on lit surfaces.
   mapper->SetLightBufferSize(768);
-  // Images are rendered at twice their size. One sample per pixel of the result is sufficient for
-  // volumes with soft edges.
+  // Images are rendered at twice their size and then reduced. For volumes with soft edges, one
+  // sample per pixel of the reduced image is sufficient.
   mapper->SetImageSampleDistance(2.0);
   auto volume = vtkSmartPointer<vtkVolume>::New();
   volume->SetMapper(mapper);

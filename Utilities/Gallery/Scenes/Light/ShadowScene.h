@@ -23,7 +23,7 @@ class vtkShadowedSliceMapper;
 class vtkTurbulenceSource;
 
 /**
- * Support for scenes of volumes with shadows: objects, media, lights, pairs of panels.
+ * Support for scenes with shadows in volumes: objects, media, lights, pairs of panels.
  */
 namespace gallery
 {
@@ -34,8 +34,8 @@ using Lights = std::vector<vtkSmartPointer<vtkLight>>;
 
 ///@{
 /**
- * Return a box from \a lower to \a upper, and a disk of \a thickness whose upper side is centered
- * at \a top, as a ground that receives shadows.
+ * MakeBox() returns a box from \a lower to \a upper. MakeDisk() returns a disk of \a thickness
+ * whose upper side is centered at \a top, a ground that receives shadows.
  */
 vtkSmartPointer<vtkSpatialPrimitive> MakeBox(
   const vtkVector3d& lower, const vtkVector3d& upper, const vtkColor3d& color);
@@ -43,7 +43,7 @@ vtkSmartPointer<vtkSpatialPrimitive> MakeDisk(
   const vtkVector3d& top, double radius, double thickness, const vtkColor3d& color);
 ///@}
 
-/// Returns the color of grounds and walls.
+/// Returns the color of the ground and of walls.
 vtkColor3d Plaster();
 
 /// Returns a copy of \a object, rotated by \a degrees around the z axis and then moved by
@@ -51,7 +51,8 @@ vtkColor3d Plaster();
 vtkSmartPointer<vtkSpatialObject> Place(
   vtkSpatialObject* object, const vtkVector3d& offset, double degrees = 0.0);
 
-/// Returns the union of \a objects. If densities are equal, the color of the first is used.
+/// Returns the union of \a objects. Where densities are equal, the union has the color of the first
+/// object.
 vtkSmartPointer<vtkSpatialObject> Unite(
   const std::vector<vtkSmartPointer<vtkSpatialObject>>& objects);
 
@@ -59,32 +60,33 @@ vtkSmartPointer<vtkSpatialObject> Unite(
 constexpr double EDGE_WIDTH = 0.02;
 
 /**
- * Sets the edge width of all primitives in \a object, so that normals do not show the sampling
- * grid. Returns \a object.
+ * Sets the edge width of all primitives in \a object. With soft edges, normals do not show the
+ * sampling grid. Returns \a object.
  */
 vtkSmartPointer<vtkSpatialObject> Soften(vtkSpatialObject* object, double width = EDGE_WIDTH);
 
 /**
  * Samples \a object within \a box on a grid of \a resolution points along the longest side. Returns
- * the unsigned char array `Color`: red, green, blue, density. It is smoothed by a Gaussian of
- * \a blur voxels.
+ * an image with the unsigned char array `Color`: red, green, blue, density. The array is smoothed
+ * by a Gaussian with a standard deviation of \a blur voxels.
  */
 vtkSmartPointer<vtkImageData> Sample(
   vtkSpatialObject* object, const vtkBoundingBox& box, int resolution, double blur = 1.1);
 
 /**
- * Returns the scalars of \a image as an object. The density is 0 to 1 for scalars from \a lower to
- * \a upper, so that the surface is at the mean of both. Colors are those of the maximum within two
- * samples, so that the edge of an object has the color of its interior.
+ * Returns the scalars of \a image as an object. The density rises from 0 to 1 for scalars from
+ * \a lower to \a upper, so that the surface is at the mean of both. Each sample has the color of
+ * the maximum scalar within a distance of two samples, so that the edge of an object has the color
+ * of its interior.
  */
 vtkSmartPointer<vtkSpatialImage> MakeImageObject(
   vtkImageData* image, double lower, double upper, vtkColorTransferFunction* colors);
 
 ///@{
 /**
- * Add smoke to the array `Color` of \a image where the smoke is denser. Its density is first
- * multiplied by \a fraction. A turbulence source gets the grid of the image and fills \a box, or
- * the whole image if \a box is invalid.
+ * Add smoke to the array `Color` of \a image where the smoke is denser than the image. The density
+ * of the smoke is first multiplied by \a fraction. The grid of a turbulence source is set to the
+ * grid of the image; its smoke fills \a box, or the whole image if \a box is invalid.
  */
 void AddSmoke(vtkImageData* image, vtkTurbulenceSource* smoke, double fraction,
   const vtkColor3d& color, const vtkBoundingBox& box = vtkBoundingBox());
@@ -94,16 +96,17 @@ void AddSmoke(
 
 ///@{
 /**
- * Return a shaded medium for images of Sample(). \a unit is the unit distance of opacity. Densities
- * above one half are solid and opaque within a voxel. Densities up to a quarter are smoke, with
- * \a opacity per voxel at a quarter.
+ * Return a shaded medium for images of Sample(). \a unit is the distance to which \a opacity refers
+ * in MakeColoredMedium(). In the other two media, densities above one half are solid and opaque
+ * within a voxel. In MakeSolidMediumInSmoke(), densities up to a quarter are smoke, with \a opacity
+ * per voxel at a quarter.
  */
 vtkSmartPointer<vtkVolumeProperty> MakeColoredMedium(vtkPiecewiseFunction* opacity, double unit);
 vtkSmartPointer<vtkVolumeProperty> MakeSolidMedium(vtkImageData* image);
 vtkSmartPointer<vtkVolumeProperty> MakeSolidMediumInSmoke(vtkImageData* image, double opacity);
 ///@}
 
-/// Gradient above which a medium that includes smoke is shaded as a surface, see
+/// Gradient above which a medium that contains smoke is shaded as a surface, see
 /// vtkShadowedSliceMapper::SetSurfaceGradient.
 constexpr double SMOKE_GRADIENT = 0.03;
 
@@ -119,14 +122,15 @@ vtkSmartPointer<vtkVolume> MakeSlicedVolume(
  */
 vtkShadowedSliceMapper* GetSlicedMapper(vtkVolume* volume);
 
-/// Reciprocal of the transmittance of the soft edge of a surface. Shadow-casting lights are
-/// stronger by this factor, so that lit surfaces look the same without and with shadows.
+/// Reciprocal of the light's transmittance through the soft edge of a surface. Shadow-casting
+/// lights are stronger by this factor, so that lit surfaces are equally bright without and with
+/// shadows.
 constexpr double EDGE_GAIN = 1.7;
 
 ///@{
 /**
- * Return a point light that shines in all directions, and a directional light from direction
- * \a from.
+ * MakePointLight() returns a point light that shines in all directions. MakeParallelLight() returns
+ * a directional light from direction \a from.
  */
 vtkSmartPointer<vtkLight> MakePointLight(const vtkVector3d& position, double intensity);
 vtkSmartPointer<vtkLight> MakeParallelLight(const vtkVector3d& from, double intensity);
@@ -149,14 +153,15 @@ struct ShadowPair
 };
 
 /**
- * Adds \a image without and with shadows, with a common camera. Without shadows, the intensity of
- * shadow-casting lights is divided by EDGE_GAIN. \a caption is a prefix of the captions.
+ * Adds two panels of \a image, without and with shadows. ShadowPair::Look() gives them a common
+ * camera. In the panel without shadows, the intensity of shadow-casting lights is divided by
+ * EDGE_GAIN. \a caption is a prefix of both captions.
  */
 ShadowPair AddShadowPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,
   const Lights& lights, double surfaceGradient = 0.0, const std::string& caption = "");
 
 /**
- * Adds \a image with shadows.
+ * Adds a panel of \a image with shadows.
  */
 Panel& AddShadowPanel(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,
   const Lights& lights, double surfaceGradient = 0.0);

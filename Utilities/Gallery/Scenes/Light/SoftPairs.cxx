@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Objects on a plate, with hard shadows, and under a point light and a disk light.
+// Objects on a plate: with hard shadows, and as pairs of panels with hard and soft shadows.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/SoftShadows.h"

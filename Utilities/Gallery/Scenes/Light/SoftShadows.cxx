@@ -42,7 +42,8 @@ SoftPair AddSoftPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* prope
     vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(image, property, surfaceGradient);
     if (panel == &soft)
     {
-      // Soft shadows need few texels, but enough samples that their steps are not visible.
+      // Soft shadows need few texels, but so many light samples that no steps between them are
+      // visible.
       GetSlicedMapper(volume)->SetLightBufferSize(lightBuffer);
       GetSlicedMapper(volume)->SetNumberOfLightSamples(24);
     }

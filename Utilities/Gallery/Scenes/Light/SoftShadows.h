@@ -10,7 +10,7 @@
 namespace gallery
 {
 /**
- * Returns the lights, with shadow-casting lights replaced by disk lights of \a diameter.
+ * Returns \a lights with each shadow-casting light replaced by a disk light of \a diameter.
  */
 Lights MakeRoundLights(const Lights& lights, double diameter);
 
@@ -25,9 +25,9 @@ struct SoftPair
 };
 
 /**
- * Adds \a image lit by point lights, and by disk lights of \a diameter at their positions, with a
- * common camera. \a lightBuffer is the size of the disk light's buffer. Flat and steep surfaces
- * need larger buffers.
+ * Adds two panels of \a image, one lit by \a lights, the other by disk lights of \a diameter at the
+ * positions of shadow-casting lights. SoftPair::Look() gives them a common camera. \a lightBuffer
+ * is the size of the light buffers of disk lights. Flat and steep surfaces need larger buffers.
  */
 SoftPair AddSoftPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,
   const Lights& lights, double diameter, double surfaceGradient = 0.0, int lightBuffer = 320);

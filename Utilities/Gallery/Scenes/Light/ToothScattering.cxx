@@ -15,7 +15,7 @@
 
 namespace
 {
-/// Returns the scattering albedo. Absorption is low, and strongest for blue.
+/// Returns the scattering albedo. Absorption is low; blue light is absorbed most.
 vtkSmartPointer<vtkColorTransferFunction> MakeAlbedo()
 {
   auto albedo = vtkSmartPointer<vtkColorTransferFunction>::New();

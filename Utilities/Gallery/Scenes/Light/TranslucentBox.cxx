@@ -74,8 +74,8 @@ vtkSmartPointer<vtkActor> MakeBoxFrame(const vtkVector3d& lengths, double degree
   return actor;
 }
 
-/// Adds two panels of \a box around the origin: without attenuation of \a beams, and with it. The
-/// air is 3 units long, and 2 units high and wide.
+/// Adds two panels of \a box, which is centered at the origin: without and with attenuation of
+/// \a beams. The air fills most of a volume of 3 x 1.4 x 2 units.
 ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Lights& beams)
 {
   vtkSmartPointer<vtkImageData> image = SampleBox(box);

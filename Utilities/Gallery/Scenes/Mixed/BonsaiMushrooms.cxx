@@ -13,7 +13,7 @@ namespace
 {
 using namespace interlume;
 
-/// Number of samples of area lights, for the tree and the mushrooms.
+/// Number of samples of area lights, for both the tree and the mushrooms.
 constexpr int SAMPLES = 20;
 
 Model MakeMushrooms()
@@ -33,8 +33,8 @@ vtkSmartPointer<vtkImageData> SampleTreeOnPlate()
     vtkBoundingBox(-0.76, 0.76, -0.86, 0.66, -0.07, 1.1), 230, 0.5);
 }
 
-/// Returns the tree without a plate, for polygonal plates. On a plate in the volume, an area light
-/// would show the steps of samples and voxels.
+/// Returns the tree without a plate, for use with a polygonal plate. On a plate in the volume,
+/// steps between light samples and between voxels would be visible under an area light.
 vtkSmartPointer<vtkImageData> SampleTree(int resolution)
 {
   return gallery::Sample(
@@ -49,7 +49,7 @@ void AddMushrooms(gallery::Panel& panel)
   gallery::UseFullResolution(panel);
 }
 
-/// Adds a panel with \a lights replaced by disk lights of \a diameter.
+/// Adds a panel of \a image in which disk lights of \a diameter replace shadow-casting \a lights.
 gallery::Panel& AddSoftPanel(gallery::Stage& stage, const std::string& caption, vtkImageData* image,
   const gallery::Lights& lights, double diameter)
 {

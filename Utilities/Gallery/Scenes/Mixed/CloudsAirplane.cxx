@@ -24,8 +24,8 @@ void Build(gallery::Stage& stage)
   gallery::Panel& panel = stage.AddPanel("", { 0.12, -1.0, 0.62 });
   vtkSmartPointer<vtkVolume> volume = gallery::MakeCloudVolume(interlume::MakeClouds(clouds),
     { { -2.6, 2.4, -1.6, 1.7, -0.12, 0.95 } }, 260, gallery::Scattering::FULL);
-  // These clouds are small. Droplets that scatter less light forward make them white up to their
-  // edges.
+  // The clouds are small. They are white up to their edges because their droplets scatter less
+  // light forward than real droplets.
   gallery::Scatter(volume, gallery::Scattering::FULL, 0.5);
   panel.Add(volume);
   gallery::AddModel(panel,

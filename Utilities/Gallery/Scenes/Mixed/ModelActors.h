@@ -5,15 +5,15 @@
 #include "Support/Inputs/Models.h"
 
 /**
- * Polygonal models in scenes.
+ * Support for scenes with polygonal models.
  */
 namespace gallery
 {
 class Panel;
 
 /// Adds an actor for each part of a model. \a gain is the factor by which lights are stronger
-/// because of the soft edges of volumes (EDGE_GAIN, or 1); polygons have hard edges and reflect
-/// that much less. \a ambient is the ambient coefficient.
+/// because of the soft edges of volumes (EDGE_GAIN, or 1). Polygons have hard edges, so their
+/// reflection is divided by \a gain. \a ambient is the ambient coefficient.
 void AddModel(
   Panel& panel, const interlume::Model& model, double gain = 1.0, double ambient = 0.25);
 
@@ -21,7 +21,7 @@ void AddModel(
 /// volumes shadow each other. \a samples is the number of samples of area lights.
 void UseSceneShadows(Panel& panel, int samples = 16);
 
-/// Renders the panel's volumes at full resolution. Coarser images of solid volumes would leave
+/// Renders the panel's volumes at full resolution. At a lower resolution, solid volumes would leave
 /// seams around surfaces.
 void UseFullResolution(Panel& panel);
 

@@ -14,7 +14,7 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkImageData> image = gallery::SampleRings();
   gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ -1.6, -1.6, 3.8 }, 0.85));
-  // The gain makes the dart as bright as the volume, whose soft edge attenuates the light.
+  // With this gain, the dart is as bright as the volume, whose soft edges attenuate the light.
   gallery::AddModel(panel,
     interlume::Move(interlume::MakeDart(), { { -0.12, -0.2, 0.52 } }, { { 45.0, 24.0, 28.0 } }),
     gallery::EDGE_GAIN);

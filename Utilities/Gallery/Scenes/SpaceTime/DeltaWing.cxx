@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The vortices above a delta wing over time, and the boundaries of their volume in space and time.
+// The vortices above a delta wing over time, and the boundaries of the vortices' volume in space
+// and time.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
@@ -36,8 +37,8 @@ struct ShownBoundary
   IntervalLook Look;
 };
 
-/// Returns the vortices above a delta wing at times 0.65 and 1.85. Between them the spirals rotate
-/// by 65 degrees, and the breakdown returns to its initial position.
+/// Returns the vortices above a delta wing at times 0.65 and 1.85. Between these times, the spirals
+/// rotate by 65 degrees, and the breakdown returns to its initial position.
 vtkSmartPointer<vtkDeltaWingSource> MakeDeltaWingVortices()
 {
   auto vortices = vtkSmartPointer<vtkDeltaWingSource>::New();
@@ -64,8 +65,8 @@ vtkSmartPointer<vtkActor> MakeDeltaWing(const vtkColor3d& color)
   return MakeActor(MakeSurface(wing), color);
 }
 
-/// Adds a panel for each of the boundaries, which are tetrahedra, of the interval 0.35 to 0.6 of
-/// MakeDeltaWingVortices().
+/// Adds a panel for each of the boundaries of the interval 0.35 to 0.6 of MakeDeltaWingVortices().
+/// The boundaries consist of tetrahedra.
 void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& boundaries)
 {
   vtkNew<vtkTimeVaryingIntervalVolume> interval;

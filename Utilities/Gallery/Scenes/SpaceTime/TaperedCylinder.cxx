@@ -32,7 +32,7 @@ vtkSmartPointer<vtkTaperedCylinderSource> MakeCylinderWake()
   return wake;
 }
 
-/// Returns the cylinder in this wake: surface i = 0 of its grid. The wake must be up to date.
+/// Returns the cylinder: surface i = 0 of the grid of \a wake, which must be up to date.
 vtkSmartPointer<vtkActor> MakeCylinder(vtkTaperedCylinderSource* wake, const vtkColor3d& color)
 {
   return MakeActor(MakeWall(wake->GetOutput(), 0, 0), color);

@@ -27,7 +27,7 @@ vtkSmartPointer<vtkActor> MakeEdges(vtkUnstructuredGrid* mug)
 {
   vtkNew<vtkFeatureEdges> edges;
   edges->SetInputData(gallery::MakeSurface(mug));
-  // Points with two normals are duplicated, so that feature edges are boundary edges.
+  // MakeSurface() duplicates points at sharp edges, so that they are boundary edges.
   edges->FeatureEdgesOff();
   edges->NonManifoldEdgesOff();
   edges->ColoringOff();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Slices of 4-simplices at two time steps and midway.
+// Slices of 4-simplices at two time steps and midway between them.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"

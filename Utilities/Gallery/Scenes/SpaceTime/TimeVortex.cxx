@@ -14,7 +14,7 @@
 
 namespace
 {
-/// Adds a panel with the vortex tubes between evenly spaced steps.
+/// Adds a panel with the vortex tubes over the time steps \a times, which are evenly spaced.
 void Draw(gallery::Stage& stage, const std::vector<double>& times, double extinction,
   const vtkVector3d& from)
 {
