@@ -43,13 +43,8 @@ public:
                              : CallForAny(work, std::forward<Arguments>(arguments)...);
   }
 
-  /// Sets whether AVX2 is used, so that tests can run both versions. Returns whether the processor
-  /// has AVX2.
-  static bool UseAvx2(bool isUsed)
-  {
-    HasAvx2 = isUsed && INTERLUME_HAS_TARGET("avx2");
-    return INTERLUME_HAS_TARGET("avx2");
-  }
+  /// Sets whether AVX2 is used if the processor has it, so that tests can run both versions.
+  static void UseAvx2(bool isUsed) { HasAvx2 = isUsed && INTERLUME_HAS_TARGET("avx2"); }
 
 private:
   template <typename Work, typename... Arguments>
