@@ -30,7 +30,7 @@ inline std::string Describe(vtkAbstractArray* array)
                           : "the array without a name";
 }
 
-/// Returns a count with its noun, as "1 tuple" or "2 tuples".
+/// Returns a count with its noun, for example "1 tuple" or "2 tuples".
 inline std::string Count(vtkIdType number, const std::string& thing)
 {
   return std::to_string(number) + " " + thing + (number == 1 ? "" : "s");

@@ -27,7 +27,8 @@ inline vtkSmartPointer<Array> Get(vtkPointData* points)
   return ids ? ArrayViews::Get<Array>(ids) : vtkSmartPointer<Array>();
 }
 
-/// Returns an error, as a clause, if the global ids of \a data cannot be used to order its points.
+/// Returns an error if the global ids of \a data cannot be used to order its points. The message is
+/// a clause.
 inline Error FindError(vtkDataSet* data)
 {
   vtkDataArray* ids = data->GetPointData()->GetGlobalIds();

@@ -341,7 +341,7 @@ inline Error FindUnstructuredError(vtkUnstructuredGrid* grid)
   return {};
 }
 
-/// Returns an error, as a clause, if the arrays of a dataset are inconsistent.
+/// Returns an error if the arrays of a dataset are inconsistent. The message is a clause.
 inline Error FindError(vtkDataSet* data)
 {
   if (auto* grid = vtkUnstructuredGrid::SafeDownCast(data))

@@ -68,7 +68,7 @@ void vtkBoundedImageSource::SetBounds(const double bounds[6])
     if (!(length > 0.0) || !std::isfinite(length))
     {
       vtkErrorMacro("Bounds " << bounds[2 * axis] << " to " << bounds[2 * axis + 1] << " of axis "
-                              << axis << " have no finite positive length.");
+                              << axis << " do not span a finite, positive length.");
       return;
     }
   }

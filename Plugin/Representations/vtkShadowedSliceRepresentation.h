@@ -133,9 +133,9 @@ public:
   ///@}
 
   /**
-   * Set the number of cells along the longest edge of the grid through which pieces of several
-   * processes shadow each other. With 0, shadows end at the boundaries of pieces. Default: 64.
-   * Valid: 0 to 256; clamped.
+   * Set the number of cells along the longest edge of the grid used to cast shadows from the
+   * piece of one process onto that of another. With 0, shadows end at the boundaries of pieces.
+   * Default: 64. Valid: 0 to 256; clamped.
    */
   void SetShadowGridResolution(int resolution);
 

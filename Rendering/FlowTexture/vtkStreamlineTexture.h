@@ -63,8 +63,8 @@ public:
   /**
    * Set/Get the number of lines over texture coordinates 0 to 1 in the finest level. One line is at
    * 0. Default 256. Valid: powers of two from 1 to 4096; other values are an error and are ignored.
-   * If the texture exceeds OpenGL's size limit, this is an error when it is drawn, and the finest
-   * levels are omitted.
+   * If the texture exceeds OpenGL's size limit, drawing it reports an error and omits the finest
+   * levels.
    */
   void SetNumberOfLines(int number);
   vtkGetMacro(NumberOfLines, int);

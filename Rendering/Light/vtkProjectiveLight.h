@@ -109,8 +109,8 @@ public:
 
   /**
    * Get the transformation to screen coordinates from a coordinate system in which the light has
-   * the given position, focal point and view up, and lengths are \a scale times those in world
-   * coordinates.
+   * the given position, focal point and view-up vector, and lengths are \a scale times those in
+   * world coordinates.
    */
   bool GetScreenMatrix(const double position[3], const double focalPoint[3], const double viewUp[3],
     double scale, vtkMatrix4x4* matrix) const;

@@ -65,7 +65,7 @@ void CheckSetters(Check& check)
   light->SetSize(Infinity, 1.0);
   check.That(errors.Consume("Size (inf"), "an infinite width is an error");
   light->SetViewUp(0.0, NotANumber, 0.0);
-  check.That(errors.Consume("ViewUp"), "a view up of NaN is an error");
+  check.That(errors.Consume("ViewUp"), "a ViewUp of NaN is an error");
   light->SetShape(2);
   check.That(errors.Consume("Shape 2"), "an invalid shape is an error");
   light->SetShape(vtkAreaLight::SQUARE);

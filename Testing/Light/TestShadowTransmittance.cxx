@@ -114,8 +114,8 @@ private:
   std::array<double, 16> Matrix{};
 };
 
-/// Returns a cube whose extinction follows a profile along z, and a light from above with a \a
-/// slope.
+/// Returns a cube whose extinction follows a profile along z. A directional light, tilted by \a
+/// slope, shines from above.
 ShadowScene LayeredScene(const std::function<double(double)>& profile, double largest, double slope)
 {
   auto scene = MakeScene(

@@ -153,7 +153,7 @@ void TestBoxes(Check& check)
       vtkMath::Normalize(direction.data());
       const MixedScene scene =
         MakeScene({ MakeMedium(lower, 2.0, RED), MakeMedium(box, 3.0, BLUE) }, light, direction);
-      // Single pixels look along a face of a box, or along a boundary of its shadow.
+      // If view rays are parallel to faces, a few of them graze a face or a shadow boundary.
       const double largest = kind == "along" ? 0.2 : 0.04;
       TestScene(check, position + ", " + kind, scene, { largest, 0.0005 });
     }

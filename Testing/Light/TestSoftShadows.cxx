@@ -45,7 +45,7 @@ vtkSmartPointer<vtkAreaLight> MakeAreaLight(
 constexpr double Gap = 0.5;
 constexpr double Width = 0.5;
 
-/// Returns the position of the profile value \a i, relative to the center of the row.
+/// Returns the x coordinate of value \a i of a profile. The center of the image is at x = 0.
 double GetPosition(std::size_t i)
 {
   return (static_cast<double>(i) - 57.5) * GetHalfPlanePixel();

@@ -271,7 +271,7 @@ void TestPenumbra(Check& check)
   }
 }
 
-/// Tests two light points of different colors. A position in the shadow of one light point has the
+/// Tests a light with two points of different colors. A position in the shadow of one point has the
 /// color of the other.
 void TestColoredPoints(Check& check)
 {

@@ -3,8 +3,8 @@
 """sample_language.py SEED [COMMENTS NAMES MESSAGES TOOLTIPS]
 
 Prints randomly selected comments, names of private classes and functions, messages and tooltips
-(by default 200, 60, 40 and 40) for a reader who has not written them. The same seed selects the
-same samples of the same tree.
+(by default 200, 60, 40 and 40) for a reader who has not written them. The line of code that follows
+a comment is printed with it. The same seed selects the same samples of the same tree.
 """
 import random
 import re
@@ -26,6 +26,12 @@ def line_of(text, position):
     return text.count("\n", 0, position) + 1
 
 
+def with_next_line(text, match):
+    """Returns a comment and the next line of code, as its reader sees it."""
+    following = text[match.end():].lstrip("\n").split("\n", 1)[0]
+    return match.group(0).strip("\n") + ("\n" + following if following.strip() else "")
+
+
 def collect():
     """Returns lists of (file:line, text) for each kind of sample."""
     comments, names, messages, tooltips = [], [], [], []
@@ -41,7 +47,7 @@ def collect():
         text = path.read_text()
         for match in COMMENT.finditer(text):
             if "SPDX" not in match.group(0) and len(match.group(0).split()) > 4:
-                comments.append((f"{name}:{line_of(text, match.start())}", match.group(0).strip("\n")))
+                comments.append((f"{name}:{line_of(text, match.start())}", with_next_line(text, match)))
         if path.suffix == ".h" and not path.name.startswith("vtk"):
             names += [(f"{name}:{line_of(text, match.start())}", match.group(1) or match.group(2))
                       for match in NAME.finditer(text)]

@@ -54,7 +54,8 @@ public:
   std::vector<vtkIdType> Links;
   FaceLinks::Joins Joins;
 
-  /// Returns the code of a link to face \a face of a cell: 64 cell + 8 face + 2 start + reversed.
+  /// Returns the code of a link to face \a face of a cell:
+  /// 64 * cell + 8 * face + 2 * start + reversed.
   static vtkIdType GetLink(vtkIdType cell, int face, const FaceLinks::Link& link)
   {
     return 64 * cell + 8 * face + 2 * link.Start + (link.IsReversed ? 1 : 0);

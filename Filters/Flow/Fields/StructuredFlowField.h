@@ -72,7 +72,7 @@ public:
     return !this->Seams.empty() && this->IsOutside(location, face) &&
       this->CrossSeam(location, face, p);
   }
-  /// Returns the outer faces that are not on a seam, as 8 cell + face, in ascending order.
+  /// Returns the outer faces that are not on a seam, as 8 * cell + face, in ascending order.
   std::vector<vtkIdType> GetOuterFaces() const
   {
     return this->WithoutSeams(this->GetOutsideFaces());
@@ -88,7 +88,7 @@ public:
   }
 
 protected:
-  /// A linked face on a seam, as 8 cell + face.
+  /// A linked face on a seam, as 8 * cell + face.
   struct Seam
   {
     vtkIdType Face;

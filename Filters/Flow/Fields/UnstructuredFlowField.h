@@ -94,8 +94,8 @@ public:
   /// Returns the rounding error of float positions, or 0 for double positions.
   double GetRounding() const { return this->Positions.GetRounding(this->GetLargestCoordinate()); }
 
-  /// Return the faces without a neighbor, as 8 cell + face, in ascending order, and the number and
-  /// ids of the points of a face in cyclic order.
+  /// Return the faces without a neighbor, as 8 * cell + face, in ascending order, and the number
+  /// and ids of the points of a face in cyclic order.
   std::vector<vtkIdType> GetOuterFaces() const;
   int GetFacePoints(vtkIdType face, vtkIdType* points) const;
   /// Returns how many linked faces have different positions, and by how much.

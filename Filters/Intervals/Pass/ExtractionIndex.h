@@ -75,8 +75,8 @@ public:
   void GetActiveSpans(vtkIdType cellRow, std::vector<Span>& spans) const;
   ///@}
 
-  /// Returns whether any of the RunLength cells from cell RunLength * run on may have output. Only
-  /// for grids that are not structured, after Activate().
+  /// Returns whether any cell in a run may have output. A run consists of RunLength cells, starting
+  /// at cell RunLength * run. Only for grids that are not structured, after Activate().
   bool IsRunActive(vtkIdType run) const { return this->Active[run] != 0; }
 
   /// Returns the size of all ranges in bytes.

@@ -58,9 +58,9 @@ public:
   /// piece.
   bool IsUnexplained(vtkAlgorithm* owner) const;
 
-  /// Describes intervals, as "the interval [1, 2]" or "the intervals [1, 2], [3, 4]".
+  /// Describes intervals, for example "the interval [1, 2]" or "the intervals [1, 2], [3, 4]".
   static std::string Describe(const std::vector<vtkIntervalList::Interval>& intervals);
-  /// Describes isovalues, as "the value 1".
+  /// Describes isovalues, for example "the value 1".
   static std::string Describe(const std::vector<double>& values);
 
 private:

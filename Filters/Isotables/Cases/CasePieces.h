@@ -42,7 +42,7 @@ public:
   };
 
   /// Collects the pieces of the patch of a lifted cell. The numbers of vertices and edges are those
-  /// of the cell before lifting. Coordinates must be in -32 ... 32.
+  /// of the cell before lifting. Vertex coordinates must be in -32 ... 32.
   CasePieces(const CasePatch& patch, int numberOfVertices, int numberOfEdges);
 
   /// Returns the slots in use, in increasing order.

@@ -13,7 +13,7 @@ namespace
 __extension__ typedef __int128 Wide;
 
 constexpr double Steps = 4503599627370496.0; // 2^52
-/// Distance of the frame's corners from the origin along an axis, in grid steps.
+/// The coordinates of the frame's corners are -Frame or 2 * Frame, in grid steps.
 constexpr std::int64_t Frame = std::int64_t(1) << 54;
 
 int IndexOf(const std::array<int, 3>& list, int value)

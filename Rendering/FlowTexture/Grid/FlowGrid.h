@@ -66,7 +66,7 @@ public:
   std::vector<float> Times;
   /// Two values per cell: the kind, and the code of an upper bound of the slopes of u and v. The
   /// code is odd if the kind of the cell and of all its neighbors is the same label. Along each
-  /// axis, there is one cell fewer than voxels.
+  /// axis, there is one fewer cell than voxels.
   std::vector<unsigned short> Cells;
   /// Returns the smallest even code of a slope, the length of a gradient in voxel coordinates. A
   /// code represents slopes up to 2^(code / 256 - 128); codes 0 and 1 represent 0.

@@ -41,7 +41,7 @@ struct LightFrame
     return true;
   }
 
-  /// Sets the view up of a light, unless it is not finite. Returns true if it has changed.
+  /// Sets the view-up vector of a light, if \a up is finite. Returns true if it has changed.
   static bool SetViewUp(double (&viewUp)[3], const glm::dvec3& up)
   {
     if (!IsFinite(up) || glm::make_vec3(viewUp) == up)

@@ -84,7 +84,7 @@ double GetBrightness(const LightSource& source)
   return std::max({ source.Diffuse.r, source.Diffuse.g, source.Diffuse.b });
 }
 
-// Returns the view up in world coordinates.
+// Returns the view-up vector in world coordinates.
 glm::dvec3 GetViewUp(const double viewUp[3], const Placement& placement)
 {
   double to[4] = { viewUp[0], viewUp[1], viewUp[2], 0.0 };
@@ -107,7 +107,7 @@ Error SetEmitter(LightSource& source, const Placement& placement, const UnitSpac
   source.EmitterAxes = { (size[0] / unit) * frame.Right, (size[1] / unit) * frame.Up };
   if (!Vectors::IsFinite(source.EmitterAxes[0]) || !Vectors::IsFinite(source.EmitterAxes[1]))
   {
-    return "its size or view up is not finite";
+    return "its size or view-up vector is not finite";
   }
   return {};
 }

@@ -58,9 +58,9 @@ public:
   SceneRenderer();
   ~SceneRenderer();
 
-  /// Finds the props that cast shadows and the lights of the scene. Returns true if there is work
-  /// for this pass: surfaces cast shadows, volumes and surfaces or several of the \a volumes
-  /// attenuate each other's light, or lights have images.
+  /// Finds the props that cast shadows and the lights of the scene. Returns true if this pass
+  /// is needed: surfaces cast shadows, volumes must be drawn together with surfaces or with each
+  /// other, or lights have images. \a volumes is the number of volumes.
   bool Begin(vtkRenderer* renderer, const Request& request, int volumes);
 
   /// Returns true if volumes are rendered as a part of the scene. Otherwise they are drawn as if

@@ -46,8 +46,8 @@ public:
   bool IsEmpty() const { return this->Fields.empty(); }
   const std::vector<ScatteredLightTexture>& Get() const { return this->Fields; }
 
-  /// Returns the GLSL function `sceneScattered(place, normal)`, in view coordinates. Returns an
-  /// empty string without scattered light.
+  /// Returns the GLSL function `sceneScattered(place, normal)`, in view coordinates, or an
+  /// empty string if there is no scattered light.
   std::string GetSource() const;
   /// Sets the uniforms. If \a isLit is false, there is no scattered light. Otherwise the textures
   /// must be active.

@@ -164,7 +164,7 @@ private:
     return length;
   }
 
-  /// Returns the transmittance from the light to \a position, where its ray enters a cell.
+  /// Returns the transmittance from the light to \a position, where the light ray enters \a cell.
   double GetTransmittance(
     const glm::dvec3& position, const glm::dvec3& way, const glm::ivec3& cell) const
   {

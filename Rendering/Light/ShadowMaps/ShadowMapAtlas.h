@@ -42,9 +42,10 @@ public:
   /// Returns the values that determine the content of the tiles when \a props are drawn.
   std::vector<double> GetState(const std::vector<vtkProp*>& props) const;
 
-  /// Sets the uniforms NAMEFromPosition and NAMETiles, and positionFromNAME (with a capital letter)
-  /// and NAMETexels if the program uses them. NAME stands for \a name. \a worldFromPosition
-  /// transforms the program's positions to world coordinates.
+  /// Sets the uniforms NAMEFromPosition and NAMETiles, and positionFromNAME and NAMETexels if the
+  /// program uses them. NAME stands for \a name; its first letter is capitalized in
+  /// positionFromNAME. \a worldFromPosition transforms the program's positions to world
+  /// coordinates.
   void SetUniforms(
     vtkShaderProgram* program, const std::string& name, const glm::dmat4& worldFromPosition) const;
 

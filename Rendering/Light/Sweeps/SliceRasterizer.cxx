@@ -313,7 +313,7 @@ void SliceRasterizer::BeginSweep(std::size_t sweepIndex)
   SliceOcclusion::Clear(this->Window);
   if (plan.Sweeps[sweepIndex].IsBehind)
   {
-    this->MarkImage();
+    this->MarkOpaquePixels();
     return;
   }
   state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
@@ -328,7 +328,7 @@ void SliceRasterizer::BindImage(vtkTextureObject* image)
   this->Window->GetState()->vtkglViewport(0, 0, this->State->Size[0], this->State->Size[1]);
 }
 
-void SliceRasterizer::MarkImage()
+void SliceRasterizer::MarkOpaquePixels()
 {
   this->Occlusion.Mark(this->Window, this->ImageFramebuffer->GetColorAttachmentAsTextureObject(0),
     SliceOcclusion::OPACITY);
@@ -458,7 +458,7 @@ Error SliceRasterizer::DrawSweep(std::size_t sweepIndex)
     ++drawn;
     if (sweep.IsFrontToBack && drawn % imageInterval == 0)
     {
-      this->MarkImage();
+      this->MarkOpaquePixels();
     }
     for (std::size_t i = 0; i < sweep.Lights.size() && drawn % interval == 0; ++i)
     {

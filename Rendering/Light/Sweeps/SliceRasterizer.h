@@ -103,7 +103,7 @@ private:
   /// Attaches the sweep's image buffer, which is cleared or contains the sweeps in front.
   void BeginSweep(std::size_t sweepIndex);
   /// Culls fragments behind the opaque part of the image in the following slabs.
-  void MarkImage();
+  void MarkOpaquePixels();
   /// Returns true if a slab is empty for all volumes.
   bool IsEmpty(int slab) const;
   /// Updates layers of light buffers before a slab is drawn, or skipped as empty.

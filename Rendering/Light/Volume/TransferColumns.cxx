@@ -16,7 +16,8 @@ using Value = TransferNodes::Value;
 using TransferMath::GetDistance;
 using TransferMath::Mix;
 
-/// Error below which neither an edge nor a list is needed, as a fraction of the largest value.
+/// Maximum error of linear interpolation between two columns, as a fraction of the largest value.
+/// If it is exceeded, the interval needs an edge or a list.
 constexpr double Straight = 1e-3;
 /// Maximum error inside an edge, averaged over the interval, as a fraction of the largest value.
 constexpr double Curved = 1e-2;

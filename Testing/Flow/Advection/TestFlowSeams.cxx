@@ -106,7 +106,7 @@ vtkSmartPointer<vtkPolyData> MakeSamples(int number)
   return samples;
 }
 
-/// Returns a filter that follows \a number samples to a mesh of the ring's outer boundary.
+/// Returns a filter that traces \a number streamlines to a mesh of the ring's outer boundary.
 vtkSmartPointer<vtkImplicitFlowField> MakeFilter(vtkDataObject* field, int number)
 {
   auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();

@@ -24,7 +24,7 @@ namespace
 
 using namespace reference;
 
-/// Returns the advection times of this process's samples, or an empty vector without output.
+/// Returns the advection times of this process's samples, or an empty vector if there is no output.
 std::vector<double> GetTimes(vtkImplicitFlowField* filter)
 {
   vtkDataSet* output = vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));

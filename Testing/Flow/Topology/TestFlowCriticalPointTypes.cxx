@@ -119,7 +119,7 @@ void CheckTypes(Check& check)
   check.That(!vtkFlowCriticalPoints::GetTypeName(-1) && !vtkFlowCriticalPoints::GetTypeName(10),
     "invalid types have no name");
 
-  // A permutation matrix, for which the QR method does not converge without special shifts.
+  // A permutation matrix, for which the QR algorithm needs exceptional shifts to converge.
   check.SetContext("permutation");
   auto cube = MakeMesh(MeshKind::Hexahedra, { 3, 4, 2 });
   SetVelocity(cube, LinearField({ { 0, 0, 1, 1, 0, 0, 0, 1, 0 } }, ZeroPositions[0]));

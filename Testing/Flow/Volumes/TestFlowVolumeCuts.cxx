@@ -44,7 +44,7 @@ struct Case
   bool IsForward = false;
 };
 
-/// Returns the implicit flow field with 33 samples along each axis of [-1,1]^3.
+/// Returns the implicit flow field of a case, with \a points samples along each axis of [-1,1]^3.
 vtkSmartPointer<vtkDataSet> MakeSamples(const Case& one, int points = 33)
 {
   auto image = MakeFlowImage({ { points, points, points } }, { { -1, 1, -1, 1, -1, 1 } });

@@ -240,7 +240,8 @@ void CheckCylinder(Check& check)
   check.That(GetLargestSpread(times->GetOutput(), "TerminationUV", 0) < 0.3, "unwrapped");
   check.That(GetLargestAngleError(times->GetOutput()) < 0.002, "u at every point");
 
-  // A wedge around the seam, bounded inside its cells, and a wedge on the opposite side.
+  // A wedge around the seam, whose sides lie inside the cells that cross the seam, and a wedge on
+  // the opposite side.
   check.SetContext("cylinder, wedge");
   vtkNew<vtkInflowMapping> wave;
   vtkNew<vtkFlowVolume> wedge;

@@ -174,7 +174,7 @@ void CheckGrids(Check& check)
   }
 }
 
-/// A left-handed image, and an image with a string array, which requires the list of points.
+/// A left-handed image, and an image with a string array, which is copied, not interpolated.
 void CheckKinds(Check& check)
 {
   check.SetContext("left-handed");

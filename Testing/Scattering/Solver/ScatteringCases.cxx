@@ -105,7 +105,7 @@ ScatteringLight Slab::MakeLight(const ScatteringMedium& medium) const
   return light;
 }
 
-SlabFlux GatherSlab(
+SlabFlux IntegrateSlabFlux(
   const Slab& slab, const ScatteringMedium& medium, const ScatteredLight& field, int parts)
 {
   constexpr int cosines = 192;

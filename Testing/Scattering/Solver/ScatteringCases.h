@@ -60,7 +60,7 @@ struct SlabFlux
 };
 /// Integrates the radiance over all directions. The radiance follows from \a field and the phase
 /// function. The direct light has \a parts times as many layers as the field.
-SlabFlux GatherSlab(const Slab& slab, const interlume::ScatteringMedium& medium,
+SlabFlux IntegrateSlabFlux(const Slab& slab, const interlume::ScatteringMedium& medium,
   const interlume::ScatteredLight& field, int parts = 1);
 
 }

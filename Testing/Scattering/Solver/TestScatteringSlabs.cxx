@@ -69,11 +69,11 @@ int TestScatteringSlabs(int, char*[])
     ScatteredLight none;
     none.Fluence.assign(medium.GetNumberOfCells(), glm::vec3(0.0f));
     none.NetFlux = none.Fluence;
-    std::vector<SlabFlux> fluxes = { GatherSlab(row.Case, medium, none, parts) };
+    std::vector<SlabFlux> fluxes = { IntegrateSlabFlux(row.Case, medium, none, parts) };
     for (const ScatteringMode mode : { ScatteringMode::Forward, ScatteringMode::Full })
     {
       const Solved solved = Solve(medium, { light }, mode);
-      fluxes.push_back(GatherSlab(row.Case, medium, solved.Field, parts));
+      fluxes.push_back(IntegrateSlabFlux(row.Case, medium, solved.Field, parts));
       check.SetContext(row.Name + ": ");
       check.Near(solved.GetSum() / solved.Report.Taken, 1.0, 1e-5, "sum of the energy");
     }

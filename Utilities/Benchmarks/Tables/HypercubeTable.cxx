@@ -21,8 +21,8 @@ constexpr int Vertices = 16;
 constexpr std::uint32_t Cases = 43046721;
 using PointList = CasePatch::PointList;
 
-// A symmetry of the cube: the images of the vertices and of the edges of the lifted cube, and, for
-// each vertex, the weight of its digit in the key of the image.
+// A symmetry of the cube: where it maps each vertex of the cube and each edge of the lifted cube,
+// and, for each vertex, the weight that its digit has in the key of the mapped case.
 struct Symmetry
 {
   std::array<int, Vertices> Vertex;

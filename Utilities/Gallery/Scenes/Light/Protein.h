@@ -8,8 +8,8 @@
 namespace gallery
 {
 /**
- * Returns an object that consists of blobs around the maxima of an electron's wave function in an
- * iron protein (its absolute value). The object extends from -0.5 to 0.5 along each axis.
+ * Returns an object made of blobs around the maxima of the absolute value of an electron's wave
+ * function in an iron protein. The object extends from -0.5 to 0.5 along each axis.
  */
 vtkSmartPointer<vtkSpatialObject> MakeProtein();
 }

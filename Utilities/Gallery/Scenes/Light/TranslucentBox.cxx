@@ -151,7 +151,7 @@ const vtkVector3d BOX(0.6, 0.6, 0.84);
 const vtkVector3d POSITION(0.42, 0.0, 0.0);
 constexpr double DEGREES = 24.0;
 
-/// Returns a screen perpendicular to the x axis, with three holes above each other.
+/// Returns a screen perpendicular to the x axis, with three holes in a vertical row.
 vtkSmartPointer<vtkSpatialObject> MakeScreen()
 {
   const vtkColor3d metal(0.42, 0.45, 0.50);
