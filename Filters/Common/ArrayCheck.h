@@ -18,8 +18,8 @@ namespace interlume
 {
 
 /**
- * Checks arrays. An error message names the array, its actual shape and the required shape. A
- * message is a clause; MakeSentence turns it into a sentence.
+ * Checks arrays. An error message states the array's name, its actual shape and the required shape.
+ * It is a clause; MakeSentence turns it into a sentence.
  */
 namespace ArrayCheck
 {

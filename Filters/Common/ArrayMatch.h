@@ -11,9 +11,9 @@ namespace interlume
 {
 
 /**
- * Matches the arrays of two attribute sets, for example of two time steps. Arrays correspond by
- * name. Unnamed arrays correspond by their attribute role (scalars, vectors, ...) or, without a
- * role, by their position among the unnamed arrays without a role.
+ * Matches the arrays of two attribute sets, for example of two time steps. Arrays are matched by
+ * name. Unnamed arrays are matched by their attribute type (scalars, vectors, ...) if they are
+ * active attributes, otherwise by their position among the other unnamed arrays.
  */
 namespace ArrayMatch
 {
@@ -25,8 +25,8 @@ inline bool HasName(vtkAbstractArray* array)
   return array->GetName() && *array->GetName();
 }
 
-/// Returns a key that corresponding arrays share: the name, or the role or position of an unnamed
-/// array.
+/// Returns a key that corresponding arrays share: the name, or the attribute type or position of an
+/// unnamed array.
 inline std::string GetKey(vtkDataSetAttributes* attributes, vtkAbstractArray* array)
 {
   if (HasName(array))
@@ -67,7 +67,7 @@ inline vtkAbstractArray* Find(
   return nullptr;
 }
 
-/// Clears the names of arrays that were named by the keys of unnamed arrays.
+/// Clears array names that are keys of unnamed arrays.
 inline void RemoveKeys(vtkDataSetAttributes* attributes)
 {
   for (int a = 0; a < attributes->GetNumberOfArrays(); ++a)

@@ -25,7 +25,7 @@ struct AxisCheck
   /// Index of the coordinate at the end of the first such step, or -1.
   vtkIdType First = -1;
 
-  /// Checks the first \a number coordinates, at least one.
+  /// Checks the first \a number coordinates. \a number must be above 0.
   static AxisCheck Find(vtkDataArray* coordinates, vtkIdType number)
   {
     AxisCheck found;

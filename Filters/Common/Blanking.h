@@ -14,7 +14,7 @@ namespace interlume
 
 /**
  * @class   Blanking
- * @brief   cells and points of a dataset that its ghost arrays exclude
+ * @brief   cells and points that the ghost arrays of a dataset exclude
  */
 struct Blanking
 {

@@ -53,7 +53,7 @@ public:
     }
   }
 
-  /// Returns a stream that prints doubles without loss.
+  /// Returns a stream that prints doubles without loss of precision.
   static std::ostringstream MakeExactStream()
   {
     std::ostringstream text;

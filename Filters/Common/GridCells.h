@@ -124,12 +124,12 @@ public:
     vtkSMPTools::For(0, number, grain,
       [values, type](vtkIdType first, vtkIdType last)
       { std::fill(values + first, values + last, type); });
-    // Without face arrays VTK would search all types for polyhedra.
+    // Without face arrays, VTK would search all types for polyhedra.
     grid->SetCells(types, cells, nullptr, nullptr);
 #endif
   }
 
-  /// Returns whether all \a number cells, at least one, have the same type.
+  /// Returns whether all \a number cells have the same type. \a number must be above 0.
   static bool AreOfOneType(const unsigned char* types, vtkIdType number)
   {
     // Comparing each type with the next one vectorizes.

@@ -87,7 +87,7 @@ inline int GetMinimumCorners(unsigned char type)
 /// since instantiating a cell of every type takes longer than checking a small grid.
 inline vtkIdType GetMinimumSize(unsigned char type)
 {
-  // The minimum size plus one, or 0 if the type was not examined yet.
+  // The minimum size plus one, or 0 if the type has not been examined yet.
   static std::array<std::atomic<int>, 256> known{};
   int found = known[type].load(std::memory_order_relaxed);
   if (found == 0)

@@ -20,7 +20,7 @@ namespace interlume
  * @brief   calls a function compiled for the instruction sets of the current processor
  *
  * GCC and Clang inline the function into one caller per instruction set. On other compilers and
- * architectures there is one caller. Use it around loops. A function that the compiler does not
+ * architectures there is one caller. Use it for whole loops. A function that the compiler does not
  * inline still uses the baseline instruction set.
  */
 class SimdDispatch
@@ -35,7 +35,7 @@ public:
                    : CallForAny(work, std::forward<Arguments>(arguments)...);
   }
 
-  /// Same as Call(), but with fused products and sums, which round differently.
+  /// Same as Call(), but with fused multiply-add, which rounds differently.
   template <typename Work, typename... Arguments>
   static decltype(auto) CallFused(Work&& work, Arguments&&... arguments)
   {

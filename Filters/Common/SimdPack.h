@@ -38,8 +38,8 @@ INTERLUME_SIMD_TYPES(4)
  *
  * Each operation acts lane by lane with exactly the result of double arithmetic. With AVX2 an
  * operation on four lanes is one instruction, otherwise two or four. Compile code that uses it with
- * -ffp-contract=off, so that no operations are fused. Eight lanes are not offered, since compilers
- * compare them one by one and two vectors of four are as fast.
+ * -ffp-contract=off, so that no operations are fused. Eight lanes are not supported, since
+ * compilers compare them one by one and two vectors of four are as fast.
  */
 template <int Width>
 struct SimdPack

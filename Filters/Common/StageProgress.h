@@ -18,7 +18,7 @@ class StageProgress
 {
 public:
   StageProgress() = default;
-  /// Maps a progress from 0 to 1 to the range from \a start to \a end in the progress of \a owner.
+  /// Maps progress from 0 to 1 to the range from \a start to \a end in the progress of \a owner.
   StageProgress(vtkAlgorithm* owner, double start, double end)
     : Owner(owner)
     , Start(start)

@@ -6,8 +6,8 @@
 
 /**
  * These macros keep the old name of a setting for one release. SetOld and GetOld forward to SetNew
- * and GetNew. For a boolean, OldOn and OldOff forward as well. Warnings of compilers and Python
- * state the new name.
+ * and GetNew. For a boolean, OldOn and OldOff forward as well. Compiler and Python warnings state
+ * the new name.
  */
 #define interlumeDeprecatedMacro(oldName, newName, type) \
   VTK_DEPRECATION("Use Set" #newName ".")                \

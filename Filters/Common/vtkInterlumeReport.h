@@ -13,7 +13,7 @@
  *
  * GetReport() of a filter or mapper returns its report. Each execution replaces the values. The
  * class documentation of the filter or mapper lists the values intended for applications. Other
- * values serve tests and benchmarks, and their names may change.
+ * values are for tests and benchmarks, and their names may change.
  *
  * Each value is an array of vtkFieldData: vtkIdTypeArray for counts, sizes in bytes, ids and flags
  * (0 or 1), vtkDoubleArray for other numbers, and vtkStringArray for text. Most values have one

@@ -18,10 +18,10 @@
  * Documentation/methods/implicit-flow.md.
  *
  * Cells where the field is 0 throughout have no critical point, and neither do cells with lines or
- * surfaces of zeros, as on the axis of a rotation (see vtkVortexAxis), on walls, or in plane flow.
- * The report counts both kinds of cells. Zeros at points of such cells belong to the line or
- * surface and are not reported. Blanked, hidden and ghost cells are skipped, and so are cells with
- * vectors that are not finite.
+ * surfaces of zeros, for example on the axis of a rotation (see vtkVortexAxis), on walls, or in
+ * plane flow. The report counts both kinds of cells. Zeros at points of such cells belong to the
+ * line or surface and are not reported. Blanked, hidden and ghost cells are skipped, and so are
+ * cells with vectors that are not finite.
  *
  * Input: vtkImageData, vtkRectilinearGrid, vtkStructuredGrid, or vtkUnstructuredGrid of tetrahedra,
  * voxels, hexahedra, wedges and pyramids, with point vectors of three components; by default the
@@ -29,8 +29,8 @@
  *
  * Output: vertices with the point arrays `CriticalPointType` (int, the active scalars),
  * `Eigenvalues` (double, 6 components: three complex numbers by descending real part), `Jacobian`
- * (double, 9 components: dv_i/dx_j at index 3 i + j), `CellLength` (double: cube root of the cell's
- * volume) and `CellId`. The output is identical for any number of threads.
+ * (double, 9 components: dv_i/dx_j at index 3 * i + j), `CellLength` (double: cube root of the
+ * cell's volume) and `CellId`. The output is identical for any number of threads.
  *
  * Warnings (vtkWarningMacro): no critical point, with the reasons; cells that were skipped because
  * vectors look like fill values (see vtkImplicitFlowField::SetMaximumError), or are NaN or

@@ -96,15 +96,15 @@ public:
    * surface would have if the values of the far side extended to it. vtkFlowVolume uses them to cut
    * cells. There is one tuple for each sample at a corner of a cell that a surface crosses and that
    * can be cut there.
-   * - BeyondSampleId (vtkIdType): the point of the sample.
+   * - BeyondSampleId (vtkIdType): the point id of the sample.
    * - BeyondSamplePosition (double, 3 components): its position. Readers compare it with the point
    *   to detect that a filter has changed the points, which makes these arrays invalid.
    * - BeyondSampleDistance (double), BeyondSampleNormal (double, 3 components): its distance from
    *   the surface, and the surface normal there.
    * - BeyondSampleSurface (int): index of the surface among the surfaces in use; -1 for samples
    *   that stagnate on it; -2 for samples near the boundary of the reached region (below).
-   * - BeyondTerminationSide: as TerminationSide, but also for samples that reached no surface, and
-   *   0 on the surface.
+   * - BeyondTerminationSide: like TerminationSide, but also set for samples that reached no
+   *   surface, and 0 on the surface.
    * - BeyondTerminationId, BeyondTerminationUV, BeyondAdvectionTime and so on: the far-side values.
    *   The streamline of a TOWARD sample continues through the surface; the id is -1 if it reaches
    *   no surface, or if no sample behind the surface has a result. The streamline of an AWAY sample

@@ -133,7 +133,7 @@ void FillSurface(const interlume::SurfaceTriangles& triangles, const char* name,
   surface->GetCellData()->AddArray(ids);
 }
 
-// Makes Inflow, or AdvectionTime without it, the active scalars.
+// Makes Inflow the active scalars, or AdvectionTime if there is no Inflow.
 void ChooseScalars(vtkUnstructuredGrid* output)
 {
   vtkPointData* data = output->GetPointData();
@@ -141,8 +141,8 @@ void ChooseScalars(vtkUnstructuredGrid* output)
                                                                       : vtkFlowStatus::TimeArray());
 }
 
-// Returns the range of AdvectionTime of samples that reached a surface. Without such samples, lower
-// is above upper.
+// Returns the range of AdvectionTime of samples that reached a surface. If there are none, lower is
+// above upper.
 interlume::SurfaceLevels::Interval GetReachedTimes(
   vtkDataSet* input, const interlume::ImplicitFlowArrays& arrays)
 {
@@ -160,8 +160,7 @@ interlume::SurfaceLevels::Interval GetReachedTimes(
   return range;
 }
 
-// Returns the range of the finite values of a point array. Without such values, lower is above
-// upper.
+// Returns the range of the finite values of a point array. If there are none, lower is above upper.
 interlume::SurfaceLevels::Interval GetFiniteRange(vtkDataSet* input, const char* name)
 {
   interlume::SurfaceLevels::Interval range{ { VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX } };

@@ -29,8 +29,8 @@ struct FlowVolumeReport;
  * @brief   extract stream volumes, clipped by advection time, with stream and time surfaces
  *
  * Extracts the region { x : lower <= Inflow(x) <= upper, start <= AdvectionTime(x) <= end } of an
- * implicit flow field as tetrahedra, with the tables of vtkIntervalVolume. The filter computes no
- * streamlines. It extracts by Inflow first, then by time; a changed time range repeats only the
+ * implicit flow field as tetrahedra, with the case tables of vtkIntervalVolume. The filter computes
+ * no streamlines. It extracts by Inflow first, then by time; a changed time range repeats only the
  * second extraction. Documentation/methods/flow-volumes.md explains how cells are cut at
  * termination surfaces and behind obstacles, and the errors and limits.
  *
@@ -41,17 +41,18 @@ struct FlowVolumeReport;
  * Skipped cells, most of which the report counts:
  * - Cells with corners of different FlowStatus or TerminationId, and cells on a seam where the
  *   mapping is discontinuous. A cell is on a seam if its parameters differ by more than half a
- *   period. On seams where the mapping is continuous (InflowPeriodic; all seams without Inflow),
- *   parameters are unwrapped on duplicated points and exceed 1. Polyhedra on seams are skipped.
+ *   period. On seams where the mapping is continuous (InflowPeriodic; all seams if there is no
+ *   Inflow), parameters are unwrapped on duplicated points and exceed 1. Polyhedra on seams are
+ *   skipped.
  * - Cells in which time jumps on a termination surface. If the input has far-side samples, such
  *   cells, and cells whose corners differ only because a surface crosses them, are cut at the
  *   surface, and each side is extracted separately.
  * - Cells that contain the boundary edge of a surface, two surfaces, or a separatrix. Use
  *   vtkImplicitFlowField::SetRefinementLevels for these.
- * - Lower-dimensional, hidden and ghost cells, and cells with NaN in a required Inflow.
+ * - Lower-dimensional, hidden and ghost cells, and cells where a required Inflow is NaN.
  *
  * Output port 0: tetrahedra with the input's arrays except TerminationSide, and the cell arrays
- * `IntervalId` (int: interval of Inflow; 0 without intervals) and `TimeIntervalId` (int: the
+ * `IntervalId` (int: interval of Inflow; 0 if there are none) and `TimeIntervalId` (int: the
  * TimeSurfaceId at the lower end of the cell's times). Stream and time surfaces consist of faces of
  * tetrahedra, so no tetrahedron crosses a surface.
  *
@@ -63,10 +64,10 @@ struct FlowVolumeReport;
  * triangle occurs once and faces against the gradient of Inflow or AdvectionTime. With
  * GenerateNormals, point normals `Normals` (float) point against that gradient too.
  *
- * All ports have the input's field arrays. The active scalars are Inflow, or AdvectionTime without
- * Inflow. The output is identical for any number of threads. Cells cut at a surface next to a piece
- * boundary may differ slightly from those of the whole dataset. The filter retains its extractions
- * between executions.
+ * All ports have the input's field arrays. The active scalars are Inflow, or AdvectionTime if there
+ * is no Inflow. The output is identical for any number of threads. Cells cut at a surface next to a
+ * piece boundary may differ slightly from those of the whole dataset. The filter retains its
+ * extractions between executions.
  *
  * Warnings (vtkWarningMacro, not if one of several pieces is requested): an interval or the time
  * range outside the range of the input; an empty volume, with the reasons; GenerateStreamSurfaces

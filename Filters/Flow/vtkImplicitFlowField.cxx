@@ -491,7 +491,7 @@ vtkImplicitFlowField::Outcome vtkImplicitFlowField::FindField(Execution& executi
   {
     return Outcome::COMPLETE;
   }
-  // An empty piece of several does not need a warning.
+  // If there are several pieces, an empty one needs no warning.
   if (interlume::OutputPiece::IsEntireOutput(execution.GetOutputInformation()))
   {
     vtkWarningMacro(
@@ -863,7 +863,7 @@ interlume::Error vtkImplicitFlowField::PlaceSurfaces(Execution& execution)
         "Termination surface " + std::to_string(i) + " (" + surface->GetClassName() + "): ");
     }
   }
-  // Automatic ids are free ids, in the order of the surfaces.
+  // Automatic ids are unused ids, assigned in the order of the surfaces.
   std::set<int> usedIds;
   const auto isFree = [&usedIds](int first, int parts)
   { return usedIds.lower_bound(first) == usedIds.lower_bound(first + parts); };

@@ -49,7 +49,7 @@ struct FlowReport;
  *
  * The blocks of composite input are merged into one field and must have the vectors under the same
  * name. Streamlines cross block boundaries where faces have the same points. The field ends at
- * nonconforming faces, as between AMR levels.
+ * nonconforming faces, for example between AMR levels.
  *
  * Output: the samples with their point data and the arrays of vtkFlowStatus. Optional point arrays
  * along the path: MaximumSpeed, ArcLength, MeanVorticity and Mean<name> (double; 0 for samples
@@ -59,7 +59,7 @@ struct FlowReport;
  * (vtkUnstructuredGrid for composite data), vtkImageData for SAMPLES_OF_IMAGE, and
  * vtkUnstructuredGrid with RefinementLevels.
  *
- * Rules:
+ * Notes:
  * - On a surface to which streamlines return, AdvectionTime jumps: it is 0 on one side.
  *   TerminationSide marks the sides.
  * - On no-slip walls samples stagnate, and streamlines close to such walls stagnate when their
@@ -148,11 +148,11 @@ public:
   ///@{
   /**
    * Set the samples: the points of the field, of an image over SampleBounds, or of port 1.
-   * SAMPLES_AUTOMATIC is a fast preview. It uses the points of a field with at most 32768 points,
-   * and fewer points than the field otherwise: every n-th point of a rectilinear or structured
-   * grid, a coarser image for image data, or voxels over the bounds of unstructured and composite
-   * data. The output type is the same as for SAMPLES_OF_FIELD. Default: SAMPLES_AUTOMATIC. Valid:
-   * see SampleModes; clamped.
+   * SAMPLES_AUTOMATIC is a fast preview. It uses the points of the field if there are at most
+   * 32768, otherwise fewer points: every n-th point of a rectilinear or structured grid, a coarser
+   * image for image data, or voxels over the bounds of unstructured and composite data. The output
+   * type is the same as for SAMPLES_OF_FIELD. Default: SAMPLES_AUTOMATIC. Valid: see SampleModes;
+   * clamped.
    */
   vtkSetClampMacro(SampleMode, int, SAMPLES_OF_FIELD, SAMPLES_AUTOMATIC);
   vtkGetMacro(SampleMode, int);
@@ -269,7 +269,7 @@ public:
 
   ///@{
   /**
-   * Optional quantities along the path: its largest speed (MaximumSpeed), its length (ArcLength),
+   * Optional quantities along the path: the largest speed (MaximumSpeed), the length (ArcLength),
    * the time average of the vorticity magnitude (MeanVorticity), and time averages of one-component
    * point arrays of the field (Mean and the array's name). Default: off, none.
    */

@@ -72,8 +72,8 @@ public:
    * - a formula of u, v and f (the id as a number) in the language of vtkExprTkFunctionParser; null
    *   removes the mapping;
    * - Gaussian rings: the sum of amplitude exp(-((r - radius) / width)^2), where r is the distance
-   *   from (centerU, centerV) in parameters, measured the short way around in periodic directions.
-   *   AddRing adds to the rings of the id;
+   *   from (centerU, centerV) in parameter space, measured the short way around in periodic
+   *   directions. AddRing adds to the rings of the id;
    * - the first component of an image over u and v, which run from 0 at the first to 1 at the last
    *   point of each axis. It is interpolated bilinearly, and repeated in periodic directions or
    *   clamped in others. Colors (3 or 4 components of unsigned char) are converted to luminance

@@ -94,8 +94,8 @@ public:
   /**
    * Points in world units at which contours start. A closed contour starts at its position nearest
    * to any of them. An open contour starts at whichever of its ends is closer to that position; it
-   * is reversed if that end is its last point. Without start points the start is arbitrary.
-   * Default: none.
+   * is reversed if that end is its last point. If there are no start points, the start is
+   * arbitrary. Default: none.
    */
   void AddStartPoint(double x, double y, double z);
   void RemoveAllStartPoints();
@@ -104,8 +104,8 @@ public:
 
   ///@{
   /**
-   * Factors of s and t in StreamTexture, such as the reciprocal of a texture's length and duration.
-   * Default: 1, 1.
+   * Factors of s and t in StreamTexture, such as the reciprocals of a texture's length and
+   * duration. Default: 1, 1.
    */
   vtkSetMacro(LengthScale, double);
   vtkGetMacro(LengthScale, double);

@@ -36,8 +36,8 @@ public:
 
   ///@{
   /**
-   * Ends of the axis and radius, in world units. Default: (0, 0, -0.5), (0, 0, 0.5), 0.5. Valid:
-   * finite and distinct; above 0.
+   * Ends of the axis, and the radius, in world units. Default: (0, 0, -0.5), (0, 0, 0.5), 0.5.
+   * Valid: finite and distinct; above 0.
    */
   vtkSetVector3Macro(Point1, double);
   vtkGetVector3Macro(Point1, double);
@@ -85,7 +85,7 @@ private:
   /// Position of a point in the cylinder's coordinates.
   struct LocalPosition
   {
-    /// Offset across the axis.
+    /// Offset perpendicular to the axis.
     double Offset[2];
     /// Distance from Point1 along the axis.
     double Along;

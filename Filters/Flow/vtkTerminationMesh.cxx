@@ -36,7 +36,7 @@ struct vtkTerminationMesh::Contents
   /// Rounding error of the points' positions.
   double Rounding = 0.0;
 
-  /// Nearest triangle of a position, in the scaled units of the vertices.
+  /// Triangle nearest to a position, in the scaled units of the vertices.
   struct Nearest
   {
     glm::dvec3 Position;

@@ -15,8 +15,8 @@
  * The parameters of a point are those of its projection onto the plane, clamped to [0, 1] unless
  * Unbounded is on.
  *
- * Update reports points that are not finite, an edge without length, and parallel edges (the sine
- * of their angle is below 1e-12).
+ * Update reports points that are not finite, an edge of length 0, and parallel edges (the sine of
+ * their angle is below 1e-12).
  */
 class INTERLUMEFLOW_EXPORT vtkTerminationPlane : public vtkTerminationSurface
 {

@@ -16,10 +16,10 @@ struct AxialFrame;
  * @brief   sphere as a termination surface, with longitude and latitude as parameters
  *
  * The parameter u is the longitude in turns, counterclockwise around Axis, and periodic. The
- * parameter v is the latitude, from 0 at the pole against Axis to 1 at the pole along Axis. The
- * direction u = 0 is x for an axis along z, otherwise the first direction of the basis of T. Duff
- * et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017. The normal points outward.
- * The distance is negative inside.
+ * parameter v is the latitude, from 0 at the pole opposite to Axis to 1 at the pole in the
+ * direction of Axis. The direction u = 0 is x for an axis along z, otherwise the first direction of
+ * the basis of T. Duff et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017. The
+ * normal points outward. The distance is negative inside.
  *
  * Update reports a center or an axis that is not finite, an axis of length 0, and a radius that is
  * not above 0.

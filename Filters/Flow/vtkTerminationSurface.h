@@ -24,7 +24,8 @@ class vtkDataSet;
  * TerminationId. Each part has its own parameters (u,v) from 0 to 1. In a periodic direction, 0 and
  * 1 are the same position. Everywhere else, parameters must be continuous.
  *
- * After Update, several threads may call the Evaluate functions at once, until a setter is called.
+ * After Update, several threads may call the Evaluate functions concurrently, until a setter is
+ * called.
  *
  * @sa vtkTerminationInflow vtkTerminationPlane vtkTerminationSphere vtkTerminationCylinder
  * vtkTerminationBox vtkTerminationTube vtkTerminationMesh vtkImplicitFlowField
@@ -71,7 +72,7 @@ public:
   virtual bool IsPlacedByVectors() const { return false; }
 
   /**
-   * Prepare the data of the Evaluate functions. Return an error message ("the radius is not above
+   * Prepare the data for the Evaluate functions. Return an error message ("the radius is not above
    * 0"), or an empty string on success.
    */
   virtual std::string Update() { return {}; }

@@ -21,8 +21,8 @@ class vtkTerminationSurface;
  *
  * Output: triangles with the point arrays `TerminationUV` (double, 2 components; active texture
  * coordinates and scalars) and `Normals` (double; active normals), and the cell array
- * `TerminationId` (int: the surface's id, 0 for -1, plus the part). Triangles are counterclockwise
- * as seen from the side of the normal.
+ * `TerminationId` (int: the surface's id, or 0 if it is -1, plus the part). Triangles are
+ * counterclockwise as seen from the side of the normal.
  *
  * Errors (vtkErrorMacro, empty output): no surface; a surface rejected by
  * vtkTerminationSurface::Update.
@@ -61,7 +61,7 @@ public:
    * - Points: points of the output,
    * - BorderPoints: points on the boundary of a part, between grid nodes,
    * - Triangles: triangles of the output,
-   * - FlatTriangles: skipped triangles without area, as at the poles of a sphere.
+   * - FlatTriangles: skipped triangles of zero area, for example at the poles of a sphere.
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
 

@@ -23,20 +23,20 @@ class TubeAxis;
  * The tube is the set of points at distance Radius from a polyline. The signed distance is the
  * distance from the line less the radius, negative inside.
  *
- * Part 0 is the tube. The parameter u is the angle around the line in turns, periodic,
- * counterclockwise along the line in a rotation-minimizing frame. At the start of the line, u = 0
- * is the first direction of the basis of T. Duff et al., "Building an orthonormal basis,
- * revisited", JCGT 6(1), 2017. The parameter v is the fraction of the length, from 0 at the first
- * to 1 at the last point. At a bend, the segments meet in the bisecting plane, and v is linear
- * between two such planes.
+ * Part 0 is the tube. The parameter u is the periodic angle around the line in turns,
+ * counterclockwise about the line's direction, in a rotation-minimizing frame. At the start of the
+ * line, u = 0 is the first direction of the basis of T. Duff et al., "Building an orthonormal
+ * basis, revisited", JCGT 6(1), 2017. The parameter v is the fraction of the length, from 0 at the
+ * first to 1 at the last point. At a bend, the segments meet in the bisecting plane, and v is
+ * linear between two such planes.
  *
  * A line whose first and last points coincide is closed. Then v is periodic, and the rotation of
- * the frame after one round is distributed over the length.
+ * the frame after one loop is distributed over the length.
  *
  * Hemispheres close the ends of an open line. They belong to the surface only with Capped, as part
  * 1 at the first and part 2 at the last point. There (u,v) = (1 + r d) / 2, where d is the
- * direction across the line in the frame, and r is the angle from the line divided by pi / 2; not
- * periodic.
+ * direction across the line in the frame, and r is the angle from the line divided by pi / 2;
+ * neither is periodic.
  *
  * If the radius exceeds the bend radius of the line, the tube intersects itself, and parameters
  * jump.

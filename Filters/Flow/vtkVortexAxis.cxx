@@ -55,7 +55,7 @@ public:
     }
   }
 
-  // Returns the strongest vortex, or null without vortices.
+  // Returns the strongest vortex, or null if there are none.
   const Vortex* FindStrongest() const
   {
     const Vortex* strongest = nullptr;

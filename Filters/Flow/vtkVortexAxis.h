@@ -85,9 +85,9 @@ public:
 
   ///@{
   /**
-   * Maximum distance across Axis to the vortex in the next plane, in world units; for a vortex n
-   * planes away, n times as much. The sense of rotation must agree too. 0 selects twice the sum of
-   * plane spacing and cell size. Default: 0. Valid: 0 and above; clamped.
+   * Maximum distance perpendicular to Axis to the vortex in the next plane, in world units; for a
+   * vortex n planes away, n times as much. The sense of rotation must agree too. 0 selects twice
+   * the sum of plane spacing and cell size. Default: 0. Valid: 0 and above; clamped.
    */
   vtkSetClampMacro(SearchRadius, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SearchRadius, double);

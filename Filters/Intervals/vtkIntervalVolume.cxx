@@ -29,7 +29,7 @@ vtkStandardNewMacro(vtkIntervalVolume);
 
 namespace
 {
-// Parses a text as a number. Returns NaN if the text is anything else.
+// Parses a number. Returns NaN if the text is not a number.
 double ReadNumber(const std::string& text)
 {
   std::istringstream stream(text);

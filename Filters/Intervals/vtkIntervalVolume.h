@@ -183,7 +183,7 @@ public:
    * - LowerDimensionalCells, UnsupportedCells: cells skipped because of their type
    * - LinearizedCells: quadratic and higher-order cells treated as linear
    * - ConcavePolyhedra: polyhedra whose tetrahedra overlap
-   * - FoldedCells: cells with output that intersect themselves
+   * - FoldedCells: self-intersecting cells with output
    * - NonPlanarFaces: quadrilaterals where KeepInteriorCells may leave a gap or an overlap
    */
   vtkInterlumeReport* GetReport() { return this->Report; }
@@ -203,7 +203,7 @@ private:
     std::string ArrayName;
     double Lower;
     double Upper;
-    /// The text of the first bound that is not a number, or empty.
+    /// The text of the first bound that is not a number. Empty if there is none.
     std::string InvalidBound;
   };
 

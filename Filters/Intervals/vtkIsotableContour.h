@@ -85,10 +85,10 @@ public:
 
   ///@{
   /**
-   * If true, triangles share points. If false, triangle t has the points 3 t to 3 t + 2. Turning
-   * this off keeps the triangles and their order, but produces three to six times as many points.
-   * It is faster on unstructured grids, for rendering or for consumers that process triangles one
-   * by one. On other grids it is slower. Default on.
+   * If true, triangles share points. If false, triangle t has the points 3 * t to 3 * t + 2.
+   * Turning this off keeps the triangles and their order, but produces three to six times as many
+   * points. It is faster on unstructured grids, for rendering or for consumers that process
+   * triangles one by one. On other grids it is slower. Default on.
    */
   vtkSetMacro(MergePoints, bool);
   vtkGetMacro(MergePoints, bool);
@@ -135,7 +135,7 @@ public:
    * - LowerDimensionalCells, UnsupportedCells: cells skipped because of their type
    * - LinearizedCells: quadratic and higher-order cells treated as linear
    * - ConcavePolyhedra: polyhedra whose tetrahedra overlap
-   * - FoldedCells: cells with output that intersect themselves
+   * - FoldedCells: self-intersecting cells with output
    * - LevelFaces: faces between two levels of an AMR input where the surface has gaps
    */
   vtkInterlumeReport* GetReport() { return this->Report; }

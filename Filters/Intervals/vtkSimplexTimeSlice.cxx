@@ -69,11 +69,11 @@ void FillTime(vtkPointData* points, vtkIdType number, double time)
   times->SetName(TimeName);
   times->SetNumberOfValues(number);
   vtkSMPTools::Fill(times->GetPointer(0), times->GetPointer(0) + number, time);
-  // AddArray replaces the interpolated array of that name and keeps its attribute role.
+  // AddArray replaces the interpolated array of the same name, and keeps it active if it was.
   points->AddArray(times);
 }
 
-// Marks an output with the requested time, if there is a request.
+// Sets the data time of an output to the requested time, if a time is requested.
 void SetRequestedTime(vtkInformation* request, vtkDataObject* output)
 {
   vtkInformationDoubleKey* key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
@@ -153,7 +153,7 @@ int vtkSimplexTimeSlice::RequestInformation(
   output->Remove(vtkStreamingDemandDrivenPipeline::TIME_RANGE());
   if (this->FollowTime)
   {
-    // Without a range the pipeline would not execute again for another time.
+    // Without a time range, the pipeline would not execute again when another time is requested.
     double range[2];
     FindTimes(vtkDataObject::GetData(inputs[0]), range);
     if (range[0] > range[1])

@@ -31,11 +31,11 @@ class Fingerprint;
  * by their times. Selected boundaries and 4-simplices are indexed by vortex_boundaries.vtm and
  * vortex_simplices.vtm.
  *
- * Resuming: an index exists only if all slabs are complete. Slabs are written to a temporary file
- * and renamed. Write() reuses intact slab files whose field data records the same digest of the
- * input and the same settings, times and versions of Interlume and VTK. The steps are still read to
- * compute the digest, but not extracted. Other files are replaced, with one warning that reports
- * their number and the first difference.
+ * Resuming: an index exists only if all slabs are complete. Each slab is written to a temporary
+ * file, which is then renamed. Write() reuses intact slab files whose field data records the same
+ * digest of the input and the same settings, times and versions of Interlume and VTK. The steps are
+ * still read to compute the digest, but not extracted. Other files are replaced, with one warning
+ * that reports their number and the first difference.
  *
  * The writer runs in one process and requests the full input. Each interior time step is read
  * twice. Progress events refer to the current slab. An abort stops after the current slab and
@@ -108,7 +108,7 @@ private:
     const std::vector<Port>& ports, std::size_t slab, const double* times, std::string& difference);
   interlume::Error WriteSlab(const std::vector<Port>& ports, std::size_t slab, const double* times);
   bool WriteIndex(const Port& port, const std::vector<double>& times) const;
-  /// Reads a time step and stores its digest, unless it is known.
+  /// Reads a time step and stores its digest, unless the digest is known.
   void FindDigest(double time);
 
   std::string FileName;

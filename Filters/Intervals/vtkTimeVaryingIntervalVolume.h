@@ -40,7 +40,7 @@ struct TimeVaryingReport;
  * - point array `Time` (double): the time of the point; at a point with nonzero DeltaT, the mean
  *   over the duration
  * - every point array that all steps have, interpolated linearly. Integers become float (8 and 16
- *   bits) or double. Arrays without a name correspond by attribute role or position.
+ *   bits) or double. Unnamed arrays are matched by attribute type or position.
  * - cell arrays `SimplexClass` (unsigned char, see SimplexClasses), `IntervalId` (int) and
  *   `TimeSlab` (int; slab i lies between selected steps i and i + 1). Cell arrays of the input are
  *   not copied.

@@ -31,8 +31,8 @@ class Polytope;
  * The points of a case are numbered as slots. With n vertices and m edges, slot i < n is vertex i
  * of the cell. Slot n + e is the point on edge e with the isovalue, or with the lower isovalue of
  * an interval. Slot n + m + e is the point on edge e with the upper isovalue. In an interval, a
- * vertex that is inside is itself a point. Contours use no vertex slots. To interpolate the point
- * of slot n + e, use the ends GetEdge(e).
+ * vertex that is inside is itself a point. Contours use no vertex slots. The point of slot n + e is
+ * interpolated between the ends of the edge, GetEdge(e).
  *
  * Convex pieces are split into simplices by a pulling triangulation. The slots are ordered with
  * vertices first, then lower, then upper edge points. Edge points are ordered by the ranks of their

@@ -56,7 +56,7 @@ public:
     NUMBER_OF_FIELDS = 5
   };
 
-  /// Returns the lowercase name of a field, or null if the number is not a field.
+  /// Returns the lowercase name of a field, or null if there is no such field.
   static const char* GetFieldName(int field);
 
   ///@{
@@ -162,7 +162,7 @@ private:
   vtkAnalyticFieldSource(const vtkAnalyticFieldSource&) = delete;
   void operator=(const vtkAnalyticFieldSource&) = delete;
 
-  /// Returns the field at time \a t. Several threads may call the result at once.
+  /// Returns the field at time \a t. Several threads may call the result concurrently.
   std::function<double(const double x[3])> GetFieldAtTime(double t) const;
   interlume::FieldSampler GetSampler() const;
   void SetNumber(double& member, double value);

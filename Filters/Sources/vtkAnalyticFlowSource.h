@@ -33,9 +33,9 @@
  * COUPLED_CHARGE and HURRICANE stand in for data sets of C. Zhang's dissertation, Ohio State 2006,
  * figures 4.9 and 4.10. See Documentation/methods/sources.md for the formulas.
  *
- * With the default parameters, all fields except NODE, SOURCE_SINK and COUPLED_CHARGE are free of
- * divergence. SOURCE_SINK has divergence only in its cores. SADDLE is free of divergence if the sum
- * of its rates is 0.
+ * With the default parameters, all fields except NODE, SOURCE_SINK and COUPLED_CHARGE are
+ * divergence-free. SOURCE_SINK has divergence only in its cores. SADDLE is divergence-free if the
+ * sum of its rates is 0.
  *
  * The output does not depend on the number of threads or on the requested extent.
  *
@@ -103,7 +103,7 @@ public:
   /// Computes the velocity at a point.
   void Evaluate(const double x[3], double velocity[3]) const;
 
-  /// Computes the Jacobian of the velocity, dv[i]/dx[j] at [3 i + j], exact up to rounding error.
+  /// Computes the Jacobian of the velocity, dv[i]/dx[j] at [3 * i + j], exact up to rounding error.
   /// On the boundary of a core, the result is the Jacobian on the outer side.
   void EvaluateJacobian(const double x[3], double jacobian[9]) const;
 

@@ -55,7 +55,7 @@ Primitive MakeBox(const glm::dvec3& lower, const glm::dvec3& upper, const glm::d
   return box;
 }
 
-// Returns an ellipsoid with the given half axes. The edge width is relative to the half axes.
+// Returns an ellipsoid with the given semi-axes. The edge width is relative to the semi-axes.
 Primitive MakeEllipsoid(
   const glm::dvec3& center, const glm::dvec3& halfAxes, double edge, const glm::dvec3& color)
 {

@@ -59,10 +59,10 @@ public:
     NUMBER_OF_MODELS = 9
   };
 
-  /// Returns the lowercase name of a model, or null if the number is not a model.
+  /// Returns the lowercase name of a model, or null if there is no such model.
   static const char* GetModelName(int model);
 
-  /// Returns a new object for a model, or null if the number is not a model.
+  /// Returns a new object for a model, or null if there is no such model.
   static vtkSmartPointer<vtkSpatialObject> MakeModel(int model);
 
   ///@{

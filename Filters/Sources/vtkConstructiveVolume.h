@@ -44,7 +44,7 @@ public:
     NUMBER_OF_OUTPUT_MODES = 3
   };
 
-  /// Returns "density", "color bytes" or "color floats", or null if the number is not a mode.
+  /// Returns "density", "color bytes" or "color floats", or null if there is no such mode.
   static const char* GetOutputModeName(int mode);
 
   ///@{

@@ -20,7 +20,7 @@ class Error;
  *
  * The first component of the active point scalars is interpolated trilinearly. With ScalarRange (a,
  * b), the density is (value - a) / (b - a), clamped to 0 ... 1, times Density. Outside the image
- * the density is 0. NaN scalars are treated as a. Update copies the values.
+ * the density is 0. NaN scalars are treated as the value a. Update copies the values.
  *
  * Errors (vtkErrorMacro, density 0), in addition to those of vtkSpatialObject: there is no image,
  * it has no point scalars, or the color array is missing or has fewer than three components.

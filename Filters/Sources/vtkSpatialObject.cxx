@@ -14,7 +14,7 @@
 
 namespace
 {
-// Enlargement of the bounds along an axis, relative to the larger absolute value of both bounds.
+// Enlargement of the bounds along an axis, relative to the larger of the bounds' absolute values.
 constexpr double CullingTolerance = 1e-9;
 
 constexpr double RotationTolerance = 1e-14;

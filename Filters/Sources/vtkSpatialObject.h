@@ -76,7 +76,7 @@ public:
   /**
    * Computes the samples at up to SpanLength points. This is efficient if the points are close
    * together. Returns false if the density is 0 at all of them; \a samples may then be left
-   * unchanged. Call Update first. Several threads may call this at once.
+   * unchanged. Call Update first. Several threads may call this concurrently.
    */
   bool EvaluateSpan(const double (*points)[3], int number, Sample* samples) const;
 

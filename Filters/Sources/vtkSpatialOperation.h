@@ -45,7 +45,7 @@ public:
     NUMBER_OF_OPERATIONS = 6
   };
 
-  /// Returns the lowercase name of an operation, or null if the number is not an operation.
+  /// Returns the lowercase name of an operation, or null if there is no such operation.
   static const char* GetOperationName(int operation);
 
   ///@{

@@ -23,8 +23,8 @@ class vtkImplicitFunction;
  *   between, with r0 = Radius and r1 = InnerRadius (C. Zhang, dissertation, Ohio State 2006,
  *   equation 2.7). EdgeWidth is ignored;
  * - IMPLICIT_FUNCTION: f(x) <= 0 for the implicit function f, inside the box Limits. The distance
- *   from the edge is approximated by f / |grad f|. Several threads evaluate f at once. VTK's
- *   analytic functions allow this; functions that search a data set do not.
+ *   from the edge is approximated by f / |grad f|. Several threads evaluate f concurrently. VTK's
+ *   analytic functions allow this; functions that search a dataset do not.
  *
  * Let s be the signed distance from the edge, negative inside, and w = EdgeWidth. The density is
  * Density times 1 for s <= -w/2, 0 for s >= w/2, and e^2 (3 - 2 e) in between, with e = 1/2 - s/w.
@@ -54,7 +54,7 @@ public:
     NUMBER_OF_SHAPES = 7
   };
 
-  /// Returns the lowercase name of a shape, or null if the number is not a shape.
+  /// Returns the lowercase name of a shape, or null if there is no such shape.
   static const char* GetShapeName(int shape);
 
   ///@{

@@ -10,7 +10,7 @@
 
 /**
  * @class   vtkSpatialTurbulence
- * @brief   hypertexture: displace or modify the density of a spatial object by noise
+ * @brief   hypertexture: displace or modify the density of a spatial object with noise
  *
  * The method is from K. Perlin and E. Hoffert, "Hypertexture", SIGGRAPH 1989. Let d be the
  * operand's density at x, A the amplitude, n(x) the sum of octaves at the point Frequency * x (see
@@ -41,7 +41,7 @@ public:
     NUMBER_OF_MODES = 3
   };
 
-  /// Returns the lowercase name of a mode, or null if the number is not a mode.
+  /// Returns the lowercase name of a mode, or null if there is no such mode.
   static const char* GetModeName(int mode);
 
   ///@{

@@ -83,7 +83,7 @@ protected:
   /// A scalar field of the position at one time.
   using Field = std::function<double(const double x[3])>;
 
-  /// Returns the field at time \a t. Several threads may call the result at once.
+  /// Returns the field at time \a t. Several threads may call the result concurrently.
   virtual Field GetFieldAtTime(double t) const = 0;
 
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

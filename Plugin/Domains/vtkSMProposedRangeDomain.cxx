@@ -47,7 +47,7 @@ int vtkSMProposedRangeDomain::ReadXMLAttributes(vtkSMProperty* property, vtkPVXM
 
 unsigned int vtkSMProposedRangeDomain::GetRowSize()
 {
-  // Read the number only now, because the property sets it after it creates its domains.
+  // Read the number of elements only now, because the property sets it after creating its domains.
   vtkSMVectorProperty* rows = vtkSMVectorProperty::SafeDownCast(this->GetProperty());
   return rows ? std::max(rows->GetNumberOfElementsPerCommand(), 1) : 1;
 }

@@ -10,7 +10,7 @@ vtkStandardNewMacro(vtkPVStreamSurfaceParameters);
 
 namespace
 {
-/// Returns the first filter of a class upstream, following the first connection of port 0, or null
+/// Returns the first upstream filter of a class, following the first connection of port 0, or null
 /// if there is none. ParaView inserts its own filters between those of the plugin.
 template <typename Filter>
 Filter* FindUpstream(vtkAlgorithm* algorithm)

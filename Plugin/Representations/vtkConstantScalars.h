@@ -27,7 +27,7 @@ public:
   vtkTrivialProducer* Update(vtkDataSet* data);
 
 private:
-  /// Dataset of which the producer has a copy, and its modification time.
+  /// Dataset that was copied to the producer, and its modification time.
   vtkDataSet* Source = nullptr;
   vtkMTimeType SourceTime = 0;
   vtkNew<vtkTrivialProducer> Producer;

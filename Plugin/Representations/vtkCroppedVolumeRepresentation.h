@@ -10,9 +10,10 @@
  * @class   vtkCroppedVolumeRepresentation
  * @brief   crop image volumes to the same box in every process and ParaView version
  *
- * The box is the bounds of the data in all processes, scaled by the cropping scale about the origin
- * of coordinates, and translated by the cropping origin. ParaView's volume representations use the
- * bounds of each process's piece, and the position of their box depends on the ParaView version.
+ * The box is the bounds of the data in all processes, scaled by the cropping scale about the
+ * coordinate origin, and translated by the cropping origin. ParaView's volume representations use
+ * the bounds of each process's piece, and the position of their box depends on the ParaView
+ * version.
  *
  * @sa vtkLitVolumeRepresentation vtkInflowTextureRepresentation
  */

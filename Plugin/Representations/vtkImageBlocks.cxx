@@ -17,7 +17,7 @@ using Images = std::vector<vtkImageData*>;
 
 /// Maximum distance of a sample from the grid of the first image, in units of the spacing.
 constexpr double TOLERANCE = 1e-3;
-/// Limit of sample indices, so that they fit in an int.
+/// Limit for sample indices, so that they fit in an int.
 constexpr double MAXIMUM_INDEX = 1e9;
 
 /// Index box of an image: its first and last sample along each axis.

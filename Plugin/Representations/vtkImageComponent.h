@@ -27,7 +27,7 @@ public:
 
   /**
    * Returns a producer of an image with the geometry of \a image and one array, which has the name
-   * of \a array. Its values are the component, or the magnitude if \a component is below 0, as
+   * of \a array. Its values are the component, or the magnitude if \a component is negative, as
    * float, or double if \a array is double. It is a point array if \a isOfPoints, otherwise a cell
    * array.
    */

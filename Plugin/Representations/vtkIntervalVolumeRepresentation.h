@@ -26,9 +26,8 @@ class vtkVolumeFunctions;
  *
  * Input: a vtkUnstructuredGrid or a composite dataset of them. Cells other than tetrahedra are
  * split into tetrahedra. Color and opacity are set as for ParaView's Volume: a point or cell array,
- * its color and opacity functions, and the unit distance of the opacity. If there is no color
- * array, or the data lack it, the solid color and a constant opacity are used (see
- * vtkVolumeFunctions).
+ * its color and opacity functions, and the opacity unit distance. If there is no color array, or
+ * the data lack it, the solid color and a constant opacity are used (see vtkVolumeFunctions).
  *
  * **Several processes.** Blend modes that do not depend on order produce the same image as a single
  * process, for any distribution of the pieces (see vtkTimeWeightedTetrahedraMapper::GatherPieces).
@@ -41,7 +40,7 @@ class vtkVolumeFunctions;
  * - The processes cannot send grids to each other (see vtkGridExchange).
  * - COMPOSITE_BLEND is used for tetrahedra with an extent in time, which overlap and have no
  *   visibility order.
- * - Another blend mode is used on a tiled display or in a cave, where each process renders only its
+ * - Another blend mode is used on a tiled display or in a CAVE, where each process renders only its
  *   own cells.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkIntervalVolumeRepresentation

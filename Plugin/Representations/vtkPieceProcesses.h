@@ -29,7 +29,7 @@ bool AreDisjoint(vtkMultiProcessController* controller, const double bounds[6]);
 bool IsAnywhere(vtkMultiProcessController* controller, bool isHere);
 
 /// Returns true on a tiled display, whose processes render different tiles of the frame, and in a
-/// cave.
+/// CAVE.
 bool HaveDisplays();
 }
 

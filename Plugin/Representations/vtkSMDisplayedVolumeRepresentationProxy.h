@@ -11,7 +11,7 @@ class vtkSMPVRepresentationProxy;
 
 /**
  * @class   vtkSMDisplayedVolumeRepresentationProxy
- * @brief   proxy of a volume of the plugin that is a subproxy of a display
+ * @brief   proxy of a volume representation of the plugin, used as a subproxy of a display
  *
  * The attribute `type` of the XML hint Volume is the name of this representation in the display's
  * list of representations. The volume follows the translation of the display. While it is selected,

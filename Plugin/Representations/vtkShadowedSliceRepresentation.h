@@ -29,9 +29,9 @@ class vtkVolumeFunctions;
  * joined. Otherwise, the image with the most samples is rendered.
  *
  * **Color and opacity** are set as for ParaView's Volume: an array with its color and opacity
- * functions, a component, the magnitude or all components, a separate opacity array, the unit
- * distance of the opacity, shading and cropping. If there is no color array, or the image
- * lacks it, the solid color and a constant opacity are used (see vtkVolumeFunctions).
+ * functions, a component, the magnitude or all components, a separate opacity array, the opacity
+ * unit distance, shading and cropping. If there is no color array, or the image lacks it, the solid
+ * color and a constant opacity are used (see vtkVolumeFunctions).
  *
  * **Lights**: all lights of the view, and the two lights of vtkLitVolumeRepresentation. Shading is
  * on by default, unlike in ParaView's Volume. Without shading, the lights of the light kit add up

@@ -14,7 +14,7 @@ class vtkRenderer;
 
 /**
  * @class   vtkTemporaryAreaLights
- * @brief   replaces the lights of a renderer by area lights during one rendering
+ * @brief   replaces the lights of a renderer with area lights during one rendering
  *
  * Each standard light becomes a round vtkAreaLight with the same properties. Its size is chosen so
  * that it has a given angular diameter as seen from its focal point. vtkProjectiveLight and

@@ -7,7 +7,7 @@ class vtkTexture;
 
 /**
  * Returns the image of a texture that was selected in ParaView. Reads it again if its file has
- * changed. Returns null for null.
+ * changed. Returns null if the texture is null.
  */
 vtkImageData* vtkTextureImage(vtkTexture* texture);
 

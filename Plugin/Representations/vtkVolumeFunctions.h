@@ -38,7 +38,8 @@ public:
   ///@}
 
   /**
-   * Sets the factor of all opacities per unit distance. Default: 1. Valid: 0 to 1; clamped.
+   * Sets the factor that multiplies all opacities per unit distance. Default: 1. Valid: 0 to 1;
+   * clamped.
    */
   void SetOpacity(double opacity);
 
@@ -62,7 +63,7 @@ private:
   vtkNew<vtkColorTransferFunction> Solid;
   vtkNew<vtkPiecewiseFunction> Flat;
   vtkNew<vtkPiecewiseFunction> Scaled;
-  /// Function, its modification time and factor from which Scaled was computed.
+  /// The function, its modification time and the factor from which Scaled was computed.
   vtkPiecewiseFunction* ScaledSource = nullptr;
   vtkMTimeType ScaledTime = 0;
   double ScaledBy = 1.0;

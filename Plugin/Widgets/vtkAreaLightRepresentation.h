@@ -22,9 +22,9 @@ class vtkSphereSource;
  * outside the right and the upper edge of the emitter. Handles are dragged parallel to the view
  * plane. Dragging the center moves the light but not the focal point. Dragging an edge handle
  * outward by d increases the width or height of the emitter by 2 d; dragging it inward decreases
- * this size, at most to 0. The handle under the cursor is red.
+ * this size, down to 0. The handle under the cursor is red.
  *
- * Use it with vtkLightWidget, as any vtkLightRepresentation. Positional and ConeAngle are not
+ * Use it with vtkLightWidget, like any vtkLightRepresentation. Positional and ConeAngle are not
  * shown.
  *
  * @sa vtkAreaLight vtkLightWidget

@@ -29,7 +29,7 @@ int vtkImplicitFlowVolumeMapper::FillInputPortInformation(int port, vtkInformati
   {
     return 0;
   }
-  // Accept all data sets here, because Render reports a more helpful error for other types.
+  // Accept all datasets here, because Render reports a more helpful error for other types.
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }

@@ -9,14 +9,15 @@ uniform mat4 emitterFromPosition;
 #ifdef OCCLUDER_PLANES
 uniform mat4 positionFromEmitter;
 #endif
-// Five vectors per light: position, and 1 if it is positional; A, B and the first tile; the first
-// sample, the number of samples, the first cube face and the number of faces; the width and height
-// of the emitter area per sample.
+// Five vectors per light: position, and 1 if it is positional; A and B of the depth (A - B / z if
+// positional, A + B * z if directional), and the first tile; the first sample, the number of
+// samples, the first cube face and the number of faces; the width and height of the emitter area
+// per sample.
 uniform vec4 emitters[5 * EMITTERS];
 // Per cube face: right, up, and the axis.
 uniform vec3 emitterSides[3 * EMITTER_SIDES];
-// Per sample: offset from the light's position, or lateral offset per distance 1 along the axis of
-// a directional light; scale and center of its window; its fraction of the light.
+// Per sample: offset from the light's position, or lateral offset per unit distance along the axis
+// of a directional light; scale and center of its window; its fraction of the light.
 uniform vec4 emitterSamples[3 * EMITTER_SAMPLES];
 // Columns of tiles, columns of a tile, and the bias in texels.
 uniform vec3 emitterTiles;

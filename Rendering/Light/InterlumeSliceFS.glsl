@@ -143,8 +143,8 @@ vec3 meanFrom(vec3 start, vec3 end)
 #endif
 
 //INTERLUME::SCATTER
-// Adds the light from direction l that is reflected (equation 2.6 of the dissertation, without the
-// ambient term) or scattered toward the camera.
+// Adds the light from direction l that is reflected (C. Zhang, dissertation, equation 2.6, without
+// the ambient term) or scattered toward the camera.
 void addReflection(inout vec3 sum, vec3 l, vec3 diffuse, vec3 specular)
 {
 #ifdef SCATTER

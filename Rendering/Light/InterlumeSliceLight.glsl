@@ -51,7 +51,7 @@ vec3 getDirection_INDEX()
 #endif
 }
 
-// Returns the factor of the light's color at the sample. It does not include attenuation by the
+// Returns the factor that multiplies the light's color at the sample, without attenuation by the
 // medium.
 vec3 getColor_INDEX(vec3 l)
 {
@@ -267,7 +267,7 @@ bool findTransmittance_INDEX(vec3 l, out LIGHT result)
   bool isUneven = isFront || largestOf((lightest - darkest) * far) > least;
   bool isHard = isFront;
 
-  // If the medium begins inside the segment, the position where it begins is known to some
+  // If the medium begins inside the segment, the position where it begins is known to within a few
   // hundredths of a voxel. One sample is in front of that position and one well behind. Otherwise
   // the samples are Gauss points of the visible part.
   float size = distance(segmentStart, segmentEnd);

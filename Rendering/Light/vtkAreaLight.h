@@ -149,8 +149,8 @@ public:
   std::vector<Sample> GetSamples(int count);
 
   /**
-   * Get the mean color of the emitter, scaled so that its largest channel is 1. It is white without
-   * an image or with an invalid one.
+   * Get the mean color of the emitter, scaled so that its largest channel is 1. It is white if
+   * there is no valid image.
    */
   void GetEmitterColor(double color[3]) const;
 
@@ -179,8 +179,8 @@ private:
   friend class interlume::EmitterSamples;
 
   bool GetFrame(interlume::LightFrame& frame);
-  /// Returns the colors of the emitter's image, recomputed if the image has changed, or null
-  /// without an image. The image must be valid.
+  /// Returns the colors of the emitter's image, recomputed if the image has changed, or null if
+  /// there is no image. The image must be valid.
   const interlume::EmitterGrid* GetGrid() const;
 
   int Shape = ROUND;

@@ -122,8 +122,8 @@ public:
 
   /**
    * Returns the image as texels of red, green and blue, each multiplied by the opacity, x fastest.
-   * Values outside 0 to 1 are clamped; NaN becomes 0. The result is empty without an image or with
-   * an invalid one.
+   * Values outside 0 to 1 are clamped; NaN becomes 0. The result is empty if there is no valid
+   * image.
    */
   std::vector<float> GetTexels() const;
 

@@ -61,8 +61,8 @@ class VolumeImage;
  * The report's SeparateVolumesReason is set if volumes are rendered one by one instead: if
  * rendering them together would need more than eight times the slices of separate rendering or
  * exceed MaximumTextureMemory, or if a mapper draws several volumes. Such volumes cast shadows on
- * surfaces, but not on each other. A volume with an error is skipped. Multiple scattering is common
- * to volumes in shared slices; see Documentation/methods/scattering.md.
+ * surfaces, but not on each other. A volume with an error is skipped. Volumes in shared slices also
+ * share multiple scattering; see Documentation/methods/scattering.md.
  *
  * **Translucent actors** transmit the fraction 1 - opacity of each light in all color channels,
  * regardless of their color. With volumes in the scene, they are drawn in depth order between

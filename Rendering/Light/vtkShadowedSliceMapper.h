@@ -33,9 +33,9 @@ class VolumeImage;
  * The volume is sliced perpendicular to the half vector between the view and light directions, so
  * the slices can be drawn in one order for both the camera and the light (C. Zhang, dissertation,
  * Ohio State 2006, 2.3). Each light has a two-dimensional buffer, which stores the transmittance
- * from the light to the current slice. Each slice is drawn into the frame, lit by way of the
- * buffers, and then into each buffer. See Documentation/methods/shadowed-slices.md for the method,
- * shading and accuracy, and Documentation/measurements.md for times.
+ * from the light to the current slice. Each slice is drawn into the frame, lit through the buffers,
+ * and then into each buffer. See Documentation/methods/shadowed-slices.md for the method, shading
+ * and accuracy, and Documentation/measurements.md for times.
  *
  * **Input**: vtkImageData with point or cell scalars of any type. Select the array with ScalarMode,
  * ArrayName or ArrayId, as in other volume mappers. The scalars have
@@ -181,9 +181,9 @@ public:
 
   ///@{
   /**
-   * Turn on or off coarser slices and pixels when the renderer allocates less time than the last
-   * frame took, as during interaction. Only automatic values change; SliceSpacing is kept if it is
-   * set. Default on.
+   * Turn on or off the use of coarser slices and pixels if the renderer allocates less time than
+   * the last frame took, as during interaction. Only automatic values change; SliceSpacing is kept
+   * if it is set. Default on.
    */
   vtkSetMacro(AutoAdjustSampleDistances, bool);
   vtkGetMacro(AutoAdjustSampleDistances, bool);

@@ -2,7 +2,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Composites an image over the scene, as color times opacity.
+// Composites an image over the scene. Its color is premultiplied by opacity.
 in vec2 texCoord;
 uniform sampler2D image;
 uniform vec2 share;

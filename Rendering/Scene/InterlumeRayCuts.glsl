@@ -6,7 +6,7 @@ uniform vec3 boxUpper;
 uniform vec4 clippingPlanes[CLIPPING_PLANES];
 #endif
 #ifdef CROPPING
-// Axes of the volume, one per column, and the thresholds along them.
+// Axes of the volume, one per column, and the cropping thresholds along them.
 uniform mat3 croppingAxes;
 uniform vec3 croppingLower;
 uniform vec3 croppingUpper;
@@ -61,7 +61,7 @@ bool isCropped(vec3 x)
 }
 
 // Replaces the interval [lower, upper] of s on the ray x + s d by one interval. It has the total
-// length and the center of mass of the parts that cropping leaves.
+// length and the center of mass of the parts that cropping retains.
 void cutToRegions(vec3 x, vec3 d, inout float lower, inout float upper)
 {
   vec3 inverse = inverseOf(d * croppingAxes);

@@ -2,7 +2,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Converts a sum or maximum over tetrahedra to color times opacity.
+// Converts a sum or maximum over tetrahedra to a premultiplied color.
 in vec2 texCoord;
 uniform sampler2D image;
 #ifdef LARGEST_SCALAR

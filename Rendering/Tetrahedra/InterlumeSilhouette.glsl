@@ -69,8 +69,8 @@ struct Shape
   vec4 edgesY;
   vec4 edgesOne;
   vec2 thick;
-  // Planes of values: the value on the base side at the thick point, its slopes in x and y, and the
-  // difference to the other side.
+  // Planes that interpolate values: the value on the base side at the thick point, its slopes in x
+  // and y, and the difference to the other side.
   vec4 depthPlane;
   vec4 scalarPlane;
   vec4 deltaTPlane;
@@ -131,8 +131,8 @@ vec2 slopes(vec3 v, vec2 a, vec2 b, vec2 c)
 const float STEEPEST = 1.0 / 1024.0;
 // Smallest difference of pixel coordinates that single precision resolves. An edge that is closer
 // to the thick point is ignored unless the silhouette is widened, so only the GPU's rasterization
-// decides which tetrahedron covers a pixel. It assigns each pixel to one of two neighbors, but with
-// lambda, both could reject it.
+// decides which tetrahedron covers a pixel. It assigns each pixel to one of two neighbors, whereas
+// lambda could be negative in both.
 const float DIGITS = 1.0 / 32768.0;
 
 // Sets the edge from a to b of a silhouette that is counterclockwise, or clockwise if turn < 0.

@@ -2,7 +2,7 @@
 //VTK::System::Dec
 //INTERLUME::FEATURES
 
-// Draws the segment of a view ray. See FragmentIntegration for the terms.
+// Draws the segment of a view ray in a tetrahedron. See FragmentIntegration for the terms.
 //VTK::Output::Dec
 
 // Output: sums, or color times opacity, depending on the blend mode.
@@ -50,7 +50,7 @@ uniform float opacityOfExtinction;
 #endif
 
 #ifdef SURFACE
-// Boundary triangles, see BoundaryShading.
+// Boundary triangles; see BoundaryShading.
 flat in float baseFace;
 flat in vec4 otherFaces;
 flat in mat3x4 normalPlane;
@@ -104,9 +104,9 @@ vec4 shade(float depth, vec3 meshNormal, vec2 texturePosition)
 }
 #endif
 
-// Series are used up to this optical depth. Thicker segments are split.
+// Series expansions are used up to this optical depth. Thicker segments are split.
 const float LIMIT = 0.5;
-// Opacity that hides everything behind it.
+// Opacity at which everything behind is hidden.
 const float OPAQUE_ENOUGH = 0.999995;
 
 float thinOpacityOf(float x)

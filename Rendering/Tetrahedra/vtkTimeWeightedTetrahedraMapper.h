@@ -48,7 +48,7 @@ struct TetrahedraArrays;
  *   function selects;
  * - two dependent components: color by the first, opacity by the second;
  * - three or four dependent components: color as RGB (unsigned char 0 to 255, other types 0 to 1),
- *   opacity by the fourth component or, without it, by the mean of the three.
+ *   opacity by the fourth component or, if there are three, by their mean.
  *
  * Extinction per unit length is the value of the scalar opacity function divided by
  * ScalarOpacityUnitDistance. It may exceed 1, as in VTK's mappers for unstructured grids.
@@ -213,8 +213,8 @@ public:
   /**
    * Set/Get the name of the point array with the extent in time: one component, values >= 0, in the
    * time unit of the extinction. Default null: use `DeltaT` if the input has this array, otherwise
-   * an extent of 1 everywhere. With an empty name the extent is 1 everywhere. Setting the name of a
-   * missing array is an error.
+   * an extent of 1 everywhere. If the name is empty, the extent is 1 everywhere. Setting the name
+   * of a missing array is an error.
    */
   void SetDeltaTArrayName(const char* name);
   const char* GetDeltaTArrayName() const;
@@ -288,9 +288,9 @@ public:
    * rendered by one process alone. GetBounds then returns the bounds of all partitions.
    *
    * Returns true if all partitions are combined in one image (see the class comment).
-   * AUTOMATIC_PATH tests whether the OpenGL of \a window is software; without a window it assumes a
-   * GPU. If this returns false, or if \a controller is null or has one process, only the input is
-   * drawn.
+   * AUTOMATIC_PATH tests whether the OpenGL of \a window is software; if there is no window, it
+   * assumes a GPU. If this returns false, or if \a controller is null or has one process, only the
+   * input is drawn.
    */
   bool GatherPieces(vtkMultiProcessController* controller, vtkRenderWindow* window = nullptr);
 
@@ -353,7 +353,8 @@ private:
   std::unique_ptr<interlume::PieceExchange> Pieces;
   std::unique_ptr<interlume::PeelingDeferral> Peels;
   std::unique_ptr<interlume::TetrahedraRenderer> Renderer;
-  /// Later of the modification times of the input and the mapper when the last error was reported.
+  /// The later of the modification times of the input and the mapper when the last error was
+  /// reported.
   vtkMTimeType ErrorTime = 0;
 };
 

@@ -236,7 +236,8 @@ double GrayOf(const std::string& color)
   return 0.299 * (number >> 16) + 0.587 * (number >> 8 & 255) + 0.114 * (number & 255);
 }
 
-/// Checks that series differ without colors: lines by their marks, bars by their gray levels.
+/// Checks that series can be told apart without colors: lines by their marks, bars by their gray
+/// levels.
 void CheckGrays()
 {
   std::set<std::string> marks;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests joined results of runs with several numbers of processes, on synthetic rows.
+// Tests combined results of runs with several numbers of processes, on synthetic rows.
 #include "Benchmarks/Ranks/RankRows.h"
 #include "Support/Checks/ReferenceCheck.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the example that paints on an inflow surface, driven by events in the format of
-// vtkInteractorEventRecorder: pixels of the file against a formula of the brush, the view of the
-// flow, and uploads to the graphics card.
+// vtkInteractorEventRecorder: pixels of the file compared with a formula for the brush, the view of
+// the flow, and uploads to the graphics card.
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "PainterWindow.h"
@@ -216,8 +216,8 @@ void CheckFile(const std::string& file, const std::vector<PaintCanvas::Position>
   check.Equal(errors, 0, "values that differ from the brush color");
 }
 
-/// Returns the number of different values in the right half of the right view, which shows only the
-/// flow.
+/// Returns the number of values that differ in the right half of the right view, which shows only
+/// the flow.
 vtkIdType CountChanges(
   const std::vector<unsigned char>& one, const std::vector<unsigned char>& other, std::size_t width)
 {
@@ -295,7 +295,7 @@ void TestStroke(const std::string& folder, Check& check)
   check.That(GetByte(painter.GetCanvas().GetPaint(), 24, 20, 3) > 0, "other paint is unchanged");
 }
 
-/// Tests that a slider does not paint, and that rotating the view does not upload anything.
+/// Tests that moving a slider does not paint, and that rotating the view does not upload anything.
 void TestControls(Check& check)
 {
   Session session;

@@ -35,7 +35,7 @@ FlowScene MakeBlobScene();
 /// and Ways (three components).
 vtkSmartPointer<vtkImageData> MakeTwoFlows();
 
-/// Returns a texture whose red oscillates along u with \a frequency radians in total.
+/// Returns a texture whose red channel oscillates along u with \a frequency radians in total.
 vtkSmartPointer<vtkImageData> MakeStripes(double frequency, double alpha);
 
 /// Sets the unit distance and the lighting coefficients, without specular light.

@@ -159,7 +159,7 @@ void TestCounters(Check& check)
   expect({ 3, 0, 0, 0, 0, 0 }, "changed voxels");
 }
 
-/// Opacity by an array is unchanged if the array and the transfer function are shifted together.
+/// Opacity from an array is unchanged if the array and the transfer function are shifted together.
 void TestOpacityArray(Check& check)
 {
   RgbaImage rendered[2];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares vtkImplicitFlowVolumeMapper with images that evaluate the flow by formula at each sample
-// of a view ray: uniform flow, a rotation, and a strained flow with increasing resolution.
+// Compares vtkImplicitFlowVolumeMapper with images for which a formula gives the flow at each
+// sample of a view ray: uniform flow, a rotation, and a strained flow with increasing resolution.
 #include "FlowDrawing.h"
 
 #include "Support/Arrays/ReferenceIndices.h"

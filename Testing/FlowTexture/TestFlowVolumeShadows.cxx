@@ -261,7 +261,7 @@ void TestUnusedShadows(Check& check)
   check.Equal(fixture.Draw()->GetCount("LightBufferSize"), 32, "the size of light buffers");
 }
 
-/// Errors of the slices are reported by the mapper, and hardware selection works without slices.
+/// The mapper reports errors of slice rendering, and hardware selection works without slices.
 void TestOthers(Check& check)
 {
   Fixture fixture;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// vtkStreamlineTexture: contents of mipmap levels, number of visible lines by distance, contrast,
-// grids, colors, uploads.
+// vtkStreamlineTexture: contents of mipmap levels, number of visible lines as a function of
+// distance, contrast, grids, colors, uploads.
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
@@ -211,7 +211,7 @@ Lines FindLines(const Quad::Row& row, int first, int last)
   return lines;
 }
 
-/// Checks the distance of visible lines in pixels for different sizes of the quad.
+/// Checks the distance between visible lines in pixels for different sizes of the quad.
 void TestDistances(StabilityCatalogue& catalogue, int direction)
 {
   vtkNew<vtkStreamlineTexture> texture;
@@ -373,7 +373,7 @@ void TestUploads(Check& check)
   quad.Actor->SetTexture(nullptr);
   check.That(other.Draw() == wide, "the image is equal in another window");
   check.Equal(texture->GetNumberOfUploads(), 4, "one upload in another window");
-  // Fewer lines have fewer levels.
+  // A texture with fewer lines has fewer levels.
   texture->SetNumberOfLines(4);
   other.Draw();
   check.Equal(texture->GetNumberOfLevels(), 3, "levels of four lines");

@@ -21,7 +21,7 @@ namespace fuzz
 /// them reproduces the output.
 void RunIntervals(FuzzRandom& random, std::string& text, reference::Check& check);
 
-/// Checks that vtkIsotableContour puts points on the isovalue.
+/// Checks that all points of vtkIsotableContour have the isovalue.
 void RunContours(FuzzRandom& random, std::string& text, reference::Check& check);
 
 /// Checks vtkTimeVaryingIntervalVolume and vtkSimplexTimeSlice on time steps of one grid.

@@ -46,8 +46,8 @@ std::array<int, 3> MakeDimensions(FuzzRandom& random)
     random.Integer(smallest, 7) } };
 }
 
-/// Returns increasing or decreasing coordinates. Unless \a isTame, some are equal, reverse their
-/// direction, or are not finite.
+/// Returns increasing or decreasing coordinates. Unless \a isTame is true, some are equal, out of
+/// order, or not finite.
 vtkSmartPointer<vtkDoubleArray> MakeCoordinates(FuzzRandom& random, int count, bool isTame)
 {
   auto coordinates = vtkSmartPointer<vtkDoubleArray>::New();

@@ -36,7 +36,7 @@ FuzzData MakeData(FuzzRandom& random);
 /// Creates an image of a few cells with the point array `f`.
 FuzzData MakeImage(FuzzRandom& random);
 
-/// Creates tetrahedra with the point array `f`, which may be degenerate, inverted or disconnected.
+/// Creates tetrahedra, which may be degenerate, inverted or disconnected, with the point array `f`.
 FuzzData MakeTetrahedra(FuzzRandom& random);
 
 /// Adds a three-component point array `v` as the active vectors, smooth or random.

@@ -95,7 +95,7 @@ int TestModels(int, char*[])
   }
   check.SetContext("");
   // Expected volume of the rounded box: three pairs of slabs, quarter cylinders along the edges,
-  // and one sphere at the corners.
+  // and one sphere, an eighth of it at each corner.
   const double r = 0.1;
   const double pi = vtkMath::Pi();
   double found = 0.0;

@@ -57,7 +57,7 @@ public:
   /// the first volume.
   void AddSmoke(const std::array<double, 6>& bounds, double extinction, int cells = 8);
 
-  /// Draws a frame, with vtkShadowedScenePass if \a hasPass.
+  /// Draws a frame, with vtkShadowedScenePass if \a hasPass is true.
   RgbaImage Draw(bool hasPass = true);
   /// Returns the first channel of the pixel that shows (x, y).
   double At(const RgbaImage& image, double x, double y) const;

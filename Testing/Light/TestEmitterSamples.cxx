@@ -79,7 +79,7 @@ double Y(const glm::dvec2& p)
   return p.y;
 }
 
-// A square of edge 1 has the variance 1/12 along each axis, and a disk of radius R = 1/2 has R^2/4.
+// A square of side 1 has the variance 1/12 along each axis, and a disk of radius R = 1/2 has R^2/4.
 // The variance of N samples of the square is (1 - 1/N^2) / 12.
 void CheckMoments(Check& check)
 {

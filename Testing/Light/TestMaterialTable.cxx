@@ -30,7 +30,7 @@ using namespace reference;
 constexpr std::size_t Columns = interlume::MaterialTable::Columns;
 using Range = std::array<double, 2>;
 
-/// Creates two voxels, with the lower and upper values of the ranges.
+/// Creates two voxels, one with the lower and one with the upper values of the ranges.
 interlume::VolumeSamples MakeSamples(const std::vector<Range>& ranges)
 {
   vtkNew<vtkDoubleArray> array;

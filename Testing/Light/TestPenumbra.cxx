@@ -12,7 +12,7 @@ namespace
 
 using namespace reference;
 
-// A parallel light of edge L at distance Z from the half plane casts a penumbra of width L dZ / Z.
+// A light of side L, parallel to a half plane at distance Z, casts a penumbra of width L dZ / Z.
 void CheckParallel(Check& check)
 {
   constexpr double edge = 0.6;

@@ -24,7 +24,7 @@ using namespace reference;
 constexpr int PIXELS = 256;
 constexpr double SIZE = 2.0;
 
-// Creates a checkerboard with \a squares squares along each edge, whose two colors vary by row.
+// Creates a checkerboard with \a squares squares along each edge. The lighter color varies by row.
 vtkSmartPointer<vtkImageData> MakeBoard(int squares)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

@@ -45,8 +45,7 @@ bool IsLit(const RgbaImage& image)
   return false;
 }
 
-/// Returns a property with steps of opacity instead of a ramp. The first step has the opacity \a
-/// haze.
+/// Returns a property with opacity steps instead of a ramp. The first step has the opacity \a haze.
 vtkSmartPointer<vtkVolumeProperty> MakeStepProperty(double haze)
 {
   auto property = MakeSoftProperty(0.6, true);

@@ -164,8 +164,8 @@ void TestSweeps(Check& check)
   sweeps("light inside", 2, 1);
 }
 
-/// A light inside the volume divides one sweep into two: no slice is drawn twice, and the light
-/// buffer is drawn once per slice that contains medium.
+/// A light inside the volume splits one sweep into two: no slice is drawn twice, and the light
+/// buffer is drawn once for each nonempty slice.
 void TestInside(Check& check)
 {
   auto scene = SphereScene();
@@ -252,7 +252,7 @@ void TestUploads(Check& check)
   const ReportCopy first = CopyReport(mapper->GetReport());
   check.That(first->GetNumber("UploadedBytes") > 21 * 21 * 21, "the volume is uploaded");
   check.That(first->GetNumber("TextureBytes") > 21 * 21 * 21, "the uploaded textures are retained");
-  // A new view or light uploads slices, but no textures.
+  // After a change of the view or a light, slices are uploaded, but textures are not.
   const auto expectNothing = [&](const std::string& name, bool isSame = true)
   {
     stage.Render();

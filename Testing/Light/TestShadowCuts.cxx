@@ -89,7 +89,7 @@ double One(const Double3&)
   return 1.0;
 }
 
-/// Compares a scene with the reference. Slices are as thick as three voxels.
+/// Compares a scene with the reference. Slices are three voxels thick.
 void ExpectExact(
   Check& check, const std::string& name, const ShadowScene& scene, const ImageBound& bound = Exact)
 {
@@ -183,7 +183,8 @@ void TestExtracted(Check& check)
   }
 }
 
-/// Checks cropping regions with gaps, for special and random flags, near the origin and far away.
+/// Checks cropping regions with gaps, for predefined and random flags, near the origin and far
+/// away.
 void TestGaps(Check& check)
 {
   Random random(12);
@@ -261,8 +262,8 @@ void TestCameraPlanes(Check& check)
     scene.ClippingPlanes = { plane.Get() };
     expect("both planes and a clipping plane", -0.21, 0.07);
 
-    // Lit scenes: a medium of low density, and steps of opacity whose slabs are treated as
-    // optically thick.
+    // Lit scenes: a medium of low density, and an opacity step whose slabs are treated as optically
+    // thick.
     for (const bool isThick : { false, true })
     {
       auto lit = MakeScene(

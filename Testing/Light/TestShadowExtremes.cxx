@@ -36,7 +36,7 @@ namespace
 
 using namespace reference;
 
-/// Slabs of one voxel use one sample at their center, which causes this error in a fuzzy sphere.
+/// Slabs one voxel thick use one sample at their center, which causes this error in a fuzzy sphere.
 constexpr double Bound = 0.02;
 
 class ShadowTable
@@ -106,8 +106,8 @@ void TestLightPositions(ShadowTable& table)
     MakePositionalLight({ { -cameraPosition[0], -cameraPosition[1], -cameraPosition[2] } }));
   measure("light-across", "light exactly perpendicular to the view",
     MakeDirectionalLight({ { 1.0, -0.75, 0.0 } }));
-  // This direction is perpendicular to the view, where the order of slices changes between front to
-  // back and back to front.
+  // This direction is perpendicular to the view, where the slice order switches between
+  // front-to-back and back-to-front.
   measure("light-in-slice-plane", "a light next to the volume, in the plane of a slice",
     MakePositionalLight({ { -0.8, 0.6, 0.0 } }));
   measure("light-distance-1e-3", "a light 1e-3 above the volume",

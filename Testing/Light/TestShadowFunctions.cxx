@@ -102,7 +102,7 @@ ShadowScene GentleScene(vtkVolumeProperty* property)
   return scene;
 }
 
-/// Compares with thin slabs in both frames, so slab thickness does not affect the comparison.
+/// Compares a frame with the reference. Both use thin slabs, so slab thickness has no effect.
 void ExpectThin(
   Check& check, const std::string& name, const ShadowScene& scene, const ImageBound& bound)
 {
@@ -177,8 +177,8 @@ void TestOthers(Check& check)
     { 3e-3, 2e-4 });
 }
 
-/// Returns an image with the same values at the same positions, but with reversed axes: by negative
-/// spacing, or by the direction matrix.
+/// Returns an image with the same values at the same positions, but with axes reversed by negative
+/// spacing or by the direction matrix.
 vtkSmartPointer<vtkImageData> Reverse(
   vtkImageData* image, const std::array<bool, 3>& isReversed, bool isByDirection)
 {

@@ -36,8 +36,8 @@ namespace
 
 using namespace reference;
 
-/// Bound for soft media. It allows for functions that are nonlinear within a slab, since slabs of
-/// one voxel use one sample at their center.
+/// Bound for soft media. It allows for functions that are nonlinear within a slab, since slabs one
+/// voxel thick use one sample at their center.
 constexpr ImageBound Soft = { 0.015, 0.0006 };
 /// Bound for volumes cut by planes, which leave slabs thinner than a voxel.
 constexpr ImageBound Cut = { 0.06, 0.0006 };
@@ -67,7 +67,7 @@ void TestVolumes(Check& check)
   }
 }
 
-/// Tests skin and bone in a tomography of part of a head.
+/// Tests skin and bone in a CT scan of part of a head.
 void TestTomography(Check& check)
 {
   const auto head = interlume::ReadData("headsq_quarter.vti");
@@ -116,7 +116,7 @@ void TestScalarTypes(Check& check)
   }
 }
 
-/// Replaces the scalars by one component per field.
+/// Replaces the scalars with an array that has one component per field.
 void AddComponents(vtkImageData* image, const std::vector<Field>& fields, int type, double scale)
 {
   const auto values = vtkSmartPointer<vtkDataArray>::Take(vtkDataArray::CreateDataArray(type));
@@ -366,7 +366,7 @@ void TestTransforms(Check& check)
   ExpectReference(check, "matrix of the volume", scene, Cut);
 }
 
-/// Settings of the mapper make frames finer or coarser, but do not change them otherwise.
+/// The mapper's settings make frames finer or coarser, but otherwise do not change them.
 void TestSettings(Check& check)
 {
   const auto scene = MakeScene(MakeImage(24, TwoBoxes), MakeSoftProperty(0.9, true));

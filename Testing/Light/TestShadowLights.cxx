@@ -31,7 +31,7 @@ using namespace reference;
 constexpr ImageBound Bound = { 0.02, 0.0004 };
 /// Bound for positional lights, whose brightness varies within the volume.
 constexpr ImageBound PositionalBound = { 0.012, 0.0002 };
-/// Bound for cones of light. An error of 10 % in the exponent would exceed it.
+/// Bound for spotlights. A falloff exponent that is off by 10 % would exceed it.
 constexpr ImageBound ConeBound = { 0.0075, 0.00013 };
 constexpr ImageBound ScreenBound = { 0.008, 0.00014 };
 
@@ -171,7 +171,7 @@ void TestProjective(Check& check)
     ExpectReference(check, "slide, not shaded" + kind, scene, ScreenBound);
     light->InterpolateOff();
     light->SetEdgeWidth(0.0);
-    // The slab thickness blurs the edges of the screen and of its pixels.
+    // The slab thickness blurs the edges of the screen and of the slide's pixels.
     ExpectReference(check, "sharp slide" + kind, scene, { 0.03, 0.0004 });
   }
 }

@@ -122,7 +122,7 @@ void TestTwoSidedLighting(Check& check)
 ReportCopy DrawAtRate(VolumeStage& stage, vtkShadowedSliceMapper* mapper, double rate)
 {
   stage.GetWindow()->SetDesiredUpdateRate(rate);
-  // The first frame at a rate only measures the time that the second frame uses.
+  // The first frame at a new rate only measures the time, to which the second frame is adjusted.
   stage.GetWindow()->Render();
   stage.GetWindow()->Render();
   return CopyReport(mapper->GetReport());

@@ -78,7 +78,7 @@ struct Case
   double Opacity;
   /// Slice spacing in voxels.
   double Spacing;
-  /// Allowed relative difference of the mean brightness between both sides of the plane.
+  /// Allowed relative difference in mean brightness between the two sides of the plane.
   double Bound;
   /// True if the medium has a transmission color.
   bool IsColored = false;

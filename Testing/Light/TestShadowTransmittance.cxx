@@ -38,7 +38,7 @@ using namespace reference;
 constexpr double DefaultBound = 1e-3;
 constexpr double AngleBound = 2e-3;
 
-/// Returns a property in which the extinction of a value v is v times \a largest.
+/// Returns a property that maps a value v to the extinction v * \a largest.
 vtkSmartPointer<vtkVolumeProperty> MakeProportional(double largest)
 {
   constexpr int pieces = 1024;

@@ -366,8 +366,8 @@ void TestCounters(Check& check)
         smoke.Mapper->GetReport()->GetNumber("ImageBufferBytes"),
     "only smoke: same work");
 
-  // Counts camera depth passes for only a wall, a wall in front of smoke, and a wall without shadow
-  // lights.
+  // Counts camera depth passes for a wall alone, with smoke, and with smoke but no light that casts
+  // shadows.
   for (int i = 0; i < 3; ++i)
   {
     SceneStage stage(64);

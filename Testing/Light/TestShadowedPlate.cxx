@@ -65,7 +65,7 @@ vtkSmartPointer<vtkVolumeProperty> MakeMedium(bool isShaded)
 enum Kinds
 {
   PLAIN,
-  /// In the red channel, the extinction for light is halved.
+  /// In the red channel, the extinction along light rays is halved.
   COLORED,
   NEAREST,
   /// Two lights of half the intensity, one from each side.
@@ -168,7 +168,7 @@ void TestPlate(Check& check, const Case& plate)
   const double seen = -plate.View[2] / vtkMath::Norm(plate.View.data());
   const double lit = -plate.Light[2] / vtkMath::Norm(plate.Light.data());
   constexpr double bright = 187.0;
-  // The integral of exp(-a - a seen / lit) da over optical depths a is 1 / (1 + seen / lit).
+  // The integral of exp(-a - a * seen / lit) over all optical depths a is 1 / (1 + seen / lit).
   const double fraction = plate.Kind == COLORED ? 0.5 : 1.0;
   const double intensity =
     bright / 255.0 * (1.0 + fraction * seen / lit) / (plate.IsShaded ? lit : 1.0);

@@ -102,8 +102,8 @@ void TestSpecks(Check& check)
   }
 }
 
-// Tests a sphere or thin plate under a sun with an extent. Points that the full sun illuminates
-// look the same with and without shadows, and points that face away from the full sun are black.
+// Tests a sphere or thin plate under an area light. Points that the full light illuminates look the
+// same with and without shadows, and points that face away from all of the light are black.
 void TestSoftSpecks(Check& check)
 {
   for (const double height : { 1.0, 0.3 })

@@ -101,7 +101,7 @@ void TestLights(Check& check)
   check.Near(largest, 0.0, 1e-4, "a quarter of the attenuation", 1.0);
   suns[0]->SetShadowAttenuation(1.0F);
 
-  // A headlight casts no shadows of actors, but shadows of smoke.
+  // In a headlight, smoke casts shadows but actors do not.
   vtkSmartPointer<vtkLight> head = MakeSun({ { 0.0, 0.0, -1.0 } });
   head->SetLightTypeToHeadlight();
   stage->Stage.SetLights({ head });

@@ -134,7 +134,7 @@ double GetMinimum(const std::vector<glm::dvec3>& rays, const glm::dvec3& normal,
   return minimum;
 }
 
-// Returns normals in all directions, with more normals near a center.
+// Returns normals in all directions, with more of them near \a center.
 std::vector<glm::dvec3> GetNormals(const glm::dvec3& center)
 {
   std::vector<glm::dvec3> normals = { center };
@@ -194,7 +194,7 @@ void CheckSlabs(Check& check, const interlume::SlicePlan& plan, std::size_t inde
   check.Near(sweep.First + sweep.Slabs * sweep.Spacing, upper, 1e-12,
     "the last slab ends at the highest vertex", 1.0);
   const double voxel = interlume::SlicePlan::GetVoxelSpacing(space, sweep.Normal);
-  // No line inside a voxel is longer than the sum of its edges.
+  // No line inside a voxel is longer than the sum of the voxel's edge lengths.
   double maximumLength = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -562,7 +562,7 @@ void CheckCounts(Check& check)
   }
 }
 
-// A light inside the volume has as many slabs as a light outside.
+// A light inside the volume adds at most one slab.
 void CheckHalves(Check& check)
 {
   check.SetContext("halves");
@@ -726,8 +726,8 @@ void CheckScreens(Check& check)
   }
 }
 
-// For a camera at a distance of 1e300, rays to vertices are undefined. The view direction is used
-// instead.
+// A camera that is too far away has no finite position. The view direction is used instead of rays
+// to vertices.
 void CheckEyeWithoutPosition(Check& check)
 {
   const interlume::UnitSpace space = MakeCube();

@@ -194,8 +194,8 @@ std::vector<Triangle> GetTriangles(
   return triangles;
 }
 
-// Returns true if a point is to the left of an edge. The result is consistent between both
-// triangles of the edge.
+// Returns true if a point is to the left of an edge. The result is the same for both triangles that
+// share the edge.
 bool IsLeft(const Point& a, const Point& b, const Point& p)
 {
   if (b < a)

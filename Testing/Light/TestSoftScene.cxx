@@ -47,7 +47,7 @@ vtkSmartPointer<vtkAreaLight> MakeRoundLight(const Double3& position, double siz
   return light;
 }
 
-/// Converts a light for the reference renderer, to \a count points on its emitter.
+/// Converts a light for the reference renderer, with \a count sample points on its emitter.
 SceneLight MakeReferenceLight(vtkAreaLight* light, int count)
 {
   double matrix[16];
@@ -150,8 +150,8 @@ void TestReference(Check& check)
   TestCase(check, setting);
   setting.Name = "plate as wide as the smoke, far above a floor";
   setting.Actors = { MakeFloor(-2.0), MakeBox({ { -0.5, 0.5, -0.5, 0.5, 0.6, 0.65 } }) };
-  // Plate and smoke block the same part of the light for many points. The product of their means
-  // would have a mean error of 0.013.
+  // For many points, the plate and the smoke block the same part of the light. The product of their
+  // means would have a mean error of 0.013.
   setting.Bound = { 0.08, 0.005 };
   TestCase(check, setting);
   setting.Samples = { 16 };
@@ -228,7 +228,8 @@ void TestSampledLights(Check& check)
   check.Near(CompareImages(images[0], images[1]).Max, 0.0, 0.0, "SAMPLED_LIGHTS in a scene", 1.0);
 }
 
-/// Draws an area light and a directional light. Neither adds shadow maps of the other light's kind.
+/// Draws an area light and a directional light. Neither light adds the kind of shadow map that the
+/// other uses.
 void TestBoth(Check& check)
 {
   RgbaImage images[3];

@@ -132,7 +132,7 @@ void TestHalfPlane(Check& check)
       check.Near(error, 0.0, 0.05, name + ": width", 1.0);
       check.Near(fit, 0.0, 0.05, name + ": fitted width", 1.0);
       check.Near(largest, 0.0, size == 128 ? 0.035 : 0.015, name + ": profile", 1.0);
-      // Below 2 %, the positions of batches dominate the error of the width.
+      // Below 2 %, the positions of the slab batches dominate the error of the width.
       check.That(std::abs(error) < std::max(lastError, 0.02) && largest < 0.8 * lastLargest,
         name + ": width and profile converge");
       lastError = std::abs(error);

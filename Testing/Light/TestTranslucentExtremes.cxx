@@ -146,7 +146,7 @@ void TestOpacities(Table& table)
 
 void TestPositions(Table& table)
 {
-  // The planes of slices along z are at these heights and in between.
+  // The square is just below, in and just above the plane of a slice.
   double largest = 0.0;
   RgbaImage before;
   for (int i = 0; i < 3; ++i)
@@ -339,7 +339,7 @@ void TestRenderers(Table& table)
     "largest difference from the previous image", CompareImages(stage.Draw(), before).Max, 0.0);
 }
 
-// Settings that random changes modify.
+// Settings that are changed at random.
 struct Settings
 {
   std::vector<Vector> Positions{ { { 0.0, 0.0, 0.05 } }, { { 0.1, 0.0, 0.3 } } };

@@ -28,7 +28,7 @@ using namespace reference;
 using Size = std::array<int, 3>;
 using Index = std::array<int, 3>;
 
-/// A volume with its values.
+/// Type, size and values of a test volume.
 struct Case
 {
   std::string Name;
@@ -209,7 +209,7 @@ void CheckCase(const Case& volume, Check& check)
   CheckBlocks(volume, interlume::VolumeBlocks::SmallSize, check);
 }
 
-/// Returns values of 0 with a few samples in the band.
+/// Returns values that are 0 except for a few samples in the band.
 std::function<double(const Index&, int)> MakeSparse(const Size& size, int type, int points)
 {
   std::mt19937 random(static_cast<unsigned int>(size[0] + 100 * size[1] + points));

@@ -81,7 +81,7 @@ void CheckPreserved(vtkPolyData* surface, vtkIdType triangles, Check& check)
   }
 }
 
-/// No quality bound can be satisfied next to angles of 15 degrees. The maximum volume still can be
+/// No quality bound can be satisfied next to angles of 15 degrees. The maximum volume can still be
 /// satisfied, and tetrahedra do not shrink without limit.
 void CheckNeedles(Check& check)
 {

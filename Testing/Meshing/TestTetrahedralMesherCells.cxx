@@ -53,7 +53,7 @@ vtkSmartPointer<vtkInterlumeReport> CheckMesh(vtkDataSet* input, long double vol
   check.Equal(report.FacesTurned, 0, "tetrahedra lie on opposite sides of their common face");
   check.Equal(report.UnusedPoints, 0, "every point is used");
   check.Near(report.Volume, volume, 1e-12, "volume");
-  // Each face along an interior crack occurs once and changes the volume within the outer faces.
+  // Faces along an interior crack would count as outer faces and change this volume.
   check.Near(report.BoundaryVolume, volume, 1e-12, "volume within the outer faces");
   if (input->GetPointData()->GetArray("f"))
   {

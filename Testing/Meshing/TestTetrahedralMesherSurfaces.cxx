@@ -301,7 +301,7 @@ void CheckPointContacts(Check& check)
   }
 }
 
-/// Two walls touch that are triangulated along different diagonals.
+/// Two walls that touch are triangulated along different diagonals.
 void CheckDiagonals(Check& check)
 {
   check.SetContext("a wall with other diagonals");

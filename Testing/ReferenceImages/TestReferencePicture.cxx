@@ -87,7 +87,7 @@ void TestLinear(Check& check)
   const double pi = std::acos(-1.0);
   for (double b : { 1e-3, 1.0, 50.0, 1e4, 1e9 })
   {
-    // Extinction from 0 to b and color from 0 to 1: the integral of t b t exp(-b t^2 / 2).
+    // Extinction from 0 to b and color from 0 to 1: the integral of t * b t * exp(-b t^2 / 2).
     const Light light = integral(0.0, b, 0.0, 1.0);
     const double seen =
       std::sqrt(pi / (2.0 * b)) * std::erf(std::sqrt(0.5 * b)) - std::exp(-0.5 * b);

@@ -127,7 +127,7 @@ void TestCuts(Check& check)
   ExpectCenter(check, scene, Gray(along), alpha, "clipped");
 }
 
-/// The opacity is 1 - s z along the light direction. The depth is the integral of -ln(1 - s z).
+/// The opacity at distance t along the light is s t. The optical depth integrates -ln(1 - s t).
 void TestLinear(Check& check)
 {
   const double s = 0.9;
@@ -144,8 +144,8 @@ void TestLinear(Check& check)
       GetOpticalDepth(medium, { { 0.1, 0.2, z } }, { { 0.0, 0.0, 1.0 } }, 10.0, 4);
     check.Near(found[1], depth, 1e-5, "depth of a linear medium", 1.0);
   }
-  // With the depth as integration variable, alpha and light have the same form as for the
-  // homogeneous cube.
+  // With the optical depth as the integration variable, alpha and light have the same form as for
+  // the homogeneous cube.
   const double total = ((1.0 - s) * std::log1p(-s) + s) / s / 0.2;
   scene.Property->SetAmbient(0.0);
   scene.Property->SetDiffuse(1.0);
@@ -155,7 +155,7 @@ void TestLinear(Check& check)
     rendered.At(Center, Center)[0], -0.5 * std::expm1(-2.0 * total), 1e-5, "linear, light");
 }
 
-/// The opacity is constant, and the values increase linearly, so that there is one normal.
+/// The opacity is constant, and the values increase linearly, so that all normals are equal.
 void TestShading(Check& check)
 {
   const Double3 slope = { { 0.0, 0.6, -0.8 } };

@@ -44,7 +44,7 @@ bool IsFinerThanBytes(const RgbaImage& image)
 void Compare(
   Check& check, vtkUnstructuredGridVolumeMapper* mapper, vtkUnstructuredGrid* grid, bool parallel)
 {
-  // The opacity reaches 1, since VTK's mapper stores it in 8 bits.
+  // The opacity is at most 1, since VTK's mapper stores it in 8 bits.
   auto property = MakeRamp(0.1, 1.0, 0.5);
   auto camera = LookAt(grid, Slanted, parallel);
   CameraSettings settings;

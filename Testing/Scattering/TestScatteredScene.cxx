@@ -197,7 +197,7 @@ public:
       this->Medium, { this->Light }, interlume::ScatteringMode::Full, {}, this->Field, report));
   }
 
-  /// Returns the received light by the formula of SceneScatteredLight.h.
+  /// Returns the received light by the formula in SceneScatteredLight.h.
   double GetFormula(double distance) const
   {
     double sum = 0.0;

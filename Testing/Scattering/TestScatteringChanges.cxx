@@ -194,7 +194,7 @@ void TestChanges(Check& check)
     check.Near(CompareImages(rotated[i], DrawByNewMapper(again)).Max, 0.0, 0.0,
       "rotated view: same image as by a new mapper", 1.0);
   }
-  // Another mapper may mark the data as changed, so it draws a separate state.
+  // Another mapper may mark the data as changed, so the new mappers draw a separate state.
   State other;
   for (const Change& change : GetChanges())
   {
@@ -206,8 +206,8 @@ void TestChanges(Check& check)
     other.Scene.Camera = state.Scene.Camera;
     const double difference = CompareImages(image, DrawByNewMapper(other)).Max;
     check.Near(difference, 0.0, 0.0, change.Name + ": same image as by a new mapper", 1.0);
-    // The number of layers, and phase functions with low anisotropy, may not change the image
-    // visibly.
+    // The number of layers, and phase functions with low anisotropy, might not visibly change the
+    // image.
     const bool mayBeEqual =
       change.Name == "layers" || change.Name == "anisotropy" || change.Name == "phase";
     check.That(

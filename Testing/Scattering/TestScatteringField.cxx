@@ -172,7 +172,7 @@ std::vector<vtkSmartPointer<vtkLight>> MakeFurnace()
   return lights;
 }
 
-/// Light scattered by the medium of the furnace plus a transmitted white background. Values are
+/// Light scattered by the medium of the furnace, plus the transmitted white background. Values are
 /// means over blocks of 4 x 4 pixels and over the eight symmetries of the cube and its lights.
 class FurnaceImage
 {
@@ -269,8 +269,8 @@ void TestFurnace(Check& check)
                 << noise << ", largest difference of blocks " << found.GetDifference(expected)
                 << ", brightest " << largest << std::endl;
       // With 400 paths per pixel, the means differ by at most 0.008 up to depth 3 and by 0.024 at
-      // depth 10. The smallest blocks combine 64 pixels, so that their noise is four times the
-      // total noise.
+      // depth 10. The smallest blocks combine 64 pixels, so their noise is four times the noise of
+      // the mean.
       check.Near(found.GetMean(), expected.GetMean(), noise + (depth < 5.0 ? 0.008 : 0.025),
         name + ": mean", 1.0);
       check.Near(found.GetDifference(expected), 0.0, 0.045 + 12.0 * noise, name + ": blocks", 1.0);

@@ -161,7 +161,7 @@ void TestPhases(Check& check)
   }
 }
 
-/// Settings of scattering have no effect if scattering is off.
+/// Scattering settings have no effect if scattering is off.
 void TestOff(Check& check)
 {
   for (const bool shade : { false, true })

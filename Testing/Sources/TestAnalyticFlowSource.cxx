@@ -126,8 +126,8 @@ bool IsFreeOfDivergence(int field)
     field != vtkAnalyticFlowSource::COUPLED_CHARGE;
 }
 
-// Compares the Jacobian with fourth-order differences, except where they extend over the edge of a
-// core.
+// Compares the Jacobian with fourth-order finite differences, except where these cross the edge of
+// a core.
 void CheckDerivatives(Check& check)
 {
   vtkNew<vtkAnalyticFlowSource> source;
@@ -180,7 +180,7 @@ void CheckDerivatives(Check& check)
 }
 
 // Compares the velocity with the time derivative of a known flow map at time 0. Also checks that
-// the map is a group: advection by s and then by t equals advection by s + t.
+// the maps form a group: advection by s and then by t equals advection by s + t.
 void CheckFlowMaps(Check& check)
 {
   vtkNew<vtkAnalyticFlowSource> source;
@@ -443,8 +443,8 @@ void CheckVortices(Check& check)
   }
 }
 
-// Close to the axis, differences of the swirl cancel. The expected values use the series of phi(s)
-// = (1 - exp(-s)) / s.
+// Close to the axis, the formula for the swirl suffers from cancellation. The expected values use
+// the series of phi(s) = (1 - exp(-s)) / s.
 void CheckCore(Check& check)
 {
   check.SetContext("core of the tornado");

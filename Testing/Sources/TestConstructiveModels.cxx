@@ -44,7 +44,7 @@ double CheckBox(int model, Check& check)
   vtkNew<vtkConstructiveModelSource> source;
   source->SetModel(model);
   source->SetResolution(100);
-  // Noise is slow, and the volume of the noisy sphere is unknown.
+  // Noise is slow to evaluate, and the volume of the noisy sphere is unknown.
   source->SetNumberOfSubsamples(model == vtkConstructiveModelSource::HYPERTEXTURE_SPHERE ? 1 : 2);
   source->Update();
   vtkImageData* image = source->GetOutput();

@@ -190,8 +190,8 @@ void CheckSubsamples(Check& check)
   }
 }
 
-// Points next to an object have the object's color, points farther away have no color, also at the
-// sides of the image.
+// Points next to an object have the object's color and points farther away have no color, even at
+// the sides of the image.
 void CheckNeighbors(Check& check)
 {
   check.SetContext("neighbors");

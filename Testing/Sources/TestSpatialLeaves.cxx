@@ -161,7 +161,7 @@ void CheckImage(Check& check)
   object->SetColorArrayName(nullptr);
   object->Evaluate(x, sample);
   check.Near(sample.Color[0], 1.0, 0.0, "red without an array");
-  // Between the last two points of a row. The second last value is 100 too, therefore half of it
+  // Between the last two points of a row. The second-to-last value is also 100, so half of it
   // contributes.
   values->SetComponent(image->GetNumberOfPoints() - 2, 0, 100.0);
   values->SetComponent(image->GetNumberOfPoints() - 1, 0, std::nan(""));

@@ -156,7 +156,7 @@ void CheckNestedDifference(Check& check)
   check.Near(found.Density, 0.6, 1e-15, "density", 1.0);
 }
 
-// Two solids: the values in the intersection and in each solid.
+// Tests two overlapping boxes at points in only the first box, in both, and in only the second.
 void CheckSolids(Check& check)
 {
   const double expected[vtkSpatialOperation::NUMBER_OF_OPERATIONS][3] = { { 1.0, 1.0, 1.0 },
@@ -191,7 +191,8 @@ void CheckSolids(Check& check)
   }
 }
 
-// EvaluateSpan matches Evaluate for spans of which an operand covers no, some or all points.
+// EvaluateSpan matches Evaluate for spans in which an operand covers none, some or all of the
+// points.
 void CheckSpans(Check& check)
 {
   for (int operation = 0; operation < vtkSpatialOperation::NUMBER_OF_OPERATIONS; ++operation)

@@ -45,8 +45,8 @@ vtkSmartPointer<vtkDataSet> Copy(vtkDataSet* data)
   return copy;
 }
 
-// Checks that every point of the subextent equals the point of the full output. Returns the number
-// of points.
+// Checks that every point of the subextent equals the same point of the full output. Returns the
+// number of points.
 vtkIdType ComparePart(vtkDataSet* part, vtkDataSet* whole, Check& check)
 {
   Extent extent = GetExtent(part);

@@ -39,7 +39,7 @@ TetrahedraVolume Measured(vtkDataSet* data, const std::vector<Interval>& interva
   return MeasureTetrahedra(ExtractIntervals(data, intervals).Volume);
 }
 
-/// Moves all points of the mesh and returns it.
+/// Applies \a move to all points of the mesh and returns the mesh.
 vtkSmartPointer<vtkUnstructuredGrid> Moved(
   vtkUnstructuredGrid* mesh, const std::function<void(double*)>& move)
 {

@@ -30,7 +30,8 @@ Vector Rotate(const Vector& x)
   return { { -x[1], x[0], 0.25 } };
 }
 
-/// Returns an image of [-2, 2]^3 times the size, with the field's vectors at the scaled points.
+/// Returns an image of the cube [-2, 2]^3 scaled by \a size, with the vectors of \a field scaled by
+/// \a speed.
 vtkSmartPointer<vtkImageData> MakeImage(
   const VectorField& field, double size = 1.0, double speed = 1.0, int points = 17)
 {

@@ -212,7 +212,7 @@ void TestScales(StabilityCatalogue& catalogue)
   const auto still = Advect(BoxWalker(zero, lattice), options, { 0, 0, 0 });
   catalogue.Check("zero-field", "vectors 0 everywhere", "status stagnated after 0 steps",
     Describe(still), still.Status == vtkFlowStatus::STAGNATED && NumberOfSteps(still) == 0);
-  // A field without bounds, surfaces or a time limit.
+  // Advection without bounds, surfaces or a time limit.
   const Flow uniform = Flow::Uniform({ 1, 2, 3 });
   const auto endless = Advect(SpaceWalker(uniform), ForwardOptions(), { 0, 0, 0 });
   catalogue.Check("endless", "an unbounded uniform field", "a status within 10000 steps",

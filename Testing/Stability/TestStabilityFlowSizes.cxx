@@ -191,7 +191,7 @@ double Compare(vtkFieldData* data, vtkFieldData* expected, const std::string& na
     {
       double error = array->GetComponent(i, c) / scale - other->GetComponent(i, c);
       error = isPeriodic ? error - std::round(error) : error;
-      // The condition keeps NaN.
+      // A NaN fails the comparison and is stored.
       largest = std::abs(error) <= largest ? largest : std::abs(error);
     }
   }
@@ -328,7 +328,7 @@ void TestSettings(StabilityCatalogue& catalogue)
           filter->AddTerminationSurface(shapes[0].Make(size, 0.013 * size));
           filter->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_IMAGE);
           filter->SetSampleDimensions(17, 17, 17);
-          // The samples are above the plane, so that closed groups of samples reach it.
+          // The samples are above the plane, so that groups of neighboring samples all reach it.
           filter->SetSampleBounds(
             0.6 * size, 1.2 * size, 0.6 * size, 1.2 * size, 0.2 * size, 0.8 * size);
           filter->SetMaximumError(error * speed);
@@ -338,7 +338,7 @@ void TestSettings(StabilityCatalogue& catalogue)
   }
 }
 
-/// Checks the samples that represent an unstructured grid with more than 32768 points.
+/// Checks the number of samples that represent an unstructured grid with more than 32768 points.
 void TestVoxels(StabilityCatalogue& catalogue)
 {
   const auto count = [](double size)

@@ -30,7 +30,8 @@ using namespace reference;
 using namespace stability;
 namespace files = std::filesystem;
 
-/// Returns [0,1]^3 x [0,3], with times multiplied by \a step and shifted by \a offset.
+/// Returns 4-simplices that fill [0,1]^3 x [0,3], with times multiplied by \a step and shifted by
+/// \a offset.
 vtkSmartPointer<vtkUnstructuredGrid> MakeSimplices(
   double step = 1.0, double offset = 0.0, double size = 1.0)
 {

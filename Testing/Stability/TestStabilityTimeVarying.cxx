@@ -67,7 +67,8 @@ Outcome Run(const TimeSteps& steps, const std::vector<Interval>& intervals)
     messages.Warnings };
 }
 
-/// Returns the larger hypervolume error of 4-simplices and tetrahedra, or NaN on an error message.
+/// Returns the larger of the hypervolume errors of 4-simplices and tetrahedra, or NaN on an error
+/// message.
 double ErrorOf(const Outcome& outcome, double expected)
 {
   if (!outcome.Errors.empty() || !(expected > 0))

@@ -160,7 +160,7 @@ void TestPointCells(StabilityCatalogue& catalogue)
   SetVelocity(broken, [](const FlowVector&) { return FlowVector{ { NaN, NaN, NaN } }; });
   filter->SetInputData(broken);
   ReportEmpty(catalogue, filter, "nan-field", "vectors NaN everywhere", "64 are not finite");
-  // The vector at a point of eight cells is NaN.
+  // The vector at a point that eight cells share is NaN.
   auto corner = MakeCube(4);
   SetVelocity(corner, LinearField(GenericMatrix, { { 0.6, 0.6, 0.6 } }));
   corner->GetPointData()->GetVectors()->SetComponent(31, 1, NaN);

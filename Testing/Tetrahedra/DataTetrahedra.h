@@ -11,8 +11,8 @@ namespace reference
 {
 
 /**
- * A file of Data/ with a point array. If Lower < Upper, the tetrahedra are the interval volume
- * from Lower to Upper, otherwise the full grid.
+ * A file in Data/ with a point array. If Lower < Upper, the tetrahedra are the interval volume from
+ * Lower to Upper, otherwise the full grid.
  */
 struct DataTetrahedra
 {

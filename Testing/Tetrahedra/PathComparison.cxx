@@ -105,7 +105,7 @@ public:
   }
 
 private:
-  /// Returns the distance to the edge between corners a and b, or infinity if it is interior.
+  /// Returns the distance to the edge between corners a and b, or infinity if the edge is interior.
   static double GetDistance(
     const std::array<Position, 4>& corners, int a, int b, const Position& pixel)
   {
@@ -123,7 +123,7 @@ private:
         sides[side++] = Cross(corners[a], corners[b], corners[k]);
       }
     }
-    // If a face is seen edge-on, the signs of its sides are rounding errors.
+    // If a face is seen edge-on, the signs of its sides depend on rounding errors.
     const double size = std::hypot(corners[b][0] - corners[a][0], corners[b][1] - corners[a][1]);
     const double rounding = SilhouetteWidth * size;
     const bool isWithin = std::abs(sides[0]) > rounding && std::abs(sides[1]) > rounding &&

@@ -57,7 +57,7 @@ std::array<double, 2> Cut(const Box& box, const Vector& from, const Vector& alon
 }
 
 /// Counts boxes that the ray enters before it leaves an earlier box of the order. Adds the number
-/// of boxes compared to \a pairs.
+/// of compared pairs to \a pairs.
 int CountErrors(const std::vector<Box>& boxes, const std::vector<int>& order, const Vector& from,
   const Vector& along, int& pairs)
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tests every file of Data/ seen along the axes, as full grids and interval volumes.
+// Tests every file in Data/ seen along the axes, as full grids and interval volumes.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Tetrahedra/DataTetrahedra.h"
 #include "Tetrahedra/PathComparison.h"

@@ -249,7 +249,7 @@ void TestBoundary(Check& check, int path, bool parallel)
   check.Equal(with->GetCount("UnmatchedTriangles"), 0, scene.Name + ": no unmatched triangle");
   check.That(HasFeature(with, "surface"), scene.Name + ": a surface");
   ExpectNoUploads(check, scene.Draw(), scene.Name + ", with a triangle, still");
-  // Lights and cameras are uniforms of the shader.
+  // Lights and cameras are passed to the shader as uniforms.
   scene.What.Camera->Azimuth(10.0);
   check.Equal(
     scene.Draw()->GetCount("UploadedStaticBytes"), 0, scene.Name + ", with a triangle, moved");

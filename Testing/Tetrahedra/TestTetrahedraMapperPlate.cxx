@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests a plate of constant hypercubes projected along time. With the extent in time, the opacity
-// is 1 - exp(-tau duration length) for any view (figure 3.19 of the dissertation). Without it,
+// is 1 - exp(-tau * duration * length) for any view (figure 3.19 of the dissertation). Without it,
 // overlapping tetrahedra are visible (figure 3.14).
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Images/HypercubePlate.h"

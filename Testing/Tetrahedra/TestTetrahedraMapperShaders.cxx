@@ -30,7 +30,7 @@ using namespace reference;
 using Mapper = vtkTimeWeightedTetrahedraMapper;
 
 constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
-/// Compilers may reorder the arithmetic, which is the same in both shaders.
+/// Both shaders use the same arithmetic, but compilers may reorder it.
 constexpr double Rounding = 1e-5;
 
 vtkSmartPointer<Mapper> NewMapper()

@@ -59,7 +59,7 @@ void TestUniform(Check& check, int path, vtkUnstructuredGrid* grid, double extin
 }
 
 /// Tests the chord length of every pixel in slanted and perspective views. OpenGL rounds
-/// silhouettes to 1/256 pixel and may miss tetrahedra that are thinner.
+/// silhouettes to 1/256 pixel and may miss tetrahedra that are thinner than that.
 void TestChords(Check& check, int path, bool parallel)
 {
   auto grid = MakeCube(5);

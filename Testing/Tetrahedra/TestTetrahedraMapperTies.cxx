@@ -48,7 +48,7 @@ void AddScalars(vtkUnstructuredGrid* grid, Random& random)
 
 /// Returns columns of triangular prisms along z, with three tetrahedra per prism, over a
 /// triangulated square with random points. The points of each layer are displaced by up to \a
-/// shift, so that columns nearly coincide along z, or exactly if it is 0.
+/// shift, so that columns nearly coincide along z, or exactly if \a shift is 0.
 vtkSmartPointer<vtkUnstructuredGrid> MakeColumns(
   int cells, const std::vector<double>& layers, double shift, Random& random)
 {
@@ -172,7 +172,7 @@ void TestRegularGrids(Check& check, Random& random)
       AddScalars(grid, random);
       // An odd size has a central pixel whose ray lies in faces. This is tested only with exact
       // points: if points are displaced, faces are not quite planar, and both the paths and the
-      // reference displace that ray as much as the points.
+      // reference displace that ray by a similar amount.
       const bool isOdd = shift == 0.0;
       ImageCase what =
         MakeCase(grid, isOdd ? std::array<int, 2>{ { 61, 45 } } : std::array<int, 2>{ { 60, 44 } });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images of the Monte Carlo solver: published intensities of a slab at seven angles, the closed
-// form of single scattering, a white furnace, colored albedo.
+// Images of the Monte Carlo solver: published intensities of a slab at six angles, the closed form
+// of single scattering, a white furnace, colored albedo.
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceThreads.h"

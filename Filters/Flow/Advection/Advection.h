@@ -44,7 +44,7 @@ namespace interlume
  * it is below the rounding error of the speed. The dense output then cuts the step at the face
  * where it leaves the cell. If the step reaches a termination surface, it is repeated with its end
  * at the surface. The length of the first step follows from the time to cross the cell and the
- * curvature of the streamline. Later cells continue with the step time of the cell before.
+ * curvature of the streamline. Each later cell continues with the step time of the previous cell.
  *
  * At edges and vertices a streamline may cross several faces without advancing in time. After 64
  * such crossings in a row, or a return to the previous cell, the next step starts from the current
@@ -261,7 +261,7 @@ private:
     return false;
   }
 
-  /// Starts a streamline. Returns false if it ends at its start.
+  /// Starts a streamline. Returns false if it ends at its start point.
   bool Begin(const double x[3])
   {
     std::copy(x, x + 3, this->Result.Position);
@@ -492,8 +492,8 @@ private:
     double limit = std::numeric_limits<double>::infinity();
     for (int face = 0; this->Options.DomainFaces && face < this->Field.GetNumberOfFaces(); ++face)
     {
-      // With domain faces, leaving the domain also ends a streamline. Therefore an orbit must stay
-      // one cell away from the boundary.
+      // A streamline also ends at a domain face. Therefore an orbit must stay one cell away from
+      // the boundary.
       limit = this->Field.GetDomainFace(face) >= 0 ? 0.0 : limit;
     }
     for (int i = 0; this->Options.DomainFaces && i < 3; ++i)
@@ -572,7 +572,7 @@ private:
       change[i] -= this->PointRate[i];
     }
     // Relative change of the rate per unit of time. The error is modeled as a power of this change.
-    // The speed is scaled to about 1, such that no quotient overflows.
+    // The speed is scaled to about 1, so that no quotient overflows.
     const double scale = MultilinearCell::GetScale(this->Speed);
     const double curvature =
       scale * this->GetWorldLength(this->Point, change) / probe / (scale * this->Speed);

@@ -65,7 +65,7 @@ struct AdvectionEnd
   int RejectedSteps = 0;
   int StiffSteps = 0;
   int RejectedStiffSteps = 0;
-  /// Number of steps counted in Steps that SimdDormandPrince took.
+  /// Number of steps, included in Steps, that SimdDormandPrince took.
   int SimdSteps = 0;
   int Evaluations = 0;
   int JacobianEvaluations = 0;

@@ -27,7 +27,7 @@ public:
   using Math = NumberMath<Number>;
   using Mask = typename Math::Mask;
 
-  /// Order in h of the error per unit of time.
+  /// Exponent of h in the error per unit of time.
   static constexpr int ErrorOrder = 4;
   static constexpr bool HasEndRate = true;
   /// Number of rates that a step evaluates, excluding the first.

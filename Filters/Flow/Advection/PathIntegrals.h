@@ -15,7 +15,7 @@ namespace interlume
 
 /**
  * @class   PathIntegrals
- * @brief   optional quantities along a streamline: maximum speed, arc length, and means over time
+ * @brief   optional quantities along a streamline: maximum speed, arc length, and time averages
  *
  * Integrals use four-point Gauss quadrature on the dense output of each step. The speed is sampled
  * at both ends and the midpoint of a step. If a streamline has zero duration, the means are the

@@ -51,8 +51,8 @@ public:
     return cells >= this->NextFace || (to == this->To && from == this->From);
   }
 
-  /// Return the values that IsDue compares: the number of entered cells from which on the stored
-  /// face is replaced, and the two cells at that face.
+  /// Return the values that IsDue compares: the number of entered cells at which the stored face is
+  /// replaced, and the two cells at that face.
   vtkIdType GetNextFace() const { return this->NextFace; }
   vtkIdType GetFrom() const { return this->From; }
   vtkIdType GetTo() const { return this->To; }

@@ -26,7 +26,7 @@ namespace interlume
 class RosenbrockStep
 {
 public:
-  /// Order in h of the error per unit of time.
+  /// Exponent of h in the error per unit of time.
   static constexpr int ErrorOrder = 3;
   static constexpr bool HasEndRate = false;
 

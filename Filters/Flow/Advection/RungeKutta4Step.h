@@ -21,7 +21,7 @@ namespace interlume
 class RungeKutta4Step
 {
 public:
-  /// Order in h of the error per unit of time.
+  /// Exponent of h in the error per unit of time.
   static constexpr int ErrorOrder = 4;
   static constexpr bool HasEndRate = true;
 

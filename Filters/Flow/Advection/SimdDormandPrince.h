@@ -84,7 +84,7 @@ public:
   std::vector<SimdPack> Clearances;
   ///@}
 
-  /// Counters that start when a streamline is stored to the SIMD lane, and their limits.
+  /// Counters since the streamline was copied to the SIMD lane, and their limits.
   struct Count
   {
     int Steps = 0;

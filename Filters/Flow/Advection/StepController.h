@@ -16,7 +16,7 @@ namespace interlume
  * @class   StepController
  * @brief   computes the next step time from the error of the last step
  *
- * The controller is proportional-integral (PI) for an error per unit of time. Its constants are
+ * This is a proportional-integral (PI) controller for the error per unit of time. Its constants are
  * from the programs of E. Hairer, S. P. Norsett and G. Wanner, "Solving Ordinary Differential
  * Equations I", section II.4, and volume II, section IV.2.
  */
@@ -67,8 +67,9 @@ public:
     return SimdPack::Select(wasRejected, SimdPack::Min(factor, one), factor);
   }
 
-  /// Returns the next step after a step of \a h with the given \a factor. \a step is the step that
-  /// the error control allowed. If \a h was shortened to stay in the cell, \a step remains valid.
+  /// Returns the duration of the next step after a step of duration \a h with the given \a factor.
+  /// \a step is the duration that the error control allowed. If \a h was shortened to stay in the
+  /// cell, \a step remains valid.
   template <typename Number>
   [[gnu::always_inline]] static Number GetNext(
     const Number& step, const Number& h, const Number& factor, const Number& ratio)
@@ -84,7 +85,7 @@ public:
   /// Lower bound of the stored binary logarithm of an error ratio: log2(1e-4).
   static constexpr double MinimumPrevious = -13.287712379549449;
 
-  /// State, which is exchanged with SimdDormandPrince. GetPrevious returns the binary logarithm of
+  /// State exchanged with SimdDormandPrince. GetPrevious returns the binary logarithm of
   /// the previous error ratio.
   double GetPrevious() const { return this->Previous; }
   bool GetWasRejected() const { return this->WasRejected; }

@@ -15,7 +15,7 @@ namespace interlume
  * row between them, the streamline is stiff. It stops being stiff after six consecutive steps whose
  * h |J| is small enough for the explicit method.
  *
- * The counters continue from cell to cell.
+ * The counters persist from cell to cell.
  */
 class StiffnessTest
 {

@@ -30,9 +30,9 @@ namespace interlume
  * approaches and recedes within one interval, a golden-section search finds the minimum distance.
  *
  * At the start of a streamline and at the end of a step, a point within Tolerance (relative to the
- * coordinates) of a surface is on it. FindNear applies a larger tolerance at the boundary of the
- * field. If a streamline touches a surface within Tolerance, rounding decides whether it reaches
- * the surface. The decision is the same in every run.
+ * coordinates) of a surface counts as on the surface. FindNear applies a larger tolerance at the
+ * boundary of the field. If a streamline touches a surface within Tolerance, rounding decides
+ * whether it reaches the surface. The decision is the same in every run.
  */
 class SurfaceCrossing
 {
@@ -175,7 +175,7 @@ public:
     found.Shape->EvaluateParameters(x, result.Parameters);
   }
 
-  /// Returns the minimum distance to any surface, or infinity without surfaces.
+  /// Returns the minimum distance to any surface, or infinity if there are no surfaces.
   double GetMinimumDistance(const double x[3])
   {
     double minimum = std::numeric_limits<double>::infinity();
@@ -251,7 +251,7 @@ private:
     /// Side of the surface on which the streamline is, as the sign of the distance: -1 or 1. 0 if
     /// the streamline started on the surface and is still on it.
     int Side = 0;
-    /// If true, Distance belongs to the start of the step.
+    /// If true, Distance is the distance at the start of the step.
     bool IsFresh = false;
 
     void SetDistance(double distance)

@@ -113,8 +113,7 @@ public:
       exitFace = Math::Select(isFirst, face, exitFace);
       if (round < 2 && Math::IsAny(sides.IsAnyLeft()))
       {
-        // A face that the streamline does not reach until somewhat after \a root is not the exit
-        // face.
+        // A face that the streamline reaches clearly after \a root is not the exit face.
         const Number end = root + Math::Of(Margin);
         for (int axis = 0; axis < 3; ++axis)
         {
@@ -144,7 +143,7 @@ public:
     return Math::Select(slope < -1e4 * slack, Math::Max(Math::Of(0.0), root + slack / slope), root);
   }
 
-  /// Time until a straight step ends slightly outside the cell.
+  /// Time after which a straight step ends slightly outside the cell.
   Number TimeLimit;
   /// Likely exit face of a straight step.
   Number FaceAhead;
@@ -155,7 +154,7 @@ protected:
   static constexpr int Size = BernsteinRoot::MaximumDegree + 1;
   /// Maximum overshoot of a step past a face.
   static constexpr double LargestOvershoot = 0.5;
-  /// A streamline this far outside a face must cross it, in whatever direction it moves.
+  /// A streamline this far outside a face must cross it, regardless of its direction.
   static constexpr double MuchOutside = 1e-6;
 
   Number Outside;
@@ -269,8 +268,8 @@ private:
   }
 
   /// Finds the root of a distance that starts at a value >= 0 and changes sign at most once. \a
-  /// theta is the root after MoveBack. Without a sign change, \a root is 1. Returns a mask of the
-  /// lanes that satisfy the assumptions.
+  /// theta is the root after MoveBack. If there is no sign change, \a root is 1. Returns a mask of
+  /// the lanes that satisfy the assumptions.
   static Mask FindCrossing(
     const Number* b, int degree, const Number& slack, const Mask& mask, Number& root, Number& theta)
   {

@@ -71,7 +71,7 @@ public:
     return isHeld ? -1 : this->GetFaceToCross(rates, closed);
   }
 
-  /// Returns the time until a straight step ends slightly outside the cell.
+  /// Returns the time after which a straight step ends slightly outside the cell.
   double GetTimeLimit() const { return this->TimeLimit; }
 
   /// Returns the likely exit face of a straight step, or -1.

@@ -15,9 +15,9 @@ namespace interlume
  * @brief   cell that a search found at a position, with criteria for comparison with other results
  *
  * IsBefore defines the preferred result of several searches. A cell found by Newton's method from
- * one start precedes cells found from several starts. Further criteria are the distance by which
+ * one starting point precedes cells found from several. Further criteria are the distance by which
  * the position is outside the cell, the order of CellTree, and the cell id. This total order makes
- * the result independent of the partition of the cells between processes.
+ * the result independent of the partition of the cells among processes.
  */
 struct CellSearchResult
 {

@@ -13,7 +13,8 @@ namespace interlume
 
 /**
  * @class   FaceExtent
- * @brief   width of a cell at one of its faces, deviation of the face from a plane, and its normal
+ * @brief   width of a cell at one of its faces, deviation of the face from a plane, and the face
+ * normal
  *
  * The distance to a face is measured relative to Width. Width is the smaller of two lengths: the
  * narrow extent of the face and the height of the cell above the face. The narrow extent is the

@@ -18,8 +18,8 @@ namespace interlume
  * @brief   evaluates position, velocity and their derivatives in a cell of any CellShape
  *
  * With the interpolants x(p) and v(p) of the cell, dp/dt = (dx/dp)^-1 v. If x(p) is affine up to
- * rounding error, as in tetrahedra, voxels and parallelepipeds, the inverse is applied once to the
- * coefficients of v. Otherwise it is computed at each p.
+ * rounding error, for example in tetrahedra, voxels and parallelepipeds, the inverse is applied
+ * once to the coefficients of v. Otherwise it is computed at each p.
  */
 class InterpolatedCell
 {

@@ -9,7 +9,7 @@
 namespace interlume
 {
 
-// Scales each column to a length of about 1. The scale is a power of 2, so no digit is lost.
+// Scales each column to a length of about 1. The scale is a power of 2, so the scaling is exact.
 void InverseJacobian::InvertOther(const double columns[3][4], double inverse[3][3])
 {
   double scaled[3][4];
@@ -38,7 +38,7 @@ void InverseJacobian::InvertOther(const double columns[3][4], double inverse[3][
 }
 
 // Gram-Schmidt orthogonalization of unit columns with column pivoting, then back substitution with
-// R of the factorization Q R.
+// R of the QR factorization.
 void InverseJacobian::InvertSingular(const double columns[3][4], double inverse[3][3])
 {
   // A column is independent if at least this fraction of its length remains after

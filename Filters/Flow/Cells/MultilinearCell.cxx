@@ -35,7 +35,7 @@ constexpr int PyramidEdges[8][2] = { { 0, 1 }, { 1, 3 }, { 3, 2 }, { 2, 0 }, { 0
 constexpr int TetrahedronEdges[6][2] = { { 0, 1 }, { 0, 2 }, { 0, 4 }, { 1, 2 }, { 1, 4 },
   { 2, 4 } };
 
-// Computes the values of the cube corners that are not points of the cell.
+// Computes the values at the cube corners that are not points of the cell.
 void Extrapolate(MultilinearCell::Shapes shape, MultilinearCell::Values& values)
 {
   for (int i = 0; i < 3; ++i)
@@ -63,7 +63,7 @@ void Extrapolate(MultilinearCell::Shapes shape, MultilinearCell::Values& values)
   }
 }
 
-// Points of two-point Gauss quadrature in [0, 1].
+// Nodes of two-point Gauss quadrature on [0, 1].
 constexpr double GaussPoints[2] = { 0.2113248654051871, 0.7886751345948129 };
 }
 

@@ -17,8 +17,8 @@ namespace interlume
  *
  * VTK's interpolation of tetrahedra, voxels, hexahedra, wedges and pyramids is trilinear in the
  * parametric coordinates p. The values at the eight corners of the cube 0 <= p <= 1 define it;
- * corner i + 2 j + 4 k is at p = (i,j,k). A wedge is the subset of the cube with p0 + p1 <= 1, and
- * a tetrahedron the subset with p0 + p1 + p2 <= 1. Their values are extrapolated to the other
+ * corner i + 2 * j + 4 * k is at p = (i,j,k). A wedge is the subset of the cube with p0 + p1 <= 1,
+ * and a tetrahedron the subset with p0 + p1 + p2 <= 1. Their values are extrapolated to the other
  * corners of the cube. In a pyramid, the apex is at all four corners with p2 = 1.
  */
 class MultilinearCell
@@ -41,7 +41,7 @@ public:
   /// invalid.
   static bool IsFlat(int cellType);
 
-  /// Computes the value at p, or its derivatives: derivatives[3 i + j] is d value[i] / d p[j].
+  /// Computes the value at p, or its derivatives: derivatives[3 * i + j] is d value[i] / d p[j].
   static void Interpolate(const Values& values, const double p[3], double value[3]);
   static void Derive(const Values& values, const double p[3], double derivatives[9]);
 
@@ -54,7 +54,7 @@ public:
   /// Returns the number of edges of the cell. \a edges receives them as pairs of cube corners.
   static int GetEdges(Shapes shape, const int (*&edges)[2]);
 
-  /// Loads a cell. \a ids is working memory.
+  /// Loads a cell. \a ids is scratch memory.
   void Load(vtkDataSet* data, vtkDataArray* vectors, vtkIdType cell, vtkIdList* ids);
 
   Shapes GetShape() const { return this->Shape; }
@@ -67,14 +67,14 @@ public:
   /// Returns true if all positions and vectors are finite.
   bool IsFinite() const;
 
-  /// Returns the largest speed at a point of the cell.
+  /// Returns the largest speed at the points of the cell.
   double GetLargestSpeed() const;
 
   /// Computes the interpolation weights of the points at p.
   void GetWeights(const double p[3], double weights[8]) const;
 
-  /// Computes gradient[3 i + j] = dv[i]/dx[j]. Returns false, with a zero gradient, if the cell is
-  /// degenerate.
+  /// Computes gradient[3 * i + j] = dv[i]/dx[j]. Returns false, with a zero gradient, if the cell
+  /// is degenerate.
   bool GetGradient(const double p[3], double gradient[9]) const;
 
   /**
@@ -83,7 +83,7 @@ public:
    */
   double GetVolume(double scale = 1.0) const;
 
-  /// Returns the cube root of the volume, for cells of any size.
+  /// Returns the cube root of the volume, without overflow or underflow.
   double GetLength() const;
 
   /// Returns the length of the diagonal of the cell's bounds.

@@ -36,8 +36,8 @@ public:
   const FlowField& GetField() const override { return this->Inner.GetField(); }
 
 private:
-  /// Computes a batch of streamlines from number \a done on, and increases \a done by the number of
-  /// leading streamlines that are finished. Returns false if the execution was aborted.
+  /// Computes a batch of streamlines, starting with number \a done, and increases \a done by the
+  /// number of leading streamlines that are finished. Returns false if the execution was aborted.
   bool FollowBatch(const AdvectionOptions& options, vtkIdType number, const GetPosition& start,
     const Take& take, double begin, double end, vtkIdType& done);
 

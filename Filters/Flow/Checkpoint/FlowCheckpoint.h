@@ -21,8 +21,8 @@ class RankExchange;
  * @brief   checkpoint file with the finished streamlines of an execution of vtkImplicitFlowField
  *
  * The file is a vtkTable in VTK's XML format. StreamlineRecord defines its columns. Its field
- * data contain the FlowFingerprint, a mark (PartialImplicitFlow) and digests. A new file is written
- * under a temporary name and then renamed. Therefore an interrupted write never damages the
+ * data contain the FlowFingerprint, a marker array (PartialImplicitFlow) and digests. A new file is
+ * written under a temporary name and then renamed. Therefore an interrupted write never damages the
  * previous file.
  */
 class FlowCheckpoint
@@ -65,7 +65,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  /// Reads the file. If the file cannot be used, returns the reason as a part of a sentence.
+  /// Reads the file. If the file cannot be used, returns the reason as a clause.
   Error Read();
 
   std::string FileName;

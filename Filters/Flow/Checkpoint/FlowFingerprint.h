@@ -23,7 +23,7 @@ struct AdvectionOptions;
 class FlowFingerprint : public Fingerprint
 {
 public:
-  /// Computes the fingerprint of an execution. Averaged arrays may be missing in \a field.
+  /// Computes the fingerprint of an execution. Averaged arrays may be missing from \a field.
   FlowFingerprint(
     const AdvectionOptions& options, vtkDataSet* field, vtkDataArray* vectors, vtkDataSet* samples);
 };

@@ -28,8 +28,8 @@ namespace interlume
  * An execution requests streamlines in groups: the samples, the samples of each refinement level,
  * and samples on the far side of surfaces. A group has a number of streamlines and a digest of
  * their start positions and direction. Each result is a row of numbers: 124 bytes plus 8 bytes per
- * mean. All other output follows from these results. Therefore an execution that resumes from the
- * record has bit-identical output.
+ * averaged array. All other output follows from these results. Therefore an execution that resumes
+ * from the record has bit-identical output.
  */
 class StreamlineRecord
 {

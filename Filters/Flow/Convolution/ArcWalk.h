@@ -19,7 +19,7 @@ namespace interlume
  *
  * It solves dx/ds = +-v / |v| in world space. Tracing stops if a step would leave the field, if the
  * velocity is not finite or not faster than MinimumSpeed, or if the direction changes by more than
- * 90 degrees in a step, as at a sink.
+ * 90 degrees in a step, for example at a sink.
  */
 template <typename Walker>
 class ArcWalk

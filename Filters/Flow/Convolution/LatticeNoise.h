@@ -10,7 +10,7 @@ namespace interlume
 
 /**
  * @class   LatticeNoise
- * @brief   smooth value noise in space, in [0,1]
+ * @brief   smooth 3D value noise in [0,1]
  *
  * Independent uniform values at the points of an integer lattice are interpolated along each axis
  * with the weight 6 t^5 - 15 t^4 + 10 t^3. A lattice value is a hash of the three indices and the
@@ -35,7 +35,7 @@ public:
       const double position = x[axis] / this->Scale;
       const double floor = std::floor(position);
       // Replaces indices that would overflow. So far from the origin, positions have no fractional
-      // digits anyway.
+      // part anyway.
       lower[axis] = std::abs(floor) < 4e18 ? static_cast<std::int64_t>(floor) : 0;
       weights[axis] = Fade(position - floor);
     }

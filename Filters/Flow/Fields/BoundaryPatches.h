@@ -18,8 +18,9 @@ namespace interlume
  * @class   BoundaryPatches
  * @brief   patches of a grid's boundary faces, such as sides, inlets and walls
  *
- * Two faces that share an edge belong to the same patch if no third face has the edge and the angle
- * between them is at most FeatureAngle. Patches are numbered in the order of their first faces.
+ * Two faces that share an edge belong to the same patch if no third face shares the edge and the
+ * angle between them is at most FeatureAngle. Patches are numbered in the order of their first
+ * faces.
  */
 class BoundaryPatches
 {

@@ -27,22 +27,22 @@ namespace interlume
  * - `bool IsHere() const`: false if another process must trace streamlines in the cell.
  * - `bool IsFinite() const`: whether all vectors of the cell are finite.
  * - `void GetVelocity(const double p[3], double rate[3]) const`: dp/dt for dx/dt = v. The direction
- *   of integration is not applied. If dx/dp is singular, as on a collapsed edge, the coordinates
- *   without effect on x do not change.
+ *   of integration is not applied. If dx/dp is singular, for example on a collapsed edge, the
+ *   coordinates without effect on x do not change.
  * - `void GetJacobian(const double p[3], double jacobian[9]) const`: derivative of GetVelocity, d
- *   rate[i] / d p[j] at [3 i + j].
+ *   rate[i] / d p[j] at [3 * i + j].
  * - `void GetPosition(const double p[3], double x[3]) const`.
  * - `void GetWorldVector(const double p[3], const double d[3], double w[3]) const`: first-order
  *   change of x if p changes by d. For d from GetVelocity it returns v.
  * - `bool IsAffine() const`: whether GetWorldVector is independent of p. Otherwise, `double
  *   GetLongestWorldVector(const double d[3]) const` returns an upper bound of its length in the
  *   cell for changes of p between -d and d, d >= 0.
- * - `void GetVelocityGradient(const double p[3], double gradient[9]) const`: dv[i]/dx[j] at [3 i +
- *   j], for vorticity.
+ * - `void GetVelocityGradient(const double p[3], double gradient[9]) const`: dv[i]/dx[j] at [3 * i
+ *   + j], for vorticity.
  * - `int GetNumberOfFaces() const`, at most 6, and `double GetFaceDistance(int face, const double
  *   p[3]) const`: positive inside, 0 on the face, affine in p, scaled to a cell width of about 1.
- * - `bool IsBox() const`: whether the cell is [0,1]^3 and the distances from faces 2 i and 2 i + 1
- *   are p_i and 1 - p_i.
+ * - `bool IsBox() const`: whether the cell is [0,1]^3 and the distances from faces 2 * i and 2 * i
+ *   + 1 are p_i and 1 - p_i.
  * - `void Prefetch(int face, int round) const`: prefetches the data that Cross() reads for a face
  *   that the streamline is likely to cross soon. Callers call it for round 0 and, after some other
  *   work, for round 1, because the data of round 0 may contain the addresses for round 1.
@@ -50,9 +50,9 @@ namespace interlume
  *   rounding error, becomes the local position in the neighbor. The new p is on the face (without
  *   rounding error if IsBox()), and the position along the face is preserved. Returns false and
  *   changes nothing if there is no neighbor or the neighbor is not part of the field. If p is on an
- *   edge or a corner, p may be outside the neighbor, or the velocity may leave the neighbor at
- *   once; further crossings lead to the right cell. Folded cells can cause endless crossings
- *   without progress in time. Therefore callers limit the number of crossings at a given time.
+ *   edge or a corner, p may be outside the neighbor, or the velocity may point out of the neighbor;
+ *   further crossings lead to the right cell. Folded cells can cause endless crossings without
+ *   progress in time. Therefore callers limit the number of crossings at a given time.
  * - `bool HasNeighbor(int face) const`: whether Cross() would succeed. `FaceExtent
  *   GetFaceExtent(int face) const`: the face in world units.
  * - `int GetDomainFace(int face) const`: 0 to 5 for an outer face of a structured grid, the patch

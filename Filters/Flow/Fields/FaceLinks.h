@@ -68,7 +68,8 @@ public:
 
   /**
    * Finds the links. \a cells computes at most eight points of the cell of a face, which determine
-   * the cell's width. Several threads call it, only for faces without a match by point ids.
+   * the cell's width. It is called by several threads, and only for faces without a match by point
+   * ids.
    *
    * Face i of block b has the index b times \a facesPerBlock + i. \a positions holds the positions
    * of the points.

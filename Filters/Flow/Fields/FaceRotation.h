@@ -23,7 +23,7 @@ struct FaceRotation
   signed char Start;
   bool IsReversed;
 
-  /// Computes the rotation of a face. \a ordered gets the points in canonical order.
+  /// Computes the rotation of a face. \a ordered receives the points in canonical order.
   static FaceRotation Order(const vtkIdType* points, int corners, vtkIdType* ordered)
   {
     int start = 0;

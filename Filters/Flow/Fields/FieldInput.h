@@ -41,7 +41,7 @@ public:
   /// Returns whether the dataset or a block has hidden cells or points.
   bool HasHidden() const;
 
-  /// Returns the field, or null if there is no input or the composite dataset has no block.
+  /// Returns the field, or null if there is no input or the composite dataset has no blocks.
   vtkSmartPointer<vtkDataSet> MakeField() const;
   /// Returns this process's partition of a distributed field: the dataset, or a grid of the merged
   /// blocks. The grid is empty if there are no blocks or only blocks without three-dimensional

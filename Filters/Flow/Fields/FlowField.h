@@ -35,8 +35,7 @@ namespace interlume
 class FlowField
 {
 public:
-  /// Returns the error for a field without three-dimensional cells, as a clause to complete a
-  /// sentence.
+  /// Returns the error for a field without three-dimensional cells, as a clause.
   static Error GetErrorWithoutCells()
   {
     return "the field has no three-dimensional cells. Flow in a plane needs two layers of points: "
@@ -51,7 +50,7 @@ public:
   void GetVector(vtkIdType point, double vector[3]) const { this->Vectors.Get<3>(point, vector); }
   const ArrayRows& GetVectorRows() const { return this->Vectors; }
   void PrefetchVector(vtkIdType point) const { this->Vectors.Prefetch<3>(point); }
-  /// Returns the value of a point array, by the index of the array.
+  /// Returns the value at a point of the array with index \a array.
   double GetValue(int array, vtkIdType point) const
   {
     double value;

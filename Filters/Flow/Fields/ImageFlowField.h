@@ -43,7 +43,7 @@ public:
     }
   }
 
-  /// Computes dx[i]/dp[j] at [3 i + j].
+  /// Computes dx[i]/dp[j] at [3 * i + j].
   void GetFrame(const CellLocation&, double frame[9]) const { Copy(this->Axes, frame); }
   void GetInverse(const CellLocation&, double inverse[9]) const { Copy(this->Inverse, inverse); }
 

@@ -31,7 +31,7 @@ struct Part
   vtkDataSet* Data = nullptr;
   std::vector<vtkIdType> Cells;
   std::vector<vtkIdType> Points;
-  /// Merged ids by point id of the part; -1 for a point of no included cell.
+  /// Merged ids by point id of the part; -1 for points that belong to no included cell.
   std::vector<vtkIdType> Merged;
 };
 

@@ -24,7 +24,7 @@ namespace interlume
  * The links are computed once and reused by all filters as long as one filter holds a reference.
  * Two meshes are the same if the grid, points, cells, cell types and ghost arrays are the same
  * objects with unchanged modification times. Code that changes values in memory must therefore call
- * Modified(), as everywhere in VTK.
+ * Modified(), as usual in VTK.
  */
 class MeshLinks
 {
@@ -40,7 +40,7 @@ public:
   static void Add(const Key& key, const std::shared_ptr<const MeshLinks>& links);
 
   /// Returns the number of outer faces with a cell on the far side (NonconformingInterfaces), and
-  /// the cell of the first such face. Only the first call computes them, by compute().
+  /// the cell of the first such face. Only the first call computes them, with compute().
   template <typename Compute>
   const std::pair<vtkIdType, vtkIdType>& GetOpenInterfaces(Compute&& compute) const
   {

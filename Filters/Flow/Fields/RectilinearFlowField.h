@@ -35,13 +35,14 @@ public:
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      // This formula is exact at both ends, so neighbors agree on the position of their face.
+      // This formula is exact at both ends, so neighbors agree on the position of their common
+      // face.
       const double* ends = this->GetEnds(location, axis);
       x[axis] = (1.0 - p[axis]) * ends[0] + p[axis] * ends[1];
     }
   }
 
-  /// Computes dx[i]/dp[j] at [3 i + j].
+  /// Computes dx[i]/dp[j] at [3 * i + j].
   void GetFrame(const CellLocation& location, double frame[9]) const
   {
     for (int i = 0; i < 9; ++i)

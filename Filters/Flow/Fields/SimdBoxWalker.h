@@ -12,7 +12,7 @@ namespace interlume
  * @class   SimdBoxWalker
  * @brief   walker in several box cells at once, with SIMD instructions
  *
- * Each SIMD lane is at a position in its own cell. Results are bit-identical to BoxWalker,
+ * Each SIMD lane is at a position in its own cell. Results are bit-identical to those of BoxWalker,
  * except for the signs of zeros that do not affect results. \a FieldType is ImageFlowField or
  * RectilinearFlowField.
  */
@@ -80,7 +80,8 @@ public:
     return this->Shared->StepHere(this->Stands[lane], face);
   }
 
-  /// Computes the velocities and frames of all SIMD lanes. Returns a mask of finite vectors.
+  /// Computes the velocities and frames of all SIMD lanes. Returns a mask of the lanes whose
+  /// vectors are finite.
   [[gnu::always_inline]] Mask Enter()
   {
     this->FindFrames();

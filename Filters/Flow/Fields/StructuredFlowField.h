@@ -17,8 +17,8 @@ namespace interlume
  * @class   StructuredFlowField
  * @brief   field on a structured grid of hexahedra
  *
- * If outer faces coincide (FaceLinks), as along the cut of an O- or C-grid, streamlines continue
- * across the seam.
+ * If outer faces coincide (FaceLinks), for example along the cut of an O- or C-grid, streamlines
+ * continue across the seam.
  *
  * For a partition, Build() only sets the points and arrays. The caller must call BuildTree() and
  * SetSeams().

@@ -26,7 +26,7 @@ public:
 
   void Prefetch(int face, int round) const { this->Shared->Prefetch(this->Stand, face, round); }
 
-  /// Sets the patches, which must outlive this object. Without patches there are no domain faces.
+  /// Sets the patches, which must outlive this object. Without patches, there are no domain faces.
   void SetPatches(const BoundaryPatches* patches) { this->Patches = patches; }
   int GetDomainFace(int face) const
   {

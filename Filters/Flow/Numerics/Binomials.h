@@ -10,8 +10,8 @@ namespace interlume
  * @brief   coefficients for conversion between the power basis and the Bernstein basis, up to
  * degree 5
  *
- * Choose[n][k] is the binomial coefficient n over k. Elevation[n][j][k] is (j over k) / (n over k),
- * the weight of the coefficient of theta^k in control point j of a curve of degree n.
+ * Choose[n][k] is the binomial coefficient C(n, k). Elevation[n][j][k] is C(j, k) / C(n, k), the
+ * weight of the coefficient of theta^k in control point j of a curve of degree n.
  */
 struct Binomials
 {

@@ -14,8 +14,8 @@ namespace interlume
  *
  * The method is from T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm for finding
  * the zero of a nonlinear function without using derivatives", Adv. Eng. Software 28 (1997). It
- * uses inverse quadratic interpolation where this converges, otherwise bisection. It ends at
- * adjacent floating-point numbers or at a discontinuity.
+ * uses inverse quadratic interpolation where it converges, otherwise bisection. It ends at adjacent
+ * floating-point numbers or at a discontinuity.
  */
 struct BracketedRoot
 {

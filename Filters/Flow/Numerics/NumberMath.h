@@ -21,7 +21,7 @@ struct ScalarProduct
 
 /**
  * @class   NumberMath
- * @brief   provides the operations of templates whose number type is double or a SimdPack
+ * @brief   provides operations for templates whose number type is double or a SimdPack
  *
  * The mask type of double is bool. Negate masks with Not, because ~ of a bool is always true.
  */

@@ -15,9 +15,9 @@ namespace
 {
 using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
-// Balances a matrix by a diagonal similarity transform with powers of 2, such that rows and columns
-// have similar norms. Eigen does not do this. Without it, gradients lose digits if the coordinates
-// have different units.
+// Balances a matrix by a diagonal similarity transform with powers of 2, so that rows and columns
+// have similar norms. Eigen does not do this. Without it, gradients lose precision if the
+// coordinates have different units.
 void Balance(Matrix& a)
 {
   bool isChanging = true;

@@ -141,7 +141,7 @@ FillValues SpeedScale::FindFillValues() const
   {
     return fill;
   }
-  // All vectors slower than the last gap found below fill values.
+  // Vectors visited since the last gap, which may be fill values.
   Bin top;
   vtkIdType largestCount = 0;
   vtkIdType above = 0;

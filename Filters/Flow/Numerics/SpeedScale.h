@@ -58,7 +58,7 @@ public:
   void Add(const SpeedScale& other);
 
   /// Combines the speeds of all processes. \a add and \a maximize replace the elements of a vector
-  /// by their sums and maxima over all processes.
+  /// with their sums and maxima over all processes.
   template <typename AddAll, typename MaximizeAll>
   void Unite(AddAll&& add, MaximizeAll&& maximize)
   {

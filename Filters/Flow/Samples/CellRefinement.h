@@ -24,10 +24,10 @@ namespace interlume
  * form a pyramid or a tetrahedron with the center. The tetrahedra are then cut at their marked
  * edges. Therefore cells conform face to face where they did before.
  *
- * New points on edges come first, then points on quadrilaterals, in the order of their point ids,
- * then points in cells. Point arrays are interpolated; the ghost type of a new point has the bits
- * common to all corners of its edge, face or cell. New cells inherit the cell arrays of the cell
- * that they subdivide.
+ * New points on edges come first, then points on quadrilaterals, both in the order of their corner
+ * ids, then points in cells. Point arrays are interpolated; the ghost type of a new point has the
+ * bits common to all corners of its edge, face or cell. New cells inherit the cell arrays of the
+ * cell that they subdivide.
  *
  * Lower-dimensional cells, quadratic cells, polyhedra, prisms, and hidden or blanked cells remain
  * unchanged, and their neighbors need not conform. Duplicates of other pieces' cells are refined

@@ -173,7 +173,7 @@ private:
 
   bool IsReached(int corner) const { return this->Arrays.IsReached(this->Ids[corner]); }
 
-  /// Returns true if some corners reach a surface, all of them the same one, and others do not.
+  /// Returns true if some corners reach the same surface and the others reach none.
   bool HasOneId() const
   {
     int id = -1;

@@ -20,10 +20,10 @@ class ImplicitFlowArrays;
  * @brief   finds the samples at corners of cells that a termination surface cuts
  *
  * The cells are mixed: their corners differ in status or id, or time jumps within them. A surface
- * that the streamline of a corner reaches crosses such a cell if the signed distance from it has
- * both signs at the corners, and the distances of two corners on different sides add up to at most
- * the cell's diagonal. All corners must project onto the surface, so that its boundary edge is not
- * in the cell. A corner on the surface counts as having reached it.
+ * reached by a corner's streamline crosses such a cell if the signed distance from it has both
+ * signs at the corners, and the distances of two corners on different sides add up to at most the
+ * cell's diagonal. All corners must project onto the surface, so that its boundary edge is not in
+ * the cell. A corner on the surface counts as having reached it.
  */
 class FarSideCorners
 {
@@ -50,9 +50,9 @@ public:
 
   /// Finds the corners, each with its nearest surface, in ascending order of samples and without
   /// duplicates. If \a pairs is not null, it receives pairs for the mixed cells that no surface
-  /// crosses, if some corners reach a surface, all of them the same one, and the other corners
-  /// reach none. Each pair is the two ends of an edge. A corner without such an edge is paired with
-  /// the nearest corner of the opposite result.
+  /// crosses and in which some corners reach the same surface and the others reach none. Each pair
+  /// is the two ends of an edge. A corner without such an edge is paired with the nearest corner
+  /// with the opposite result.
   static std::vector<Corner> Find(vtkDataSet* samples, const ImplicitFlowArrays& arrays,
     const AdvectionOptions& options, std::vector<Pair>* pairs = nullptr);
 };

@@ -43,8 +43,8 @@ public:
   static constexpr const char* Normal = "SampleNormal";
   static constexpr const char* Surface = "SampleSurface";
 
-  /// Values of SampleSurface instead of a surface index, for samples that stagnate on their surface
-  /// and for samples near the boundary of the reached region.
+  /// Values of SampleSurface that are not surface indices: for samples that stagnate on their
+  /// surface and for samples near the boundary of the reached region.
   static constexpr int Stagnant = -1;
   static constexpr int NoSurface = -2;
 
@@ -66,7 +66,7 @@ public:
   {
     /// Side: 1 above, -1 below, 0 for no part.
     int Side = 0;
-    /// Id that all samples of the part have.
+    /// Id shared by all samples of the part.
     int Id = -1;
     /// IsNear: all streamlines of the part start toward the surface. IsFar: none does.
     bool IsNear = false;
@@ -113,7 +113,7 @@ public:
   bool IsAway(vtkIdType row) const;
   /// Returns the far-side id of the sample; -1 if unknown.
   int GetId(vtkIdType row) const;
-  /// Returns the time that the streamline takes to the surface, negative if it comes from the
+  /// Returns the time that the streamline takes to reach the surface, negative if it comes from the
   /// surface; 0 if the time is unknown or there is no surface.
   double GetNearTime(const ImplicitFlowArrays& arrays, vtkIdType row) const;
   void GetNormal(vtkIdType row, double normal[3]) const { this->Normals->GetTuple(row, normal); }

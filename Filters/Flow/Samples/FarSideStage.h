@@ -15,8 +15,8 @@ namespace interlume
  */
 namespace FarSideStage
 {
-/// Writes the field arrays that FarSideSamples reads. With \a findsBoundary, includes samples near
-/// the boundary of the reached region. Returns false if the execution was aborted.
+/// Writes the field arrays that FarSideSamples reads. If \a findsBoundary is true, includes samples
+/// near the boundary of the reached region. Returns false if the execution was aborted.
 bool Run(StageContext& context, vtkDataSet* samples, bool findsBoundary);
 }
 

@@ -49,7 +49,8 @@ public:
 
   double GetTime(vtkIdType point) const { return this->Times->GetValue(point); }
 
-  /// Returns true if TerminationSide and AdvectionTime exist. The next two functions need them.
+  /// Returns true if TerminationSide and AdvectionTime exist. IsAcrossSurface and GetTimeJump need
+  /// them.
   bool HasSides() const { return this->Sides && this->Times; }
   /**
    * Returns true if time jumps within a cell whose corners all have the same id. On one side of the

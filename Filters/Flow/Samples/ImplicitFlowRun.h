@@ -53,8 +53,8 @@ public:
    */
   Error Execute(vtkDataSet* samples);
 
-  /// Returns the samples of all refinement levels; null without refinement and after an error or an
-  /// abort.
+  /// Returns the samples of all refinement levels; null if there are no levels, or after an error
+  /// or an abort.
   vtkUnstructuredGrid* GetRefined() const { return this->Refined; }
 
   const FlowReport& GetReport() const { return this->Report; }

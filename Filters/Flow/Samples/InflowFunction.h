@@ -36,7 +36,7 @@ public:
   std::vector<Ring> Rings;
   vtkSmartPointer<vtkImageData> Image;
 
-  /// Prepares the data of the evaluators. Returns an error if the function cannot be used.
+  /// Prepares the data for the evaluators. Returns an error if the function cannot be used.
   Error Prepare();
 
 private:
@@ -62,7 +62,7 @@ public:
   InflowEvaluator(const InflowEvaluator&) = delete;
   void operator=(const InflowEvaluator&) = delete;
 
-  /// Sets the surface for the following calls of Evaluate.
+  /// Sets the surface for subsequent calls of Evaluate.
   void SetSurface(int id, bool isPeriodicU, bool isPeriodicV);
   /// Returns the value at (u,v), or NaN if it is not finite. Periodic parameters outside [0, 1] are
   /// wrapped.

@@ -23,7 +23,7 @@ public:
   using Edge = std::array<vtkIdType, 2>;
   static Edge Make(vtkIdType a, vtkIdType b) { return a < b ? Edge{ { a, b } } : Edge{ { b, a } }; }
 
-  /// Builds the list of edges, which may contain duplicates. \a points are all points of the mesh.
+  /// Sets the marked edges. \a edges may contain duplicates. \a points are all points of the mesh.
   void Build(std::vector<Edge> edges, vtkPoints* points);
 
   vtkIdType GetNumber() const { return static_cast<vtkIdType>(this->Edges.size()); }

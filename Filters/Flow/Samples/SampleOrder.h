@@ -34,7 +34,7 @@ public:
   /// Returns the id of the i-th sample, 0 <= i < GetNumber().
   vtkIdType operator[](vtkIdType i) const { return this->Ids[static_cast<std::size_t>(i)]; }
 
-  /// Returns the Morton code of three numbers with at most ten bits: bit b of axis i is bit 3 b +
+  /// Returns the Morton code of three numbers with at most ten bits: bit b of axis i is bit 3 * b +
   /// i.
   static unsigned int GetCode(const unsigned int index[3]);
 

@@ -37,7 +37,7 @@ private:
 
   /// Computes the center of a chosen cell, the mean of its corners.
   void GetCenter(vtkIdType i, double x[3]) const;
-  /// Stores the result of a center. Threads may call it at once for different centers.
+  /// Stores the result for a center. Threads may call it concurrently for different centers.
   void Set(vtkIdType i, const AdvectionResult& result);
   /// Returns the report. Call it after Set for all centers.
   SamplingReport GetReport() const;

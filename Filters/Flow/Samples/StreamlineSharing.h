@@ -17,10 +17,10 @@ namespace interlume
  * @class   StreamlineSharing
  * @brief   decides which samples of a regular grid can be interpolated from their neighbors
  *
- * Every fourth sample along each axis is advected first. Two levels then halve the spacing. Each
- * sample at a midpoint between known samples is either advected, or interpolated from up to 4^3
- * known samples by cubic polynomials. A sample is interpolated if all its blocks of eight known
- * samples are good. A block is good if
+ * Every fourth sample along each axis is advected first. Each of two further levels halves the
+ * spacing. Each sample at a midpoint between known samples is either advected, or interpolated from
+ * up to 4^3 known samples by cubic polynomials. A sample is interpolated if all its blocks of eight
+ * known samples are good. A block is good if
  * - all samples used for interpolation in it reached one surface, neither u nor v crosses a seam
  *   between them, and the interpolated values lie on the surface,
  * - some of its corners are midpoints at the spacing of the previous level, and interpolation there

@@ -31,7 +31,7 @@ public:
   /// Sets the number of samples. New samples have no surface.
   void SetNumberOfSamples(vtkIdType number);
 
-  /// Stores the result of a sample. Threads may call it at once for different samples.
+  /// Stores the result for a sample. Threads may call it concurrently for different samples.
   void Add(vtkIdType sample, const double x[3], const AdvectionResult& result);
 
   /// Returns the samples at corners of cells that their surface crosses, in ascending order. \a ids

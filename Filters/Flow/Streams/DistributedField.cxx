@@ -385,7 +385,7 @@ void DistributedField::MakeUnstructuredGrid(vtkIdType few)
   std::vector<vtkIdType> points{ this->Data->GetNumberOfPoints() };
   this->Exchange.Add(points);
   // A mesh point is usually shared by few processes. If there are far more points than \a few,
-  // more than \a few remain without the duplicates.
+  // more than \a few remain after removal of duplicates.
   constexpr vtkIdType maximumRatio = 16;
   if (points[0] > few && points[0] <= maximumRatio * few)
   {
@@ -443,8 +443,8 @@ Error DistributedField::UniteBlocks()
 
 Error DistributedField::FindPartitionError()
 {
-  // Data of each process: numbers of cells and points, bounds, and one point each of the first and
-  // last cells.
+  // Data of each process: numbers of cells and points, bounds, one point of the first cell and one
+  // of the last.
   constexpr std::size_t size = 14;
   const auto ranks = static_cast<std::size_t>(this->Exchange.GetNumberOfRanks());
   std::vector<double> known(size * ranks, None);

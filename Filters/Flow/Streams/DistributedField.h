@@ -18,7 +18,7 @@ namespace interlume
 
 /**
  * @class   DistributedField
- * @brief   field on a grid of any type that is partitioned between processes
+ * @brief   field on a grid of any type that is partitioned among processes
  *
  * For images, rectilinear grids and structured grids, the whole extent is split into blocks, as VTK
  * does for pieces. A process holds its own cells and one layer of cells around them, like a piece
@@ -31,7 +31,7 @@ class DistributedField
 public:
   using Extent = std::array<int, 6>;
 
-  /// Partitions the extent \a whole between the processes of \a controller. \a whole is null for an
+  /// Partitions the extent \a whole among the processes of \a controller. \a whole is null for an
   /// unstructured grid.
   DistributedField(vtkMultiProcessController* controller, const int* whole);
 

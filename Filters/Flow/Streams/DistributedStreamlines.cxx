@@ -54,7 +54,7 @@ enum class Kind : int
   Velocity
 };
 
-/// Process that sent a request, and its index of the streamline or position.
+/// Process that sent a request, and the index of the streamline or position in that process.
 struct Request
 {
   int Rank = 0;
@@ -347,8 +347,8 @@ private:
     ++job.Ended;
   }
 
-  /// Searches this process for the cells at the positions, sends the results to the requesters, and
-  /// clears \a positions.
+  /// Finds this process's cells at the positions, sends the results to the requesters, and clears
+  /// \a positions.
   void Search(std::vector<QueuedStreamline>& positions, Outbox& sent) const
   {
     std::vector<CellSearchResult> findings(positions.size());
@@ -487,7 +487,7 @@ private:
     }
   }
 
-  /// Results of one thread: its messages to send, and its counters.
+  /// Results of one thread: the messages to send, and the counters.
   struct Done
   {
     Outbox Sent;

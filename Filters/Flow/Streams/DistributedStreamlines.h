@@ -19,7 +19,7 @@ struct FlowReport;
 
 /**
  * @class   DistributedStreamlines
- * @brief   traces streamlines of a field that is partitioned between processes
+ * @brief   traces streamlines of a field that is partitioned among processes
  *
  * A streamline starts in the process that owns the cell at its start position
  * (PartitionedCellSearch). When it enters a cell of another process, it continues there with its
@@ -27,7 +27,8 @@ struct FlowReport;
  * not wait for each other: each traces batches of received streamlines in parallel.
  *
  * A step reads only one cell, and cells have the same numbers and positions as in the whole grid.
- * Therefore results are bit-identical to a run with a single process that holds the whole field.
+ * Therefore results are bit-identical to those of a run with a single process that holds the whole
+ * field.
  *
  * If the execution is aborted in one process, it ends in all processes.
  */

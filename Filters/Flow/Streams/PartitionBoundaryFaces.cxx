@@ -52,8 +52,8 @@ struct Reach
   }
 };
 
-/// Numbers the positions such that equal positions have the same number. Returns the numbers. \a
-/// representatives receives the index of one position for each number.
+/// Numbers the positions so that equal positions have the same number. Returns the numbers.
+/// \a representatives receives the index of one position for each number.
 std::vector<vtkIdType> Merge(
   const std::vector<const double*>& positions, std::vector<vtkIdType>& representatives)
 {

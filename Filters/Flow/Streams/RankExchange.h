@@ -36,11 +36,11 @@ public:
   int GetRank() const { return this->Rank; }
   int GetNumberOfRanks() const { return this->NumberOfRanks; }
 
-  /// Replaces numbers by their sums over all processes.
+  /// Replaces numbers with their sums over all processes.
   void Add(std::vector<vtkIdType>& numbers);
-  /// Replaces numbers by their maxima over all processes.
+  /// Replaces numbers with their maxima over all processes.
   void Maximize(std::vector<double>& numbers);
-  /// Replaces bounds (xmin, xmax, ymin, ...) by the union of the bounds of all processes.
+  /// Replaces bounds (xmin, xmax, ymin, ...) with the union of the bounds of all processes.
   void Unite(double bounds[6]);
   /// Returns true if \a here is true in any process.
   bool IsAnywhere(bool here);

@@ -23,7 +23,7 @@ namespace
 using Bytes = RankExchange::Bytes;
 
 /// Sends points to the processes of higher rank that may share them. put(bytes, point) appends the
-/// data of a point. take(at, rank, point) reads these data. For each received point, it is called
+/// data of a point. take(at, rank, point) reads these data. For each received point, take is called
 /// once with point -1, and then with each own point at the same position. It returns the end of the
 /// data.
 template <typename Put, typename Take>

@@ -17,8 +17,8 @@ namespace
 {
 using Parameters = LevelContours::Parameters;
 
-// Parameters of a contour, their positions in world space, and whether the surface has these
-// positions.
+// Parameters of a contour, the corresponding world positions, and whether the surface has a point
+// at each.
 struct Line
 {
   std::vector<Parameters> Points;

@@ -15,8 +15,8 @@ namespace interlume
  *
  * The function is sampled once on a grid of squares over [0, 1]^2. Each level is then traced from
  * square to square. Contour points lie on grid edges, where the function equals the level up to
- * rounding error. Ambiguous squares are decided by the value at their center. Squares with a corner
- * value that is not finite have no contour.
+ * rounding error. Ambiguous squares are resolved by the value at their center. Squares with a
+ * corner value that is not finite have no contour.
  */
 class LevelContours
 {

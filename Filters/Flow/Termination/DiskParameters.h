@@ -23,7 +23,7 @@ inline void FromPoint(double x, double y, double uv[2])
   uv[1] = 0.5 + scale * y;
 }
 
-/// Computes the point of given parameters. Returns false if they are outside the disk.
+/// Computes the point with the given parameters. Returns false if they are outside the disk.
 inline bool ToPoint(const double uv[2], double& x, double& y)
 {
   x = 2.0 * uv[0] - 1.0;

@@ -18,10 +18,10 @@ namespace
 {
 // Number of bisections between a node inside the part and a node outside.
 constexpr int Halvings = 40;
-// Distance inside the part, in parameters, at which the normal of an edge shared with another part
-// is evaluated.
+// Distance inside the part, in parameter space, at which the normal of an edge shared with another
+// part is evaluated.
 constexpr double Inset = 1e-6;
-// Sine below which a triangle is degenerate, as at the pole of a sphere.
+// Sine below which a triangle is degenerate, for example at the pole of a sphere.
 constexpr double Flatness = 1e-12;
 }
 
@@ -130,8 +130,8 @@ void TerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
 
 void TerminationGrid::CutCell(int i, int j)
 {
-  // The polygon around the cell consists of corners inside the part and of border crossings of the
-  // cell's edges.
+  // The clipped cell is a polygon of corners inside the part and border crossings of the cell's
+  // edges.
   std::vector<vtkIdType> polygon;
   const auto addNode = [this, &polygon](int column, int row)
   {

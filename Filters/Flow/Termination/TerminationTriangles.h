@@ -57,7 +57,7 @@ public:
   double Bounds[6];
   /// Diagonal of the bounds, multiplied by Scale.
   double Diagonal = 0.0;
-  /// Number of triangles without area, and of polygons that cannot be triangulated.
+  /// Number of triangles of zero area, and of polygons that cannot be triangulated.
   vtkIdType NumberOfDegenerateTriangles = 0;
 
 private:

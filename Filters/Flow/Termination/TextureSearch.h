@@ -12,8 +12,8 @@ namespace interlume
  * @class   TextureSearch
  * @brief   finds the point of a mesh with given texture coordinates
  *
- * Triangles without area in texture space are skipped. If triangles overlap in texture space,
- * always the same one is found.
+ * Triangles of zero area in texture space are skipped. If triangles overlap in texture space, the
+ * same one is always found.
  */
 class TextureSearch
 {

@@ -25,7 +25,7 @@ public:
   void Connect(const TerminationTriangles& mesh);
 
   /**
-   * Flips triangles so that the triangles at each edge with exactly two of them are consistently
+   * Flips triangles so that the two triangles at each edge with exactly two are consistently
    * oriented. A part without borders is oriented outward. A part with borders keeps the orientation
    * of the majority of its triangles, or of its first triangle in case of a tie. Returns an error
    * if a part is one-sided, like a Moebius strip.

@@ -52,7 +52,7 @@ public:
   /// if the line is closed.
   void GetParameters(const glm::dvec3& x, double uv[2]) const;
 
-  /// Returns the point with these parameters at a distance from the line.
+  /// Returns the point with these parameters at distance \a radius from the line.
   glm::dvec3 GetPoint(const double uv[2], double radius) const;
 
   /// Return the frame at an end, and the end point.

@@ -13,8 +13,8 @@ namespace
 {
 using Values = MultilinearCell::Values;
 
-// Tolerances in parameters: distance outside the cell, and minimum uncertainty of a regular and of
-// a degenerate zero.
+// Tolerances in parametric coordinates: distance outside the cell, and minimum uncertainty of a
+// regular and of a degenerate zero.
 constexpr double Margin = 1e-9;
 constexpr double Tolerance = 1e-7;
 constexpr double DegenerateTolerance = 1e-5;

@@ -32,7 +32,7 @@ namespace
 // 1/8. All cells that contain a position on a shared face give the same weights to the points of
 // that face.
 constexpr double MinimumSharedWeight = 0.05;
-// Distance from a face, in parameters, within which other cells may find the same zero.
+// Distance from a face, in parametric coordinates, within which other cells may find the same zero.
 constexpr double NearFace = 1e-4;
 constexpr double NearPoint = 1e-6;
 

@@ -50,7 +50,7 @@ public:
     double Position[3];
     /// Interpolated vector at the zero.
     double Velocity[3];
-    /// Derivatives dv[i]/dx[j] at [3 i + j]; 0 if the cell is degenerate.
+    /// Derivatives dv[i]/dx[j] at [3 * i + j]; 0 if the cell is degenerate.
     double Gradient[9];
     /// Cube root of the cell's volume.
     double CellLength;

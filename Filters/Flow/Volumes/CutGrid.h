@@ -68,8 +68,8 @@ private:
     /// A corner of the part for which the point was created.
     vtkIdType Other;
     bool IsNear;
-    /// Side of that part, 1 or -1, and whether it ends at the boundary of the reached region and
-    /// not at a surface.
+    /// Side of that part, 1 or -1, and whether it ends at the boundary of the reached region
+    /// instead of at a surface.
     int Side;
     bool IsBoundary;
   };

@@ -15,7 +15,7 @@ struct FlowVolumeReport
 {
   /// Number of input cells.
   vtkIdType Cells = 0;
-  /// Numbers of cells with a corner without a result, of cells whose corners reached different
+  /// Numbers of cells that have a corner without a result, of cells whose corners reached different
   /// surfaces, and of cells on a seam where the mapping is discontinuous.
   vtkIdType CellsWithoutResult = 0;
   vtkIdType CellsBetweenSurfaces = 0;
@@ -33,9 +33,8 @@ struct FlowVolumeReport
   vtkIdType CellsAroundPoles = 0;
   /// Number of points added for cells across seams.
   vtkIdType PointsOnSeams = 0;
-  /// How often all cells were classified, how often cells were extracted by Inflow and by time, and
-  /// how often stream surfaces were cut by time; 0 if a step was not required or its result was
-  /// reused.
+  /// Number of times all cells were classified, cells were extracted by Inflow and by time, and
+  /// stream surfaces were cut by time; 0 if a step was not required or its result was reused.
   int Preparations = 0;
   int InflowPasses = 0;
   int TimePasses = 0;

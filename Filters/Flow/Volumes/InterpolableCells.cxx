@@ -23,7 +23,7 @@ namespace interlume
 
 namespace
 {
-// Special ids: for a corner without a result, and for corners with different ids.
+// Values that replace the id for a corner without a result and for corners with different ids.
 constexpr int NoResult = -1;
 constexpr int Different = -2;
 

@@ -41,7 +41,7 @@ public:
     ACROSS_SURFACE = 64,
     TIME_JUMP = 128,
     EXCLUDED = WITHOUT_RESULT | BETWEEN_SURFACES | ON_SEAM | ACROSS_SURFACE | TIME_JUMP,
-    /// The cell is across a seam, and its corners cannot be unwrapped to within half a period.
+    /// The cell crosses a seam, and its corners cannot be unwrapped to within half a period.
     AROUND_POLE = 32
   };
 

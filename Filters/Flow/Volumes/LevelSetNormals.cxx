@@ -58,7 +58,7 @@ public:
   }
 
   SimplexPoints Simplices;
-  // Index of each mesh point among the points of the triangles, or -1; and the inverse.
+  // Index of each mesh point among the points of the triangles, or -1; and the inverse map.
   std::vector<vtkIdType> Indices;
   std::vector<vtkIdType> Points;
   // First tetrahedron of each point in Tetrahedra.

@@ -140,7 +140,7 @@ double FindZero(vtkUnstructuredGrid* uncut, vtkIdType a, vtkIdType b)
 }
 
 // Moves points on the surface from the zero of the linearly interpolated distance to the zero of
-// the distance interpolated with gradients, and sets their near time to 0.
+// the distance interpolated with gradients, and sets their NearTime to 0.
 void CorrectPoints(vtkUnstructuredGrid* uncut, vtkUnstructuredGrid* cut)
 {
   const Keys keys(cut);

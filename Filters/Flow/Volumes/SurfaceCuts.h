@@ -57,7 +57,7 @@ private:
   /// triangles.
   vtkSmartPointer<vtkUnstructuredGrid> Extract(const Request& request, Origins& origins);
 
-  /// Finds the id of each extracted point in the joined mesh. \a added gets the new points.
+  /// Finds the id of each extracted point in the joined mesh. \a added receives the new points.
   static std::vector<vtkIdType> FindIds(
     vtkUnstructuredGrid* mesh, const Origins& origins, std::vector<vtkIdType>& added);
 

@@ -25,7 +25,7 @@ namespace
 {
 constexpr vtkIdType NoTetrahedron = std::numeric_limits<vtkIdType>::max();
 
-// Faces of a tetrahedron opposite each corner, counterclockwise from outside.
+// Faces of a tetrahedron opposite each corner, counterclockwise as seen from outside.
 constexpr int Faces[4][3] = { { 1, 2, 3 }, { 0, 3, 2 }, { 0, 1, 3 }, { 0, 2, 1 } };
 
 int* GetIntegers(vtkDataSetAttributes* attributes, const char* name)
@@ -38,7 +38,7 @@ const vtkIdType* GetOrigins(vtkDataSetAttributes* attributes, const char* name)
   return vtkIdTypeArray::SafeDownCast(attributes->GetArray(name))->GetPointer(0);
 }
 
-// Returns the face of a tetrahedron opposite a corner, counterclockwise from outside.
+// Returns the face of a tetrahedron opposite a corner, counterclockwise as seen from outside.
 SurfaceTriangles::Triangle GetFace(const SimplexPoints& tetrahedra, vtkIdType cell, int out)
 {
   return { { tetrahedra.Get(cell, Faces[out][0]), tetrahedra.Get(cell, Faces[out][1]),

@@ -38,9 +38,9 @@ public:
   void RemoveLoose(vtkUnstructuredGrid* mesh);
 
   /**
-   * Replaces the triangles, which are faces of the tetrahedra \a before, by their parts that remain
-   * in the tetrahedra \a after. \a after is an extraction from \a before and must have origin
-   * arrays.
+   * Replaces the triangles, which are faces of the tetrahedra \a before, with their parts that
+   * remain in the tetrahedra \a after. \a after is an extraction from \a before and must have
+   * origin arrays.
    */
   void Cut(vtkUnstructuredGrid* before, vtkUnstructuredGrid* after);
 
@@ -58,7 +58,7 @@ private:
   /// Keeps the triangles for which \a keep, called with ascending indices, returns true.
   template <typename Keep>
   void Filter(const Keep& keep);
-  /// Returns the first tetrahedron that has each triangle as a face, or -1 if there is none.
+  /// Returns, for each triangle, the first tetrahedron that has it as a face, or -1.
   std::vector<vtkIdType> FindOwners(vtkUnstructuredGrid* before) const;
 
   std::vector<Triangle> Triangles;

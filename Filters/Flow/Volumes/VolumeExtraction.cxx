@@ -71,7 +71,7 @@ vtkSmartPointer<vtkIntArray> Rename(
   return renamed;
 }
 
-// Returns the point precision for an extraction from an unstructured grid, such that it equals the
+// Returns the point precision for an extraction from an unstructured grid, so that it equals the
 // precision of the extraction from the input.
 int GetPrecision(const VolumeExtraction::Request& request)
 {

@@ -43,8 +43,8 @@ public:
   /// Returns whether two arrays are compatible for interpolation between them. Either may be null.
   static bool IsCompatible(vtkAbstractArray* a, vtkAbstractArray* b);
 
-  /// Adds \a out to \a output, with the name, component names and attribute roles that \a in has in
-  /// \a input.
+  /// Adds \a out to \a output, with the name, component names and active attributes that \a in has
+  /// in \a input.
   static void AddLike(vtkDataSetAttributes* input, vtkAbstractArray* in,
     vtkDataSetAttributes* output, vtkAbstractArray* out);
 

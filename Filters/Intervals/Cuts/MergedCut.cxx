@@ -74,7 +74,7 @@ void MergedCut::Make(const vtkIsotable& table, const Item& item, const Code* cod
       OppositePairs::Remove<3>(this->Simplices);
     }
   }
-  // A cut with another slot order than the table's may have more simplices.
+  // A cut in a slot order that differs from the table's may have more simplices.
   const std::size_t left = std::min(this->Simplices.size(), what.Simplices.size());
   this->NumberCollapsed = static_cast<vtkIdType>(what.Simplices.size() - left);
 }

@@ -69,7 +69,7 @@ int GetDeterminantSign(vtkIsotable::Shapes shape, GetPoint&& getPoint)
 using RoughVector = float __attribute__((vector_size(16)));
 using RoughBits = unsigned int __attribute__((vector_size(16)));
 
-// Same result as FillColumns with fewer sums, assuming that x[0] is zero.
+// Same result as FillColumns with fewer additions, assuming that x[0] is zero.
 void FillRoughColumns(vtkIsotable::Shapes shape, const RoughVector* x, RoughVector* columns)
 {
   if (shape != vtkIsotable::HEXAHEDRON)

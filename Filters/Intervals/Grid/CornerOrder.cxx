@@ -43,7 +43,7 @@ struct HexahedronPermutations
   }
 };
 
-// Permutes the ids one by one. Loading ids in pairs just after they were written singly would
+// Permutes the ids one by one. Loading ids in pairs just after they were written individually would
 // stall.
 template <std::size_t... V>
 void Permute(const std::uint8_t* from, vtkIdType* ids, std::index_sequence<V...>)

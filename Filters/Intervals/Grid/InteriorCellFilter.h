@@ -22,8 +22,8 @@ namespace interlume
  */
 struct InteriorCellPass
 {
-  /// A mark per point of the first pass's input, 0 if a criterion excludes the point; empty without
-  /// criteria.
+  /// A mark per point of the first pass's input, 0 if a criterion excludes the point; empty if
+  /// there are no criteria.
   std::vector<unsigned char> Points;
   /// First interior cell in the output of the previous pass, which ends with the interior cells; -1
   /// in the first pass.
@@ -32,7 +32,7 @@ struct InteriorCellPass
   /// empty if no triangle is a face of an interior cell.
   std::vector<vtkIdType> TriangleInteriorCells;
 
-  /// Excludes the points outside a criterion. Call it once per criterion.
+  /// Excludes the points that do not satisfy a criterion. Call it once per criterion.
   void Exclude(vtkDataArray* array, double lower, double upper);
 };
 

@@ -14,11 +14,11 @@ namespace interlume
 
 /**
  * @class   RowIndex
- * @brief   index arithmetic of a structured (i, j, k) grid, in 64 bits throughout
+ * @brief   64-bit index arithmetic of a structured (i, j, k) grid
  *
- * Points are numbered along i, then j, then k. A row of points has the number j + k nj, a row of
- * cells the number j + k (nj - 1). The rows may be restricted to a window of the grid. Then ids of
- * points and cells, and indices along axes, refer to the grid, while rows, and j and k of a row,
+ * Points are numbered along i, then j, then k. A row of points has the number j + k * nj, a row of
+ * cells the number j + k * (nj - 1). The rows may be restricted to a window of the grid. Then ids
+ * of points and cells, and indices along axes, refer to the grid, while rows, and j and k of a row,
  * refer to the window.
  */
 class RowIndex

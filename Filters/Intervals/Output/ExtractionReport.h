@@ -58,15 +58,15 @@ struct ExtractionReport
   vtkIdType CollapsedSimplices = 0;
   /// Number of cells inside an interval that are passed through uncut, and number of non-planar
   /// quadrilaterals between such a cell and tetrahedra of the same interval. At a non-planar face,
-  /// a view ray may encounter a gap or an overlap. 0 without KeepInteriorCells.
+  /// a view ray may encounter a gap or an overlap. 0 if KeepInteriorCells is off.
   vtkIdType InteriorCells = 0;
   vtkIdType NonPlanarFaces = 0;
-  /// Number of interpolated point arrays (without coordinates) and of copied cell arrays.
+  /// Number of interpolated point arrays (excluding coordinates) and of copied cell arrays.
   int ArraysInterpolated = 0;
   int ArraysCopied = 0;
   /// Number of passes over a mesh: 1, plus one for each additional criterion.
   int Passes = 0;
-  /// Peak size of the working memory in bytes, without input and output.
+  /// Peak size of the working memory in bytes, excluding input and output.
   vtkIdType WorkingBytes = 0;
   /// With ReuseMemory: number of bytes that this execution reused from pooled blocks for outputs
   /// and working memory, and size of the blocks idle at its end. Blocks below 64 KiB are not

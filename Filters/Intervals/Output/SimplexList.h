@@ -275,8 +275,8 @@ public:
     this->Shorten(position);
   }
 
-  /// Renumbers the points after all but the \a retained ones were removed. \a numberOfPoints is
-  /// their number before the removal. The cells must use only retained points.
+  /// Renumbers the points after all but the \a retained ones were removed. \a numberOfPoints is the
+  /// number of points before the removal. The cells must use only retained points.
   void RemovePoints(const RetainedIdRanges& retained, vtkIdType numberOfPoints)
   {
     this->Visit(

@@ -54,7 +54,7 @@ public:
   /**
    * Fills the boundary of \a mesh, which was cut out of the tetrahedra of \a input, with the faces
    * that lie in triangles of \a inputBoundary. Triangles of interior cells, listed in \a whole, are
-   * preserved; \a whole is null without interior cells.
+   * preserved; \a whole is null if there are no interior cells.
    */
   static void CutBoundary(vtkDataSet* input, vtkUnstructuredGrid* inputBoundary,
     const InteriorCellPass* whole, ExtractionMesh& mesh);

@@ -53,7 +53,7 @@ struct ExtractionMesh
   vtkNew<vtkIntArray> TriangleSides;
   std::vector<vtkIdType> TriangleCellIds;
   /// Boundary triangles of cells where values equal a bound, in increasing order. They may cancel
-  /// each other, or bound a region without volume.
+  /// each other, or bound a region of zero volume.
   std::vector<vtkIdType> TiedTriangles;
   /// Tetrahedra, or contour triangles, that lie in a face of a cell where values equal a bound.
   std::vector<vtkIdType> TiedSimplices;
@@ -65,7 +65,7 @@ struct ExtractionMesh
   bool HasSeveralItems = false;
 
   /// Allocates simplices with \a size points each, \a points points, and \a interiorCells interior
-  /// cells with \a interiorIds point ids in total. \a triangles is 0 without boundaries.
+  /// cells with \a interiorIds point ids in total. \a triangles is 0 if no boundary is requested.
   void Allocate(vtkIdType points, vtkIdType simplices, int size, vtkIdType triangles,
     bool keepCellIds, vtkIdType interiorCells = 0, vtkIdType interiorIds = 0)
   {
@@ -167,7 +167,7 @@ struct ExtractionContext : Blanking
   const ExtractionValues* Values = nullptr;
   vtkDataSet* Input = nullptr;
   vtkDataArray* Scalars = nullptr;
-  /// A mark per point with a NaN or infinite coordinate; null if all coordinates are finite.
+  /// A mark per point, set if a coordinate is NaN or infinite; null if all coordinates are finite.
   const unsigned char* NonFinitePoints = nullptr;
   ExtractionIndex* Index = nullptr;
   /// Selects interior cells; null if interior cells are cut too.

@@ -67,7 +67,7 @@ public:
   ///@{
   /**
    * Find the rows of cells, and the cells of a row, that may have output. Only for structured
-   * grids, after Activate(). Rows are numbered as in StructuredExtraction: j + k (nj - 1).
+   * grids, after Activate(). Rows are numbered as in StructuredExtraction: j + k * (nj - 1).
    */
   bool IsRowActive(vtkIdType cellRow) const;
   /// Returns the fraction of active block rows.

@@ -100,7 +100,7 @@ vtkIdType Count(const ExtractionContext& context, const ExtractionMesh& mesh, co
   }
   TiedFaces<3> faces(mesh.Points.GetSize());
   // Each triangle has a unique index, so that only the triangles between two interior cells cancel.
-  // The two triangles of a face are successive.
+  // The two triangles of a face are consecutive.
   std::size_t index = 0;
   for (const std::vector<Face>& list : found)
   {

@@ -55,9 +55,9 @@ public:
   {
   }
 
-  /// Calls visit(triangle, polygon) for each outward triangle of the faces of an interior cell,
-  /// with the face that contains it. Both use output ids. A polyhedron face with more than four
-  /// points is visited as triangles.
+  /// Calls visit(triangle, polygon) for each outward-oriented triangle of the faces of an interior
+  /// cell, with the face that contains it. Both use output ids. A polyhedron face with more than
+  /// four points is visited as triangles.
   template <typename Visitor>
   void Visit(vtkIdType cell, const vtkIdType* ids, int number, Visitor&& visit) const
   {

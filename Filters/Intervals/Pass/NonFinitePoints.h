@@ -33,7 +33,7 @@ public:
 
   /// Returns a warning with the number of cells that are skipped because of these points and the
   /// first such cell, or an empty string. \a grid may be the grid before polyhedra were replaced.
-  /// Cells of 4-simplices are included if \a hasSimplices is true.
+  /// Cells that are 4-simplices are included if \a hasSimplices is true.
   std::string Describe(vtkDataSet* grid, bool hasSimplices = false) const;
 
 private:

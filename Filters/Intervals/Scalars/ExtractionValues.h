@@ -19,7 +19,7 @@ namespace interlume
  * @brief   the isovalues of an extraction in ascending order, and the codes of scalars relative to
  * them
  *
- * The distinct isovalues v0 < v1 < ... < v(m-1) divide the number line into 2 m + 1 parts. Their
+ * The distinct isovalues v0 < v1 < ... < v(m-1) divide the number line into 2m + 1 parts. Their
  * codes are 2k between v(k-1) and vk, and 2k + 1 at vk. The combinatorial part of an extraction
  * uses only codes, so one consistent rule applies to values equal to an isovalue.
  */

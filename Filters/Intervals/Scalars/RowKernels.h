@@ -9,7 +9,7 @@ namespace interlume
 
 /**
  * Loops over the rows of a grid, compiled with and without AVX2. The version is selected at run
- * time. Their results do not depend on the instruction set. They are written for automatic
+ * time. The results do not depend on the instruction set. The loops are written for automatic
  * vectorization: no aliasing, 16-bit arithmetic throughout, no branches.
  */
 namespace RowKernels

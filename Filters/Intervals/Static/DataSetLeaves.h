@@ -29,7 +29,8 @@ namespace interlume
 class DataSetLeaves
 {
 public:
-  /// Declares that an input port accepts datasets of a type, and composite datasets of them.
+  /// Declares that an input port accepts datasets of a type and composite datasets that contain
+  /// them.
   static void FillInput(vtkInformation* port, const char* type);
   /// Declares that RequestDataObject selects the type of an output port.
   static void FillOutput(vtkInformation* port);

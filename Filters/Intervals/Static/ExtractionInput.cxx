@@ -55,7 +55,7 @@ Error FindShortArray(vtkDataSetAttributes* arrays, vtkIdType number, const char*
   return {};
 }
 
-// Returns the smallest nonzero distance of successive coordinates, or 0.
+// Returns the smallest nonzero distance between successive coordinates, or 0.
 double FindMinimumStep(vtkDataArray* coordinates)
 {
   double minimum = 0.0;

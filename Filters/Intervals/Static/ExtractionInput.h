@@ -27,9 +27,9 @@ class ExtractionInput
 {
 public:
   /**
-   * Returns an error if \a array is not a valid scalar of \a input, or if the arrays of \a input
-   * are inconsistent. \a association is the association of \a array. \a wanted describes the
-   * requested array.
+   * Returns an error if \a array is not a valid scalar array of \a input, or if the arrays of
+   * \a input are inconsistent. \a association is the association of \a array. \a wanted describes
+   * the requested array.
    */
   static Error CheckScalars(
     vtkDataSet* input, vtkAbstractArray* array, int association, const std::string& wanted);
@@ -39,9 +39,9 @@ public:
 
   ///@{
   /**
-   * Return a warning, or an empty string. The checks find points whose single-precision coordinates
-   * are off by more than a hundredth of a cell, for example in image data far from the origin,
-   * polyhedra that are split into overlapping cells, and folded cells.
+   * Return a warning, or an empty string. The checks find single-precision coordinates that are off
+   * by more than a hundredth of a cell (for example in image data far from the origin), polyhedra
+   * that are split into overlapping cells, and folded cells.
    */
   static std::string CheckPrecision(vtkDataSet* input, int precision);
   static std::string CheckPolyhedra(vtkIdType numberOfConcave);

@@ -231,8 +231,8 @@ private:
     }
   }
 
-  // Calls visit(a, b, c) for the triangles of a fan of a face, from the face's first point in the
-  // global order.
+  // Calls visit(a, b, c) for the triangles of a face, as a fan around its first point in the global
+  // order.
   template <typename Visitor>
   void ForEachTriangle(const Face& face, Visitor&& visit) const
   {

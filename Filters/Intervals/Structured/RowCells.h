@@ -173,7 +173,7 @@ private:
     return tie > end ? end : std::max(first, tie - 1);
   }
 
-  // Counts or writes cells inside an interval. Without ties, they have no boundary.
+  // Counts or writes cells inside an interval. They have no boundary because they have no ties.
   template <bool Write>
   void ProcessInside(RowBuffers& local, const CellRow& around, const RowPoints::ColumnRange& cells,
     int item, const vtkIsotable::Case& found, RowWriter::CellInside& inside, RowCount& position)

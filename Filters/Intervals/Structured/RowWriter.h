@@ -183,8 +183,8 @@ private:
   }
 
   // Writes a cell inside an interval. Along a row of such cells, each corner's id usually exceeds
-  // the id of the same corner of the previous cell by 1. Then the point ids of the simplices do so
-  // too.
+  // the id of the same corner of the previous cell by 1. Then the point ids of the simplices also
+  // increase by 1.
   void WriteInside(const CellRow& row, vtkIdType i, int item, const vtkIsotable::Case& found,
     CellInside& before, RowCount& position)
   {

@@ -313,7 +313,7 @@ void ProjectedTetrahedra::WritePoints(const Batch& batch, Value* values) const
     });
 }
 
-// Adds the counts of a block to the report and replaces them by start indices.
+// Adds the counts of a block to the report and replaces them with start indices.
 void ProjectedTetrahedra::AssignStart(Block& block, TimeVaryingReport& report)
 {
   report.FlatSimplices += block.Last - block.First - block.ThickPoints;

@@ -10,7 +10,7 @@ namespace interlume
 
 /**
  * @class   SimplexSigns
- * @brief   signs of the affine dependency of a 4-simplex, in two bytes
+ * @brief   signs of the affine dependency of a 4-simplex's projected points, in two bytes
  *
  * The signs determine the tetrahedra of the projection (see SimplexProjection). They are stored for
  * each 4-simplex until its tetrahedra are written.

@@ -21,8 +21,8 @@ namespace interlume
  * is split depends only on the order of the vertices whose edges the face crosses. Therefore the
  * slices of adjacent simplices match if all simplices use the same point order.
  *
- * Number the vertices in ascending order. If they are positively oriented in (x,y,z,t) and vertices
- * with larger t are above, the tetrahedra have positive volume.
+ * The tetrahedra have positive volume if the vertices in ascending order are positively oriented in
+ * (x,y,z,t) and vertices with larger t are above.
  */
 class SimplexSliceTable
 {

@@ -44,7 +44,7 @@ constexpr Code NonFinite = AboveValue + 1;
 // Result of counting a chunk of cells, used for writing the chunk.
 struct Chunk : SliceFaces::Chunk
 {
-  // Index in the slice of the chunk's first tetrahedron.
+  // Index of the chunk's first tetrahedron in the slice.
   vtkIdType First = 0;
   vtkIdType InvalidCell = -1;
   vtkIdType NonFiniteCells = 0;
@@ -189,7 +189,7 @@ public:
         work.Made.InvalidCell = cell;
         return;
       }
-      // Number of vertices per code, in four bits each.
+      // Number of vertices with each code, four bits per code.
       unsigned int counts = 0;
       bool areAbove[SimplexSize];
       for (int v = 0; v < SimplexSize; ++v)
@@ -313,8 +313,8 @@ private:
     Builder& Points;
     CrossingLists::Arena& Arena;
     const vtkIdType Begin;
-    // Cells without ties are counted in batches. The batch is flushed before each cell with ties,
-    // to preserve the order of the cells.
+    // Cells with no vertex at the slice value are counted in batches. The batch is flushed before
+    // any other cell is counted, to preserve the order of the cells.
     Batch Plain;
     std::array<std::uint16_t, Batch::Size> Positions;
   };

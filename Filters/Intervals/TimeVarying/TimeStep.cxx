@@ -185,7 +185,7 @@ bool TimeStep::IsOverwritten(vtkDataSet* next, vtkDataArray* scalars) const
       const auto source = std::find_if(this->Sources.begin(), this->Sources.end(),
         [memory](const Source& one) { return GetMemory(one.Array) == memory; });
       // Not every source marks overwritten scalars as modified. The scalars of two different steps
-      // must differ, so sharing memory is sufficient evidence.
+      // must differ, so shared memory proves that they were overwritten.
       return source != this->Sources.end() &&
         (array == scalars || array->GetMTime() > source->Time);
     });

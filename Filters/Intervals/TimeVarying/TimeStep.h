@@ -49,11 +49,11 @@ public:
   /// input must be the original dataset of the step.
   std::string DescribeNonFinite(vtkDataSet* input) const { return this->NonFinite.Describe(input); }
 
-  /// Computes the codes of all points in the first call, while the progress advances from \a from
+  /// Computes the codes of all points on the first call, while the progress advances from \a from
   /// to \a to. Returns false if the user aborted.
   bool MakeCodes(const ExtractionContext& context, double from, double to);
   const ExtractionValues::Code* GetCodes() const { return this->Codes.GetData(); }
-  /// Returns true if a value equals a bound. Call MakeCodes() first.
+  /// Returns true if any value equals a bound. Call MakeCodes() first.
   bool HasTies() const { return this->Ties; }
 
   std::size_t GetBytes() const { return this->Codes.GetBytes(); }

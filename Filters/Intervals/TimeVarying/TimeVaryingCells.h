@@ -203,8 +203,8 @@ public:
   }
 
   ///@{
-  /// Compute, free and measure the marks for FindNear(): for each point, the union of its marks at
-  /// both steps. MakeMarks() returns false if the user aborted.
+  /// Compute and free the marks for FindNear() (for each point, the union of its marks at both
+  /// steps), and return their size. MakeMarks() returns false if the user aborted.
   bool MakeMarks(const ExtractionContext& context)
   {
     return context.Run(this->Steps[0]->GetNumberOfPoints(), 0.1, 0.2,

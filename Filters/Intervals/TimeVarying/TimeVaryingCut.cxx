@@ -18,7 +18,8 @@ using Sides = SpaceTimeSlots::Sides;
 using Slot = SpaceTimeTable::Slot;
 using SideArray = std::array<std::uint8_t, SpaceTimeTable::MaximumNumberOfSlots>;
 
-// Bit in addition to Sides: the value at the corner equals the bounds of a zero-width interval.
+// Extra bit next to those of Sides: the value at the corner equals the bounds of a zero-width
+// interval.
 constexpr unsigned Equal = 16;
 
 int GetNumberOfSlots(const SpaceTimeTable& table)

@@ -41,7 +41,7 @@ constexpr vtkIdType ChunkSize = 512;
 constexpr int MaximumNumberOfVertices = SpaceTimeTable::MaximumNumberOfVertices;
 constexpr int MaximumNumberOfSlots = SpaceTimeTable::MaximumNumberOfSlots;
 
-// A case found for a cell of a chunk.
+// The case of a cell in a chunk.
 struct Found
 {
   vtkIdType Cell;
@@ -523,7 +523,7 @@ private:
       const auto& simplices = isPlain ? what.Simplices : local.Own.GetSimplices();
       if (!isPlain && local.Own.IsMerged)
       {
-        // A cut with another slot order than the table's may have more simplices.
+        // A cut in a different slot order than the table's may have more simplices.
         const std::size_t left = std::min(simplices.size(), what.Simplices.size());
         chunk.Report.CollapsedSimplices += static_cast<vtkIdType>(what.Simplices.size() - left);
       }

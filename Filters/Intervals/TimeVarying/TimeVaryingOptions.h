@@ -45,8 +45,8 @@ public:
   bool IsAlongTime() const { return this->Direction[3] == 1.0; }
 
   /**
-   * Transforms a point in (x,y,z,t) to the axes of the projection: the axes of x, y, z, t rotated
-   * by the smallest rotation that takes t to the direction. The last coordinate is along the
+   * Transforms a point in (x,y,z,t) to the axes of the projection: the axes x, y, z, t rotated by
+   * the smallest rotation that takes t to the direction. The last coordinate is along the
    * projection.
    */
   void Project(double x[4]) const

@@ -14,7 +14,7 @@ struct ExtractionContext;
 
 /**
  * @class   TimeVaryingOutput
- * @brief   creates the outputs of a finished mesh of 4-simplices
+ * @brief   creates the outputs from a finished mesh of 4-simplices
  *
  * The number of cells created is added to the report.
  */

@@ -37,9 +37,9 @@ public:
   const ShapeTables& GetTables() const { return this->Tables; }
   const ChunkCuts::Kind& GetKind() const { return this->Kind; }
 
-  /// Cuts a cell by its case for item \a number, and returns the record of the case. If the cut
-  /// stored in the table does not apply, a new cut is made and stored in \a cuts. \a slots is a
-  /// buffer for the slots of the cut. Adds the number of removed degenerate simplices to \a
+  /// Cuts a cell according to its case for item \a number, and returns the record of the case. If
+  /// the cut stored in the table does not apply, a new cut is made and stored in \a cuts. \a slots
+  /// is a buffer for the slots of the cut. Adds the number of removed degenerate simplices to \a
   /// collapsed.
   ChunkCuts::Found Cut(const Cell& cell, std::size_t number, vtkIdType position, bool isInverted,
     MergedCut& merged, ChunkCuts& cuts, ChunkCuts::SlotBuffer& slots, CellCut& cut,

@@ -142,7 +142,7 @@ public:
                                          : this->Orientation.IsInverted(cell.Shape, cell.Ids);
   }
 
-  /// If \a hasOutput is true, counts a cell in the report, also as a folded cell if it is folded.
+  /// If \a hasOutput is true, counts a cell in the report, and also as a folded cell if it is one.
   void CountOutput(const Cell& cell, bool hasOutput, ExtractionReport& report) const
   {
     report.CellsWithOutput += hasOutput;

@@ -38,7 +38,7 @@ class ChunkCuts
 public:
   using Slot = vtkIsotable::Slot;
 
-  /// A case found for a cell of the chunk.
+  /// The case of a cell in the chunk.
   struct Found
   {
     Found(

@@ -45,7 +45,7 @@ public:
     return this->Polyhedra.FindRanges(this->Reader.GetCodes(), numberOfCells, 0.05, 0.05);
   }
 
-  /// Returns the first cell that the previous pass passed through.
+  /// Returns the first cell that the previous pass copied uncut.
   vtkIdType GetFirstPassed() const { return this->Filter.GetFirstPassed(); }
 
   /// Returns true if a cell with codes from \a minimum to \a maximum is passed through. Tetrahedra

@@ -45,8 +45,8 @@ public:
   }
 
   /// Counts a cell in the common case: the contour has one value and all slots are distinct points.
-  /// Returns false and does nothing if slots may coincide, or if the corner ids are not in
-  /// ascending order and cannot serve as 32-bit ranks either.
+  /// Returns false and does nothing if slots may coincide, or if the corner ids are neither in
+  /// ascending order nor usable as 32-bit ranks.
   bool CountPlain(
     const Cell& cell, vtkIdType position, Chunk& chunk, UnsharedPoints& unshared) const
   {
@@ -122,7 +122,8 @@ private:
     unshared.Reserve();
     for (const Slot slot : what.Slots)
     {
-      // Without ties no slot is a corner. A contour of one value has one crossing per edge.
+      // If no corner has the contour value, no slot is a corner. A contour of one value has one
+      // crossing per edge.
       const ShapeTables::SlotEnds& ends = tables.GetEnds(cell.Shape, slot);
       const auto [owner, far] = std::minmax({ cell.Ids[ends.A], cell.Ids[ends.B] });
       points[slot] = unshared.Enter(owner, CrossingKey(far, item.Lower));

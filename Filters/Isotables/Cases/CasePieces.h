@@ -15,7 +15,7 @@ class CasePatch;
 
 /**
  * @class   CasePieces
- * @brief   convex pieces of one case of a four-dimensional cell, for triangulation in any order
+ * @brief   convex pieces of a case of a four-dimensional cell, for triangulation in any point order
  *
  * A piece is a facet of the patch in five dimensions, stored with its faces: its solids, and their
  * polygons in cyclic order. Pull() computes the pulling triangulation. It joins the first point of

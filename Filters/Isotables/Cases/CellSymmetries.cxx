@@ -209,7 +209,7 @@ void CellSymmetries::FillMovedKeys(int numberOfVertices)
 {
   const std::size_t number = this->Symmetries.size();
   this->NumberOfGroups = (numberOfVertices + GroupSize - 1) / GroupSize;
-  // Weight of each vertex digit after the inverse of each symmetry.
+  // Weight of each vertex's digit in a key mapped by the inverse of each symmetry.
   std::vector<std::uint32_t> weights(this->NumberOfGroups * GroupSize * number, 0);
   std::uint32_t power = 1;
   for (int v = 0; v < numberOfVertices; ++v, power *= 3)

@@ -15,9 +15,9 @@ namespace interlume
  * @brief   the affine symmetries of a cell and their action on the cases of its interval table
  *
  * The symmetries are the automorphisms of the vertex-edge graph that are affine in the coordinates:
- * 384 for the four-dimensional cube, 48 for the prisms over tetrahedron and wedge, 16 for the prism
- * over the pyramid. Cases that a symmetry maps to each other form a class. The smallest key
- * represents the class.
+ * 384 for the four-dimensional cube, 48 for the prisms over the tetrahedron and the wedge, 16 for
+ * the prism over the pyramid. Cases that a symmetry maps to each other form a class. The smallest
+ * key represents the class.
  *
  * A cell has at most 16 vertices. Slots are defined by SlotOrder.
  */

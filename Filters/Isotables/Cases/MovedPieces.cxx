@@ -81,7 +81,7 @@ private:
     result.insert(result.end(), points.begin(), points.end());
   }
 
-  // Reads a list of points with its length, and maps the points.
+  // Reads a list of points, preceded by its length, and maps the points.
   std::vector<Slot> MovePoints(const Slot*& at, EdgeSet& edges) const
   {
     const int number = *at++;

@@ -15,7 +15,7 @@ namespace interlume
 
 namespace
 {
-/// Residual at which the iteration stops, relative to the first residual.
+/// Residual at which the iteration stops, relative to the initial residual.
 constexpr double Tolerance = 1e-12;
 constexpr int MaximumNumberOfIterations = 5000;
 
@@ -85,7 +85,7 @@ LinearFit::LinearFit(const interlume::Tetrahedra& mesh, const std::vector<double
   }
   this->Constant /= std::max(number, 1.0);
   this->Center /= std::max(number, 1.0);
-  // Scale each axis by its extent so that a thin mesh is fitted as well as a cube.
+  // Scale each axis by its extent so that a thin mesh is fitted as accurately as a cube.
   Eigen::Array3d extent = Eigen::Array3d::Zero();
   for (std::size_t p = 0; p < values.size(); ++p)
   {

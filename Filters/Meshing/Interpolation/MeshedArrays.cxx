@@ -35,14 +35,14 @@ int InterpolatedType(vtkDataArray* array)
   }
 }
 
-/// Returns whether an array is not copied: ids and ghost types are only valid for the input.
+/// Returns whether an array must not be copied: ids and ghost types are valid only for the input.
 bool IsExcluded(vtkDataSetAttributes* data, vtkAbstractArray* array)
 {
   return array == data->GetGlobalIds() || array == data->GetPedigreeIds() ||
     (array->GetName() && array->GetName() == std::string(vtkDataSetAttributes::GhostArrayName()));
 }
 
-/// Adds an array with the same attribute role as its source, such as the active scalars.
+/// Adds an array. If its source is an active attribute, such as the scalars, so is the array.
 void AddArray(
   vtkDataSetAttributes* from, int index, vtkDataSetAttributes* to, vtkAbstractArray* result)
 {

@@ -19,9 +19,9 @@ namespace Meshers
 /// Therefore both cells that share a face have the same triangles there.
 Error MeshCells(MeshingJob& job);
 
-/// Generates the Delaunay tetrahedra of a point set, and refines them if a bound is set. A point
-/// added by refinement is interpolated linearly in the Delaunay tetrahedron of input points that
-/// contains it.
+/// Generates the Delaunay tetrahedra of a point set, and refines them if a bound is set. The values
+/// at a point added by refinement are interpolated linearly in the Delaunay tetrahedron of input
+/// points that contains it.
 Error MeshPoints(MeshingJob& job);
 
 /// Fills closed surfaces with tetrahedra.

@@ -21,7 +21,7 @@ using Vectors::Difference;
 /// Polar sines below which a tetrahedron is degenerate or nearly degenerate.
 constexpr double DegenerateShape = 1e-12;
 constexpr double NearlyDegenerateShape = 1e-8;
-/// Number of steps of the search for an inside point.
+/// Maximum number of steps in the search for an interior point.
 constexpr int CenterSteps = 1000;
 }
 

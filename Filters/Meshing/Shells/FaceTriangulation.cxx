@@ -24,12 +24,12 @@ double SquaredLength(const PlanarPoint& a, const PlanarPoint& b)
   return (b[0] - a[0]) * (b[0] - a[0]) + (b[1] - a[1]) * (b[1] - a[1]);
 }
 
-/// Area relative to the squared longest edge, below which it counts as rounding error.
+/// An area below this fraction of the squared longest edge counts as rounding error.
 constexpr double Flatness = 1e-12;
 /// The fan is used if the shape of its worst triangle is at least this fraction of the best
 /// possible value.
 constexpr double FanTolerance = 0.1;
-/// Polygons with more points are split by ear cutting, which is faster.
+/// Polygons with more points are split by ear clipping, which is faster.
 constexpr std::size_t MaximumPointsForOptimum = 128;
 
 /// Returns the shape of a triangle: larger is better, 0 for no area, negative if inverted.
@@ -133,7 +133,7 @@ double FindBest(const std::vector<PlanarPoint>& projected, std::vector<Corners>&
   return parts[n - 1].Shape;
 }
 
-/// Cuts off ears, the best shape first. Returns the minimum shape.
+/// Clips ears, the one with the best shape first. Returns the minimum shape.
 double CutEars(const std::vector<PlanarPoint>& projected, std::vector<Corners>& ears)
 {
   double minimum = 1.0;

@@ -63,7 +63,7 @@ double FindLargest(const std::vector<double>& coordinates)
   return largest;
 }
 
-/// Returns the distance that rounding of the input coordinates may cause.
+/// Returns the maximum distance between points that rounding of the input may have separated.
 double FindRounding(vtkDataSet* input, const DistinctPoints& points)
 {
   vtkPointSet* set = vtkPointSet::SafeDownCast(input);

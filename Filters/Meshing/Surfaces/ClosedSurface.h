@@ -29,11 +29,11 @@ public:
   {
     std::array<int, 3> Points; ///< indices of distinct points
     vtkIdType Cell = 0;        ///< last input cell with the triangle
-    /// Number of input triangles that cover it; more than 1 where parts touch.
+    /// Number of input triangles that cover this triangle; more than 1 where parts touch.
     int Layers = 1;
     int Origin = -1; ///< index of an input triangle that contains it
-    /// Index of its planar patch. A patch is a set of coplanar triangles connected by edges that
-    /// belong to no other triangles.
+    /// Index of the triangle's planar patch. A patch is a set of coplanar triangles connected by
+    /// edges that belong to no other triangles.
     int Patch = -1;
   };
 

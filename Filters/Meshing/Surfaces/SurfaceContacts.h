@@ -23,7 +23,8 @@ namespace interlume
  * contacts are a point on an edge or inside a triangle, coplanar edges that cross, and overlapping
  * coplanar triangles. Each contact position becomes a point of all triangles there. Overlapping
  * coplanar triangles are triangulated together so that their common area has one set of triangles.
- * Contacts are found within a tolerance of rounding error, and points within it are merged.
+ * Contacts are found within a tolerance for rounding errors, and points within the tolerance are
+ * merged.
  */
 class SurfaceContacts
 {

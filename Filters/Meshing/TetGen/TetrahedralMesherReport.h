@@ -36,7 +36,7 @@ struct TetrahedralMesherReport
   vtkIdType MergedPoints = 0;
   /// Number of output points that are not input points.
   vtkIdType AddedPoints = 0;
-  /// Number of values of the cell array RegionId.
+  /// Number of distinct values in the cell array RegionId.
   vtkIdType Regions = 0;
   /// Number of output tetrahedra, and of tetrahedra that exceed a bound.
   vtkIdType Tetrahedra = 0;

@@ -46,7 +46,7 @@ double GetCell(double x, int& cell)
 {
   if (std::fabs(x) < 1e9)
   {
-    // Most of the time of the noise is spent here, so avoid calling the library's floor.
+    // Noise evaluation spends most of its time here, so avoid calling the library's floor.
     int lower = static_cast<int>(x);
     lower -= x < lower ? 1 : 0;
     cell = lower & (Period - 1);

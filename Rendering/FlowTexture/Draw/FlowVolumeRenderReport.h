@@ -15,7 +15,7 @@ namespace interlume
  * @class   FlowVolumeRenderReport
  * @brief   values that vtkImplicitFlowVolumeMapper reports for its last frame
  *
- * Counts of skipped work are 0. Strings are empty before the first frame.
+ * Counts are 0 for stages that the frame skipped. Strings are empty before the first frame.
  */
 struct FlowVolumeRenderReport
 {

@@ -19,7 +19,7 @@ int StripePyramid::GetNumberOfLevels() const
 
 double StripePyramid::GetCoverage(int texel) const
 {
-  // Width in texels of the half of a line at each end of the period.
+  // Width, in texels, of the half line at each end of a period.
   const double half = 0.5 * this->LineWidth * this->TexelsPerLine;
   const double left = std::clamp(half - texel, 0.0, 1.0);
   const double right = std::clamp(half - (this->TexelsPerLine - 1 - texel), 0.0, 1.0);

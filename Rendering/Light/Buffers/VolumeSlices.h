@@ -30,8 +30,8 @@ struct VolumeRenderState;
  * @brief   draws one volume into an image of slices
  *
  * Volumes that share the slices of an image have separate polygons in common planes, and separate
- * programs and textures. Graphics cards have too few texture units for the textures of all volumes.
- * Therefore only one volume's textures are bound at a time.
+ * programs and textures. GPUs have too few texture units for the textures of all volumes. Therefore
+ * only one volume's textures are bound at a time.
  */
 class VolumeSlices
 {

@@ -21,7 +21,7 @@ namespace interlume
 
 namespace
 {
-// Factors for automatic spacings from which ChooseCoarseness chooses.
+// Factors of automatic spacings that ChooseCoarseness selects from.
 constexpr std::array<double, 5> COARSENESS_FACTORS{ { 1.0, 1.5, 2.0, 3.0, 4.0 } };
 // Light buffer columns per voxel for a custom medium, whose edges can be sharper than voxels. With
 // fewer columns, stripes appear along these edges.

@@ -70,7 +70,7 @@ SlicePlan::Camera FindCamera(vtkRenderer* renderer, const UnitSpace& space)
   return eye;
 }
 
-// Returns the clipping plane w + sign z >= 0 of clip coordinates, in unit space.
+// Returns the clipping plane w + sign * z >= 0 of clip coordinates, in unit space.
 ImageState::ViewPlane MakeViewPlane(const glm::dmat4& clipFromUnit, double sign)
 {
   const glm::dvec4 plane = glm::row(clipFromUnit, 3) + sign * glm::row(clipFromUnit, 2);

@@ -23,8 +23,8 @@ struct SliceScene;
  * @class   VolumeImage
  * @brief   the rendered image of a mapper's volume, alone or together with other volumes
  *
- * Without a scene, the mapper renders and shows the image at once. vtkShadowedScenePass renders the
- * image as a part of a scene before it calls the mapper, which then only shows it.
+ * Without a scene, the mapper renders and shows the image immediately. vtkShadowedScenePass renders
+ * the image as a part of a scene before it calls the mapper, which then only shows it.
  */
 class VolumeImage
 {

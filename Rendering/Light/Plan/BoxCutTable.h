@@ -13,7 +13,7 @@ namespace interlume
  * @brief   table of the box edges that a plane cuts, in order around the cut polygon
  *
  * Bit a of a corner index is the corner's position along axis a: 0 at the lower end, 1 at the upper
- * end. Edge 4 a + b runs along axis a in the positive direction. Bits 0 and 1 of b are its
+ * end. Edge 4 * a + b runs along axis a in the positive direction. Bits 0 and 1 of b are its
  * positions along axes a + 1 and a + 2 (modulo 3).
  */
 class BoxCutTable

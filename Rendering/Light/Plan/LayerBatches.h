@@ -57,7 +57,7 @@ public:
 private:
   /// Computes the limits of a batch.
   void FindLimits(const SlicePlan::Sweep& sweep, const SlicePlan::ShadowedLight& light);
-  /// Returns true if the slabs from \a first to before \a end need more than \a batches batches.
+  /// Returns true if the slabs in [first, end) need more than \a batches batches.
   bool NeedMoreBatches(int first, int end, int batches) const;
 
   std::vector<Batch> Batches;

@@ -42,7 +42,7 @@ public:
   bool IsFrontToBack() const { return this->Side > 0.0; }
   const std::vector<Light>& GetLights() const { return this->Lights; }
   /// Returns the half vector of the view direction, or its opposite, and the average light
-  /// direction (C. Zhang, dissertation, 2.3.4), rotated as far as the rays require.
+  /// direction (C. Zhang, dissertation, section 2.3.4), rotated as far as the rays require.
   const glm::dvec3& GetNormal() const { return this->Normal; }
   /// Returns the minimum cosine between the normal and the lights' rays.
   double GetLightCosine() const;

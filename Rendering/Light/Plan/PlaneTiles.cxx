@@ -21,10 +21,10 @@ using namespace UnitVector;
 
 using Block = std::array<int, 3>;
 
-// Range of tiles along an axis, from the first to before the second.
+// Range of tiles along an axis: the first tile, and the one after the last.
 using Range = std::array<int, 2>;
 
-// Enlargement of bounds against rounding errors, in tiles.
+// Margin by which bounds are enlarged to allow for rounding errors, in tiles.
 constexpr double Rounding = 1e-3;
 
 // Minimum cosine between a view ray and the slice normal. For a smaller cosine, tile corners are
@@ -102,7 +102,7 @@ struct Rectangle
   Range Rows;
 };
 
-// Returns the mask's tiles as rectangles. Equal runs of consecutive rows are merged.
+// Returns the mask's tiles as rectangles. Equal runs in consecutive rows are merged.
 std::vector<Rectangle> MakeRectangles(const TileMask& mask)
 {
   std::vector<Rectangle> rectangles;

@@ -28,8 +28,8 @@ class UnitSpace;
  * It is rotated as far as the rays through the volume's corners require: view rays have a cosine of
  * at least ViewCosine with it and light rays of at least LightCosine, if such a normal exists.
  * Several lights share a sweep if the half vector of the view and the average light direction (C.
- * Zhang, dissertation, 2.3.4) meets these bounds for all of them. Other lights have separate
- * sweeps.
+ * Zhang, dissertation, section 2.3.4) meets these bounds for all of them. Other lights have
+ * separate sweeps.
  *
  * A positional light is *wide* if no normal gives it a cosine of at least WideCosine, for example
  * if it is inside the volume. Its light travels along the normal on one side of the slice plane
@@ -40,9 +40,9 @@ class UnitSpace;
  * to the image, and no color before that light.
  *
  * The normals are continuous in the camera and the lights, unless the number of sweeps, their order
- * or the lights of a sweep change, as when light and view are perpendicular. The image is an
- * integral that does not depend on the slice planes. Therefore such a change alters the image only
- * by the discretization error of slices and buffers.
+ * or the lights of a sweep change, for example when light and view are perpendicular. The image is
+ * an integral that does not depend on the slice planes. Therefore such a change alters the image
+ * only by the discretization error of slices and buffers.
  */
 class SlicePlan
 {
@@ -118,7 +118,8 @@ public:
     bool IsFrontToBack = true;
     /// If true, the slabs are behind all slabs of the previous sweep, in the same image.
     bool IsBehind = false;
-    /// Slab i contains the points x with First + i Spacing <= x.Normal <= First + (i + 1) Spacing.
+    /// Slab i contains the points x whose product x.Normal is between First + i * Spacing and
+    /// First + (i + 1) * Spacing.
     double First = 0.0;
     double Spacing = 0.0;
     int Slabs = 0;

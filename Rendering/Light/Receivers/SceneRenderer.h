@@ -50,7 +50,7 @@ public:
     double Bias = 1.0;
     int Samples = 16;
     int Layers = 16;
-    /// Return true if a prop casts shadows, and if it receives them.
+    /// Return whether a prop casts shadows, and whether it receives them.
     bool (*Casts)(vtkProp* prop) = nullptr;
     bool (*Receives)(vtkProp* prop) = nullptr;
   };

@@ -58,7 +58,7 @@ public:
     std::vector<glm::vec3> Mean;
     /// Net flux divided by the mean fluence, averaged over the color channels; length at most 1/3.
     std::vector<glm::vec3> NetFlux;
-    /// Rate at which BackwardLayers drops fluence in each cell, in 1 / world unit.
+    /// Rate at which BackwardLayers drops fluence in each cell, per world unit.
     std::vector<float> Drop;
     int Cycles = 0;
     double Residual = 0.0;

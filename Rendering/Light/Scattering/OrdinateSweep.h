@@ -22,10 +22,10 @@ namespace interlume
  *   w . grad I + e (1 - a f) I = e a max(0, (1 - f) (phi + sum_i D_i) +
  *                                           3 (g - f) (phi NetFlux + sum_i D_i d_i) . w)
  *
- * solved by upwind differences. The mean of I over the directions is the new fluence. The mean of I
- * w divided by this fluence is the new normalized net flux. In each cell, these new values get the
- * weight exp(-1.5 e (1 - f) size), and the diffusion solution gets the rest, since upwind
- * differences are less accurate than diffusion in thick cells. No light enters through the
+ * solved by upwind differences. The mean of I over the directions is the new fluence. The mean of
+ * the product I w, divided by this fluence, is the new normalized net flux. In each cell, these new
+ * values get the weight exp(-1.5 e (1 - f) size), and the diffusion solution gets the rest, since
+ * upwind differences are less accurate than diffusion in thick cells. No light enters through the
  * boundary. A box with mirrors is left unchanged.
  */
 namespace OrdinateSweep

@@ -24,7 +24,7 @@ struct SanitizedMedium
 {
   SanitizedMedium(const ScatteringMedium& medium, const std::vector<ScatteringLight>& lights);
 
-  /// The grid, its mirrors and its blocked cells, without values.
+  /// The grid, its mirrors and its blocked cells. Its Extinction and Albedo are empty.
   ScatteringMedium Box;
   std::vector<float> Extinction;
   std::vector<glm::vec3> Albedo;

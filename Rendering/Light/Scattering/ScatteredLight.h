@@ -18,9 +18,9 @@ namespace interlume
  *   source(x, w) = albedo(x) [ sum_i (L_i T_i(x) + Forward_i(x)) 4 pi p(cos_i) +
  *                              Fluence(x) (1 + 3 g dot(NetFlux(x), w)) ]
  *
- * L_i T_i is the unscattered light i, with unscaled transmittance exp(-depth); cos_i is the cosine
- * between its direction and w. The phase function p and its mean cosine g are unscaled. The terms
- * are disjoint and complete: integrated along view rays with the unscaled transmittance
+ * L_i T_i is the unscattered light of source i, with unscaled transmittance exp(-depth); cos_i is
+ * the cosine between its direction and w. The phase function p and its mean cosine g are unscaled.
+ * The terms are disjoint and complete: integrated along view rays with the unscaled transmittance
  * exp(-depth), the sources are all the light that the medium scatters.
  * - Forward_i is scattered light that still travels approximately in the direction of light i. In
  *   mode Forward it is all multiple scattering, including lateral spread. In mode Full it is the

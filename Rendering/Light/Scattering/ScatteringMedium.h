@@ -35,7 +35,8 @@ struct ScatteringMedium
   /// Fraction of extinguished light that is scattered, for red, green and blue. Clamped to the
   /// range from 0 to 1; NaN is treated as 0.
   std::vector<glm::vec3> Albedo;
-  /// Nonzero for cells filled by opaque surfaces, which absorb all light. Empty without such cells.
+  /// Nonzero for cells filled by opaque surfaces, which absorb all light. Empty if there are no
+  /// such cells.
   std::vector<unsigned char> Blocked;
   PhaseFunction Phase;
   /// Axes along which both faces of the box are mirrors. The medium then repeats to infinity along

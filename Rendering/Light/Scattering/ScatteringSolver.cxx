@@ -163,7 +163,7 @@ private:
       });
   }
 
-  /// Returns the energy-weighted direction of all lights. It has no component along axes with
+  /// Returns the energy-weighted mean direction of all lights. It has no component along axes with
   /// mirrors, since no light leaves there.
   glm::dvec3 GetMainDirection() const
   {
@@ -209,8 +209,8 @@ private:
   /**
    * Scales the forward light of each light so that at most \a fraction of the recaptured single
    * scattering feeds it. Returns the rest of the recaptured light. Forward light is assumed to
-   * travel along its light. At grazing incidence, it therefore reaches deeper than it would with
-   * the angles of the phase function.
+   * travel in the direction of the unscattered light. At grazing incidence, it therefore reaches
+   * deeper than it would with the angles of the phase function.
    */
   glm::dvec3 LimitForward(std::vector<EscapeRays::Sums> const& sums, double fraction)
   {
@@ -273,7 +273,7 @@ private:
   void Balance(const DiffuseLight::Input& input, DiffuseLight::Output& diffuse)
   {
     // The diffusion solution can be 0 if all light leaves immediately, through a thick cell or
-    // along a thin one. A small fluence lets the balance scale it.
+    // along a thin one. Add a small fluence that can be scaled.
     for (std::size_t i = 0; i < diffuse.Fluence.size(); ++i)
     {
       for (const std::vector<glm::vec3>& light : input.Lights)
@@ -310,7 +310,7 @@ private:
       this->ReportOut(sums.back(), factor);
       return;
     }
-    // Light removed by the limit is not visible and is reported as dropped.
+    // Light removed by LimitFluence is not visible and is reported as dropped.
     const EscapeRays::Sums out = EscapeRays::Trace(
       this->Medium, this->Phase, { this->GetSource(diffuse) }, this->GetMainDirection())
                                    .front();

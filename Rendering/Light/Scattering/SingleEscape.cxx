@@ -22,7 +22,7 @@ namespace interlume
 namespace
 {
 
-/// Number of paths per light, and number of paths for each selection of a cell. The escaping
+/// Number of paths per light, and number of paths each time a cell is selected. The escaping
 /// fraction of a cell is a ratio of two sums over its paths. Too few paths bias it: thick cells
 /// would lose too little light.
 constexpr int Paths = 16384;
@@ -129,7 +129,7 @@ private:
     }
     const glm::dvec3 center = box.Origin + (lower + 0.5) * box.CellSize;
     way = this->Light.GetDirection(center);
-    // Choose the entry face in proportion to its area projected along the light.
+    // Choose the entry face with a probability proportional to its area projected along the light.
     glm::dvec3 areas;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -274,7 +274,8 @@ EscapeRays::Sums SingleEscape::Find(
   {
     return sums;
   }
-  // Stratified sampling of cells in proportion to their light: each cell and its number of samples.
+  // Sample cells in proportion to their scattered light, with stratification. Each entry contains a
+  // cell and its number of samples.
   constexpr int draws = Paths / PathsOfCell;
   std::vector<std::pair<std::size_t, int>> sampledCells;
   double accumulated = 0.0;

@@ -70,7 +70,7 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
     { "mask", "MASK", EVERY, "", "CUSTOM_MEDIUM" },
     { "cropping", "CROPPING", EVERY },
     { "clipping", "CLIPPING_PLANES=2", EVERY },
-    // Equal sources would share a program and its uniforms.
+    // Numbers, since programs with equal source are shared, including their uniforms.
     { "volume", "VOLUME_NUMBER=1", EVERY },
     { "light", "LIGHT_NUMBER=1", LIGHT | RECEIVER },
     // Transmission colors.
@@ -105,7 +105,7 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
     { "phase function", "PHASE_ANISOTROPY", IMAGE, "LIT SCATTER" },
     { "phase function", "PHASE_TABLE PHASE_COLUMNS=4096", IMAGE, "LIT SCATTER" },
     { "scattered light", "FIELD_MAPS=3", IMAGE, "LIT SCATTER" },
-    // A light of the image, or the program's light.
+    // Any light of an image program, or the only light of another program.
     { "position", "POSITIONAL_0", IMAGE, "LIT" },
     { "position", "POSITIONAL_0", RECEIVER },
     { "position", "POSITIONAL", LIGHT },

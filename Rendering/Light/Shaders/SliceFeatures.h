@@ -50,7 +50,7 @@ public:
   {
     /// Source of the functions of vtkSliceMedium.
     std::string Medium;
-    /// Functions that evaluate the shadows of surfaces.
+    /// Functions that evaluate the shadows cast by surfaces.
     std::string Surfaces;
     /// For each light, a call that evaluates the shadows of translucent surfaces, or an empty
     /// string.

@@ -179,7 +179,7 @@ std::string AddLightOfImage(const VolumeRenderState& frame, std::size_t sweep, i
     : std::string();
 }
 
-// Maps a texel to a table column of each row: (texel - Origin) * Scale.
+// Maps a texel to a column of the table, for each row: (texel - Origin) * Scale.
 struct Columns
 {
   std::array<double, 4> Scale{ { 0.0, 0.0, 0.0, 0.0 } };
@@ -199,7 +199,7 @@ Columns GetColorColumns(const VolumeRenderState& frame)
   Columns columns;
   if (frame.Material.Kind == MaterialTable::RGB_OPACITY)
   {
-    // Texels of bytes are already normalized colors. Other texels are mapped to their values.
+    // Byte texels are already normalized colors. Other texels are mapped to their values.
     const bool isByte = samples.Scale[0] == 255.0 && samples.Offset[0] == 0.0;
     for (int c = 0; c < 3; ++c)
     {

@@ -74,8 +74,8 @@ public:
     const SlicePlan::ShadowedLight& light);
   ///@}
 
-  /// Returns the lights evaluated by a sweep's image fragments, as indices into the image's list.
-  /// Lights with buffers come first, in buffer order.
+  /// Returns the lights evaluated by a sweep's image fragments, as indices into the image's list of
+  /// lights. Lights with buffers come first, in buffer order.
   static std::vector<int> GetLightsOf(const VolumeRenderState& frame, std::size_t sweep);
 };
 

@@ -50,7 +50,7 @@ int GetType(VolumeSamples::Formats format)
   }
 }
 
-// Uploads a texture with the given number of columns. Without texels, releases it.
+// Uploads a texture with the given number of columns. Releases the texture if \a texels is empty.
 void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int columns,
   const std::vector<float>& texels, int components)
 {
@@ -72,10 +72,10 @@ void UploadTable(vtkOpenGLRenderWindow* window, vtkTextureObject* texture, int c
 using Edges = std::vector<std::array<float, 2>>;
 
 // Returns for each column its value and the next column's, so that one lookup returns both. A
-// column has \a stride values in the table, of which \a first is the index of the one to use. If
-// there are breakpoints in between, the negative texel index of their list and the number of pieces
-// replace the values. With edges, a fraction of the interval, times the third value plus the
-// fourth, is a fraction of the edge.
+// column has \a stride values in the table; the value at index \a first is used. If there are
+// breakpoints between the two columns, the negative texel index of their list and the number of
+// pieces replace the values. With \a edges, a third and a fourth value map a fraction of the
+// interval to a fraction of the edge: fraction * third + fourth.
 std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first, std::size_t stride,
   const std::vector<int>& columnLists, const std::vector<float>& bends, const Edges* edges)
 {
@@ -101,8 +101,8 @@ std::vector<float> MakePairs(const std::vector<float>& table, std::size_t first,
   return pairs;
 }
 
-// Returns red, green and blue of each column, taken from \a stride values, and the texel of its
-// list of breakpoints or the negative encoded ends of an edge.
+// Returns red, green and blue of each column, the first of \a stride values, and either the texel
+// index of its list of breakpoints or the negative encoded ends of an edge.
 std::vector<float> MakeColors(const std::vector<float>& table, std::size_t stride,
   const std::vector<int>& bends, const Edges& edges)
 {
@@ -358,7 +358,7 @@ void SliceTextures::Suspend()
 
 bool SliceTextures::Resume()
 {
-  // Textures of a custom medium need their uniforms set again.
+  // A custom medium may use other texture units now, so its uniforms must be set again.
   bool isSame = this->Medium == nullptr;
   for (const auto& bound : this->Active)
   {

@@ -20,7 +20,7 @@ namespace interlume
 
 /**
  * @class   VolumeRenderState
- * @brief   the complete state to render one volume of an image
+ * @brief   the complete state for rendering one volume of an image
  */
 struct VolumeRenderState
 {
@@ -46,8 +46,8 @@ struct VolumeRenderState
   bool TwoSidedLighting = false;
   /// Ambient, diffuse and specular coefficients and specular power, per row.
   std::array<std::array<float, 4>, 4> Materials{};
-  /// Factors that convert half a difference along each axis of the image into a gradient component,
-  /// as the property's gradient opacity function expects it.
+  /// Factors that convert half the difference of the two neighbors along each axis of the image
+  /// into a gradient component, as the property's gradient opacity function expects it.
   glm::dvec3 GradientSteps{ 1.0, 1.0, 1.0 };
   /// Scalar opacity unit distance of each row, in world units.
   std::array<double, 4> UnitDistances{ { 1.0, 1.0, 1.0, 1.0 } };

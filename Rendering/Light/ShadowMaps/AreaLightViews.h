@@ -20,14 +20,14 @@ class UnitSpace;
 
 /**
  * @class   AreaLightViews
- * @brief   positions and windows from which area lights see shadow-casting surfaces
+ * @brief   shadow map views of area lights: their positions and windows
  *
  * Each sample of an emitter has the view of a light without extent at its position
- * (ShadowMapViews). All samples of a light look along the axis of the emitter's center, so that
- * only their positions and windows differ. If the view of any sample reaches more than 75 degrees
- * off the axis, all samples use the six faces of cubes. A cone with a half angle of 45 degrees or
- * less requires only one view. That view is 30 degrees wider than the cone because the samples lie
- * next to the cone's tip.
+ * (ShadowMapViews). All views of a light look along the axis of the emitter's center, so that only
+ * their positions and windows differ. If the view of any sample reaches more than 75 degrees off
+ * the axis, all samples use the six faces of cubes. A cone with a half angle of 45 degrees or less
+ * requires only one view. That view is 30 degrees wider than the cone because the samples lie next
+ * to the cone's tip.
  */
 class AreaLightViews
 {
@@ -38,7 +38,7 @@ public:
     /// the displacement to the right and up per unit distance along the axis.
     glm::dvec3 Offset{ 0.0 };
     /// Window of the view: (p - Center) * Scale is between -1 and 1, where p are the coordinates
-    /// across the axis or, for a positional light, the tangents.
+    /// perpendicular to the axis, divided by the distance along it for a positional light.
     glm::dvec2 Scale{ 1.0 };
     glm::dvec2 Center{ 0.0 };
     glm::dvec3 Weight{ 1.0 };
@@ -51,7 +51,7 @@ public:
     vtkLight* Source = nullptr;
     bool IsPositional = true;
     glm::dvec3 Position{ 0.0 };
-    /// A and B of ShadowMapView.
+    /// The depth coefficients A and B of ShadowMapView.
     glm::dvec2 Depth{ 0.0 };
     /// Width and height vectors, on the emitter, of the smoothing filter of a sample's shadow.
     std::array<glm::dvec3, 2> Stratum{ { glm::dvec3(0.0), glm::dvec3(0.0) } };
@@ -67,7 +67,7 @@ public:
   void Fit(const std::vector<LightSource>& lights, const UnitSpace& space,
     const std::vector<ShadowMapView::Box>& occluders, int resolution, int samples);
 
-  /// Returns the number of columns and rows of a sample's map. It is a half of \a resolution for up
+  /// Returns the number of columns and rows of a sample's map. It is half of \a resolution for up
   /// to 16 samples, a third for up to 81 and a quarter for more, rounded down.
   static int GetResolution(int resolution, int samples);
 
@@ -93,7 +93,8 @@ private:
     std::vector<EmitterSamples::Sample> Samples;
   };
 
-  /// Appends a light's samples to Emitters. Reuses samples of the last frame if nothing changed.
+  /// Appends a light's samples to Emitters. Reuses samples of the previous frame if nothing
+  /// changed.
   void FindSamples(const LightSource& source, int samples, std::vector<Emitter>& before);
 
   std::vector<Emitter> Emitters;

@@ -72,9 +72,10 @@ public:
   /// comparisons.
   void ClearUniforms(vtkShaderProgram* program) const;
   /// Compares sample maps as if positions were closer to the light by the width of \a texels
-  /// texels. Use this for surfaces with an unknown plane.
+  /// texels. Use this for surfaces whose plane is unknown.
   void AddBias(vtkShaderProgram* program, double texels) const;
-  /// Returns the names of the textures in the source, and the textures. Some of them may be empty.
+  /// Returns the names of the textures in the source, and the textures. Some of the textures may be
+  /// empty.
   std::vector<std::pair<const char*, vtkTextureObject*>> GetTextures() const;
 
   void ReleaseGraphicsResources(vtkWindow* window);

@@ -24,7 +24,7 @@ struct SceneReport
   int ShadowCasters = 0;
   int Lights = 0;
   int Volumes = 0;
-  /// Number of visible actors whose keys turn off casting or receiving shadows.
+  /// Number of visible actors whose property keys turn off casting or receiving shadows.
   int NonCastingActors = 0;
   int NonReceivingActors = 0;
   /// Number of volumes that share one set of slices and cast shadows on each other: 0, or at least
@@ -73,8 +73,8 @@ struct SceneReport
   int SlicedSegments = 0;
   vtkIdType LightLayerBytes = 0;
   vtkIdType CameraLayerBytes = 0;
-  /// Bytes of shadow maps, of the samples' shadow maps, of the camera's depth, and of the volumes'
-  /// transmittance.
+  /// Bytes of the shadow maps of lights without extent and of area lights, of the camera's depth,
+  /// and of the volumes' transmittance.
   vtkIdType DepthMapBytes = 0;
   vtkIdType SampleMapBytes = 0;
   vtkIdType CameraDepthBytes = 0;

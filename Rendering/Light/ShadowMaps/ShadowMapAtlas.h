@@ -30,7 +30,7 @@ public:
   const std::vector<ShadowMapView>& GetViews() const { return this->Views; }
   int GetResolution() const { return this->Resolution; }
   double GetBias() const { return this->Bias; }
-  /// Returns the number of tiles per row for a number of views.
+  /// Returns the number of tiles per row for \a views tiles.
   static int GetColumns(int views);
   int GetColumns() const { return this->Columns; }
   /// Return the size of the texture in texels.

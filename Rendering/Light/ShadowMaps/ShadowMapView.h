@@ -20,7 +20,7 @@ namespace interlume
 
 /**
  * @class   ShadowMapView
- * @brief   position and window from which a light sees shadow-casting surfaces
+ * @brief   shadow map view of a light: its position and window
  *
  * Let w be the distance from the light along the view's axis. The depth in normalized device
  * coordinates is A - B / w for a positional light and A + B w for a directional light.
@@ -30,7 +30,8 @@ struct ShadowMapView
   /// Bounds of a surface in world coordinates, in VTK's order.
   using Box = std::array<double, 6>;
 
-  /// An axis and two perpendicular directions. Up is as close to the world's y axis as possible.
+  /// The viewing axis and two directions perpendicular to it. Up is as close to the world's y axis
+  /// as possible.
   struct Axes
   {
     explicit Axes(const glm::dvec3& axis)
@@ -63,9 +64,9 @@ struct ShadowMapView
     }
   };
 
-  /// Window of a view: the range of coordinates (or tangents, in perspective) across the axis, and
-  /// of distances along it. Parallel views are displaced laterally by Shear per unit distance along
-  /// the axis.
+  /// Window of a view: the range of coordinates (or tangents, in perspective) perpendicular to the
+  /// axis, and of distances along it. Parallel views are displaced laterally by Shear per unit
+  /// distance along the axis.
   struct Window
   {
     Range Right;
@@ -81,9 +82,9 @@ struct ShadowMapView
     /// Sets the window of one face of a cube around the light. It extends past the face's edges by
     /// the texels that are interpolated there.
     void SetSide(double farthest, int resolution);
-    /// Sets the window of a cone whose half angle has this tangent.
+    /// Sets the window of a cone. \a tangent is the tangent of its half angle.
     void SetCone(double farthest, double tangent, int resolution);
-    /// Returns A and B of the depth.
+    /// Returns the depth coefficients A and B.
     glm::dvec2 GetDepth(bool isPerspective) const;
   };
 
@@ -109,7 +110,7 @@ struct ShadowMapView
   /// Sets \a camera to this view.
   void SetCamera(vtkCamera* camera) const;
 
-  /// Smallest cosine between the axis of a single view and a ray of the view: 75 degrees.
+  /// Cosine of 75 degrees, the largest angle between the axis of a single view and its rays.
   static constexpr double MinimumCosine = 0.2588;
   /// Near distance of the view of a light between the actors, as a fraction of its far distance.
   static constexpr double Nearest = 1e-3;

@@ -16,7 +16,7 @@ class UnitSpace;
 
 /**
  * @class   ShadowMapViews
- * @brief   positions and windows from which lights see shadow-casting surfaces
+ * @brief   shadow map views of lights: their positions and windows
  *
  * A directional light has one view, a rectangle around the boxes of all surfaces. A positional
  * light has one view if all boxes are within 75 degrees of one direction, or if its cone is

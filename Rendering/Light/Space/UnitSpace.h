@@ -24,7 +24,8 @@ namespace interlume
  * therefore sufficient for any size and position of the volume. Volumes that are drawn together
  * share one sphere.
  *
- * Texture coordinates range from 0 to 1 over the texels. Texel centers are half a texel inside.
+ * Texture coordinates range from 0 to 1 over the texels. The outermost texel centers are half a
+ * texel inside.
  */
 class UnitSpace
 {

@@ -13,7 +13,7 @@ namespace interlume
 {
 
 /**
- * Arithmetic of points and directions in unit space, and of homogeneous matrices.
+ * Arithmetic with points and directions in unit space, and with homogeneous matrices.
  */
 namespace UnitVector
 {

@@ -19,8 +19,8 @@ namespace interlume
 
 namespace
 {
-/// Bias, in texels, for surfaces with an unknown plane. Without it, self-shadowing would add noise
-/// to the mean.
+/// Bias, in texels, for surfaces whose plane is unknown. Without it, self-shadowing would add noise
+/// to the mean transmittance.
 constexpr double UNKNOWN_PLANE = 8.0;
 
 std::string GetStackName(std::size_t stack)

@@ -22,11 +22,11 @@ struct VolumeRenderState;
  * @brief   multiplies the layers of an area light into the transmittance at surfaces behind the
  * slices
  *
- * The transmittance at x is sum_c w_c T_c(x_c), where x_c is the position of the ray from sample c
- * to x in the sample's layer. Penumbras therefore widen with the distance from the medium. Surfaces
- * between the light and x let through the fraction V_c of the light of sample c, and V = sum_c w_c
- * V_c of the entire light. The result is then sum_c w_c V_c T_c / V, so that a medium and a surface
- * that hide the same part of a light do not hide it twice.
+ * The transmittance at x is sum_c w_c T_c(x_c), where x_c is the position at which the ray from
+ * sample c to x meets the sample's layer. Penumbras therefore widen with the distance from the
+ * medium. Surfaces between the light and x let through the fraction V_c of the light of sample c,
+ * and V = sum_c w_c V_c of the entire light. The result is then sum_c w_c V_c T_c / V, so that a
+ * medium and a surface that hide the same part of a light do not hide it twice.
  */
 class AreaLightReceivers
 {

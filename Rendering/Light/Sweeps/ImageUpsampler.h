@@ -30,7 +30,7 @@ public:
   ~ImageUpsampler();
 
   /// Sets the depths at which the next image ends and begins, as large as the viewport. \a front is
-  /// null if the image begins at the camera. Both are null without surfaces.
+  /// null if the image begins at the camera. Both are null if there are no surfaces.
   void SetDepths(
     vtkTextureObject* surfaces, vtkTextureObject* front, const glm::dmat4& unitFromClip);
 

@@ -125,7 +125,7 @@ Error SliceRasterizer::PrepareLights(const Sweep& sweep)
   }
   for (const SlicePlan::ShadowedLight& light : sweep.Lights)
   {
-    // A light of several sweeps uses the same buffer in one sweep after the other.
+    // If a light is in several sweeps, they use the same buffer in turn.
     if (Error error = this->GetLightBuffer(light.Light)
                         .Prepare(this->Window, *this->State, sweep, light, polygons))
     {

@@ -106,7 +106,7 @@ private:
   void MarkOpaquePixels();
   /// Returns true if a slab is empty for all volumes.
   bool IsEmpty(int slab) const;
-  /// Updates layers of light buffers before a slab is drawn, or skipped as empty.
+  /// Updates layers of light buffers before a slab is drawn, or is skipped because it is empty.
   void KeepLayers(const SlicePlan::Sweep& sweep, int slab);
   /// Draws a nonempty slab: surfaces of the scene, then each volume into the image and into the
   /// light buffers.

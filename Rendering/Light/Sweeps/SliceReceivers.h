@@ -29,10 +29,10 @@ struct SliceScene;
  * @class   SliceReceivers
  * @brief   computes the transmittance of a sweep's slices at the surfaces of a scene
  *
- * The surface of each pixel is a point in a slab. It is drawn into the scene's transmittance when
- * the light buffers reach that slab. Points that no light reaches through the medium are skipped.
- * Points behind the last slab are drawn at the end, with the layers of samples if the light has
- * layers.
+ * The surface seen at each pixel is a point in a slab. It is drawn into the scene's transmittance
+ * when the light buffers reach that slab. Points that no light reaches through the medium are
+ * skipped. Points behind the last slab are drawn at the end, with the sample layers if the light
+ * has any.
  */
 class SliceReceivers
 {
@@ -51,8 +51,8 @@ public:
     const std::vector<SliceLightBuffer*>& buffers);
 
   /// Returns true if there are surfaces up to the end of \a slab that have not been drawn yet. The
-  /// light buffers must not contain \a slab yet. To include surfaces behind the last slab, pass the
-  /// number of slabs.
+  /// light buffers must not include the attenuation of \a slab yet. To include surfaces behind the
+  /// last slab, pass the number of slabs.
   bool HasRemaining(int slab) const;
   /// Multiplies the light at the remaining surfaces up to the end of \a slab by a volume's
   /// transmittance. Returns the number of passes over layers.

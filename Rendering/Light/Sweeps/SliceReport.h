@@ -58,7 +58,7 @@ struct SliceReport
   int SoftShadowPasses = 0;
   vtkIdType SoftShadowBytes = 0;
   /// Number of grid cells of multiply scattered light, and number of cells blocked by opaque
-  /// surfaces of a vtkShadowedScenePass. Bytes of this light. Number of computations since the
+  /// surfaces of a vtkShadowedScenePass. Bytes for this light. Number of computations since the
   /// settings enabled it; a frame that reuses the light does not count. Duration of the last
   /// computation in seconds.
   int ScatteringCells = 0;
@@ -82,8 +82,7 @@ struct SliceReport
   vtkIdType TriangleBytes = 0;
   /// Size of a pixel of the rendered image in viewport pixels, along an edge.
   double ImageSampleDistance = 1.0;
-  /// Duration of this frame in seconds. With AutoAdjustSampleDistances it includes the work of the
-  /// graphics card.
+  /// Duration of this frame in seconds. With AutoAdjustSampleDistances it includes GPU time.
   double Seconds = 0.0;
 
   /// Replaces all values of \a report by these values.

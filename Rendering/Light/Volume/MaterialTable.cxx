@@ -159,7 +159,8 @@ void MaterialTable::BuildRow(vtkVolumeProperty* property, const VolumeSamples& s
   this->ColorRange[row] = colors.Limit(scalars);
   if (transmission)
   {
-    // Both functions share the range of the columns. A transmission without points is black.
+    // Both functions share the range of the columns. A transmission function without points is
+    // black.
     const TransferNodes transmissions = transmission->GetSize() > 0
       ? TransferNodes(transmission)
       : TransferNodes(this->ColorRange[row], 0.0, 0.0);

@@ -17,7 +17,7 @@ class VolumeSamples;
 
 /**
  * @class   MaterialTable
- * @brief   color, extinction and gradient opacity by scalar, in the layout of textures
+ * @brief   color, extinction and gradient opacity as functions of the scalar, in texture layout
  *
  * A row contains one component's functions at Columns positions, ends included. The samples cover
  * only the part of the component's range in which the function changes, so that outliers do not
@@ -68,7 +68,7 @@ public:
    * - three components that are not independent,
    * - 2D transfer functions,
    * - a unit distance that is not positive,
-   * - a transmission or an albedo of several independent components or of RGB.
+   * - a transmission or albedo function with several independent components or with RGB.
    */
   Error Build(vtkVolumeProperty* property, const VolumeSamples& samples,
     vtkColorTransferFunction* transmission, const Scattering& scattering);
@@ -115,7 +115,8 @@ public:
   /// rows without a function or with DisableGradientOpacity. Empty if all values are 1.
   std::vector<float> GradientOpacity;
   std::array<double, 4> GradientRange{ { 1.0, 1.0, 1.0, 1.0 } };
-  /// RGB of the transmitted light for row 0's color range. Empty without a transmission.
+  /// RGB of the transmitted light for row 0's color range. Empty if there is no transmission
+  /// function.
   std::vector<float> Transmission;
   /// Breakpoint lists: for each column of the tables above, the first texel of its list in Bends,
   /// or 0.

@@ -54,7 +54,7 @@ struct TransferColumns
   /**
    * Samples \a nodes over \a range, ends included, and appends lists to \a bends. The first texel
    * of \a bends belongs to no list. If the mapping is nonlinear, pieces of lists are bisected until
-   * they are within 1e-4.
+   * their error is at most 1e-4.
    */
   TransferColumns(const TransferNodes& nodes, Channels channels, const Range& range,
     const Mapping& mapping, std::vector<float>& bends);

@@ -12,7 +12,7 @@ namespace interlume
 {
 
 /**
- * Arithmetic of transfer function values.
+ * Arithmetic with transfer function values.
  */
 namespace TransferMath
 {
@@ -28,7 +28,7 @@ inline TransferNodes::Value Mix(
   return mixed;
 }
 
-/// Returns the largest absolute difference of a channel.
+/// Returns the largest absolute difference over all channels.
 inline double GetDistance(const TransferNodes::Value& a, const TransferNodes::Value& b)
 {
   return std::max({ std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2]) });

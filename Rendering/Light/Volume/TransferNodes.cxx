@@ -24,7 +24,8 @@ using Node = TransferNodes::Node;
 /// Maximum number of bisections of a curve.
 constexpr int MaximumDepth = 16;
 constexpr double Tolerance = 1e-5;
-/// Distance from a curve's ends at which their limits are evaluated, as a fraction of the curve.
+/// Distance from a curve's ends at which the one-sided limits are evaluated, as a fraction of the
+/// curve.
 constexpr double AtEnd = 1e-9;
 
 double GetSize(const Value& value)
@@ -222,7 +223,7 @@ TransferNodes::Range TransferNodes::Limit(const Range& range) const
   const double upper =
     last.X + (hasPieces && isStep(*(this->Nodes.end() - 2), last) ? margin * width : 0.0);
   const Range part{ { std::max(range[0], lower), std::min(range[1], upper) } };
-  // For narrower parts, the scale from texels to columns would overflow single precision.
+  // If the part were narrower, the scale from texels to columns would overflow single precision.
   constexpr double least = 1e-33;
   const double size = std::max(std::abs(range[0]), std::abs(range[1]));
   return part[1] - part[0] > least * size && std::isfinite(part[1] - part[0]) ? part : range;

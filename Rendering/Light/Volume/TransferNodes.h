@@ -23,7 +23,7 @@ namespace interlume
  *
  * Midpoints are nodes. A sharpness of 1 is a step in those VTK versions that draw one (piecewise
  * functions up to VTK 9.2). Curves (other sharpness, color spaces, logarithmic scales) are bisected
- * until the linear pieces are within 1e-5, relative to the values at the ends.
+ * until the error of the linear pieces is at most 1e-5, relative to the values at the ends.
  *
  * Values have three channels, which are equal for a vtkPiecewiseFunction.
  */
@@ -50,9 +50,9 @@ public:
 
   const std::vector<Node>& GetNodes() const { return this->Nodes; }
 
-  /// Returns the part of \a range outside which the function has the values of the part's ends.
-  /// Steps at the ends of the function are well inside the part. Returns \a range if the function
-  /// is constant there.
+  /// Returns the part of \a range outside which the function keeps its values at the ends of the
+  /// part. Steps at the ends of the function are well inside the part. Returns \a range if the
+  /// function is constant there.
   Range Limit(const Range& range) const;
 
   /// Returns true if the first channel changes only by steps in \a range, none of them wider than

@@ -31,7 +31,7 @@ public:
   /// Computes the ranges of blocks of \a cells cells along each axis, in parallel.
   void Build(const VolumeSamples& samples, int cells = BlockSize);
 
-  /// Combines \a small blocks into blocks of twice the size. The result is the same as from
+  /// Combines \a small blocks into blocks of twice the size. The result is the same as that of
   /// Build().
   void Join(const VolumeBlocks& small);
 
@@ -55,7 +55,7 @@ public:
   std::vector<double> GetBorders(int axis) const;
 
 private:
-  /// Sets the number of blocks, without ranges.
+  /// Sets the number of blocks and clears their ranges.
   void SetSize(const std::array<int, 3>& samples, int components, int cells);
   std::array<double, 2>* GetRanges(int block)
   {

@@ -147,7 +147,7 @@ double FindOffset(const std::array<double, 2>& range)
 /// Returns the largest power of two that is not above the largest difference from the offset.
 double FindScale(const std::array<double, 2>& range, double offset)
 {
-  // With smaller exponents, ratios of scales and ranges overflow doubles.
+  // With smaller exponents, ratios of scales and ranges would overflow double precision.
   constexpr int minimumExponent = -1000;
   double largest = std::max(std::abs(range[0] - offset), std::abs(range[1] - offset));
   largest = largest > 0.0 ? largest : std::abs(offset);

@@ -14,8 +14,8 @@ namespace interlume
  */
 namespace SoftwareOpenGL
 {
-/// Makes the window's context current and returns true if the name of its OpenGL renderer is that
-/// of known software, or is missing.
+/// Makes the window's context current. Returns true if GL_RENDERER names a known software renderer
+/// or is missing.
 INTERLUMESCENE_EXPORT bool IsUsed(vtkOpenGLRenderWindow* window);
 }
 

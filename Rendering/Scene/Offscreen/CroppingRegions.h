@@ -18,7 +18,7 @@ namespace interlume
  *
  * Up to six half spaces bound all visible regions. They cut exactly, like a smaller box or clipping
  * planes. Regions that do not fill the half spaces leave gaps. Shaders remove these gaps from rays
- * by thresholds and flags (CROPPING in ShaderFeatures).
+ * with thresholds and flags (CROPPING in ShaderFeatures).
  */
 class INTERLUMESCENE_EXPORT CroppingRegions
 {

@@ -14,8 +14,8 @@ namespace interlume
  *
  * Level 0 has full detail. Each further level halves either the image's width and height, at most
  * twice, or the number of tetrahedra. Choose() returns the finest level whose measured time does
- * not exceed the allocated time. A level that was not measured is expected to take half the time of
- * the previous level. The number of tetrahedra is not reduced below MINIMUM_TETRAHEDRA.
+ * not exceed the allocated time. A level that has not been measured is expected to take half the
+ * time of the previous level. The number of tetrahedra is not reduced below MINIMUM_TETRAHEDRA.
  */
 class LevelOfDetail
 {

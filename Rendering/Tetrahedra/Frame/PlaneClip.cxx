@@ -184,7 +184,7 @@ std::vector<PlaneClip::Part> PlaneClip::Split(TetrahedraMesh& mesh, TetrahedraFi
   {
     return { { { corner(0), cut(0, 1), cut(0, 2), cut(0, 3) } } };
   }
-  // The remainder is a wedge: two triangles joined by three edges.
+  // The remaining part is a wedge: two triangles joined by three edges.
   std::array<Corner, 6> w;
   if (inside == 3)
   {

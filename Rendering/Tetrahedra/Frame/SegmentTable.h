@@ -34,7 +34,7 @@ public:
   static constexpr int COLUMNS = (24 << STEPS_LOG2) + 1;
   static constexpr int ROWS = 65;
 
-  /// Returns the table, which is built at its first use.
+  /// Returns the table, which is built on first use.
   static const SegmentTable& Get();
 
   /// Returns m for \a depth >= 0 and \a delta in [-1, 1].

@@ -61,7 +61,7 @@ struct TetrahedraFrame
   /// the mesh or these planes change.
   std::vector<glm::dvec4> Planes;
   /// Tetrahedra in drawing order: front to back, or by layers from the highest priority. Null for
-  /// the order of the mesh.
+  /// mesh order.
   const std::vector<std::uint32_t>* Order = nullptr;
   /// Depth of the closest opaque surface at each pixel, in rows from the bottom; null if there is
   /// none.

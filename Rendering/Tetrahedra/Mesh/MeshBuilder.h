@@ -17,7 +17,7 @@ namespace interlume
 
 /**
  * @class   MeshBuilder
- * @brief   builds the mesh to draw from a grid, and detects if another grid has the same mesh
+ * @brief   builds the drawn mesh from a grid, and detects whether another grid has the same mesh
  *
  * It skips tetrahedra without volume, ghost cells, and tetrahedra with NaN or infinity in a
  * coordinate or array.

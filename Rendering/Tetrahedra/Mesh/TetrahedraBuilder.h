@@ -15,7 +15,7 @@ namespace interlume
 
 /**
  * @class   TetrahedraBuilder
- * @brief   builds the fields to draw from the arrays of a grid
+ * @brief   builds the drawn fields from the arrays of a grid
  */
 class TetrahedraBuilder
 {

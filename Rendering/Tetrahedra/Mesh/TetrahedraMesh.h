@@ -59,7 +59,7 @@ struct TetrahedraMesh
   }
   /// Returns true if a point is more than \a tolerance behind a plane.
   bool HasPointBehind(const glm::dvec4& plane, double tolerance) const;
-  /// Returns the largest distance of a point from the origin; 0 without points.
+  /// Returns the largest distance of a point from the origin; 0 if there are no points.
   double GetRadius() const;
   ///@{
   /// Return six times the signed volume.

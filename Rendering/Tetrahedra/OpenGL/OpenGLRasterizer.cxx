@@ -185,7 +185,7 @@ void OpenGLRasterizer::Upload(
   }
   else if (isNew(&Changes::Order) || !order.IsAllocated())
   {
-    // Blending requires back-to-front order, and layers from the lowest priority.
+    // Blending requires back-to-front order, and layers in ascending priority.
     report.UploadedOrderBytes = this->Upload(window, "order", TextureBuffer::UINT,
       std::vector<std::uint32_t>(frame.Order->rbegin(), frame.Order->rend()));
   }

@@ -31,8 +31,8 @@ public:
   };
 
   /**
-   * Sets faces, normals and texture coordinates of \a fields. Without normals in \a triangles,
-   * point normals are averaged from the adjacent triangles.
+   * Sets faces, normals and texture coordinates of \a fields. If \a triangles has no normals, point
+   * normals are averaged from the adjacent triangles.
    */
   static Counts Build(vtkDataSet* triangles, vtkUnstructuredGrid* grid, const TetrahedraMesh& mesh,
     TetrahedraFields& fields);

@@ -36,7 +36,7 @@ public:
   void Reset();
 
   /**
-   * Clears the layer order, because the layers changed.
+   * Clears the layer order. Call it when the layers change.
    */
   void ResetLayers();
 
@@ -54,7 +54,7 @@ public:
   const std::vector<std::uint32_t>* ComputeLayers(
     const std::vector<int>& layers, const std::map<int, double>& priorities);
 
-  /// Sorts layers from the highest priority.
+  /// Sorts layers by descending priority.
   static void SortLayers(std::vector<int>& layers, const std::map<int, double>& priorities);
 
   bool WasComputed() const { return this->Computed; }

@@ -10,7 +10,7 @@ namespace interlume
 
 namespace
 {
-/// Entry in Numbers of a listed tetrahedron, larger than any step.
+/// Value in Numbers for a listed tetrahedron, larger than any step.
 constexpr std::uint32_t Listed = 0xffffffffu;
 }
 

@@ -59,7 +59,7 @@ private:
   std::vector<Frame> Frames;
   /// Finished tetrahedra whose component is not complete.
   std::vector<std::uint32_t> Pending;
-  /// Ranks in centroid order; empty until the first cycle.
+  /// Ranks in centroid order; empty until the first cycle is found.
   std::vector<std::uint32_t> Ranks;
 };
 

@@ -15,7 +15,7 @@ namespace interlume
 
 namespace
 {
-/// Series are used below this optical depth.
+/// Series expansions are used below this optical depth.
 constexpr float THIN = 0.3f;
 
 // Returns exp(-x) for x >= 0, with a relative error below 2e-7.
@@ -82,8 +82,8 @@ inline Moments GetMoments(float t0, float t1, float d0, float d1)
 
 using Fragments = interlume::Fragments;
 
-// Calls action(i) for each i with test(i). This is fast if few i pass the test, because tests are
-// vectorized in groups.
+// Calls action(i) for each i for which test(i) is true. This is fast if few i pass the test,
+// because tests are vectorized in groups.
 template <typename Test, typename Action>
 inline void ForEachWhere(int size, const Test& test, const Action& action)
 {
@@ -197,8 +197,8 @@ void MakeThinOpacities(Fragments& f)
       {
         const float depth = f.OpticalDepth[i];
         const float delta = f.Slope[i];
-        // Series of 1 - Psi in optical depth. Its coefficients are moments of the optical depth in
-        // front of a point of the segment.
+        // Series expansion of 1 - Psi in the optical depth. Its coefficients are moments of the
+        // optical depth in front of a point of the segment.
         const float g1 = 0.5f - delta * (1.0f / 6.0f);
         const float g2 = 1.0f / 3.0f - delta * (1.0f / 6.0f - delta * (1.0f / 30.0f));
         const float g3 = 0.25f - delta * (0.15f - delta * (0.05f - delta * (1.0f / 140.0f)));
@@ -411,7 +411,7 @@ inline void LookUpEach(
     std::int32_t slope = slopeBits[0];
     for (int piece = 1; piece < Number; ++piece)
     {
-      // Select by integer masks. For selections of floats, compilers create branches and do not
+      // Select by integer masks. For float selections, compilers create branches and do not
       // vectorize the loop.
       const std::int32_t isPast = -static_cast<std::int32_t>(scalar >= starts[piece]);
       index -= isPast;

@@ -14,7 +14,7 @@ namespace interlume
 
 /**
  * @class   TetrahedraDepth
- * @brief   reads the scene's depth and converts it to depths of TetrahedraView
+ * @brief   reads the scene's depth buffer and converts it to depths as defined by TetrahedraView
  */
 class TetrahedraDepth
 {

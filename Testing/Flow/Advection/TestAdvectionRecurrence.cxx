@@ -57,7 +57,7 @@ void TestClosed(Check& check)
   }
 }
 
-/// v = rate (-y - a x, x - a y) and b z, started at (r, 0, z).
+/// Spirals in the flow (rate (-y - a x), rate (x - a y), b z), started at (r, 0, z).
 void TestSpirals(Check& check)
 {
   const BoxGrid grid = MakeGrid();

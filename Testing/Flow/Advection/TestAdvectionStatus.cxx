@@ -93,7 +93,7 @@ void TestEdges(Check& check)
     }
     check.That(NumberOfSteps(result) <= 12 && result.Cells <= 40, "few steps and cells");
   }
-  // Missing cells next to the diagonal: the only connection is an edge.
+  // Cells next to the diagonal are missing, so cells along the diagonal share only an edge.
   grid.IsCell = [](const auto& cell) { return cell[0] == cell[1]; };
   auto result = Advect(BoxWalker(Flow::Uniform({ 1, 1, 0 }), grid), options, { 0.5, 0.5, 0.5 });
   check.Equal(
@@ -257,7 +257,7 @@ void TestRoots(Check& check)
 {
   const auto product = [](const std::vector<double>& roots, double factor)
   {
-    // factor prod (root - theta), in powers and then in Bernstein form
+    // factor * prod (root - theta), in the power basis and then in Bernstein form
     std::vector<double> powers = { factor };
     for (double root : roots)
     {

@@ -84,7 +84,7 @@ Exit Trace(const Vector& start)
   return exit;
 }
 
-/// Displaces all points, including boundary points.
+/// Returns a function that displaces all points, including boundary points.
 VectorField Shake(double bend)
 {
   return [bend](const Vector& x)

@@ -37,7 +37,7 @@ namespace
 
 using namespace reference;
 
-/// Checks the speed scale of \a number vectors, given by index.
+/// Checks the speed scale of \a number vectors, given as a function of the index.
 interlume::FillValues CheckVectors(const std::string& name, int number,
   const std::function<Vector(int)>& vector, double scale, int fillValues, Check& check)
 {

@@ -407,7 +407,7 @@ void TestSamples(Check& check)
     check.Near(volume, expected, 1e-10, "sum");
   }
   check.SetContext("refinement turned off again");
-  // The sample input, which has another extent, remains connected.
+  // The sample input, which has a different extent, remains connected.
   field->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_FIELD);
   field->SetRefinementLevels(0);
   check.That(field->GetExecutive()->Update() != 0, "unused samples have no effect");

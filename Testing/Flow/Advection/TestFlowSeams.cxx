@@ -31,20 +31,20 @@ namespace
 using namespace reference;
 
 constexpr double Pi = 3.14159265358979324;
-/// Number of cells outward, around and along the axis. Cells are 0.25 wide outward and along the
-/// axis, and at least 0.26 wide around it.
+/// Number of cells in the radial, angular and axial direction. Cells are 0.25 wide radially and
+/// axially, and at least 0.26 wide around the axis.
 constexpr int Outward = 4;
 constexpr int Around = 24;
 constexpr int Along = 3;
 constexpr double Growth = 0.1;
 
-/// Flow around z and outward. Cells interpolate it exactly.
+/// Flow around the z axis and outward. Cells interpolate it exactly.
 Vector Spiral(const Vector& x)
 {
   return { { Growth * x[0] - x[1], x[0] + Growth * x[1], 0.0 } };
 }
 
-/// Computes the time at which a streamline leaves the polygon around radius 2.
+/// Computes the time at which a streamline leaves the polygon whose corners have radius 2.
 double Trace(const Vector& start)
 {
   const double inner = 2.0 * std::cos(Pi / Around);

@@ -333,7 +333,7 @@ void TestArrays(Check& check)
   check.Equal(first->GetPointData()->GetNumberOfArrays(), 3, "the input is unchanged");
 }
 
-/// A single block yields the same results as its dataset without blocks.
+/// A single block yields the same results as its dataset alone.
 void TestSingle(Check& check)
 {
   for (const Grid& grid :

@@ -88,7 +88,8 @@ void TestLimits(Check& check)
     "the minimum speed for a field without flow");
 }
 
-/// Integration methods, identified by their numbers of steps, and the arrays of these numbers.
+/// Integration methods, identified by their numbers of steps, and the arrays that store these
+/// numbers.
 void TestMethods(Check& check)
 {
   vtkNew<vtkImplicitFlowField> filter;

@@ -271,7 +271,7 @@ void TestGrids(Seen& seen, Check& check)
   check.SetContext("");
 }
 
-/// Limits of time, steps and speed, stiff and random fields, all methods.
+/// Limits of time, steps and speed; stiff and random fields; all methods.
 void TestLimits(Seen& seen, Check& check)
 {
   const auto stiff = [](const Vector& x) {
@@ -310,7 +310,7 @@ void TestLimits(Seen& seen, Check& check)
 }
 
 /// Logarithms and powers compared with the standard library. SIMD packs of two and of four lanes
-/// yield the same bits.
+/// yield bit-identical results.
 void TestPowers(Check& check)
 {
   using interlume::SimdPack;

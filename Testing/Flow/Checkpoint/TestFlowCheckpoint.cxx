@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Implicit flow fields stopped by an abort or a kill and resumed from the checkpoint: results are
-// bit-identical to an uninterrupted run. Also tests which files are rejected and when checkpoints
-// are written.
+// Implicit flow fields whose execution is aborted or killed, and resumed from the checkpoint:
+// results are bit-identical to an uninterrupted run. Also tests which files are rejected and when
+// checkpoints are written.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"
@@ -282,7 +282,7 @@ void TestAborts(const std::string& name, Check& check)
   }
 }
 
-/// Without a file name no checkpoint is written. A file name does not change the result.
+/// A checkpoint is written only if there is a file name, which does not change the result.
 void TestOnRequest(const std::string& name, Check& check)
 {
   check.SetContext("checkpoints on request");
@@ -344,7 +344,7 @@ void TestRejection(const std::string& name, const std::string& what, const std::
   test.Set(filter);
   change(filter);
   filter->SetCheckpointFileName(name.c_str());
-  // No checkpoint is written within the interval.
+  // No checkpoint is written before the interval has passed.
   filter->SetCheckpointInterval(3600.0);
   const std::string warning = WarningsOf(filter);
   check.That(warning.find(name) != std::string::npos, "the file's name in: " + warning);
@@ -355,7 +355,7 @@ void TestRejection(const std::string& name, const std::string& what, const std::
   check.That(GetBytes(filter) == GetBytes(expected), "the result equals the result without a file");
 }
 
-/// An existing checkpoint of other settings is replaced when an execution is stopped.
+/// An existing checkpoint with other settings is replaced when an execution is stopped.
 void TestReplaced(const std::string& name, Check& check)
 {
   check.SetContext("replaced");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkFlowLIC: values compared with brute-force quadrature, contrast, coherence along streamlines,
-// ends of streamlines, points outside and points at rest, dataset types, threads and errors.
+// ends of streamlines, points outside the field and points at rest, dataset types, threads and
+// errors.
 #include "Support/AnalyticFlows/ReferenceNoise.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
@@ -225,8 +226,8 @@ void TestValues(Check& check, const std::string& name, const VectorField& field,
   }
 }
 
-/// With few samples, the weights of the trapezoidal rule matter. Values, relative to 1/2, are
-/// proportional to the sums of this rule.
+/// With few samples, the weights of the trapezoidal rule matter. Values minus 1/2 are proportional
+/// to the sums of this rule.
 void TestWeights(Check& check)
 {
   check.SetContext("weights: ");
@@ -367,8 +368,8 @@ void TestCoherence(Check& check)
   check.Near(std::sqrt(across / 2000.0), 0.2, 0.1, "deviation across streamlines");
 }
 
-/// The value is 0 at points outside, and these points are counted. Points at rest have the value of
-/// the noise.
+/// The value is 0 at points outside the field, and these points are counted. Points at rest have
+/// the value of the noise.
 void TestOutside(Check& check)
 {
   check.SetContext("outside: ");
@@ -470,7 +471,7 @@ void TestDatasets(Check& check)
       }
       check.Near(GetValue(filter, id), values[id], 1e-6, "value", 1.0);
     }
-    // Without a separate field, the input is the field, and values are computed at its points.
+    // If there is no separate field, the input is the field, and values are computed at its points.
     const vtkSmartPointer<vtkFlowLIC> own = MakeFilter(setting);
     own->SetInputData(grid.second);
     check.That(MessagesOf(own).empty(), "no messages without points input");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Flow filters with default settings: they limit the number of samples for large fields, set active
-// scalars for coloring, and warn with properties of the data if the output is empty.
+// scalars for coloring, and warn if the output is empty, stating properties of the data.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
@@ -66,8 +66,8 @@ void CheckBounds(vtkDataSet* samples, vtkDataSet* field, Check& check)
   }
 }
 
-/// Every n-th point of large grids, a regular grid of samples for large meshes, and all points of
-/// small grids.
+/// Default samples: every n-th point of large grids, a regular grid for large meshes, and all
+/// points of small grids.
 void TestSamples(Check& check)
 {
   vtkNew<vtkTerminationInflow> surface;

@@ -98,7 +98,7 @@ void CheckApex(Check& check)
         walker.GetVelocity(p.data(), rate.data());
         walker.GetJacobian(p.data(), jacobian.data());
         check.That(GetNorm(rate) < 100.0, "the rate is bounded");
-        // Positions slightly beside the apex, below and above it.
+        // Positions slightly to the side of the apex, below and above it.
         for (const double z : { 1.0 - 1e-13, 1.0, 1.0 + 1e-13, 1.0 + 1e-3 })
         {
           const double beside[3] = { 1e-13, -1e-13, z };

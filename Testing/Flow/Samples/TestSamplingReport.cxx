@@ -50,7 +50,7 @@ struct SampleGrid
   }
 };
 
-/// The end of a streamline by formula.
+/// The exact end of a streamline, from a formula.
 struct End
 {
   int Status = vtkFlowStatus::REACHED_SURFACE;
@@ -103,7 +103,7 @@ Sampling ReadReport(vtkInterlumeReport* report)
     error("SamplingErrorTime") };
 }
 
-/// Computes the expected report of all cells by formula.
+/// Computes the expected report of all cells from the formula.
 Sampling GetExpected(const SampleGrid& samples, const Formula& formula)
 {
   Sampling report;
@@ -289,7 +289,7 @@ void TestOrder(Check& check)
   check.SetContext("");
 }
 
-/// All four sides around a cylinder have equal errors, although one contains the seam of u.
+/// All four sides of a cylinder have equal errors, although one contains the seam of u.
 void TestSeam(Check& check)
 {
   const auto field = MakeFlowImage(5,

@@ -34,7 +34,7 @@ namespace
 using namespace reference;
 using interlume::StreamlineSharing;
 
-/// The result at i, j, k by formula.
+/// The known result at i, j, k, from a formula.
 struct Formula
 {
   int Status = vtkFlowStatus::REACHED_SURFACE;

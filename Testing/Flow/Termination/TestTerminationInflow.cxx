@@ -97,7 +97,7 @@ void TestParts(Check& check)
   const double halfHigh[3] = { 1.875, 3.0, 4.0 };
   CheckRectangle(surface, 2, Inside, halfLow, halfHigh, check);
   check.SetContext("little flow at the inlet");
-  // The speed is a tenth before x = 2 and linear in the next cell.
+  // The speed is 0.1 before x = 2 and 1 after it. It is linear in the cell in between.
   const auto widening = MakeFlowImage(33,
     [](const Vector& x) {
       return Vector{ { x[0] < 2.0 ? 0.1 : 1.0, 0.0, 0.0 } };
@@ -133,7 +133,8 @@ void TestBad(Check& check)
   check.Contains(MessagesOf(filter), "field has no flow");
 }
 
-/// The filter positions the surface by direction and field, in a single execution for each change.
+/// The filter positions the surface from the direction and the field, in a single execution for
+/// each change.
 void TestFilter(Check& check)
 {
   check.SetContext("filter");

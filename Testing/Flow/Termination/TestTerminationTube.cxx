@@ -87,7 +87,7 @@ void CheckContinuity(vtkTerminationTube* tube, const SurfaceScale& scale, double
     for (int i = 1; i <= steps; ++i)
     {
       const Vector x = pointAt(u, static_cast<double>(i) / steps);
-      // At bends, positions are closer on the inside and farther on the outside.
+      // At bends, positions are closer together on the inside and farther apart on the outside.
       check.That(GetNorm(x - before) < 0.02 * scale.Size, name + ": continuous along the tube");
       before = x;
     }

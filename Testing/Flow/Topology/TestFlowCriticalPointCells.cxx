@@ -291,7 +291,7 @@ void CheckKnownPairs(Check& check)
 }
 
 // The field points outward on the boundary and is random inside. By the Poincare-Hopf theorem, the
-// signs of det J sum up to 1 for any inner values. The sum detects missing and duplicate zeros.
+// signs of det J add up to 1 for any inner values. The sum detects missing and duplicate zeros.
 void CheckIndices(Check& check)
 {
   Random random(41);

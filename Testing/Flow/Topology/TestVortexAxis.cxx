@@ -350,8 +350,8 @@ void CheckOrder(Check& check)
     return FlowVector{ { 0.1 * z + 0.1 * bend, 0.05 * z - 0.05 * bend, 0.0 } };
   };
   check.Near(GetError(output, eye), 0.0, 0.003, "distance from the eye", 1.0);
-  // The sinking air in the eye flows along the tilted axis. The total velocity is 0 slightly next
-  // to the axis.
+  // The sinking air in the eye flows along the tilted axis. The total velocity is 0 slightly off
+  // the axis.
   source->SetUpdraft(0.3);
   source->Update();
   output = Run(filter, source->GetOutput());

@@ -130,7 +130,8 @@ void TestRefinement(Check& check)
 }
 
 /// Parameters and times up to a plane in oblique flow, with intervals of Inflow and a time range.
-/// Tetrahedra match at faces, also between cut cells and other cells, and end at the plane.
+/// Tetrahedra match at faces, including those between cut cells and other cells, and end at the
+/// plane.
 void TestOblique(Check& check)
 {
   check.SetContext("oblique");

@@ -104,7 +104,7 @@ std::vector<double> Sorted(std::vector<double> values)
 }
 
 // Checks that each triangle is a face of a tetrahedron, occurs once, has the value of its surface,
-// and is oriented to lower values.
+// and is oriented toward lower values.
 void CheckSurface(vtkUnstructuredGrid* mesh, vtkUnstructuredGrid* surface, const char* function,
   const char* idArray, const std::vector<double>& values, bool hasFlatCells, Check& check)
 {
@@ -203,7 +203,7 @@ void CheckLevels(const Levels& levels, bool isTetrahedral, const std::string& na
       check.That(
         face.Total() <= 2 && (hasFlatCells || face.Net() == 0 || face.Total() == 1), "faces match");
     }
-    // Values in a cell are within the intervals that its ids name.
+    // Values in a cell are within the intervals that its ids denote.
     const std::vector<double> times = [&]()
     {
       std::vector<double> all = levels.TimeSurfaces;
@@ -242,7 +242,7 @@ void CheckLevels(const Levels& levels, bool isTetrahedral, const std::string& na
                    [&](double value) { return value > lowest + 1e-12 && value < highest - 1e-12; }),
         "no cell on both sides of a stream surface");
     }
-    // Volumes of time intervals sum up to the volume without time surfaces.
+    // Volumes of time intervals add up to the volume without time surfaces.
     vtkNew<vtkFlowVolume> full;
     full->SetInputConnection(mapping->GetOutputPort());
     full->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
@@ -259,7 +259,7 @@ void CheckLevels(const Levels& levels, bool isTetrahedral, const std::string& na
       sum += MeasureVolume(mesh, "TimeIntervalId", static_cast<int>(i));
     }
     check.Near(sum, MeasureVolume(mesh), 1e-12, "sum of time intervals");
-    // Stream surfaces of all time intervals sum up to the full surfaces.
+    // Areas of the stream surfaces of all time intervals add up to the area of the full surfaces.
     const double clipped = MeasureArea(volume->GetOutput(1));
     volume->SetTimeRange(0.0, levels.Start);
     volume->Update();

@@ -194,7 +194,7 @@ vtkSmartPointer<vtkDataSet> MakeField(const Case& one)
     ->Data;
 }
 
-/// Returns the implicit flow field of samples along each axis.
+/// Returns the implicit flow field at the samples of a case.
 vtkSmartPointer<vtkDataSet> MakeSamples(const Case& one)
 {
   vtkNew<vtkImplicitFlowField> field;
@@ -292,8 +292,8 @@ void TestAtPlane(Check& check)
 }
 
 /// Values in cut cells are exact because the field is linear, with and without intervals. Close to
-/// the boundary the error is up to the width of the bisection, a 64th of a cell, and slightly more
-/// if the distances of a cell's points are inconsistent.
+/// the boundary the error is up to the final width of the bisection, a 64th of a cell, and slightly
+/// more if the distances of a cell's points are inconsistent.
 void TestValues(Check& check)
 {
   check.SetContext("values");

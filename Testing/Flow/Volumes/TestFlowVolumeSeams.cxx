@@ -322,7 +322,7 @@ void CheckTorus(Check& check)
     }
     check.That(GetLargestSpread(mesh, "TerminationUV", 0) < 0.2, "u is unwrapped");
     check.That(GetLargestSpread(mesh, "TerminationUV", 1) < 0.2, "v is unwrapped");
-    // One row of cells crosses 1 in each direction.
+    // In each direction, the parameter crosses 1 in one row of cells.
     check.Equal(
       volume->GetReport()->GetCount("CellsAcrossSeams"), 3 * (14 + 16 - 1), "cells across seams");
     check.That(volume->GetReport()->GetNumber("PointsOnSeams") > 0, "points are added");

@@ -95,7 +95,7 @@ vtkSmartPointer<vtkDataSet> MapSamples(vtkImplicitFlowField* field)
 
 using Tube = std::array<double, 2>;
 
-/// Random positions, of which the fraction inside a tube yields the volume of the tube.
+/// Random positions. The fraction of them inside a tube yields the tube's volume.
 class SampleBoxes
 {
 public:
@@ -162,7 +162,7 @@ int TestFlowVolumeTubes(int, char*[])
   const SampleBoxes positions;
   const Tube all{ { 0.0, 2.0 } };
   const Tube behind{ { 0.0, 0.6 } };
-  // A tube that grazes the sphere, as wide as 1.6 cells between 33 samples per axis.
+  // A tube that grazes the sphere. It is 1.6 cells wide with 33 samples per axis.
   const Tube grazing{ { 0.25, 0.35 } };
   const struct
   {

@@ -219,7 +219,7 @@ double GetEllipseLength(double a, double b)
 void CheckPlane(Check& check)
 {
   vtkNew<Plane> plane;
-  // A rectangle twice as long as wide: the circle in parameters is an ellipse.
+  // A rectangle twice as long as wide: the circle in parameter space is an ellipse.
   vtkNew<Plane> longPlane;
   longPlane->SetSize(2.0, 1.0);
   check.SetContext("circle");
@@ -489,8 +489,8 @@ void CheckFar(Check& check)
   }
 }
 
-// Points far from a wave around a cylinder, also across the seam: s of the closest of many points
-// on the wave.
+// Points far from a wave around a cylinder, also across the seam: s is that of the closest of many
+// points on the wave.
 void CheckFarAround(Check& check)
 {
   check.SetContext("far from a contour around a cylinder");

@@ -191,7 +191,8 @@ std::vector<Extraction> MakeExtractions(const Case& test)
   };
 }
 
-/// Concatenates the coordinates and values of all simplices, each preceded by their number.
+/// Concatenates the numbers of all simplices (coordinates and values). Each simplex is preceded by
+/// its count.
 std::vector<double> Flatten(const std::vector<GeometricSimplex>& set)
 {
   std::vector<double> numbers;
@@ -354,8 +355,8 @@ void TestCase(Check& check, vtkMultiProcessController* controller, const Case& t
     check.That(CellsPerProcess(singles[number]).empty(), "no load balance for a single process");
     if (ranks > 1)
     {
-      // Cells that touch a value only in faces between pieces may be counted differently than in
-      // the single process, hence the tolerance.
+      // Cells that touch a value only in faces between pieces may be counted differently than with
+      // a single process, hence the tolerance.
       const std::vector<double> cells = CellsPerProcess(pieces[number]);
       check.Near(std::accumulate(cells.begin(), cells.end(), 0.0),
         singles[number].Report->GetNumber("CellsWithOutput"), 0.05,

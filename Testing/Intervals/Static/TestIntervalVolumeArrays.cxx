@@ -163,7 +163,7 @@ void CheckIds(vtkUnstructuredGrid* grid, const char* name, int values, Check& ch
   }
 }
 
-/// A scalar of any type yields the same geometry as the same values in double.
+/// Scalars of any type yield the same geometry as the same values in double precision.
 void CheckScalarTypes(Check& check)
 {
   auto image = MakeInput(1);
@@ -209,8 +209,8 @@ void CheckCascade(Check& check)
   CheckIds(contour.Surface, "ContourId", 1, check);
 }
 
-/// Global ids and ghost flags are not valid for new points and cells, so they must not be passed
-/// with these roles.
+/// Global ids and ghost flags are not valid for new points and cells, so they must not be passed as
+/// such.
 void CheckRoles(Check& check)
 {
   auto image = MakeInput(1);

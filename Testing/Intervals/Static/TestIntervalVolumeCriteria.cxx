@@ -87,7 +87,7 @@ void CheckTetrahedra(MeshKind kind, Check& check)
   }
 }
 
-/// Disjoint ranges of a criterion sum up to the volume without the criterion, for any cells.
+/// The volumes for disjoint ranges of a criterion add up to the volume without it, for any cells.
 void CheckSum(MeshKind kind, Check& check)
 {
   check.SetContext(GetName(kind) + ", sum");

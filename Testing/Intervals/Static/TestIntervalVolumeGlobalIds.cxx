@@ -26,7 +26,7 @@ using namespace reference;
 constexpr unsigned int Orders = 6;
 const std::vector<Interval> Intervals = { { -1.0, 0.5 } };
 
-/// A cell type, and the axis across the face between the blocks.
+/// A cell type, and the axis perpendicular to the face between the blocks.
 struct Form
 {
   MeshKind Kind;

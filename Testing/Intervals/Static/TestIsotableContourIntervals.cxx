@@ -58,7 +58,7 @@ void CheckMesh(vtkUnstructuredGrid* mesh, double lower, double upper, bool ties,
   const auto contours =
     GeometricSet(ExtractContours(mesh, { lower, upper }).Surface, { "ContourId" });
   check.That(!Having(contours, 0).empty(), "there is a contour");
-  // In the domain boundary, the contour also contains faces at the isovalue whose cell has other
+  // On the domain boundary, the contour also contains faces at the isovalue whose cell has other
   // values elsewhere.
   std::map<GeometricSimplex, double> left = Net(Having(contours, 0));
   for (const auto& triangle : Net(Having(boundary, 0)))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Isosurfaces are closed inside the domain, two-manifold, oriented to lower values and at the
+// Isosurfaces are closed inside the domain, two-manifold, oriented toward lower values and at the
 // correct position: for random values on every cell type, and for a sphere, whose area and volume
 // are known and whose triangles are compared with another filter.
 #include "Support/Checks/ReferenceCheck.h"
@@ -134,7 +134,8 @@ void CheckSphere(Check& check)
   const long long triangles = surface->GetNumberOfCells();
   check.Equal(surface->GetNumberOfPoints() - edges + triangles, 2, "Euler characteristic");
 
-  // Normals point to lower values, toward the center. The enclosed volume is therefore negative.
+  // Normals point toward lower values, that is, toward the center. The enclosed volume is therefore
+  // negative.
   double area = 0;
   double volume = 0;
   for (const Triangle& triangle : TrianglesOf(surface))

@@ -175,8 +175,8 @@ void AddReport(vtkInterlumeReport* report, std::ostream& text)
   }
 }
 
-/// Updates a filter and appends its results. If cells are skipped because of points, there is one
-/// warning.
+/// Updates a filter and appends its results. If cells are skipped because of non-finite points,
+/// there is one warning.
 template <typename Filter>
 void AddOutput(Filter* filter, bool warns, std::ostream& text, Check& check)
 {

@@ -73,7 +73,7 @@ void SetTimes(vtkUnstructuredGrid* grid, vtkAbstractArray* times)
   grid->GetPointData()->AddArray(times);
 }
 
-/// Changes the type of cell 7, or reduces it to the first of its five points.
+/// Sets the type of cell 7 and retains only its first \a points points.
 void BreakCell(vtkUnstructuredGrid* grid, int type, vtkIdType points)
 {
   vtkNew<vtkUnstructuredGrid> broken;

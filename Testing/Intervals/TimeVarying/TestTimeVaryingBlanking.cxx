@@ -36,8 +36,7 @@ TimeSteps MakeSteps(const LatticeForm& form)
   return steps;
 }
 
-/// Checks that \a skipped cells of each slab are skipped. \a count is the name of the report field
-/// that counts them.
+/// Checks the number of skipped cells in each slab. \a count is the report's name for this number.
 void CheckSkipped(const TimeSteps& steps, const std::array<int, 2>& skipped, const char* count,
   const std::string& what, Check& check)
 {

@@ -58,7 +58,7 @@ double Linear(const std::array<double, 3>& x, double time)
   return 0.3 + 0.7 * x[0] - 0.4 * x[1] + 0.9 * x[2] + 0.8 * time;
 }
 
-/// Returns the time that a function linear in time is in an interval at a point.
+/// Returns how long a function that is linear in time lies in an interval at a point.
 double LinearDuration(const std::array<double, 3>& x, const Interval& interval)
 {
   constexpr double rate = 0.8;

@@ -507,8 +507,8 @@ bool AreSame(const interlume::SimplexProjection& a, const interlume::SimplexProj
   return same;
 }
 
-/// Projects several 4-simplices at once and compares with single projections. Includes simple
-/// cases, cases that require extended precision, and degenerate cases.
+/// Projects several 4-simplices at once and compares the results with single projections. Includes
+/// simple cases, cases that require extended precision, and degenerate cases.
 void CheckSeveral(Check& check)
 {
   check.SetContext("several at once");

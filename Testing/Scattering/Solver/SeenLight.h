@@ -13,7 +13,7 @@ namespace reference
 
 /**
  * @class   SeenLight
- * @brief   radiance around a box of medium, from random view rays
+ * @brief   radiance that leaves a box of medium, sampled by random view rays
  *
  * Rays correspond to rendering with very thin slices. The single scattering is computed from the
  * transmittance along a ray to each light. The solver's field is interpolated between cell centers.
@@ -33,7 +33,7 @@ public:
     double Error = 0.0;
   };
   /// Returns the light that the medium extinguishes, and the light that leaves it in all
-  /// directions, for each field. A null field adds single scattering only.
+  /// directions, for each field. For a null field, only single scattering is included.
   std::vector<Energy> GetEnergy(
     const std::vector<const interlume::ScatteredLight*>& fields, int rays, unsigned seed) const;
 

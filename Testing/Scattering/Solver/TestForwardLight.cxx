@@ -107,8 +107,8 @@ void CheckSpread(Check& check)
       const double sum =
         std::exp(-Depth * (1.0 - fraction) * position) - std::exp(-Depth * position);
       worstSum = std::max(worstSum, std::abs(scattered / sum - 1.0));
-      // Each unit of depth increases the mean angular variance of all light, because of the
-      // scattered light.
+      // The angular variance, averaged over direct and scattered light, is proportional to the
+      // depth.
       const double variance = Variance * Depth * fraction * position * position * position / 3.0;
       worst = std::max(worst, std::abs(squares / (direct + scattered) / variance - 1.0));
     }

@@ -23,7 +23,7 @@ using FlowFunction = std::function<FlowVector(const FlowVector&)>;
 FlowVector Multiply(const FlowMatrix& matrix, const FlowVector& x);
 /// Returns the matrix exponential.
 FlowMatrix Exponential(const FlowMatrix& matrix);
-/// Returns the matrix of the linear map x -> a x x.
+/// Returns the matrix of the cross product with \a a: x -> cross(a, x).
 FlowMatrix CrossMatrix(const FlowVector& a);
 
 ///@{
@@ -49,7 +49,7 @@ FlowVector MapLinear(
 /// `Velocity`, of type double.
 void SetVelocity(vtkDataSet* data, const FlowFunction& function);
 
-/// Returns the bytes of all points, cells and point arrays, for comparisons bit by bit.
+/// Returns the bytes of all points, cells and point arrays, for bitwise comparisons.
 std::string GetBytes(vtkPolyData* data);
 
 }

@@ -33,8 +33,8 @@ double GetTurns(double x, double y)
   return turns < 0.0 ? turns + 1.0 : turns;
 }
 
-// Calls visit with the corners of each cell with the given array value. If no array is named, all
-// cells are visited.
+// Calls visit with the corners of each cell that has the given array value. If no array is named,
+// all cells are visited.
 template <typename Visitor>
 void ForEachSimplex(vtkUnstructuredGrid* grid, const char* array, int value, Visitor&& visit)
 {

@@ -15,8 +15,8 @@ Exact::Exact(double value)
 
 void Exact::Add(double value)
 {
-  // Adds the value to each term by two-sum, from the smallest term on. Each rounding error becomes
-  // a term.
+  // Adds the value to each term by two-sum, starting with the smallest term. Each rounding error
+  // becomes a term.
   std::vector<double> terms;
   double carried = value;
   for (double term : this->Terms)

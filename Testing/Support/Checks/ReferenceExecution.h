@@ -15,9 +15,8 @@
 class vtkAlgorithm;
 
 /**
- * Checks that every filter must pass: results are independent of the number of threads, progress
- * never decreases, an abort or invalid input leaves the output empty, and invalid input raises an
- * error.
+ * Checks for all filters: results are independent of the number of threads, progress never
+ * decreases, an abort or invalid input leaves the output empty, and invalid input raises an error.
  */
 namespace reference
 {

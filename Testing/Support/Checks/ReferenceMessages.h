@@ -14,7 +14,7 @@ namespace reference
 /// Updates a filter and returns the errors of the filter and its executive.
 std::string MessagesOf(vtkAlgorithm* filter);
 
-/// Calls \a act and returns the errors of \a object in one line.
+/// Calls \a act and returns the errors of \a object on one line.
 std::string ErrorsOf(vtkObject* object, const std::function<void()>& act);
 
 /// Removes line breaks and the source location that VTK puts before a message.

@@ -37,7 +37,7 @@ double Distance(const double* a, const double* b);
 /// Returns the determinant of a matrix of nine entries.
 double Determinant(const double* m);
 
-/// Returns the field matrix (x - center).
+/// Returns the field v(x) = \a matrix * (x - \a center).
 FlowFunction LinearField(const FlowMatrix& matrix, const FlowVector& center);
 
 /**

@@ -19,7 +19,7 @@
 #include <vector>
 
 /**
- * Checks that every kind of cell walker must pass. They use the walker's public interface only.
+ * Checks for all kinds of cell walkers. They use the walker's public interface only.
  */
 namespace reference
 {

@@ -23,8 +23,8 @@ constexpr double Gap = 0.5;
 /// Number of sample layers of the volume along z.
 constexpr int Layers = 97;
 constexpr int Pixels = 192;
-/// Number of pixels skipped at the edge of the rendering, where light passes the outer edge of the
-/// sheet.
+/// Number of pixels skipped at the edge of the rendering, where light passes beyond the outer edge
+/// of the sheet.
 constexpr int SkippedPixels = 38;
 /// Fraction of the volume's width that the camera shows.
 constexpr double VisibleFraction = 0.9;

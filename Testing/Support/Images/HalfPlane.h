@@ -28,8 +28,8 @@ double GetHalfPlanePixel();
 std::vector<double> GetPenumbra(const RgbaImage& rendered);
 
 /// Returns the width of the linear ramp whose slope has the same standard deviation as the slope of
-/// the profile. Errors of the profile far from its center have much weight, since weights are
-/// squared distances.
+/// the profile. Errors of the profile far from its center have a large effect, since they are
+/// weighted by the squared distance.
 double GetRampWidth(const std::vector<double>& profile);
 
 /// Returns the width of the linear ramp from 0 to 1 that fits the profile best by least squares.

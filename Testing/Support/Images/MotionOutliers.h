@@ -13,10 +13,10 @@ namespace reference
  * @class   MotionOutliers
  * @brief   finds outliers among the frames of a uniform motion
  *
- * During a uniform motion, frames change uniformly. The difference between a quantity of a frame
- * and its mean over the two neighboring frames, which is a second difference, is therefore small.
- * The quantities are the mean of red, and the largest change of a pixel's red from the previous
- * frame.
+ * During a uniform motion, frames change uniformly. The difference between a quantity in one frame
+ * and its mean in the two neighboring frames, a second difference, is therefore small. The
+ * quantities are the mean red value, and the largest change of a pixel's red value from the
+ * previous frame.
  *
  * A second difference is an outlier if it exceeds three times the 95th percentile and is visible:
  * above 0.25 % of the mean, or 0.05 for the change of a pixel. An error of 1 % of the mean is
@@ -27,7 +27,7 @@ class MotionOutliers
 public:
   struct Bend
   {
-    /// Largest second difference, its index, starting at 0, and the 95th percentile.
+    /// Largest second difference, its index (starting at 0), and the 95th percentile.
     double Largest = 0.0;
     int At = 0;
     double P95 = 0.0;
@@ -37,7 +37,7 @@ public:
   /// Adds the next frame, which must have the same size as the previous frames.
   void Add(RgbaImage image);
 
-  /// Returns the mean of red over all frames.
+  /// Returns the mean red value of all frames.
   double GetMean() const;
   Bend GetMeanBend() const;
   /// Returns the statistics of the changes. Index 0 is the change from the first to the second

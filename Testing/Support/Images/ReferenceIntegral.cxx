@@ -36,7 +36,7 @@ public:
   const Light& Get() const { return this->Result; }
 
 private:
-  /// Derivative of the optical depth with respect to t, from 0 to 1.
+  /// Derivative of the optical depth with respect to t, which is from 0 to 1.
   double Extinction(double t) const
   {
     return this->Part.Length * Between(this->Part.Extinction, t) * Between(this->Part.Weight, t);

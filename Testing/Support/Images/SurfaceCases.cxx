@@ -45,8 +45,8 @@ vtkSmartPointer<vtkVolumeProperty> MakeOpaque(double voxel)
 }
 
 /// Returns the brightness of the cube at the first hit of a ray, for a directional light. With the
-/// cosines e and l of the angles of the view ray and the light from the face normal, the brightness
-/// is l / (e + l), since both are attenuated at the same rate inside.
+/// cosines e and l of the angles that the view ray and the light make with the face normal, the
+/// brightness is l / (e + l), since both are attenuated at the same rate inside.
 double GetCubePixel(const Ray& ray, const Double3& toLight)
 {
   double enter = 0.0;

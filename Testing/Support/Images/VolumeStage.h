@@ -63,7 +63,7 @@ public:
   /// first frame. After Render(), that mapper draws over its previous frame, so use a separate
   /// stage and mapper for Capture().
   RgbaImage Capture(int frames = 2);
-  /// Returns OpenGL's name of the renderer. Renders once.
+  /// Returns the OpenGL renderer name. Renders once.
   std::string GetDevice();
 
 private:

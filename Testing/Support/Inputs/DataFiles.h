@@ -10,7 +10,7 @@ class vtkDataObject;
 class vtkDataSet;
 
 /**
- * Location and reading of the files in Data/.
+ * Finds and reads the files in Data/.
  */
 namespace interlume
 {

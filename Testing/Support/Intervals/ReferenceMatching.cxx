@@ -96,7 +96,7 @@ long long CountOpposite(const std::vector<std::array<vtkIdType, N>>& simplices)
     [](const SimplexUse<N>& use) { return use.Plus > 0 && use.Minus > 0; });
 }
 
-/// Returns triangles or tetrahedra by their point coordinates, sorted.
+/// Returns triangles or tetrahedra as point coordinates, in sorted order.
 template <size_t N>
 std::vector<GeometricSimplex> SortedSimplices(
   vtkUnstructuredGrid* grid, const std::vector<std::array<vtkIdType, N>>& cells)

@@ -36,7 +36,8 @@ vtkSmartPointer<vtkDataArray> MakeIds(const IdStorage& storage, const std::vecto
   return array;
 }
 
-// Returns the cells of a mesh on one side of the plane, with only the points they use.
+// Returns the cells of a mesh on one side of the plane between the blocks, with only the points
+// they use.
 vtkSmartPointer<vtkUnstructuredGrid> Cut(vtkUnstructuredGrid* mesh, int axis, int side)
 {
   auto block = vtkSmartPointer<vtkUnstructuredGrid>::New();

@@ -84,8 +84,8 @@ std::vector<OrientedSimplex<3>> FacesOf(const std::vector<Tetrahedron>& tetrahed
 std::vector<OrientedSimplex<3>> Oriented(const std::vector<Triangle>& triangles);
 std::vector<OrientedSimplex<2>> EdgesOf(const std::vector<Triangle>& triangles);
 
-/// Returns whether the triangles around every point form one disk or half-disk. If also every edge
-/// is used at most twice, the triangles are a two-manifold with boundary.
+/// Returns whether the triangles around every point form one disk or half-disk. If every edge is
+/// also used at most twice, the triangles are a two-manifold with boundary.
 bool VerticesAreManifold(const std::vector<Triangle>& triangles);
 
 }

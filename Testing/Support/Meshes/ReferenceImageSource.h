@@ -16,7 +16,7 @@ namespace reference
 /// vectors, or an empty string if there are none.
 std::string GetBytes(vtkImageData* image);
 
-/// Checks that parts of the output equal the complete output bit by bit, that the bytes are the
+/// Checks that parts of the output are bit-identical to the complete output, that the bytes are the
 /// same for 1, 2 and 8 threads, that progress never decreases, that the output is empty after an
 /// abort, and that the next update is complete.
 void CheckImageSource(vtkImageAlgorithm* source, Check& check);

@@ -19,7 +19,7 @@ class vtkUnstructuredGrid;
 namespace reference
 {
 
-/// Cells that fill a block of boxes.
+/// Kind of cells that fill a block of boxes.
 enum class MeshKind
 {
   Hexahedra,    ///< one hexahedron per box

@@ -42,12 +42,12 @@ long double EnclosedVolume(vtkPolyData* surface);
 double LinearError(vtkDataSet* data, const char* array, const struct LinearFunction& function);
 
 /**
- * Returns a mesh of 2 blocks[0] x 2 blocks[1] x blocks[2] boxes of size 1. In every block of 2 x 2
- * boxes, three boxes form a concave VTK_POLYHEDRON whose bottom and top are concave polygons of
- * eight points. The fourth box alternates between a hexahedron, two wedges, and six pyramids.
- * Interior points are moved by up to \a shift, so faces are not planar. The cell array `kind` is 0
- * for polyhedra and 1 for other cells. Neighboring polyhedra list the points of a common face
- * starting from different points.
+ * Returns a mesh of (2 * blocks[0]) x (2 * blocks[1]) x blocks[2] boxes of size 1. In every block
+ * of 2 x 2 boxes, three boxes form a concave VTK_POLYHEDRON whose bottom and top are concave
+ * polygons of eight points. The fourth box alternates between a hexahedron, two wedges, and six
+ * pyramids. Interior points are moved by up to \a shift, so faces are not planar. The cell array
+ * `kind` is 0 for polyhedra and 1 for other cells. Neighboring polyhedra list the points of a
+ * common face starting from different points.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeConcaveMesh(
   const std::array<int, 3>& blocks, double shift, unsigned int seed = 1);
@@ -58,11 +58,11 @@ void AppendBox(vtkPolyData* surface, const std::array<double, 3>& low,
   const std::array<double, 3>& high, bool inward = false);
 vtkSmartPointer<vtkPolyData> MakeBoxes();
 
-/// Returns a sphere of radius 1: an icosahedron whose triangles are split into four \a levels
-/// times.
+/// Returns a sphere of radius 1: an icosahedron in which each triangle is split into four, \a
+/// levels times.
 vtkSmartPointer<vtkPolyData> MakeGeodesic(int levels);
 
-/// Returns a torus with radii 1 and 0.4 around z, made of 2 \a around x \a across triangles with
+/// Returns a torus with radii 1 and 0.4 around z, made of 2 * \a around * \a across triangles with
 /// outward normals.
 vtkSmartPointer<vtkPolyData> MakeTorus(int around, int across);
 

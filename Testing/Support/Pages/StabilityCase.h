@@ -24,8 +24,8 @@ struct StabilityCase
   /// Largest number that passes, or NaN if the case is not a measurement.
   double Bound = std::numeric_limits<double>::quiet_NaN();
   bool Passed = false;
-  /// If several methods are available, as for stiff fields, the selected method and its number of
-  /// steps. Otherwise empty.
+  /// If several methods are available, for example for stiff fields, the selected method and its
+  /// number of steps. Otherwise empty.
   std::string Method;
   /// Name of the test.
   std::string Test;

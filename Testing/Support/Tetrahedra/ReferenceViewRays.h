@@ -38,7 +38,7 @@ struct OrderErrors
   /// Number of pairs of consecutive tetrahedra on a view ray, and of pairs in the wrong order.
   long long Pairs = 0;
   long long Misordered = 0;
-  /// Number of consecutive tetrahedra that overlap, which means that the mesh is invalid.
+  /// Number of pairs of consecutive tetrahedra that overlap, which means that the mesh is invalid.
   long long Overlaps = 0;
 };
 

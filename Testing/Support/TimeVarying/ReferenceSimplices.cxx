@@ -35,7 +35,7 @@ vtkDataArray* GetArray(vtkDataSetAttributes* attributes, const char* name)
   return array;
 }
 
-/// Calls visit for the cells with N points in an interval whose cell array has the value \a number.
+/// Calls visit for the cells of an interval that have N points and the value \a number in \a array.
 template <size_t N>
 void ForEachSimplex(vtkUnstructuredGrid* grid, int interval, const char* array, int number,
   const std::function<void(vtkIdType, const std::array<vtkIdType, N>&)>& visit)

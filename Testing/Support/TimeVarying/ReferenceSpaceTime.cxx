@@ -158,10 +158,9 @@ long double FractionBelow(const std::vector<long double>& values, long double bo
   {
     return 1;
   }
-  // Initially A_0 = 1 and A_k = 0. Each value x below the bound replaces A_k by (y_k A_k - x
-  // A_{k-1}) / (y_k
-  // - x), where y are the values above the bound. All values are relative to the bound. The last
-  //   A_k is the fraction.
+  // Initially A_0 = 1 and all other A_k = 0. Each value x below the bound replaces A_k by
+  // (y_k * A_k - x * A_{k-1}) / (y_k - x), where y are the values above the bound. All values are
+  // relative to the bound. The last A_k is the fraction.
   std::vector<Real> fractions(above.size() + 1, 0);
   fractions[0] = 1;
   for (Real x : below)

@@ -40,9 +40,8 @@ struct ImageTransportSettings
 };
 
 /**
- * Mean over paths and its standard error for each channel. Colors are premultiplied with the
- * opacity of the medium, which is alpha. They exclude surroundings that are visible through the
- * medium.
+ * Mean over paths and its standard error for each channel. Colors are premultiplied by alpha, the
+ * opacity of the medium. They exclude surroundings that are visible through the medium.
  */
 struct TransportImage
 {

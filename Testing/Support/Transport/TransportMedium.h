@@ -38,7 +38,7 @@ struct ExtinctionRange
  *
  * The extinction is per unit length. The albedo is the scattered fraction of the extinction, 0 to
  * 1, for red, green and blue. The box is divided into cells, each with a range that contains its
- * extinction. Ranges need not be tight. Tighter ranges reduce the number of steps of paths.
+ * extinction. Ranges need not be tight. Tighter ranges reduce the number of steps per path.
  */
 class TransportMedium
 {

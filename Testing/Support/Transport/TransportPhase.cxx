@@ -89,7 +89,7 @@ double TransportPhase::SampleTable(double cumulative) const
   const double width = this->Cosines[i] - this->Cosines[i - 1];
   const double low = this->Values[i - 1];
   const double slope = this->Values[i] - low;
-  // Solves cumulative = width (low t + slope t^2 / 2) in the numerically stable form of the root.
+  // Solves rest = low * t + slope * t^2 / 2 for t, in the numerically stable form of the root.
   const double rest = width > 0.0 ? (cumulative - this->Cumulative[i - 1]) / width : 0.0;
   const double root = std::sqrt(std::max(low * low + 2.0 * slope * rest, 0.0));
   const double t = low + root > 0.0 ? 2.0 * rest / (low + root) : 0.0;

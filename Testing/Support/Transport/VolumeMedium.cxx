@@ -107,7 +107,7 @@ std::vector<ExtinctionRange> VolumeMedium::GetBlockRanges(const std::array<int, 
     const auto begin = this->Extinction.begin() + static_cast<int>(low);
     const auto end =
       this->Extinction.begin() + std::min(static_cast<int>(high) + 2, NumberOfColumns);
-    // A block at the upper boundary of the image extends outside it, where the extinction is 0.
+    // A block at the upper boundary of the image extends beyond it, where the extinction is 0.
     ranges.push_back(
       { isInside ? *std::min_element(begin, end) : 0.0, *std::max_element(begin, end) });
   }

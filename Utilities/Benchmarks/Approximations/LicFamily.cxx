@@ -87,8 +87,8 @@ vtkSmartPointer<vtkFlowLIC> NewFilter(
   return filter;
 }
 
-/// Returns the mean of the noise along the circle through \a x, by a fine quadrature rule on the
-/// exact circle.
+/// Returns the mean of the noise, weighted by the kernel, along an exact arc of the circle through
+/// \a x.
 double IntegrateNoise(const Vector& x, int kernel)
 {
   constexpr int parts = 800;

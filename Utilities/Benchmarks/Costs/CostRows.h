@@ -16,10 +16,11 @@
  * the median time of an object that never used the feature.
  *
  * The counts `passes`, `buffers`, `bytes`, `words` and `arrays` are the resources that remain after
- * the feature was switched on and off again. `own` is the larger value of Feature::Own before the
- * feature is switched on and after it is switched off. `ms` is the time in milliseconds that
- * remains, `noise_ms` is the noise of the times, and `within_noise` is 1 if `ms` does not exceed
- * the noise. Counts with the prefix `on_` are the cost of the feature while it is on.
+ * the feature was switched on and off again. `own` is the larger of the values of Feature::Own
+ * before the feature is switched on and after it is switched off. `ms` is the extra time in
+ * milliseconds that remains, `noise_ms` is the noise of the times, and `within_noise` is 1 if `ms`
+ * does not exceed the noise. Counts with the prefix `on_` are the cost of the feature while it is
+ * on.
  *
  * Summaries have the case AllScenes. Their counts are `scenes`, the number of scenes that do not
  * use the feature, the largest remaining resources, median times, medians of the `on_` counts, and

@@ -27,8 +27,8 @@ struct BenchData
 };
 
 /**
- * Returns the geometry and cells of \a from. The point array \a name is the scalars; there are no
- * other arrays. Throws std::runtime_error if the array does not exist.
+ * Returns the geometry and cells of \a from. The point array \a name becomes the scalars; other
+ * arrays are omitted. Throws std::runtime_error if the array does not exist.
  */
 vtkSmartPointer<vtkDataSet> WithOneArray(vtkDataSet* from, const std::string& name);
 

@@ -34,8 +34,7 @@ struct Case
 /// Returns one period of ABC flow in [-1, 1]^3 on points^3 points.
 vtkSmartPointer<vtkAnalyticFlowSource> MakeBeltrami(int points);
 
-/// Returns \a number pseudo-random points, uniform in the cube with half edge \a half around the
-/// origin.
+/// Returns \a number pseudo-random points, uniform in the cube from -\a half to \a half.
 vtkSmartPointer<vtkPolyData> MakeSeeds(int number, double half, unsigned int seed);
 
 /**

@@ -49,7 +49,7 @@ public:
     this->ChangeTimes();
   }
 
-  /// Changes the width of the stripes.
+  /// Changes the frequency of the waves in the inflow mapping.
   void ChangeMapping()
   {
     this->IsWide = !this->IsWide;

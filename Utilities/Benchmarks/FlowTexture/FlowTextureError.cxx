@@ -23,8 +23,8 @@ using Mapper = vtkImplicitFlowVolumeMapper;
 /// Number of view rays along each edge of a pixel in the reference image.
 constexpr int Finer = 3;
 
-/// Returns the streamline end at x in a curved flow along the x axis. u and v are the coordinates
-/// at which the streamline starts.
+/// Returns the end of the streamline through x in a curved flow along the x axis. u and v are the
+/// coordinates at which the streamline starts.
 reference::FlowEnd Bent(const reference::Position3& x)
 {
   const double a = x[0] + 0.5;

@@ -60,7 +60,7 @@ std::vector<Method> MakeMethods(vtkImageData* image)
   return methods;
 }
 
-/// The tetrahedra of a result, and triangles among which are all triangles of its boundary.
+/// The tetrahedra of a result, and triangles that include all of its boundary.
 struct Result
 {
   vtkSmartPointer<vtkUnstructuredGrid> Tetrahedra;

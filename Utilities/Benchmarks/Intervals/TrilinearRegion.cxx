@@ -24,7 +24,7 @@ double LengthBelow(double bottom, double top, double bound)
   return bottomInside ? crossing : 1.0 - crossing;
 }
 
-/// Bilinear function on the unit square with values a (0,0), b (1,0), c (0,1), d (1,1).
+/// Bilinear function on the unit square with values a at (0,0), b at (1,0), c at (0,1), d at (1,1).
 struct Bilinear
 {
   double A, B, C, D;
@@ -41,8 +41,8 @@ struct Square
   double X, Y, Size;
 };
 
-/// A cell as lines along z. The function is bilinear on the bottom and top faces, and linear along
-/// each line.
+/// A cell, treated as lines along z. The function is bilinear on the bottom and top faces, and
+/// linear along each line.
 class CellColumns
 {
 public:

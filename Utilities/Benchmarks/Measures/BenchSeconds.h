@@ -12,7 +12,7 @@ struct BenchSeconds
 {
   double Value = 0.0;
   int Runs = 0;
-  /// Begin and end of each run in seconds of std::chrono::steady_clock.
+  /// Start and end of each run in seconds of std::chrono::steady_clock.
   std::vector<std::array<double, 2>> Spans = {};
   /// Median processor time of all threads, which other programs do not affect.
   double Processor = 0.0;

@@ -8,7 +8,8 @@
 #include <string>
 
 /**
- * Scenes of the suite `mixed`. Media and surfaces are white and have no ambient and specular light.
+ * Scenes of the suite `mixed`. Media and surfaces are white, without ambient or specular
+ * reflection.
  */
 namespace mixed
 {

@@ -15,13 +15,13 @@ namespace ranks
 {
 constexpr const char* Suite = "ranks";
 
-/// Returns the row of weak scaling, in which the work per process is constant. `seconds` is the
+/// Returns the row for weak scaling, in which the work per process is constant. `seconds` is the
 /// time of the slowest process. Counts: `processor_seconds` and `work`, means over the processes,
 /// and `most_processor_seconds`.
 BenchRow MakeWeakRow(const BenchRows& rows, const std::string& theCase, const Times& times);
 
-/// Returns the row of memory for a constant total amount of work. The count `kib` is the maximum
-/// over all processes.
+/// Returns the memory row for a constant total amount of work. The count `kib` is the maximum over
+/// all processes.
 BenchRow MakeMemoryRow(
   const BenchRows& rows, const std::string& theCase, int ranks, const std::vector<double>& kib);
 

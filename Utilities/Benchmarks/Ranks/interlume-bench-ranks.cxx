@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Measures extraction and implicit flow in several processes with one thread each. Start it by
-// mpiexec with 1, 2, 4, ... processes and a separate JSON file for each run; --from combines these
+// Measures extraction and implicit flow in several processes with one thread each. Start it with
+// mpiexec on 1, 2, 4, ... processes, with a separate JSON file for each run; --from combines these
 // files. See RankRows.h.
 #include "Benchmarks/Ranks/RankCases.h"
 #include "Benchmarks/Ranks/RankMeasures.h"

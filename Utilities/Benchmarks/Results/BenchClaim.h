@@ -45,21 +45,21 @@ struct BenchClaim
 };
 
 /**
- * Returns a function for AtLeast() and AtMost() that returns the ratio of a row if the row is of
- * this method and baseline with one thread, and otherwise std::nullopt.
+ * Returns a function for AtLeast() and AtMost() that returns the ratio of a row with this method,
+ * this baseline and one thread, and std::nullopt for other rows.
  */
 std::function<std::optional<double>(const BenchRow&)> RatioWithOneThread(
   const std::string& method, const std::string& baseline);
 
 /**
- * Returns a function for AtLeast() and AtMost() that returns the ratio of a row if the row is of
- * this method, and otherwise std::nullopt.
+ * Returns a function for AtLeast() and AtMost() that returns the ratio of a row with this method,
+ * and std::nullopt for other rows.
  */
 std::function<std::optional<double>(const BenchRow&)> RatioOf(const std::string& method);
 
 /**
- * Returns a function for AtLeast() and AtMost() that returns a count of a row if the row is of this
- * method and has the count, and otherwise std::nullopt.
+ * Returns a function for AtLeast() and AtMost() that returns a count of a row with this method, and
+ * std::nullopt for other rows or if the count is missing.
  */
 std::function<std::optional<double>(const BenchRow&)> CountOf(
   const std::string& method, const std::string& count);

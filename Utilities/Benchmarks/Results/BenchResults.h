@@ -31,7 +31,7 @@ struct BenchResults
   /// Reads results from a file. Throws std::runtime_error with the path if the file cannot be read
   /// or parsed.
   static BenchResults Read(const std::string& path);
-  /// Writes the results, including the begin and end of each run if \a hasSpans is set. Throws
+  /// Writes the results, including the start and end of each run if \a hasSpans is set. Throws
   /// std::runtime_error with the path if the file cannot be written.
   void Write(const std::string& path, bool hasSpans = false) const;
 

@@ -23,7 +23,7 @@ void PutIf(nlohmann::ordered_json& json, const char* name, const std::optional<d
   }
 }
 
-/// Adds the time, the number of runs and, if \a hasSpans is set, the begin and end of each run.
+/// Adds the time, the number of runs and, if \a hasSpans is set, the start and end of each run.
 void PutSeconds(nlohmann::ordered_json& json, const std::string& prefix,
   const std::optional<BenchSeconds>& seconds, bool hasSpans)
 {

@@ -44,7 +44,7 @@ struct BenchRow
   /// Returns BaselineSeconds / Seconds, which is above 1 if the method is faster than the baseline.
   std::optional<double> GetRatio() const;
 
-  /// Converts to JSON, including the begin and end of each run if \a hasSpans is set.
+  /// Converts to JSON, including the start and end of each run if \a hasSpans is set.
   nlohmann::ordered_json ToJson(bool hasSpans = false) const;
   /// Throws nlohmann::json::exception if a field is missing or of the wrong type.
   static BenchRow FromJson(const nlohmann::ordered_json& json);

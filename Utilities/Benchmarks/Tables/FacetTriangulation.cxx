@@ -62,7 +62,7 @@ private:
   std::map<PointSet, std::vector<PointList>> Known;
 };
 
-// Computes a placing triangulation. The first points may span fewer dimensions.
+// Computes a placing triangulation. The first points may lie in a subspace of lower dimension.
 class Placer
 {
 public:

@@ -21,7 +21,7 @@ struct TableCase
 {
   const char* Name;
   Polytope Cell;
-  // Numbers in the dissertation, which prints two digits, or 0 if it has no such row.
+  // Numbers in the dissertation, which prints two decimals, or 0 if it has no such row.
   double StatedMean;
   int StatedMaximum;
 };
