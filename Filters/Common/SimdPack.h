@@ -5,10 +5,17 @@
 #include <cstddef>
 #include <utility>
 
-// The ABI of vector arguments does not matter, since all functions with vector arguments are
-// inlined.
-#if defined(__GNUC__) && !defined(__clang__)
+// The ABI of vector results does not matter, since all functions that return vectors are inlined.
+// GCC inlines them recursively into the callers of SimdDispatch. Clang inlines direct calls only,
+// so functions that return a pack or a mask need INTERLUME_RETURNS_VECTOR.
+#if defined(__clang__)
+#pragma clang diagnostic ignored "-Wpsabi"
+#define INTERLUME_RETURNS_VECTOR [[gnu::always_inline]]
+#else
+#if defined(__GNUC__)
 #pragma GCC diagnostic ignored "-Wpsabi"
+#endif
+#define INTERLUME_RETURNS_VECTOR
 #endif
 
 namespace interlume

@@ -41,7 +41,8 @@ public:
   /// Computes a step. \a first is the rate at \a p. Returns a mask that is true if error and end
   /// are finite.
   template <typename Rate>
-  Mask Take(Rate& rate, const Number p[3], const Number first[3], const Number& step)
+  INTERLUME_RETURNS_VECTOR Mask Take(
+    Rate& rate, const Number p[3], const Number first[3], const Number& step)
   {
     const Number h = step;
     this->Step = h;
@@ -146,7 +147,7 @@ public:
    * Computes a direction in which the field may damp errors. Returns the step times the decay rate
    * in that direction, or a value <= 0 if there is no damping.
    */
-  Number GetDamping(Number direction[3]) const
+  INTERLUME_RETURNS_VECTOR Number GetDamping(Number direction[3]) const
   {
     Number rates[3];
     this->GetEndDifference(direction, rates);

@@ -28,7 +28,7 @@ public:
   using Mask = typename Math::Mask;
 
   /// Returns a mask that is true where the square root of \a square is accurate.
-  static Mask IsOrdinary(const Number& square)
+  INTERLUME_RETURNS_VECTOR static Mask IsOrdinary(const Number& square)
   {
     return (square > 1e-280) & (square < Math::Of(1e280));
   }
@@ -42,8 +42,8 @@ public:
    * cross the cell, or the time since the start if shorter.
    */
   template <typename Walker, typename Method>
-  static Number GetLastingError(const Walker& field, const Number p[3], const Method& method,
-    const Number& h, const Number& time, Mask& isOrdinary)
+  INTERLUME_RETURNS_VECTOR static Number GetLastingError(const Walker& field, const Number p[3],
+    const Method& method, const Number& h, const Number& time, Mask& isOrdinary)
   {
     Number error[3];
     field.GetWorldVector(p, method.Error, error);
@@ -69,7 +69,7 @@ public:
   /// of the step covers at most that fraction of the bound, even with rounding. \a points are the
   /// control points of \a dense.
   template <typename Walker>
-  static Number GetAffineReach(const Walker& field, const Number p[3],
+  INTERLUME_RETURNS_VECTOR static Number GetAffineReach(const Walker& field, const Number p[3],
     const DenseOutput<Number>& dense, const Number (*points)[3], Mask& isOrdinary)
   {
     const auto getWorldSlope = [&](int j, Number world[3])
@@ -107,7 +107,7 @@ public:
 private:
   static constexpr bool IsDouble = std::is_same_v<Number, double>;
 
-  static Number GetLength(const Number v[3], Mask& isOrdinary)
+  INTERLUME_RETURNS_VECTOR static Number GetLength(const Number v[3], Mask& isOrdinary)
   {
     if constexpr (IsDouble)
     {
@@ -125,7 +125,7 @@ private:
 
   /// Scales a vector of doubles to a length of about 1; leaves SIMD packs unchanged. Returns a mask
   /// that is true where the square root of the squared length is accurate.
-  static Mask Scale(Number v[3])
+  INTERLUME_RETURNS_VECTOR static Mask Scale(Number v[3])
   {
     if constexpr (IsDouble)
     {

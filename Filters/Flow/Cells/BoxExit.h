@@ -29,7 +29,7 @@ public:
 
   /// Prepares the search from \a p along \a rate. Returns a mask of the points that are not on a
   /// face to be crossed.
-  Mask Approach(const Number p[3], const Number rate[3])
+  INTERLUME_RETURNS_VECTOR Mask Approach(const Number p[3], const Number rate[3])
   {
     const Number zero = Math::Of(0.0);
     this->Fastest = zero;
@@ -72,7 +72,8 @@ public:
    * remains inside, these are BernsteinRoot::None and -1. \a points are the control points. Returns
    * a mask of the unambiguous results.
    */
-  Mask Find(const Number (*points)[3], int degree, Number& first, Number& exitFace) const
+  INTERLUME_RETURNS_VECTOR Mask Find(
+    const Number (*points)[3], int degree, Number& first, Number& exitFace) const
   {
     first = Math::Of(BernsteinRoot::None);
     exitFace = Math::Of(-1.0);
@@ -127,7 +128,8 @@ public:
   /// Moves a root of (distance + slack) back to the root of the distance. \a slack is the tolerance
   /// by which the point may be outside. If the streamline moves almost parallel to the face, the
   /// root remains unchanged.
-  static Number MoveBack(const Number* b, int degree, const Number& slack, const Number& root)
+  INTERLUME_RETURNS_VECTOR static Number MoveBack(
+    const Number* b, int degree, const Number& slack, const Number& root)
   {
     Number at[Size];
     for (int k = 0; k <= degree; ++k)
@@ -172,12 +174,15 @@ private:
     Mask IsUpper[3];
     Mask IsLeft[3];
 
-    Mask IsAnyLeft() const { return this->IsLeft[0] | this->IsLeft[1] | this->IsLeft[2]; }
+    INTERLUME_RETURNS_VECTOR Mask IsAnyLeft() const
+    {
+      return this->IsLeft[0] | this->IsLeft[1] | this->IsLeft[2];
+    }
   };
 
   /// Finds the faces with control points outside. Returns a mask of the steps that do not end far
   /// outside, and whose control points are outside at most one face of each axis.
-  Mask FindSides(const Number (*points)[3], int degree, Sides& sides) const
+  INTERLUME_RETURNS_VECTOR Mask FindSides(const Number (*points)[3], int degree, Sides& sides) const
   {
     Number end = Math::Of(std::numeric_limits<double>::infinity());
     Mask isClear = end == end;
@@ -233,7 +238,7 @@ private:
 
   /// Returns a mask that is true if the chord from the first to the last coefficient of \a one
   /// becomes negative before the chord of \a other.
-  static Mask IsBefore(const Number* one, const Number* other, int degree)
+  INTERLUME_RETURNS_VECTOR static Mask IsBefore(const Number* one, const Number* other, int degree)
   {
     return one[0] * (other[0] - other[degree]) < other[0] * (one[0] - one[degree]);
   }
@@ -250,7 +255,7 @@ private:
 
   /// Returns a mask that is true if the control points of the polynomial on [0, \a end] are all
   /// positive.
-  static Mask IsInside(const Number* b, int degree, const Number& end)
+  INTERLUME_RETURNS_VECTOR static Mask IsInside(const Number* b, int degree, const Number& end)
   {
     const Number zero = Math::Of(0.0);
     Number at[Size];
@@ -270,7 +275,7 @@ private:
   /// Finds the root of a distance that starts at a value >= 0 and changes sign at most once. \a
   /// theta is the root after MoveBack. If there is no sign change, \a root is 1. Returns a mask of
   /// the lanes that satisfy the assumptions.
-  static Mask FindCrossing(
+  INTERLUME_RETURNS_VECTOR static Mask FindCrossing(
     const Number* b, int degree, const Number& slack, const Mask& mask, Number& root, Number& theta)
   {
     const Number zero = Math::Of(0.0);

@@ -37,7 +37,8 @@ public:
    * arbitrary values.
    */
   template <typename Number>
-  static Number FindOnly(const Number* b, int degree, const typename NumberMath<Number>::Mask& mask)
+  INTERLUME_RETURNS_VECTOR static Number FindOnly(
+    const Number* b, int degree, const typename NumberMath<Number>::Mask& mask)
   {
     using Math = NumberMath<Number>;
     Number powers[MaximumDegree + 1];
@@ -87,7 +88,8 @@ private:
 
   /// Returns the root of the parabola with the given value and slope at 0 and the given value at 1.
   template <typename Number>
-  static Number GuessOnly(const Number& start, const Number& slope, const Number& end)
+  INTERLUME_RETURNS_VECTOR static Number GuessOnly(
+    const Number& start, const Number& slope, const Number& end)
   {
     using Math = NumberMath<Number>;
     const Number bend = end - start - slope;
