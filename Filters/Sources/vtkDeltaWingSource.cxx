@@ -36,6 +36,10 @@ struct BreakdownVortex
   double operator()(const double x[3]) const
   {
     const double halfSpan = this->Slope * x[0];
+    if (halfSpan <= 0.0)
+    {
+      return 0.0; // upstream of the apex, where the vortices start
+    }
     const double downstream = x[0] - this->Breakdown;
     // A smooth step, 0 upstream and 1 downstream of the breakdown, and its derivative.
     const double tanh = std::tanh(downstream / BreakdownWidth);

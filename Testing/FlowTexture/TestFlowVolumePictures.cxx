@@ -4,6 +4,7 @@
 #include "FlowDrawing.h"
 
 #include "Support/Arrays/ReferenceIndices.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCamera.h"
@@ -87,7 +88,7 @@ void TestImage(Check& check)
       {
         const double painted = here[3] * (c < 3 ? here[c] : 1.0);
         const double error = std::abs(found.At(i, j)[c] - painted);
-        largest = std::max(largest, isEdge ? 0.0 : error);
+        reference::KeepLargest(largest, isEdge ? 0.0 : error);
         sum += isEdge ? 0.0 : error;
         count += isEdge ? 0 : 1;
       }

@@ -4,6 +4,7 @@
 #include "FlowDrawing.h"
 
 #include "Support/Arrays/ReferenceIndices.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Images/CameraSettings.h"
 #include "Support/Checks/ReferenceCheck.h"
 
@@ -173,7 +174,7 @@ void TestOpaque(Check& check)
     double largest = 0.0;
     for (const auto& [j, i, c] : AllIndices(scene.Size[1], scene.Size[0], 3))
     {
-      largest = std::max(largest, std::abs(found.At(i, j)[c] - expected.At(i, j)[c]));
+      reference::KeepLargest(largest, std::abs(found.At(i, j)[c] - expected.At(i, j)[c]));
     }
     std::cout << "in front of a plate, parallel " << isParallel << ": " << largest << "\n";
     check.That(largest < 2e-3, "a plate hides the volume behind it");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // vtkStreamlineTexture: contents of mipmap levels, number of visible lines as a function of
 // distance, contrast, grids, colors, uploads.
+#include "Support/Checks/LargestError.h"
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
@@ -181,7 +182,7 @@ void TestLevels(Check& check, int lines, int texels, double width, int direction
       {
         const double target = channel < 3 ? line[channel] : 1.0;
         const double expected = background[channel] + coverage * (target - background[channel]);
-        largest = std::max(largest, std::abs(level.Texels[4 * i + channel] / 255.0 - expected));
+        reference::KeepLargest(largest, std::abs(level.Texels[4 * i + channel] / 255.0 - expected));
       }
     }
     check.That(largest <= 1.01 / 255.0,

@@ -3,6 +3,7 @@
 #include "FuzzData.h"
 #include "FuzzRun.h"
 
+#include "Support/Checks/LargestError.h"
 #include "Support/Meshes/ReferenceVolume.h"
 
 #include "vtkCellData.h"
@@ -271,7 +272,7 @@ void RunContours(FuzzRandom& random, std::string& text, reference::Check& check)
     {
       nearest = std::min(nearest, std::abs(found->GetTuple1(i) - contour) / largest);
     }
-    largestError = std::max(largestError, nearest);
+    reference::KeepLargest(largestError, nearest);
   }
   check.Near(largestError, 0.0, 1e-6, "distance of values from the isovalues", 1.0);
 }

@@ -4,6 +4,7 @@
 // key.
 
 #include "Support/Arrays/ReferenceIndices.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "Hulls/Polytope.h"
@@ -90,7 +91,7 @@ public:
       {
         at += from[i] * this->Matrix[i][j];
       }
-      error = std::max(error, std::abs(at));
+      reference::KeepLargest(error, std::abs(at));
     }
     return error;
   }
@@ -155,7 +156,7 @@ void TestMaps(const Cell& cell, reference::Check& check)
     double error = 0.0;
     for (std::size_t v = 0; v < cell.Shape.Vertices.size(); ++v)
     {
-      error = std::max(error, map.GetError(static_cast<int>(v), symmetry.Slots[v]));
+      reference::KeepLargest(error, map.GetError(static_cast<int>(v), symmetry.Slots[v]));
     }
     check.That(error < 1e-9, "a symmetry is an affine map");
     check.Near(

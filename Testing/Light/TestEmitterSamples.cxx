@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Samples of an emitter: moments of disk and square, stratification, weights, and images.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkAreaLight.h"
@@ -165,7 +166,7 @@ void CheckSegments(Check& check)
         { return p.x * std::cos(angle) + p.y * std::sin(angle) < distance ? 1.0 : 0.0; });
       const double t = 2.0 * distance;
       const double area = 1.0 - (std::acos(t) - t * std::sqrt(1.0 - t * t)) / 3.141592653589793;
-      largest = std::max(largest, std::abs(below - area));
+      reference::KeepLargest(largest, std::abs(below - area));
     }
   }
   check.SetContext("segments");

@@ -2,6 +2,7 @@
 // Material tables: color, extinction, gradient opacity and transmission at all columns and between
 // them, compared with the transfer functions; upper bounds of the extinction, compared with brute
 // force; extremes and invalid properties.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkColorTransferFunction.h"
@@ -178,13 +179,14 @@ void CheckShapes(Check& check)
     double colorError = 0.0;
     double transmissionError = 0.0;
     double below = 0.0;
+    bool areFinite = true;
     for (const double x : scalars)
     {
       const double expected =
         std::min(-std::log1p(-std::clamp(opacity->GetValue(x), 0.0, 1.0)), 69.0);
       const double found = Sample(table, table.Colors, table.ExtinctionBends, table.ExtinctionEdges,
         3, 4, table.OpacityRange[0], x)[0];
-      opacityError = std::max(opacityError, std::abs(std::exp(-found) - std::exp(-expected)));
+      reference::KeepLargest(opacityError, std::abs(std::exp(-found) - std::exp(-expected)));
       below = std::max(below, expected - table.GetLargestExtinction(0, x - 1e-3, x + 1e-3));
       std::array<double, 3> rgb{};
       color->GetColor(x, rgb.data());
@@ -194,13 +196,18 @@ void CheckShapes(Check& check)
         table.TransmissionEdges, 0, 3, table.ColorRange[0], x);
       for (std::size_t c = 0; c < 3; ++c)
       {
-        colorError = std::max(colorError, std::abs(sampledColor[c] - rgb[c]));
-        transmissionError = std::max(transmissionError, std::abs(sampledTransmission[c] - rgb[c]));
+        // VTK returns NaN for values below 0 on a logarithmic scale. The table must be finite.
+        const bool isDefined = std::isfinite(rgb[c]);
+        reference::KeepLargest(colorError, isDefined ? std::abs(sampledColor[c] - rgb[c]) : 0.0);
+        reference::KeepLargest(
+          transmissionError, isDefined ? std::abs(sampledTransmission[c] - rgb[c]) : 0.0);
+        areFinite &= std::isfinite(sampledColor[c]) && std::isfinite(sampledTransmission[c]);
       }
     }
     check.Near(opacityError, 0.0, GetOpacityBound(opacity), "opacity", 1.0);
     check.Near(colorError, 0.0, 2e-3, "color", 1.0);
     check.Near(transmissionError, 0.0, 2e-3, "transmission", 1.0);
+    check.That(areFinite, "all colors are finite");
     check.That(below < 1e-4, "the bound of the extinction is not below the extinction");
   };
   vtkNew<vtkPiecewiseFunction> opacity;

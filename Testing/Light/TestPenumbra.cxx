@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The penumbra of a half plane: the exact profile compared with the published width, and samples of
 // parallel and tilted lights compared with the exact profile.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Light/ReferencePenumbra.h"
 
@@ -91,7 +92,7 @@ void CheckSamples(Check& check)
           const glm::dvec3 point(-1.5 * tilt + 0.03 * (i - 40), 0.2, -0.5);
           const double difference =
             CountSamples(samples, scene, glm::dvec3(0.0), point) - scene.GetLightFraction(point);
-          largest = std::max(largest, std::abs(difference));
+          reference::KeepLargest(largest, std::abs(difference));
           mean += std::abs(difference) / 81.0;
         }
         check.Near(largest, 0.0, 0.012, "largest difference", 1.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Images that vtkProjectiveLight and vtkAreaLight cast on actors in vtkShadowedScenePass. Pixels
 // are compared with the colors that the lights report.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
@@ -114,7 +115,7 @@ void TestFloor(Check& check, vtkProjectiveLight* light, int squares, const std::
       for (int k = 0; k < 3; ++k)
       {
         const double expected = color[k] * toLight[2] / length;
-        largest = std::max(largest, std::abs(rendered.At(i, j)[k] - expected));
+        reference::KeepLargest(largest, std::abs(rendered.At(i, j)[k] - expected));
         brightest = std::max(brightest, expected);
         dark += expected == 0.0 ? 1 : 0;
       }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The Beer-Lambert law in vtkShadowedSliceMapper: light buffers compared with analytic
 // transmittances, for different slice spacings and angles between view and light.
+#include "Support/Checks/LargestError.h"
 #include "Support/Images/CameraSettings.h"
 #include "Support/Images/ReferenceMedium.h"
 #include "Support/Images/ReferenceShadow.h"
@@ -274,12 +275,12 @@ void TestAngles(Check& check)
       check.That(std::isfinite(found), name + ": the value is finite");
       minimum[at] = std::min(minimum[at], found);
       maximum[at] = std::max(maximum[at], found);
-      error = std::max(error, std::abs(found - expected[at]));
+      reference::KeepLargest(error, std::abs(found - expected[at]));
     }
     const ImageError image = CompareImages(DrawByMapper(mapper, scene), MakeShadowImage(scene));
     std::cout << name << ": " << image << std::endl;
     check.Near(image.Max, 0.0, AngleBound, name + ": image error", 1.0);
-    imageError = std::max(imageError, image.Max);
+    reference::KeepLargest(imageError, image.Max);
   }
   double difference = 0.0;
   for (std::size_t at = 0; at < positions.size(); ++at)

@@ -2,6 +2,7 @@
 // Shadows between opaque actors in vtkShadowedScenePass: positions of shadow edges, no specks, and
 // VTK's own image where no shadow falls.
 #include "Common/Vectors.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
@@ -90,7 +91,7 @@ void TestSpecks(Check& check)
       for (std::size_t i = 0; i < with.Values.size(); i += 4)
       {
         const double difference = std::abs(with.Values[i] - without.Values[i]);
-        largest = std::max(largest, difference);
+        reference::KeepLargest(largest, difference);
         mean += difference / (with.Values.size() / 4);
       }
       const std::string name =

@@ -2,6 +2,7 @@
 // Extreme and invalid input of vtkShadowedScenePass: actors without area, inverted, open, mirrored,
 // far away, tiny and huge; lights inside and on actors; smoke inside a solid; a recreated OpenGL
 // context.
+#include "Support/Checks/LargestError.h"
 #include "Support/Pages/StabilityCase.h"
 #include "SceneStage.h"
 
@@ -358,7 +359,8 @@ void TestSoftLights(SceneTable& table)
     {
       // Compares only pixels outside the sphere.
       const bool isFloor = std::abs(i - 31.5) > 9.0;
-      largest = std::max(largest, isFloor ? std::abs(found.At(i, 32)[0] - full.At(i, 32)[0]) : 0.0);
+      reference::KeepLargest(
+        largest, isFloor ? std::abs(found.At(i, 32)[0] - full.At(i, 32)[0]) : 0.0);
     }
     table.Catalogue.Measure(
       name, extreme, "largest difference from the sphere's shadow", largest, 0.02);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Camera and light rotate in small steps around a scene of smoke and surfaces. The mean brightness
 // must change smoothly.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
@@ -50,7 +51,7 @@ void TestRotation(Check& check, bool isLightRotated)
   {
     const double before = means[(i + means.size() - 1) % means.size()];
     const double after = means[(i + 1) % means.size()];
-    largest = std::max(largest, std::abs(0.5 * (before + after) - means[i]) / means[i]);
+    reference::KeepLargest(largest, std::abs(0.5 * (before + after) - means[i]) / means[i]);
   }
   const std::string name = isLightRotated ? "light" : "camera";
   std::cout << name << ": largest second difference " << largest << " of the mean" << std::endl;

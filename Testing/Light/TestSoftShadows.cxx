@@ -2,6 +2,7 @@
 // Soft shadows of area lights: the penumbra of a half plane compared with the exact ramp, sample
 // layers compared with one light per sample, and no cost without soft shadows.
 #include "Light/ShadowComparison.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Images/HalfPlane.h"
 #include "Support/Images/ShadowCases.h"
 #include "Support/Drawing/ShadowImage.h"
@@ -119,7 +120,7 @@ void TestHalfPlane(Check& check)
       for (std::size_t i = 0; i < profile.size(); ++i)
       {
         const double x = GetPosition(i) + shift;
-        largest = std::max(largest, std::abs(profile[i] - GetRamp(x, width)));
+        reference::KeepLargest(largest, std::abs(profile[i] - GetRamp(x, width)));
       }
       const std::string name =
         "half plane, dZ/Z " + std::to_string(ratio) + ", buffer of " + std::to_string(size) + "^2";
@@ -250,7 +251,7 @@ void TestShapes(Check& check)
       {
         const double x = GetPosition(i) + hardShift;
         const double error = std::abs(profile[i] - exact.GetLightFraction({ x, 0.0, -Gap }));
-        largest = std::max(largest, error);
+        reference::KeepLargest(largest, error);
         mean += error / static_cast<double>(profile.size());
       }
       const std::string name =

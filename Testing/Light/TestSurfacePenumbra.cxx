@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Soft shadows of surfaces in vtkShadowedScenePass: the penumbra of a half plane compared with its
 // exact profile, for square and round lights, parallel and tilted, positional and directional.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceReport.h"
 #include "Support/Light/ReferencePenumbra.h"
@@ -160,7 +161,7 @@ void TestColors(Check& check)
       const double x = ((i + 0.5) / PIXELS - 0.5) * SIZE;
       const double found = with.At(i, PIXELS / 2)[channel] / without.At(i, PIXELS / 2)[channel];
       const double exact = reference.GetLightFraction({ x, 0.5 * SIZE / PIXELS, 0.0 });
-      largest = std::max(largest, std::abs(found - exact));
+      reference::KeepLargest(largest, std::abs(found - exact));
     }
     const std::string name = "channel " + std::to_string(channel);
     std::cout << name << " of a red and blue emitter: largest profile error " << largest
@@ -196,7 +197,7 @@ double TestProfile(Check& check, const Case& half)
   for (std::size_t i = 0; i < profile.Found.size(); ++i)
   {
     const double error = std::abs(profile.Found[i] - profile.Exact[i]);
-    largest = std::max(largest, error);
+    reference::KeepLargest(largest, error);
     mean += error / static_cast<double>(profile.Found.size());
   }
   const double width = GetRampWidth(profile.Found) / GetRampWidth(profile.Exact) - 1.0;
@@ -245,7 +246,7 @@ void TestFoot(Check& check)
         const double exact = isRound ? ReferencePenumbra::GetSegment(edge, lightSize)
                                      : ReferencePenumbra::GetRamp(edge, lightSize);
         const double found = with.At(i, pixels / 2)[0] / without.At(i, pixels / 2)[0];
-        largest = std::max(largest, std::abs(found - exact));
+        reference::KeepLargest(largest, std::abs(found - exact));
       }
       const std::string name =
         std::string(isRound ? "round" : "square") + " light, wall height " + std::to_string(height);

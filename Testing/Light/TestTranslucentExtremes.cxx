@@ -2,6 +2,7 @@
 // Extreme translucent actors in vtkShadowedScenePass: opacities 0 and 1, many layers, coplanar
 // actors, actors on slice planes and behind the floor, actors without triangles, depth peeling,
 // multisampling, invisible volumes, random changes.
+#include "Support/Checks/LargestError.h"
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Drawing/ShadowImage.h"
 #include "Support/Checks/ReferenceRandom.h"
@@ -426,7 +427,7 @@ void TestChanges(Table& table)
     }
     ChangingStage fresh;
     const RgbaImage expected = fresh.Draw(numbers);
-    largest = std::max(largest, CompareImages(stage.Draw(numbers), expected).Max);
+    reference::KeepLargest(largest, CompareImages(stage.Draw(numbers), expected).Max);
     lit += expected.At(PIXELS / 2, PIXELS / 2)[0] > 0.02 ? 1 : 0;
   }
   table.Catalogue.Measure("translucent-random-changes", "12 random changes of one scene",

@@ -2,6 +2,7 @@
 // Translucent surfaces in vtkShadowedScenePass, composited in depth order with sliced smoke, and
 // the light that they absorb. Images are compared with the double-precision reference of mixed
 // scenes.
+#include "Support/Checks/LargestError.h"
 #include "Support/Images/MixedScene.h"
 #include "Support/Images/ReferenceMixedImage.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -102,7 +103,7 @@ double Compare(SceneStage& stage, vtkLight* light, const std::string& name)
     double largest = 0.0;
     for (std::size_t k = 0; k < 4; ++k)
     {
-      largest = std::max(largest, std::abs(found.Values[i + k] - expected.Values[i + k]));
+      reference::KeepLargest(largest, std::abs(found.Values[i + k] - expected.Values[i + k]));
     }
     errors.push_back(largest);
   }
@@ -279,7 +280,7 @@ void TestMappers(Check& check)
     const double x = ((i + 0.5) / PIXELS - 0.5) * SIZE;
     const double transmitted = 0.5 - x / 0.8;
     const double expected = transmitted * transmitted * std::exp(-2.0 * EXTINCTION * 0.6);
-    largest = std::max(largest, std::abs(image.At(i, PIXELS / 2)[0] - expected));
+    reference::KeepLargest(largest, std::abs(image.At(i, PIXELS / 2)[0] - expected));
   }
   check.Near(largest, 0.0, 2e-3, "opacity per point: the floor behind", 1.0);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The mesh satisfies the quality bound and the maximum volume, and preserves the boundary if
 // PreserveBoundary is on.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Meshes/ReferenceMeshing.h"
@@ -224,7 +225,7 @@ void CheckScales(Check& check)
       one->GetPoint(p, x);
       other->GetPoint(p, y);
       vtkMath::MultiplyScalar(y, 1.0 / scale);
-      largest = std::max(largest, std::sqrt(vtkMath::Distance2BetweenPoints(x, y)));
+      reference::KeepLargest(largest, std::sqrt(vtkMath::Distance2BetweenPoints(x, y)));
     }
     check.Near(largest, 0.0, 0.0, "points");
   }

@@ -2,6 +2,7 @@
 // Multiple scattering of vtkShadowedSliceMapper: images compared with the solver, a medium without
 // absorption in light from all directions, and invariance under slice spacing, light buffer size
 // and grid size.
+#include "Support/Checks/LargestError.h"
 #include "Support/Images/ShadowCases.h"
 #include "Support/Drawing/ShadowImage.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -218,7 +219,7 @@ public:
     double largest = 0.0;
     for (const auto& [block, mean] : this->Means)
     {
-      largest = std::max(largest, std::abs(mean - other.Means.at(block)));
+      reference::KeepLargest(largest, std::abs(mean - other.Means.at(block)));
     }
     return largest;
   }
@@ -257,7 +258,7 @@ void TestFurnace(Check& check)
         for (int i = 0; i < FurnaceImage::Pixels; ++i)
         {
           noise += std::pow(paths.StandardError.At(i, j)[1], 2.0);
-          largest = std::max(largest, image.At(i, j)[1] + 1.0 - image.At(i, j)[3]);
+          reference::KeepLargest(largest, image.At(i, j)[1] + 1.0 - image.At(i, j)[3]);
         }
       }
       noise = std::sqrt(noise) / (FurnaceImage::Pixels * FurnaceImage::Pixels);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Single scattering of vtkShadowedSliceMapper: albedo and phase function compared with their
 // formulas, and no cost if it is off.
+#include "Support/Checks/LargestError.h"
 #include "Support/Images/ShadowCases.h"
 #include "Support/Drawing/ShadowImage.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -54,7 +55,7 @@ double GetDifference(const RgbaImage& a, const RgbaImage& b, double factor)
       for (int k = 0; k < 3; ++k)
       {
         const double expected = factor * b.At(i, j)[k];
-        largest = std::max(largest, expected);
+        reference::KeepLargest(largest, expected);
         difference = std::max(difference, std::abs(a.At(i, j)[k] - expected));
       }
     }

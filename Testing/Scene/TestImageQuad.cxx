@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Draws a two-pixel image over a viewport: interpolated, from a part of the image only, and as
 // color with transmittance.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "vtkCommand.h"
@@ -83,7 +84,7 @@ void CheckImage(Check& check, const std::string& name, const std::string& featur
     {
       const double expected =
         Sample(channel, x) + transmittance(Sample(3, x)) * BACKGROUND[channel];
-      largest = std::max(largest, std::abs(pixels->GetComponent(i, channel) - expected));
+      reference::KeepLargest(largest, std::abs(pixels->GetComponent(i, channel) - expected));
     }
   }
   check.Equal(pixels->GetNumberOfTuples(), WIDTH * HEIGHT, name + ", pixels");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Time steps are reported to the pipeline, and any requested time yields the field at that time. An
 // invalid time causes an error and an empty output.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/TimeVarying/ReferenceTemporalSource.h"
@@ -48,7 +49,7 @@ void CheckTime(const TemporalSource& source, double time, Check& check)
   {
     double x[3];
     source.GetOutput()->GetPoint(point, x);
-    worst = std::max(worst, std::fabs(values->GetTuple1(point) - source.Evaluate(x, time)));
+    reference::KeepLargest(worst, std::fabs(values->GetTuple1(point) - source.Evaluate(x, time)));
   }
   check.Near(worst, 0.0, 1e-12, "difference from the field at the time", 1.0);
 }

@@ -3,6 +3,7 @@
 // streamline, with zero or non-finite vectors, and outside the field.
 #include "StabilityChecks.h"
 
+#include "Support/Checks/LargestError.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
 
 #include "vtkDataArray.h"
@@ -85,7 +86,7 @@ double CompareValues(vtkFlowLIC* found, vtkFlowLIC* expected)
   {
     const double difference =
       std::abs(GetValues(found)->GetComponent(i, 0) - GetValues(expected)->GetComponent(i, 0));
-    largest = difference <= largest ? largest : difference;
+    reference::KeepLargest(largest, difference);
   }
   return largest;
 }
@@ -230,7 +231,7 @@ void TestPositions(StabilityCatalogue& catalogue)
     const Messages messages = UpdateFilter(filter);
     catalogue.Measure("outside-" + Short(position),
       "a point outside the field, at " + Short(position), "values other than 0, with a warning",
-      messages.Errors.empty() && messages.Warnings.find("outside of the field") != std::string::npos
+      messages.Errors.empty() && messages.Warnings.find("outside the field") != std::string::npos
         ? CountOutside(GetValues(filter), 0.0, 0.0)
         : NaN,
       0.0);

@@ -5,6 +5,7 @@
 #include "StabilityShapes.h"
 
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Meshes/ReferenceMesh.h"
 
 #include "vtkDataArray.h"
@@ -192,7 +193,7 @@ double Compare(vtkFieldData* data, vtkFieldData* expected, const std::string& na
       double error = array->GetComponent(i, c) / scale - other->GetComponent(i, c);
       error = isPeriodic ? error - std::round(error) : error;
       // A NaN fails the comparison and is stored.
-      largest = std::abs(error) <= largest ? largest : std::abs(error);
+      reference::KeepLargest(largest, std::abs(error));
     }
   }
   return largest;

@@ -5,6 +5,8 @@
 
 #include "Sources/Analytic/GradientNoise.h"
 
+#include "Support/Checks/LargestError.h"
+
 #include "vtkAnalyticFieldSource.h"
 #include "vtkAnalyticFlowSource.h"
 #include "vtkConstructiveModelSource.h"
@@ -51,7 +53,7 @@ double ErrorOfField(
     const Number expected = formula(x);
     const Number difference =
       std::abs(image->GetPointData()->GetScalars()->GetComponent(i, 0) - expected);
-    error = difference <= error ? error : difference;
+    reference::KeepLargest(error, difference);
     scale = std::max(scale, std::abs(expected));
   }
   return static_cast<double>(error / scale);
@@ -352,7 +354,7 @@ void TestGrids(StabilityCatalogue& catalogue)
         const double x[3] = { 0.01 * i, 0.002 * i, 0.001 * i };
         const double other[3] = { x[0], -x[1], x[2] };
         const double difference = std::abs(wing->Evaluate(x, t) - wing->Evaluate(other, t));
-        largest = difference <= largest ? largest : difference;
+        reference::KeepLargest(largest, difference);
       }
       catalogue.Measure("sides-" + Short(angle) + "-time-" + Short(t),
         "the smallest or largest sweep angle, at time " + Short(t),

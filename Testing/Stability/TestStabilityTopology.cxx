@@ -4,6 +4,7 @@
 #include "StabilityChecks.h"
 
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Flow/ReferenceCriticalPoints.h"
 #include "Support/Meshes/ReferenceMesh.h"
 
@@ -95,7 +96,7 @@ void TestPointScales(StabilityCatalogue& catalogue)
       for (const FlowVector& position : ZeroPositions)
       {
         const double error = ErrorOfPoint(MakeMesh(kind, { 3, 4, 2 }), flat, position);
-        largest = error <= largest ? largest : error;
+        reference::KeepLargest(largest, error);
       }
     }
     catalogue.Measure("singular-" + Short(perturbation),
@@ -150,16 +151,16 @@ void TestPointCells(StabilityCatalogue& catalogue)
   auto still = MakeCube(4);
   SetVelocity(still, [](const FlowVector&) { return FlowVector{ { 0.0, 0.0, 0.0 } }; });
   filter->SetInputData(still);
-  ReportEmpty(catalogue, filter, "zero-field", "vectors 0 everywhere", "64 are 0 throughout");
+  ReportEmpty(catalogue, filter, "zero-field", "vectors 0 everywhere", "0 throughout 64 cells");
   auto rotating = MakeCube(4);
   SetVelocity(rotating, [](const FlowVector& x) { return FlowVector{ { -x[1], x[0], 0.0 } }; });
   filter->SetInputData(rotating);
   ReportEmpty(catalogue, filter, "line-of-zeros", "a rotation, which is 0 along its axis",
-    "lines or surfaces of zeros");
+    "0 along lines or surfaces in 16");
   auto broken = MakeCube(4);
   SetVelocity(broken, [](const FlowVector&) { return FlowVector{ { NaN, NaN, NaN } }; });
   filter->SetInputData(broken);
-  ReportEmpty(catalogue, filter, "nan-field", "vectors NaN everywhere", "64 are not finite");
+  ReportEmpty(catalogue, filter, "nan-field", "vectors NaN everywhere", "not finite in 64");
   // The vector at a point that eight cells share is NaN.
   auto corner = MakeCube(4);
   SetVelocity(corner, LinearField(GenericMatrix, { { 0.6, 0.6, 0.6 } }));
@@ -197,7 +198,7 @@ double ErrorOfAxis(vtkVortexAxis* filter, double size, vtkIdType points)
     double x[3];
     output->GetPoint(i, x);
     const double distance = std::hypot(x[0] / size - 0.31, x[1] / size - 0.17);
-    largest = distance <= largest ? largest : distance;
+    reference::KeepLargest(largest, distance);
   }
   return largest;
 }
@@ -232,7 +233,7 @@ void TestLayers(StabilityCatalogue& catalogue)
     {
       const double position = filter->GetOutput()->GetPoint(static_cast<vtkIdType>(i))[2] / size;
       // Relative to the layer's distance from the first layer, which is as small as 1e-9.
-      largest = std::max(largest, std::abs(position - layers[i]) / std::max(layers[i], 1e-9));
+      reference::KeepLargest(largest, std::abs(position - layers[i]) / std::max(layers[i], 1e-9));
     }
     catalogue.Measure("layers-" + Short(size),
       "layers from 1e-9 to 0.5 apart in a grid of " + Short(size),

@@ -3,6 +3,7 @@
 // compared with vtkPolyDataMapper. Colors of slabs, also cut by planes and surfaces, are compared
 // with formulas. Selection and lit boundaries are tested as well.
 #include "Support/Arrays/ReferenceIndices.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Drawing/ImageCases.h"
 #include "Support/Images/VolumeStage.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -337,7 +338,7 @@ void CompareSlabs(Check& check, Scene& scene, const RgbaImage& image, const std:
       error = std::isfinite(distance) ? std::max(error, distance) : 1e9;
     }
     different += error > 1e-3 ? 1 : 0;
-    largest = std::max(largest, error);
+    reference::KeepLargest(largest, error);
   }
   check.That(seen > 1000, name + ": " + std::to_string(seen) + " pixels show the cube");
   check.That(
@@ -541,7 +542,7 @@ void TestLitBoundary(Check& check, Scene& scene)
           ++seen;
           for (int c = 0; c < 3; ++c)
           {
-            largest = std::max(largest, std::abs(image.At(i, j)[c] - pixel[c]));
+            reference::KeepLargest(largest, std::abs(image.At(i, j)[c] - pixel[c]));
           }
         }
       }

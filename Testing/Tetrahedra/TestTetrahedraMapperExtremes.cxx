@@ -3,6 +3,7 @@
 // software path must be accurate, and OpenGL within the limits documented in
 // vtkTimeWeightedTetrahedraMapper.h.
 #include "Support/Arrays/ReferenceIndices.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Drawing/ImageCases.h"
 #include "Tetrahedra/MapperImage.h"
@@ -47,7 +48,7 @@ Misses Compare(const RgbaImage& found, const RgbaImage& expected)
     for (int k = 0; k < 4; ++k)
     {
       const double difference = std::abs(found.At(i, j)[k] - expected.At(i, j)[k]);
-      error = difference <= error ? error : difference;
+      reference::KeepLargest(error, difference);
     }
     misses.Pixels += error > 1e-3 ? 1 : 0;
     misses.Largest = std::max(misses.Largest, error);

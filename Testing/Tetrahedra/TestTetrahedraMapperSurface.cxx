@@ -2,6 +2,7 @@
 // Tests boundary triangles in the volume: opaque ones against vtkPolyDataMapper, a translucent face
 // inside a slab against a formula, textures, and points that match by position.
 #include "Support/Arrays/ReferenceIndices.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Drawing/ImageCases.h"
 #include "Support/Images/ReferenceRay.h"
 #include "Support/Images/VolumeStage.h"
@@ -169,7 +170,7 @@ void ExpectInside(Check& check, vtkUnstructuredGrid* grid, vtkCamera* camera,
       for (int k = 0; k < 4 && isInside; ++k)
       {
         const double difference = std::abs(found.At(i, j)[k] - expected.At(i, j)[k]);
-        largest = difference <= largest ? largest : difference;
+        reference::KeepLargest(largest, difference);
       }
       inside += isInside ? 1 : 0;
     }
@@ -333,7 +334,7 @@ void TestSlab(Check& check, int path, bool parallel, const Point3& direction, do
         const double expected =
           first * volume + afterFront * faceOpacity * face + afterFace * second * volume;
         const double difference = std::abs(found.At(i, j)[k] - expected);
-        largest = difference <= largest ? largest : difference;
+        reference::KeepLargest(largest, difference);
       }
     }
   }

@@ -2,6 +2,7 @@
 // Tests one mapper in several windows and renderers, with resizing and releasing resources, depth
 // peeling, multisampling and level of detail. Images are compared with those of new mappers.
 #include "Support/Arrays/ReferenceIndices.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Drawing/ImageCases.h"
 #include "Support/Images/TestWindow.h"
 #include "Support/Checks/ReferenceCheck.h"
@@ -126,7 +127,7 @@ void ExpectSame(
   double largest = 0.0;
   for (std::size_t i = 0; i < expected.Values.size(); i += 4)
   {
-    largest = std::max(largest, std::abs(expected.Values[i] - 0.2));
+    reference::KeepLargest(largest, std::abs(expected.Values[i] - 0.2));
   }
   check.That(largest > 0.1, what + ": the volume is visible");
 }
@@ -258,7 +259,7 @@ double CompareColumns(const RgbaImage& a, const RgbaImage& b, int first, int las
     {
       for (int k = 0; k < 3; ++k)
       {
-        largest = std::max(largest, std::abs(a.At(i, j)[k] - b.At(i, j)[k]));
+        reference::KeepLargest(largest, std::abs(a.At(i, j)[k] - b.At(i, j)[k]));
       }
     }
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests the centroid order against a stable sort of the same distances.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Tetrahedra/ReferenceViewRays.h"
 #include "Support/Tetrahedra/ReferenceTetrahedra.h"
@@ -132,7 +133,7 @@ void CheckPrecision(Check& check)
     for (std::size_t i = 1; i < order.size(); ++i)
     {
       const double step = std::sqrt(squared[order[i - 1]]) - std::sqrt(squared[order[i]]);
-      largestError = std::max(largestError, step / 4.0);
+      reference::KeepLargest(largestError, step / 4.0);
     }
     check.That(largestError < 3e-7,
       "error of " + std::to_string(1e9 * largestError) + "e-9 from a distance of " +

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests at which pixels the view ray hits a triangle, and the order relations from the points where
 // a ray enters and exits a mesh.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Tetrahedra/ReferenceViewRays.h"
 
@@ -53,7 +54,7 @@ void CheckCover(const interlume::ViewRays& rays, const std::string& name, Check&
         {
           ++visits[static_cast<std::size_t>(row) * rays.Width + column];
           ++(isFront ? fronts : backs);
-          largestError = std::max(largestError, std::abs(found - depth));
+          reference::KeepLargest(largestError, std::abs(found - depth));
         });
     }
   };

@@ -2,6 +2,7 @@
 // The signed distance of meshes compared with the distance to all triangles and the winding number:
 // sharp edges, tips, concave solids, closed grids, seams, open boundaries and discontinuities, at
 // all scales.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Flow/ReferenceTermination.h"
@@ -127,7 +128,7 @@ void CheckConvergence(Check& check)
     double error = 0.0;
     for (const Vector& x : PointsAround(SurfaceScale(), 1000, 4))
     {
-      error = std::max(error, std::abs(DistanceOf(surface, x) - (GetNorm(x) - 0.7)));
+      reference::KeepLargest(error, std::abs(DistanceOf(surface, x) - (GetNorm(x) - 0.7)));
     }
     check.That(before == 0.0 || (error < before / 3.5 && error > before / 4.5),
       "the error decreases from " + std::to_string(before) + " to " + std::to_string(error));

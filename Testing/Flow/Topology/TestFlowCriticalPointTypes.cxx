@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Types of critical points with given eigenvalues, and the critical points of analytic sources.
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Flow/ReferenceCriticalPoints.h"
@@ -64,7 +65,7 @@ void CheckType(const Eigenvalues& values, int type, double tolerance, Check& che
   double largest = 0.0;
   for (const auto& value : values)
   {
-    largest = std::max(largest, std::abs(value));
+    reference::KeepLargest(largest, std::abs(value));
   }
   for (const MeshKind kind : { MeshKind::Hexahedra, MeshKind::Tetrahedra6, MeshKind::Wedges })
   {

@@ -4,6 +4,7 @@
 // without vortices, planes, threads, progress, abort and errors.
 #include "Support/AnalyticFlows/ReferenceFlowMaps.h"
 #include "Support/Arrays/ReferenceVector.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceExecution.h"
 #include "Support/Checks/ReferenceMessages.h"
@@ -82,7 +83,7 @@ double GetError(vtkPolyData* output, const Curve& curve)
     double x[3];
     output->GetPoint(i, x);
     const FlowVector axis = curve(x[2]);
-    largest = std::max(largest, std::hypot(x[0] - axis[0], x[1] - axis[1]));
+    reference::KeepLargest(largest, std::hypot(x[0] - axis[0], x[1] - axis[1]));
   }
   return largest;
 }

@@ -3,6 +3,7 @@
 // samples with and without a result, and across seams where the mapping is discontinuous. At seams
 // where the mapping is continuous, volumes are complete and parameters are unwrapped.
 #include "Support/AnalyticFlows/ReferenceFlowResults.h"
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceGrid.h"
 #include "Support/Meshes/ReferenceLattice.h"
@@ -121,7 +122,7 @@ double GetLargestSpread(vtkUnstructuredGrid* mesh, const char* name, int compone
       lowest = std::min(lowest, value);
       highest = std::max(highest, value);
     }
-    largest = std::max(largest, highest - lowest);
+    reference::KeepLargest(largest, highest - lowest);
   }
   return largest;
 }
@@ -136,7 +137,7 @@ double GetLargestAngleError(vtkUnstructuredGrid* mesh)
     double x[3];
     mesh->GetPoint(p, x);
     const double difference = parameters->GetComponent(p, 0) - std::atan2(x[1], x[0]) / TwoPi;
-    largest = std::max(largest, std::abs(difference - std::round(difference)));
+    reference::KeepLargest(largest, std::abs(difference - std::round(difference)));
   }
   return largest;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The sum of DeltaT over the tetrahedra that contain a point is the time during which the function
 // at the point is in the interval.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceMesh.h"
 #include "Support/TimeVarying/ReferenceSimplices.h"
@@ -46,7 +47,7 @@ void CheckDurations(const TimeSteps& steps, const Interval& interval, Known&& kn
     const double expected = static_cast<double>(known(x));
     const double duration = static_cast<double>(DurationAt(found.Tetrahedra, x));
     check.Near(duration, expected, 1e-10, "duration at a point", 2);
-    worst = std::max(worst, std::abs(duration - expected));
+    reference::KeepLargest(worst, std::abs(duration - expected));
     longest = std::max(longest, expected);
   }
   check.That(longest > 0, "the function is in the interval at some points");

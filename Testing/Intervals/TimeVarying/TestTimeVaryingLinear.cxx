@@ -2,6 +2,7 @@
 // Functions linear in space and time: the hypervolume is exact on every grid, static and moving,
 // for every direction of projection. On tetrahedra, this also holds for functions that are linear
 // in space and in time separately.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/TimeVarying/ReferenceSimplices.h"
 #include "Support/TimeVarying/ReferenceSpaceTime.h"
@@ -66,7 +67,8 @@ void CheckHypervolumes(const TimeSteps& steps, double& worst, Check& check)
         static_cast<double>(simplices.Sum), expected[i], Tolerance, "4-simplices" + name, domain);
       check.Near(
         static_cast<double>(weighted.Sum), expected[i], Tolerance, "tetrahedra" + name, domain);
-      worst = std::max(worst, std::abs(static_cast<double>(weighted.Sum) - expected[i]) / domain);
+      reference::KeepLargest(
+        worst, std::abs(static_cast<double>(weighted.Sum) - expected[i]) / domain);
     }
   }
 }

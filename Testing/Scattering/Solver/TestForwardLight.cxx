@@ -2,6 +2,7 @@
 // Mode FORWARD: the lateral variance of a light beam follows the theory of small-angle multiple
 // scattering for any number of layers, and the light per layer follows the one-dimensional
 // equation.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Scattering/Solver/ScatteringCases.h"
 
@@ -106,11 +107,11 @@ void CheckSpread(Check& check)
       const double position = (layer + 0.5) / along;
       const double sum =
         std::exp(-Depth * (1.0 - fraction) * position) - std::exp(-Depth * position);
-      worstSum = std::max(worstSum, std::abs(scattered / sum - 1.0));
+      reference::KeepLargest(worstSum, std::abs(scattered / sum - 1.0));
       // The angular variance, averaged over direct and scattered light, is proportional to the
       // depth.
       const double variance = Variance * Depth * fraction * position * position * position / 3.0;
-      worst = std::max(worst, std::abs(squares / (direct + scattered) / variance - 1.0));
+      reference::KeepLargest(worst, std::abs(squares / (direct + scattered) / variance - 1.0));
     }
     std::cout << lateral << " " << along << " " << axis << "  " << worst << " " << worstSum << "\n";
     check.Near(worst, 0.0, bound, "error of the lateral variance", 1.0);

@@ -2,6 +2,7 @@
 // Mode FULL conserves energy for random settings. A medium without absorption is invisible in a
 // white furnace. Results are identical for any number of threads. BackwardLayers truncates
 // backscattering.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceRandom.h"
 #include "Support/Checks/ReferenceThreads.h"
@@ -154,7 +155,7 @@ void CheckFurnace(Check& check)
           seen = seen * std::exp(-step) - source * std::expm1(-step);
         }
         flux += mu * seen / 2.5;
-        worst = std::max(worst, std::abs(seen - 1.0));
+        reference::KeepLargest(worst, std::abs(seen - 1.0));
       }
       std::cout << "furnace, g " << g << ", depth " << depth << ": largest error " << worst
                 << ", flux " << flux << "\n";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extreme media and lights of the multiple scattering solver.
+#include "Support/Checks/LargestError.h"
 #include "Support/Pages/StabilityCase.h"
 #include "Scattering/Solver/ScatteringCases.h"
 
@@ -36,7 +37,8 @@ public:
     {
       const Solved solved = Solve(medium, lights, mode);
       const double taken = solved.Report.Taken;
-      worst = std::max(worst, taken > 0.0 ? std::abs(solved.GetSum() / taken - 1.0) : std::nan(""));
+      reference::KeepLargest(
+        worst, taken > 0.0 ? std::abs(solved.GetSum() / taken - 1.0) : std::nan(""));
       worst = IsValid(solved) && taken > 0.0 ? worst : std::nan("");
     }
     this->Catalogue.Measure(
@@ -83,7 +85,7 @@ double Difference(const ScatteredLight& a, const ScatteredLight& b)
   double difference = 0.0;
   for (std::size_t i = 0; i < a.Fluence.size(); ++i)
   {
-    largest = std::max(largest, static_cast<double>(b.Fluence[i].x));
+    reference::KeepLargest(largest, static_cast<double>(b.Fluence[i].x));
     difference =
       std::max(difference, static_cast<double>(std::abs(a.Fluence[i].x - b.Fluence[i].x)));
   }

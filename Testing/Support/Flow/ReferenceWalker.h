@@ -2,6 +2,7 @@
 #ifndef ReferenceWalker_h
 #define ReferenceWalker_h
 
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Flow/ReferenceFlowGrid.h"
 
@@ -65,13 +66,6 @@ bool IsInside(const Walker& walker, const Vector& p)
   return true;
 }
 
-/// Sets \a worst to \a value if \a value is larger. NaN counts as infinity, so that a check of the
-/// result fails.
-inline void Raise(double& worst, double value)
-{
-  worst = std::isnan(value) ? std::numeric_limits<double>::infinity() : std::max(worst, value);
-}
-
 /// Returns the largest component of |a - b| / scale.
 template <std::size_t N>
 double GetDifference(const std::array<double, N>& a, const std::array<double, N>& b, double scale)
@@ -79,7 +73,7 @@ double GetDifference(const std::array<double, N>& a, const std::array<double, N>
   double worst = 0.0;
   for (std::size_t i = 0; i < N; ++i)
   {
-    Raise(worst, std::abs(a[i] - b[i]) / scale);
+    KeepLargest(worst, std::abs(a[i] - b[i]) / scale);
   }
   return worst;
 }
@@ -90,7 +84,7 @@ double GetLargest(const std::array<double, N>& a)
   double largest = 0.0;
   for (const double one : a)
   {
-    Raise(largest, std::abs(one));
+    KeepLargest(largest, std::abs(one));
   }
   return largest;
 }
@@ -129,13 +123,13 @@ void CheckLocations(Walker walker, vtkDataSet* data, vtkDataArray* vectors, int 
         continue;
       }
       misplaced += walker.GetCell() != cell || !IsInside(walker, p) || !walker.IsFinite();
-      Raise(position, GetDifference(PositionOf(walker, p), sample.Position, extent));
-      Raise(velocity, GetDifference(VelocityOf(walker, p), sample.Velocity, 1.0));
+      KeepLargest(position, GetDifference(PositionOf(walker, p), sample.Position, extent));
+      KeepLargest(velocity, GetDifference(VelocityOf(walker, p), sample.Velocity, 1.0));
       std::array<double, 9> found;
       walker.GetVelocityGradient(p.data(), found.data());
       if (hasGradient)
       {
-        Raise(gradient, GetDifference(found, sample.Gradient, GetLargest(sample.Gradient)));
+        KeepLargest(gradient, GetDifference(found, sample.Gradient, GetLargest(sample.Gradient)));
       }
     }
   }
@@ -188,13 +182,13 @@ void CheckDerivatives(
       along[j] = 2.0 * step;
       Vector world;
       walker.GetWorldVector(p.data(), along.data(), world.data());
-      Raise(positions, GetDifference(world, moved, GetLargest(moved)));
+      KeepLargest(positions, GetDifference(world, moved, GetLargest(moved)));
       for (int i = 0; i < 3; ++i)
       {
         const double expected = (rateAfter[i] - rateBefore[i]) / (2.0 * step);
-        Raise(rates, std::abs(jacobian[3 * i + j] - expected) / scale);
+        KeepLargest(rates, std::abs(jacobian[3 * i + j] - expected) / scale);
         const double product = vtkMath::Dot(&gradient[3 * i], moved.data());
-        Raise(
+        KeepLargest(
           gradients, std::abs(product - changed[i]) / (GetLargest(gradient) * GetLargest(moved)));
       }
     }
@@ -222,11 +216,11 @@ void CheckLinear(Walker walker, vtkDataSet* data, vtkDataArray* vectors, double 
       continue;
     }
     const Vector expected = GetLinearVector((1.0 / unit) * sample.Position);
-    Raise(velocities, GetDifference(VelocityOf(walker, p), expected, GetLargest(expected)));
+    KeepLargest(velocities, GetDifference(VelocityOf(walker, p), expected, GetLargest(expected)));
     std::array<double, 9> gradient;
     walker.GetVelocityGradient(p.data(), gradient.data());
     gradient *= unit;
-    Raise(gradients, GetDifference(gradient, GetLinearGradient(), 1.0));
+    KeepLargest(gradients, GetDifference(gradient, GetLinearGradient(), 1.0));
   }
   check.Near(velocities, 0.0, tolerance, "a linear field is reproduced", 1.0);
   check.Near(gradients, 0.0, 1000.0 * tolerance, "the gradient of a linear field", 1.0);
@@ -276,7 +270,7 @@ public:
       }
       this->P = p;
       this->Cells.push_back(this->Stand.GetCell());
-      Raise(this->WorstJump, GetNorm(PositionOf(this->Stand, p) - here));
+      KeepLargest(this->WorstJump, GetNorm(PositionOf(this->Stand, p) - here));
       idle = this->Time > before ? 0 : idle + 1;
       if (idle > 60)
       {

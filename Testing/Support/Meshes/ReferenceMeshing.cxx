@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Support/Checks/LargestError.h"
 #include "Support/Meshes/ReferenceMeshing.h"
 
 #include "Support/Arrays/ReferenceIndices.h"
@@ -150,8 +151,8 @@ double LinearError(vtkDataSet* data, const char* name, const LinearFunction& fun
     double x[3];
     data->GetPoint(p, x);
     const double expected = function(x);
-    largest = std::max(largest, std::abs(expected));
-    error = std::max(error, std::abs(array->GetComponent(p, 0) - expected));
+    reference::KeepLargest(largest, std::abs(expected));
+    reference::KeepLargest(error, std::abs(array->GetComponent(p, 0) - expected));
   }
   return largest > 0.0 ? error / largest : error;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests that layers of several processes, composited in any order of processes, equal the layers
 // composited by one process.
+#include "Support/Checks/LargestError.h"
 #include "Support/Checks/ReferenceCheck.h"
 
 #include "Pieces/PieceExchange.h"
@@ -80,7 +81,7 @@ int main(int argc, char* argv[])
     double error = 0.0;
     for (std::size_t i = 0; i < expected.size(); ++i)
     {
-      error = std::max(error, std::abs(static_cast<double>(colors[i]) - expected[i]));
+      reference::KeepLargest(error, std::abs(static_cast<double>(colors[i]) - expected[i]));
     }
     check.Near(error, 0.0, 1e-6, "round " + std::to_string(round) + ", largest error", 1.0);
   }
