@@ -74,7 +74,7 @@ bool PaintCanvas::Undo()
   }
   std::copy(this->Steps.back().begin(), this->Steps.back().end(), GetPixel(this->Paint, 0, 0));
   this->Steps.pop_back();
-  this->TouchAll();
+  this->UpdateEntirePage();
   return true;
 }
 
@@ -109,13 +109,13 @@ void PaintCanvas::Stroke(const Position& from, const Position& to, const Brush& 
       }
     }
   }
-  this->Touch(first[0], last[0], first[1], last[1]);
+  this->UpdatePage(first[0], last[0], first[1], last[1]);
 }
 
 void PaintCanvas::Clear()
 {
   std::fill_n(GetPixel(this->Paint, 0, 0), 4 * this->Paint->GetNumberOfPoints(), 0);
-  this->TouchAll();
+  this->UpdateEntirePage();
 }
 
 std::string PaintCanvas::Load(const std::string& file)
@@ -158,7 +158,7 @@ std::string PaintCanvas::Load(const std::string& file)
       pixel[3] = components % 2 == 0 ? get(components - 1) : 255;
     }
   }
-  this->TouchAll();
+  this->UpdateEntirePage();
   return {};
 }
 
@@ -171,7 +171,7 @@ std::string PaintCanvas::Save(const std::string& file) const
   return writer->GetErrorCode() ? "Cannot write " + file + "." : std::string();
 }
 
-void PaintCanvas::Touch(int firstColumn, int lastColumn, int firstRow, int lastRow)
+void PaintCanvas::UpdatePage(int firstColumn, int lastColumn, int firstRow, int lastRow)
 {
   for (int row = firstRow; row <= lastRow; ++row)
   {
@@ -190,7 +190,7 @@ void PaintCanvas::Touch(int firstColumn, int lastColumn, int firstRow, int lastR
   this->Page->Modified();
 }
 
-void PaintCanvas::TouchAll()
+void PaintCanvas::UpdateEntirePage()
 {
-  this->Touch(0, this->Size[0] - 1, 0, this->Size[1] - 1);
+  this->UpdatePage(0, this->Size[0] - 1, 0, this->Size[1] - 1);
 }

@@ -57,8 +57,8 @@ private:
   static constexpr std::size_t MaximumSteps = 50;
 
   /// Copies the given columns and rows of the paint, both bounds included, to the page.
-  void Touch(int firstColumn, int lastColumn, int firstRow, int lastRow);
-  void TouchAll();
+  void UpdatePage(int firstColumn, int lastColumn, int firstRow, int lastRow);
+  void UpdateEntirePage();
 
   std::array<int, 2> Size;
   vtkSmartPointer<vtkImageData> Paint;

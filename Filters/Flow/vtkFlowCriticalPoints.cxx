@@ -195,9 +195,9 @@ int vtkFlowCriticalPoints::RequestData(
   if (points->GetNumberOfPoints() == 0)
   {
     vtkWarningMacro("The field has no isolated critical point in "
-      << input->GetNumberOfCells() << " cells: " << counts.ZeroCells << " are 0 throughout, "
-      << counts.DegenerateCells << " have lines or surfaces of zeros, " << counts.NonFiniteCells
-      << " are not finite, " << counts.FillValueCells << " have fill values.");
+      << input->GetNumberOfCells() << " cells. The velocity is 0 throughout " << counts.ZeroCells
+      << " cells, 0 along lines or surfaces in " << counts.DegenerateCells << ", not finite in "
+      << counts.NonFiniteCells << ", and a fill value in " << counts.FillValueCells << ".");
   }
   this->UpdateProgress(1.0);
   return 1;

@@ -163,7 +163,7 @@ int vtkFlowLIC::RequestData(
   {
     vtkWarningMacro(<< fill.Describe(vectors->GetName(),
                       "The minimum speed ignores them, but streamlines in cells with such points "
-                      "use them."));
+                      "still follow these vectors."));
   }
   if (nonFinite > 0 && isEntireOutput)
   {
@@ -174,10 +174,10 @@ int vtkFlowLIC::RequestData(
   {
     double bounds[6];
     field->GetBounds(bounds);
-    vtkWarningMacro("All " << report.Points
-                           << " points lie outside of the field, whose bounds are x " << bounds[0]
-                           << " to " << bounds[1] << ", y " << bounds[2] << " to " << bounds[3]
-                           << ", z " << bounds[4] << " to " << bounds[5] << "; LIC is 0 there.");
+    vtkWarningMacro("All " << report.Points << " points lie outside the field, whose bounds are x "
+                           << bounds[0] << " to " << bounds[1] << ", y " << bounds[2] << " to "
+                           << bounds[3] << ", z " << bounds[4] << " to " << bounds[5]
+                           << "; LIC is 0 there.");
   }
   return 1;
 }

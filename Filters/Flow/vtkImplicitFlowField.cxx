@@ -667,12 +667,11 @@ void vtkImplicitFlowField::WarnOfField(const interlume::FlowReport& report, cons
 {
   if (report.NonconformingFaces > 0)
   {
-    vtkWarningMacro("Streamlines end at " << report.NonconformingFaces
-                                          << " cell faces as if they left the domain, the first "
-                                             "of cell "
-                                          << report.FirstNonconformingCell
-                                          << ": the cell behind such a face has no face with the "
-                                             "same points.");
+    vtkWarningMacro("The field is not conforming at "
+      << report.NonconformingFaces << " cell faces, the first of them in cell "
+      << report.FirstNonconformingCell
+      << ": the neighboring cell has no face with the same points. Streamlines end at such faces "
+         "as if they left the domain.");
   }
   if (report.FillValues > 0 && !(this->MaximumError > 0.0 && this->MinimumSpeed > 0.0))
   {
@@ -680,7 +679,7 @@ void vtkImplicitFlowField::WarnOfField(const interlume::FlowReport& report, cons
       report.SpeedScale };
     vtkWarningMacro(<< fill.Describe(vectors,
                       "The automatic MaximumError and MinimumSpeed ignore them, but streamlines in "
-                      "cells with such points use them."));
+                      "cells with such points still follow these vectors."));
   }
   if (report.NonFiniteVectors > 0)
   {

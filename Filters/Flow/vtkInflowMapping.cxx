@@ -342,7 +342,7 @@ int vtkInflowMapping::RequestData(
     {
       reached += arrays.IsReached(p) ? 1 : 0;
     }
-    vtkWarningMacro("Inflow is not a number at any of "
+    vtkWarningMacro("Inflow is NaN at all "
       << number << " samples: " << reached << " reached a termination surface"
       << (reached > 0 ? ", where the mapping has no finite value." : "."));
   }

@@ -267,11 +267,11 @@ int vtkVortexAxis::RequestData(
   }
   else
   {
-    vtkWarningMacro("No plane across the axis ("
+    vtkWarningMacro("No plane perpendicular to Axis ("
       << this->Axis[0] << ", " << this->Axis[1] << ", " << this->Axis[2]
-      << ") has a vortex: the velocity across the axis is 0 at " << search.GetZeros().size()
+      << ") has a vortex: the in-plane velocity is 0 at " << search.GetZeros().size()
       << " points in " << flow.GetNumberOfPlanes()
-      << " planes, but the flow rotates around none of them"
+      << " planes, but the flow rotates around none of these points"
       << (this->MinimumSwirlStrength > 0.0 ? " as strongly as MinimumSwirlStrength." : "."));
   }
   SetReport(this->Report, flow.GetNumberOfPlanes(),

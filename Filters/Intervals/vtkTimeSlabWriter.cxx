@@ -205,7 +205,7 @@ Error vtkTimeSlabWriter::WriteSlabs(
   }
   if (replaced > 0)
   {
-    vtkWarningMacro("Number of existing slabs that did not match and were replaced: "
+    vtkWarningMacro("Existing slab files that did not match and were replaced: "
       << replaced << ". The first: " << firstDifference);
   }
   for (const Port& port : ports)

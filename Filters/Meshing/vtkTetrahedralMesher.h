@@ -32,8 +32,8 @@ struct MeshingJob;
  *   volume inside the closed surface is filled. Several shells may be disjoint or nested (see
  *   FillNestedShells) or touch (see SplitContacts). Coincident points are merged. Vertices and
  *   lines are ignored.
- * - Points only (any vtkPointSet without polygons): the Delaunay tetrahedra of their convex hull,
- *   refined if a bound is set.
+ * - Points only (any vtkPointSet without polygons): their Delaunay tetrahedralization, refined if
+ *   a bound is set.
  *
  * The output has VTK_TETRA cells of positive volume and points of type double. Used input points
  * come first, in their order, followed by new points. Equal inputs give bit-identical outputs.

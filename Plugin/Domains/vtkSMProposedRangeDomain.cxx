@@ -109,8 +109,9 @@ bool vtkSMProposedRangeDomain::CanReadAllTimeSteps(const Selection& selection)
   const double size = steps * information->GetMemorySize();
   if (size > MaximumSeriesSize)
   {
-    vtkWarningMacro("The proposed values use the range of the current time step only, because all "
-      << steps << " time steps need about " << std::round(size / 1e6)
+    vtkWarningMacro(
+      "The default values use the range of the current time step only, because reading all "
+      << steps << " time steps requires about " << std::round(size / 1e6)
       << " GB. Check the values against the other time steps.");
     return false;
   }

@@ -39,9 +39,10 @@ int vtkPVStreamSurfaceParameters::RequestData(
   vtkImplicitFlowField* flow = FindUpstream<vtkImplicitFlowField>(mapping);
   if (!flow)
   {
-    vtkErrorMacro("There is no " << (mapping ? "vtkImplicitFlowField" : "vtkInflowMapping")
-                                 << " upstream. Connect the input to an Inflow Mapping of an "
-                                    "Implicit Flow Field.");
+    vtkErrorMacro(
+      "There is no " << (mapping ? "vtkImplicitFlowField" : "vtkInflowMapping")
+                     << " upstream. Connect the input to a pipeline with Implicit Flow Field, "
+                        "Inflow Mapping and Flow Volume.");
     return 1;
   }
   this->SetMapping(mapping);

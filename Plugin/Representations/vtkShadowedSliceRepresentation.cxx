@@ -219,7 +219,7 @@ int vtkShadowedSliceRepresentation::RequestData(
   {
     vtkErrorMacro("Shadowed Slices requires an image, but the input is a "
       << input->GetClassName() << " of " << parts.size() << " datasets, the first a "
-      << (parts[0] ? parts[0]->GetClassName() : "null") << ". Resample it to an image.");
+      << (parts[0] ? parts[0]->GetClassName() : "null") << ". Resample the input to an image.");
   }
   else if (blocks.GetNumberOfSkippedDatasets() > 0)
   {
@@ -239,10 +239,11 @@ int vtkShadowedSliceRepresentation::ShowImage(vtkImageData* image, vtkInformatio
   this->UseSeparateOpacityArray = hasOpacityArray && this->CanCombineArrays(image);
   if (hasOpacityArray && !this->UseSeparateOpacityArray && image && this->FindColors(image))
   {
-    vtkWarningMacro("The opacity array '" << this->OpacityArrayName
-                                          << "' is ignored: it is missing, or it and the array to "
-                                             "color by are not both point arrays or "
-                                             "both cell arrays. Select another OpacityArray.");
+    vtkWarningMacro("The opacity array '"
+      << this->OpacityArrayName
+      << "' is ignored: the array is missing, or is a point array "
+         "while the color array is a cell array, or vice "
+         "versa. Select another OpacityArray.");
   }
   const int result = image ? this->RequestDataOf(image, request, inputVector, outputVector)
                            : this->Superclass::RequestData(request, inputVector, outputVector);

@@ -179,10 +179,10 @@ void vtkImplicitFlowVolumeMapper::Render(vtkRenderer* renderer, vtkVolume* volum
   }
   if (!error && report.NonFiniteSamples > 0 && input->GetMTime() != this->WarningTime)
   {
-    vtkWarningMacro(<< report.NonFiniteSamples
-                    << " samples have texture coordinates, times or array "
-                    << "values that are not finite. Samples without finite coordinates or times "
-                    << "are drawn as if they had reached no surface; other values count as 0.");
+    vtkWarningMacro(
+      << report.NonFiniteSamples << " samples have texture coordinates, times or array "
+      << "values that are not finite. Samples without finite coordinates or times "
+      << "are drawn as if they had reached no surface; other values are treated as 0.");
     this->WarningTime = input->GetMTime();
   }
 }

@@ -90,14 +90,14 @@ void vtkTemporalColorTransferFunction::SetTimes(int n, const double* times)
 {
   if (n < 2 || !times)
   {
-    vtkErrorMacro("SetTimes needs two times or more, but got " << (times ? n : 0) << ".");
+    vtkErrorMacro("SetTimes requires at least two times, but got " << (times ? n : 0) << ".");
     return;
   }
   const std::vector<double> steps(times, times + n);
   const std::vector<Node> nodes = GetNodes(steps);
   if (const interlume::Error error = FindError(steps, nodes))
   {
-    vtkErrorMacro("SetTimes needs finite and increasing times, but " << error << ".");
+    vtkErrorMacro("SetTimes requires finite, increasing times, but " << error << ".");
     return;
   }
   this->RemoveAllPoints();

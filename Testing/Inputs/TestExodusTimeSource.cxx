@@ -65,7 +65,8 @@ void CheckSteps(Check& check, interlume::ExodusTimeSource* mug)
   }
   const double* times = information->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
   double before = -1.0;
-  // Requests the steps backward and then forward, so that each step follows a different step.
+  // Requests the steps backward and then forward. The values of a step must not depend on the step
+  // that was read before it.
   std::vector<double> means(11, 0.0);
   for (int i = 2 * steps - 1; i >= 0; --i)
   {

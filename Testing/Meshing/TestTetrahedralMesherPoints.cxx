@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Input of points only: Delaunay tetrahedra of the convex hull, refined if a bound is set.
+// Input of points only: their Delaunay tetrahedralization, refined if a bound is set.
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Meshes/ReferenceField.h"

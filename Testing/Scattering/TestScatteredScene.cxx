@@ -456,7 +456,7 @@ struct TwoVolumes : Stage
   vtkNew<vtkVolume> Volume;
 };
 
-/// Two distant volumes in shared slices are lit like single volumes.
+/// Two volumes far apart that share slices are each lit as if they were alone.
 void TestVolumes(Check& check)
 {
   TwoVolumes stage;

@@ -148,7 +148,7 @@ void CheckImage(Check& check)
     }
   }
   check.That(inside > 500, "points inside");
-  // The last point is at the end of its rows, where interpolation has no next point.
+  // The last point of the image has no next point along any axis to interpolate with.
   image->GetPoint(image->GetNumberOfPoints() - 1, x);
   vtkDataArray* values = image->GetPointData()->GetScalars();
   const double last = values->GetTuple1(image->GetNumberOfPoints() - 1);

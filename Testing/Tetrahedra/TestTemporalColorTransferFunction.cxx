@@ -155,7 +155,7 @@ void TestErrors(StabilityCatalogue& catalogue)
     const char* Name;
     std::vector<double> Times;
     const char* Reason;
-  } cases[] = { { "none", {}, "two times or more" }, { "one", { 1.0 }, "two times or more" },
+  } cases[] = { { "none", {}, "at least two times" }, { "one", { 1.0 }, "at least two times" },
     { "nan", { 1.0, nan }, "not finite" },
     { "minus-infinity", { -infinity, 0.0, 1.0 }, "not finite" },
     { "infinity", { 0.0, 1.0, infinity }, "not finite" },

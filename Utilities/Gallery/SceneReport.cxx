@@ -15,7 +15,7 @@ namespace gallery
 {
 namespace
 {
-/// Values of extraction filters of which the report has the maximum instead of the sum.
+/// Values of extraction filters that are reported as the maximum over all filters, not as the sum.
 const std::set<std::string> LARGEST{ "ArraysInterpolated", "ArraysCopied", "Passes",
   "WorkingBytes" };
 

@@ -46,7 +46,7 @@ public:
     {
       return false;
     }
-    this->EnterVectors();
+    this->LoadVectors();
     std::copy(found.P, found.P + 3, p);
     return true;
   }
@@ -61,8 +61,8 @@ public:
   void GoTo(vtkIdType cell)
   {
     this->Stand = this->Shared->GetCellLocation(cell);
-    this->EnterPoints();
-    this->EnterVectors();
+    this->LoadPoints();
+    this->LoadVectors();
   }
 
   bool IsHere() const { return this->Shared->IsHere(this->Stand); }
@@ -106,8 +106,8 @@ public:
     // The cell may belong to another process, whose data is not available.
     if (this->IsHere())
     {
-      this->EnterPoints();
-      this->EnterVectors();
+      this->LoadPoints();
+      this->LoadVectors();
     }
     return true;
   }
@@ -136,12 +136,12 @@ public:
   }
 
 protected:
-  void EnterPoints()
+  void LoadPoints()
   {
     this->Shared->GetPoints(this->Stand, this->Cell.GetPoints());
     this->Cell.SetPoints(this->Shared->GetShape(this->Stand));
   }
-  void EnterVectors()
+  void LoadVectors()
   {
     this->Shared->GetVectors(this->Stand, this->Cell.GetVectors());
     this->Cell.SetVectors();
@@ -182,7 +182,7 @@ protected:
       return false;
     }
     this->Stand = best;
-    this->EnterPoints();
+    this->LoadPoints();
     this->Cell.Clamp(found.P);
     found.IsFound = true;
     found.IsFromSeveral = fromSeveral;

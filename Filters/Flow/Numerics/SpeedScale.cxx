@@ -45,8 +45,8 @@ std::string DescribePoints(vtkIdType number, const char* array)
 // points.
 std::string DescribeRemedy(const std::string& where)
 {
-  return " To exclude these points, set HIDDENPOINT in the point array vtkGhostType" + where +
-    ", or remove their cells, for example with vtkThreshold.";
+  return " To exclude these points, set the HIDDENPOINT flag in the point array vtkGhostType" +
+    where + ", or remove their cells, for example with vtkThreshold.";
 }
 }
 

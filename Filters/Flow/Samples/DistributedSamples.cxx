@@ -77,7 +77,7 @@ void Gather(RankExchange& exchange, const Rows& rows, vtkDataArray* from, vtkDat
     std::memcpy(&all[words * static_cast<std::size_t>(rows[i].first)],
       from->GetVoidPointer(rows[i].second * to->GetNumberOfComponents()), bytes);
   }
-  exchange.Add(all);
+  exchange.ReduceSum(all);
   for (vtkIdType sample = 0; sample < to->GetNumberOfTuples(); ++sample)
   {
     std::memcpy(to->GetVoidPointer(sample * to->GetNumberOfComponents()),
@@ -141,7 +141,7 @@ vtkSmartPointer<vtkDataSet> DistributedSamples::Make(DistributedField& field)
     vtkDataArray* from = field.IsEmpty() ? nullptr : data->GetPoints()->GetData();
     // The data type of the coordinates is unknown in a process without points.
     std::vector<double> type{ from ? static_cast<double>(from->GetDataType()) : 0.0 };
-    field.GetExchange().Maximize(type);
+    field.GetExchange().ReduceMax(type);
     vtkNew<vtkPoints> points;
     points->SetDataType(static_cast<int>(type[0]));
     points->SetNumberOfPoints(samples->GetNumberOfPoints());

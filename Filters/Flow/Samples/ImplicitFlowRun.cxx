@@ -169,9 +169,9 @@ Error ImplicitFlowRun::ExecuteDistributed(
   RankExchange& exchange = this->Ranks->GetExchange();
   std::vector<vtkIdType> steps(static_cast<std::size_t>(exchange.GetNumberOfRanks()), 0);
   steps[static_cast<std::size_t>(exchange.GetRank())] = streamlines->GetNumberOfSteps();
-  exchange.Add(steps);
+  exchange.ReduceSum(steps);
   std::vector<vtkIdType> transfers{ streamlines->GetNumberOfTransfers() };
-  exchange.Add(transfers);
+  exchange.ReduceSum(transfers);
   this->Report.StepsPerProcess = steps;
   this->Report.StreamlineTransfers = transfers[0];
   return {};

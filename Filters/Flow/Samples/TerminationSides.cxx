@@ -45,7 +45,7 @@ double GetDiagonal(vtkDataSet* data, vtkIdList* corners)
   return Vectors::SafeLength(Vectors::Difference(upper, lower));
 }
 
-// Smallest distances of a cell's corners above and below their surface.
+// Smallest distances from the termination surface to the corners of a cell above and below it.
 struct Gap
 {
   float Above = std::numeric_limits<float>::infinity();

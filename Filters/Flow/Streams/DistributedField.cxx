@@ -286,15 +286,14 @@ Error DistributedField::MakeImage(vtkDataSet* data)
   numbers.insert(numbers.end(), directions, directions + 9);
   std::vector<double> negatives(numbers.size());
   std::transform(numbers.begin(), numbers.end(), negatives.begin(), std::negate<double>());
-  this->Exchange.Maximize(numbers);
-  this->Exchange.Maximize(negatives);
+  this->Exchange.ReduceMax(numbers);
+  this->Exchange.ReduceMax(negatives);
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     if (numbers[i] != -negatives[i])
     {
-      return "The pieces of the field differ in origin, spacing or direction between processes. "
-             "Use the "
-             "same geometry in all processes.";
+      return "The pieces of the field on different processes differ in origin, spacing or "
+             "direction. Use the same geometry on all processes.";
     }
   }
   return {};
@@ -315,7 +314,7 @@ void DistributedField::MakeRectilinearGrid(vtkDataSet* data)
     const int last = this->WholeExtent[static_cast<std::size_t>(2 * axis + 1)];
     std::vector<double> values(static_cast<std::size_t>(last - first + 1), None);
     CopyCoordinates(own[axis], first, this->Part.Held + 2 * axis, values);
-    this->Exchange.Maximize(values);
+    this->Exchange.ReduceMax(values);
     coordinates[axis]->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
     std::copy(values.begin(), values.end(), coordinates[axis]->GetPointer(0));
   }
@@ -363,7 +362,7 @@ void DistributedField::MakeUnstructuredGrid(vtkIdType few)
   const auto rank = static_cast<std::size_t>(this->Exchange.GetRank());
   std::vector<vtkIdType> cells(static_cast<std::size_t>(this->Exchange.GetNumberOfRanks()), 0);
   cells[rank] = this->Data->GetNumberOfCells();
-  this->Exchange.Add(cells);
+  this->Exchange.ReduceSum(cells);
   this->FirstCells.assign(cells.size() + 1, 0);
   std::partial_sum(cells.begin(), cells.end(), this->FirstCells.begin() + 1);
   this->Part.FirstCell = this->FirstCells[rank];
@@ -383,7 +382,7 @@ void DistributedField::MakeUnstructuredGrid(vtkIdType few)
   full->SetPoints(ends);
   this->PartitionError = this->FindPartitionError();
   std::vector<vtkIdType> points{ this->Data->GetNumberOfPoints() };
-  this->Exchange.Add(points);
+  this->Exchange.ReduceSum(points);
   // A mesh point is usually shared by few processes. If there are far more points than \a few,
   // more than \a few remain after removal of duplicates.
   constexpr vtkIdType maximumRatio = 16;
@@ -398,7 +397,7 @@ void DistributedField::MakeUnstructuredGrid(vtkIdType few)
     }
     std::vector<vtkIdType> repeated{ static_cast<vtkIdType>(
       SharedPoints::FindRepeated(own, positions, this->Exchange).size()) };
-    this->Exchange.Add(repeated);
+    this->Exchange.ReduceSum(repeated);
     points[0] -= repeated[0];
   }
   this->NumberOfPoints = points[0];
@@ -460,7 +459,7 @@ Error DistributedField::FindPartitionError()
     this->Data->GetCellPoints(this->Data->GetNumberOfCells() - 1, corners);
     this->Data->GetPoint(corners->GetId(0), own + 11);
   }
-  this->Exchange.Maximize(known);
+  this->Exchange.ReduceMax(known);
   std::vector<std::vector<double>> parts;
   for (std::size_t rank = 0; rank < ranks; ++rank)
   {

@@ -125,10 +125,11 @@ public:
       this->Shared.Join(this->Exchange);
     }
     SpeedCount speeds = this->Shared.CountOwnSpeeds();
-    speeds.Speeds.Unite([this](std::vector<vtkIdType>& numbers) { this->Exchange.Add(numbers); },
-      [this](std::vector<double>& largest) { this->Exchange.Maximize(largest); });
+    speeds.Speeds.Unite([this](std::vector<vtkIdType>& numbers)
+      { this->Exchange.ReduceSum(numbers); },
+      [this](std::vector<double>& largest) { this->Exchange.ReduceMax(largest); });
     std::vector<vtkIdType> nonFinite{ speeds.NonFinite };
-    this->Exchange.Add(nonFinite);
+    this->Exchange.ReduceSum(nonFinite);
     speeds.NonFinite = nonFinite[0];
     this->Shared.SetSpeeds(speeds);
     return {};
@@ -156,8 +157,8 @@ public:
     {
       std::vector<vtkIdType> joined{ this->Shared.GetJoins().Number };
       std::vector<double> gap{ this->Shared.GetJoins().LargestGap };
-      this->Exchange.Add(joined);
-      this->Exchange.Maximize(gap);
+      this->Exchange.ReduceSum(joined);
+      this->Exchange.ReduceMax(gap);
       report.ToleranceMatchedFaces = joined[0];
       report.LargestFaceGap = gap[0];
       NonconformingInterfaces open;

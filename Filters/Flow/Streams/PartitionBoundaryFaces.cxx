@@ -95,7 +95,7 @@ void PartitionBoundaryFaces::ExchangeFaces(RankExchange& exchange)
     reaches.emplace_back(face, this->Positions, box);
     largestTolerance[0] = std::max(largestTolerance[0], reaches.back().Tolerance);
   }
-  exchange.Maximize(largestTolerance);
+  exchange.ReduceMax(largestTolerance);
   double bounds[6];
   box.GetBounds(bounds);
   ProcessBounds boxes;

@@ -98,8 +98,8 @@ struct PartitionedInterfaces
     std::vector<double> minimum{ open == isOpen.end()
         ? -VTK_DOUBLE_MAX
         : -static_cast<double>(faces[static_cast<std::size_t>(open - isOpen.begin())] / 8) };
-    exchange.Add(number);
-    exchange.Maximize(minimum);
+    exchange.ReduceSum(number);
+    exchange.ReduceMax(minimum);
     found.Open.Number = number[0];
     found.Open.FirstCell = number[0] > 0 ? static_cast<vtkIdType>(-minimum[0]) : -1;
     found.IsBetweenRanks = exchange.IsAnywhere(found.IsBetweenRanks);

@@ -65,7 +65,7 @@ Error PartitionedUnstructuredField::Join(RankExchange& exchange)
     [&exchange](double bounds[6]) { exchange.Unite(bounds); });
   this->Boxes.Build(exchange, mesh->Tree.GetBounds());
   std::vector<vtkIdType> flat{ this->GetNumberOfFlatCells(), this->End - this->First };
-  exchange.Add(flat);
+  exchange.ReduceSum(flat);
   this->SetNumberOfFlatCells(flat[0]);
   if (flat[0] == flat[1])
   {

@@ -27,7 +27,7 @@ public:
     {
       ends[6 * static_cast<std::size_t>(exchange.GetRank()) + i] = i % 2 ? own[i] : -own[i];
     }
-    exchange.Maximize(ends);
+    exchange.ReduceMax(ends);
     this->Ends.resize(ranks);
     for (std::size_t i = 0; i < ends.size(); ++i)
     {

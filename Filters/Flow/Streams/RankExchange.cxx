@@ -31,14 +31,14 @@ RankExchange::RankExchange(vtkMultiProcessController* controller)
 {
 }
 
-void RankExchange::Add(std::vector<vtkIdType>& numbers)
+void RankExchange::ReduceSum(std::vector<vtkIdType>& numbers)
 {
   const std::vector<vtkIdType> own = numbers;
   this->Controller->AllReduce(
     own.data(), numbers.data(), static_cast<vtkIdType>(own.size()), vtkCommunicator::SUM_OP);
 }
 
-void RankExchange::Maximize(std::vector<double>& numbers)
+void RankExchange::ReduceMax(std::vector<double>& numbers)
 {
   const std::vector<double> own = numbers;
   this->Controller->AllReduce(
@@ -53,7 +53,7 @@ void RankExchange::Unite(double bounds[6])
   {
     ends[i] = negateLower(i, bounds[i]);
   }
-  this->Maximize(ends);
+  this->ReduceMax(ends);
   for (std::size_t i = 0; i < 6; ++i)
   {
     bounds[i] = negateLower(i, ends[i]);
@@ -63,7 +63,7 @@ void RankExchange::Unite(double bounds[6])
 bool RankExchange::IsAnywhere(bool here)
 {
   std::vector<vtkIdType> number{ here ? 1 : 0 };
-  this->Add(number);
+  this->ReduceSum(number);
   return number[0] > 0;
 }
 
@@ -72,7 +72,7 @@ std::vector<RankExchange::Bytes> RankExchange::Gather(const Bytes& own)
   const auto ranks = static_cast<std::size_t>(this->NumberOfRanks);
   std::vector<vtkIdType> sizes(ranks, 0);
   sizes[static_cast<std::size_t>(this->Rank)] = static_cast<vtkIdType>(own.size());
-  this->Add(sizes);
+  this->ReduceSum(sizes);
   std::vector<vtkIdType> locations(ranks + 1, 0);
   std::partial_sum(sizes.begin(), sizes.end(), locations.begin() + 1);
   Bytes all(static_cast<std::size_t>(locations.back()));

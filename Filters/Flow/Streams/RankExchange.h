@@ -37,9 +37,9 @@ public:
   int GetNumberOfRanks() const { return this->NumberOfRanks; }
 
   /// Replaces numbers with their sums over all processes.
-  void Add(std::vector<vtkIdType>& numbers);
+  void ReduceSum(std::vector<vtkIdType>& numbers);
   /// Replaces numbers with their maxima over all processes.
-  void Maximize(std::vector<double>& numbers);
+  void ReduceMax(std::vector<double>& numbers);
   /// Replaces bounds (xmin, xmax, ymin, ...) with the union of the bounds of all processes.
   void Unite(double bounds[6]);
   /// Returns true if \a here is true in any process.

@@ -69,7 +69,7 @@ Error CheckTexture(vtkPolyData* data)
   vtkDataArray* texture = data->GetPointData()->GetTCoords();
   if (!texture)
   {
-    return "the mesh has no texture coordinates: no array is set as its points' TCoords";
+    return "the mesh has no texture coordinates: its point data have no active TCoords";
   }
   return ArrayCheck::FindPointError(data, texture, 2).Within("the mesh's texture coordinates, ");
 }

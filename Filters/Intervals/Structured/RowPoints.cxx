@@ -170,7 +170,7 @@ vtkIdType RowPoints::Count(Local& local, vtkIdType j, vtkIdType k) const
 // Returns the number of grid points of a row that are output points.
 vtkIdType RowPoints::CountOwnPoints(const CodeRow& row, const Code* codes, vtkIdType number) const
 {
-  const int points = this->CountCodesOfPoints(row);
+  const int points = this->CountPointCodes(row);
   if (points == 0 || points == row.Maximum + 1 - row.Minimum)
   {
     return points == 0 ? 0 : number;
@@ -181,7 +181,7 @@ vtkIdType RowPoints::CountOwnPoints(const CodeRow& row, const Code* codes, vtkId
 
 // Returns the number of codes, between the minimum and maximum of a row, that make a grid point an
 // output point.
-int RowPoints::CountCodesOfPoints(const CodeRow& row) const
+int RowPoints::CountPointCodes(const CodeRow& row) const
 {
   return this->PointsBelow[row.Maximum + 1] - this->PointsBelow[row.Minimum];
 }
@@ -216,7 +216,7 @@ void RowPoints::CountOwned(const std::array<const CodeRow*, 3>& rows, Owners& ow
 void RowPoints::FindPoints(
   const CodeRow& row, const Code* codes, vtkIdType number, Code* arePoints) const
 {
-  const int points = this->CountCodesOfPoints(row);
+  const int points = this->CountPointCodes(row);
   if (points == 0 || points == row.Maximum + 1 - row.Minimum)
   {
     std::fill_n(arePoints, number, static_cast<Code>(points != 0));

@@ -117,7 +117,7 @@ public:
 private:
   std::array<const CodeRow*, 3> GetOwnerCodes(Local& local, vtkIdType j, vtkIdType k) const;
   vtkIdType CountOwnPoints(const CodeRow& row, const Code* codes, vtkIdType number) const;
-  int CountCodesOfPoints(const CodeRow& row) const;
+  int CountPointCodes(const CodeRow& row) const;
   void CountOwned(const std::array<const CodeRow*, 3>& rows, Owners& owners) const;
   void FindPoints(const CodeRow& row, const Code* codes, vtkIdType number, Code* arePoints) const;
 

@@ -106,7 +106,7 @@ public:
   std::size_t GetMarkBytes() const { return 0; }
 
   /// Appends the cells in [first, last) that an interval may intersect.
-  void FindNear(
+  void FindIntersected(
     vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near, ExtractionReport& report) const
   {
     constexpr vtkIdType blockSize = 512;
@@ -132,10 +132,10 @@ public:
           ? i + 1
           : ExtractionKernels::FindChange(all, i, number);
         const bool isNonFinite = maximum[i] == this->Values.GetNonFiniteCode();
-        const bool isNear = this->IsNear(minimum[i], maximum[i]);
-        for (; i < end && (isNear || isNonFinite || this->HasBlanking()); ++i)
+        const bool mayIntersect = this->MayIntersect(minimum[i], maximum[i]);
+        for (; i < end && (mayIntersect || isNonFinite || this->HasBlanking()); ++i)
         {
-          this->Sort(first + i, isNear, isNonFinite, near, report);
+          this->Sort(first + i, mayIntersect, isNonFinite, near, report);
         }
         i = end;
       }
@@ -144,7 +144,7 @@ public:
   }
 
 private:
-  bool IsNear(Code minimum, Code maximum) const
+  bool MayIntersect(Code minimum, Code maximum) const
   {
     const auto& items = this->Values.GetItems();
     return std::any_of(items.begin(), items.end(),
@@ -152,7 +152,7 @@ private:
       { return !this->Values.IsOutside(item, minimum, maximum); });
   }
 
-  void Sort(vtkIdType id, bool isNear, bool isNonFinite, std::vector<vtkIdType>& near,
+  void Sort(vtkIdType id, bool mayIntersect, bool isNonFinite, std::vector<vtkIdType>& near,
     ExtractionReport& report) const
   {
     TimeVaryingCell cell;
@@ -171,7 +171,7 @@ private:
       return;
     }
     report.BlankedCells += this->IsDuplicate(id);
-    if (isNear)
+    if (mayIntersect)
     {
       near.push_back(id);
     }
@@ -203,8 +203,8 @@ public:
   }
 
   ///@{
-  /// Compute and free the marks for FindNear() (for each point, the union of its marks at both
-  /// steps), and return their size. MakeMarks() returns false if the user aborted.
+  /// Compute and free the marks for FindIntersected() (for each point, the union of its marks at
+  /// both steps), and return their size. MakeMarks() returns false if the user aborted.
   bool MakeMarks(const ExtractionContext& context)
   {
     return context.Run(this->Steps[0]->GetNumberOfPoints(), 0.1, 0.2,
@@ -228,7 +228,7 @@ public:
     }
   }
 
-  void FindNear(
+  void FindIntersected(
     vtkIdType first, vtkIdType last, std::vector<vtkIdType>& near, ExtractionReport& report) const
   {
     if (this->Cells.IsUniform() && !this->HasBlanking())
@@ -237,7 +237,7 @@ public:
         [&](vtkIdType id, PointMarks::Mark all)
         {
           report.NonFiniteCells += PointMarks::IsNonFinite(all);
-          if (this->Marks.IsNear(all))
+          if (this->Marks.MayIntersect(all))
           {
             near.push_back(id);
           }
@@ -246,7 +246,7 @@ public:
     }
     for (vtkIdType id = first; id < last; ++id)
     {
-      if (this->IsNear(id, report))
+      if (this->MayIntersect(id, report))
       {
         near.push_back(id);
       }
@@ -263,7 +263,7 @@ private:
     this->Cells.GetIds(id, corners, cell.Ids);
   }
 
-  bool IsNear(vtkIdType id, ExtractionReport& report) const
+  bool MayIntersect(vtkIdType id, ExtractionReport& report) const
   {
     const CellCorners& corners = this->Cells.GetCorners(id);
     vtkIdType* reason = nullptr;
@@ -289,7 +289,7 @@ private:
     }
     report.BlankedCells += this->IsDuplicate(id);
     report.LinearizedCells += corners.Kind == CellCorners::HIGHER_ORDER;
-    return this->Marks.IsNear(all);
+    return this->Marks.MayIntersect(all);
   }
 
   UnstructuredCells<Stored> Cells;

@@ -28,7 +28,7 @@ int GetNumberOfSlots(const SpaceTimeTable& table)
 }
 }
 
-void TimeVaryingCut::Make(const SpaceTimeTable& table, const SpaceTimeSlots& slots,
+void TimeVaryingCut::Compute(const SpaceTimeTable& table, const SpaceTimeSlots& slots,
   const Item& item, const Code* codes, const SpaceTimeTable::Case& what,
   const SpaceTimeTable::Case& inside, const SpaceTimeTable::RankArray& ranks, const Slot* same,
   bool hasSides)

@@ -179,8 +179,8 @@ public:
     {
       const Case& inside =
         item.IsFlat ? local.GetCase(cell.Shape, ExtractionCell::GetKeyInside(2 * corners)) : what;
-      cut.Merged.Make(table, this->Slots[cell.Shape], item, cell.Codes, what, inside, ranks, same,
-        this->Mesh.HasRequiredKinds() || this->Mesh.GetOptions().Settings.GenerateSimplices);
+      cut.Merged.Compute(table, this->Slots[cell.Shape], item, cell.Codes, what, inside, ranks,
+        same, this->Mesh.HasRequiredKinds() || this->Mesh.GetOptions().Settings.GenerateSimplices);
     }
     else
     {
@@ -388,7 +388,7 @@ public:
     const vtkIdType begin = number * ChunkSize;
     const vtkIdType end = std::min(begin + ChunkSize, this->NumberOfCells);
     local.Near.clear();
-    this->TheCells.FindNear(begin, end, local.Near, chunk.Report);
+    this->TheCells.FindIntersected(begin, end, local.Near, chunk.Report);
     chunk.Report.CellsVisited = end - begin;
     Cell cell;
     for (const vtkIdType id : local.Near)

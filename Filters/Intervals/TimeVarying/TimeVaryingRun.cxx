@@ -164,9 +164,8 @@ Error TimeVaryingRun::AddLeafStep(
   const bool isEmpty = !input || input->GetNumberOfPoints() == 0;
   if (this->NextStep > 0 && isEmpty != !leaf.Before)
   {
-    return "a dataset is empty at either this or the previous time step, but not at both. The "
-           "cells "
-           "must be the same at all time steps.";
+    return "a dataset is empty either at this or at the previous time step, but not at both. The "
+           "cells must be the same at all time steps.";
   }
   if (isEmpty)
   {

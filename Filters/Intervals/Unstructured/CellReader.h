@@ -73,7 +73,7 @@ public:
   /// Finds the cells in [begin, end) that an item may intersect, and stores their offsets from \a
   /// begin. All cells from \a firstPassed on are included, and are listed first in each run of
   /// cells. Returns the number of cells found.
-  int FindNear(vtkIdType begin, vtkIdType end, vtkIdType firstPassed, std::uint16_t* near,
+  int FindIntersected(vtkIdType begin, vtkIdType end, vtkIdType firstPassed, std::uint16_t* near,
     ExtractionReport& report) const
   {
     constexpr vtkIdType run = ExtractionIndex::RunLength;
@@ -175,7 +175,7 @@ private:
       [&](vtkIdType id, PointMarks::Mark marks)
       {
         near[found] = static_cast<std::uint16_t>(id - begin);
-        found += this->Marks.IsNear(marks);
+        found += this->Marks.MayIntersect(marks);
         nonFinite += PointMarks::IsNonFinite(marks);
       });
     numberNear = found;
@@ -219,7 +219,7 @@ private:
       return false;
     }
     report.LinearizedCells += corners.Kind == CellCorners::HIGHER_ORDER;
-    return this->Marks.IsNear(marks);
+    return this->Marks.MayIntersect(marks);
   }
 
   // Reads the point ids of a cell. If the ids are not in ascending order, rotates or reflects the

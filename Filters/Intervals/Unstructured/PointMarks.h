@@ -112,7 +112,7 @@ public:
 
   /// The following functions take the bitwise union of the marks of all corners.
   static bool IsNonFinite(Mark all) { return all & NonFiniteMark; }
-  bool IsNear(Mark all) const { return this->Near[all]; }
+  bool MayIntersect(Mark all) const { return this->Near[all]; }
 
 private:
   static constexpr int NumberOfRanges = 7;

@@ -140,7 +140,7 @@ public:
     const vtkIdType end = std::min(begin + Chunk::Size, this->NumberOfCells);
     const vtkIdType passed = this->Interior ? this->Interior->GetFirstPassed() : end;
     std::uint16_t near[Chunk::Size];
-    const int numberNear = this->Reader.FindNear(begin, end, passed, near, chunk.Report);
+    const int numberNear = this->Reader.FindIntersected(begin, end, passed, near, chunk.Report);
     chunk.Cuts.Reserve(numberNear);
     if (!arena)
     {
@@ -325,8 +325,8 @@ private:
     }
   }
 
-  // If triangles have to be compared with those of neighbor cells, enters the points of all cases
-  // that were counted without entering points. Returns false if the user aborted.
+  // If triangles have to be compared with those of neighbor cells, enters the points of all cuts,
+  // unless they were entered during counting. Returns false if the user aborted.
   bool EnterTiedPoints()
   {
     if (this->Points || !this->Unshared.HasTiedFaces())

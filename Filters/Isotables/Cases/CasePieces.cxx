@@ -63,7 +63,7 @@ private:
     return static_cast<std::uint32_t>(this->Result.Points.size());
   }
 
-  // A polygon of a solid is its intersection with another solid.
+  // Each polygon of a solid is the intersection of that solid with another one.
   void AddSolid(const CasePatch::Facet& piece, const ConvexHull::Facet& neighbor)
   {
     const PointSet solid = piece.HullPoints & neighbor.Points;

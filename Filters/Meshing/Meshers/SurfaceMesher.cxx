@@ -75,8 +75,8 @@ Error CheckPatches(const ClosedSurface& surface, const TetGenSolution& solution)
   {
     if (!isFound[triangle.Patch])
     {
-      return Error(
-        "TetGen failed: its mesh lacks cell " + std::to_string(triangle.Cell) + " of the surface.",
+      return Error("TetGen failed: the mesh does not contain cell " +
+          std::to_string(triangle.Cell) + " of the surface.",
         ErrorCode::Process);
     }
   }

@@ -64,7 +64,7 @@ Error FlowViewRays::Set(vtkRenderer* renderer, vtkImageData* image, vtkMatrix4x4
   this->SetRays(voxelsFromClip, camera->GetParallelProjection() != 0, centerVoxel);
   if (!Vectors::IsFinite(this->Origin) || !Vectors::IsFinite(this->Direction))
   {
-    return "The matrix of the camera is not finite. Check its position, focal point and clipping "
+    return "The camera matrix is not finite. Check the camera's position, focal point and clipping "
            "range.";
   }
   if (mapper->GetCropping())

@@ -28,7 +28,7 @@ Error SlicePass::Prepare(vtkOpenGLRenderWindow* window, const std::string& sourc
     window->GetShaderCache()->ReadyShaderProgram(vertexSource.c_str(), source.c_str(), "");
   if (!this->Program)
   {
-    return Error("The shaders of the slices cannot be compiled.", ErrorCode::OpenGL);
+    return Error("The slice shaders cannot be compiled.", ErrorCode::OpenGL);
   }
   this->Vertices->ReleaseGraphicsResources();
   this->Vertices->Bind();
@@ -37,7 +37,7 @@ Error SlicePass::Prepare(vtkOpenGLRenderWindow* window, const std::string& sourc
   this->Vertices->Release();
   return isAdded
     ? Error()
-    : Error("The shader of the slices has no vertex attribute 'positionIn'.", ErrorCode::OpenGL);
+    : Error("The slice shader has no vertex attribute 'positionIn'.", ErrorCode::OpenGL);
 }
 
 void SlicePass::Draw(vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts,

@@ -238,10 +238,10 @@ Error SliceRenderer::MakePlan(const Volumes& volumes, double coarseness, SliceRe
   SlicePlanner::Make(this->Image, states, sliced, this->Settings, coarseness, report);
   if (volumes.size() > 1 && this->HasTooManySlices(sliced, coarseness))
   {
-    return "Rendering the volumes together needs more than " +
+    return "Rendering the volumes together requires more than " +
       std::to_string(static_cast<int>(MAXIMUM_SLICE_RATIO)) +
-      " times the slices of rendering them separately. Increase the SliceSpacing of the finest "
-      "volume.";
+      " times as many slices as rendering them separately. Increase the SliceSpacing of the "
+      "volume with the finest slices.";
   }
   bytes += SlicePlanner::GetBufferBytes(this->Image, states);
   if (this->Settings.MaximumTextureMemory > 0 && bytes > this->Settings.MaximumTextureMemory)

@@ -21,10 +21,11 @@ class UnitSpace;
  *
  * The image is divided into squares of TileSize x TileSize pixels. A slab's tiles are the squares
  * that intersect the projection of a visible block's cross-section with the slab's central plane.
- * Adjacent tiles are merged into rectangles; tiles do not overlap. Software OpenGL shades whole
- * squares of pixels even if a triangle covers only part of them. Polygons of blocks share most
- * squares, which are then shaded once per triangle; tiles avoid that. Vertices are in unit space,
- * in the slice planes.
+ * Adjacent tiles are merged into rectangles; tiles do not overlap. Vertices are in unit space, in
+ * the slice planes.
+ *
+ * Tiles are faster than the polygons of the blocks in software OpenGL, which shades a whole square
+ * for each triangle that covers any part of it. Most squares intersect polygons of several blocks.
  */
 class PlaneTiles : public SlabTriangles
 {

@@ -25,9 +25,9 @@ class EscapeRays
 public:
   /**
    * Light that a cell scatters into direction w per unit of optical depth: its albedo times Fluence
-   * (1 + NetFluxFactor NetFlux . w). If Light is set, the fluence still travels in the light's
-   * direction, and the factor in parentheses is replaced by the phase function toward w
-   * relative to an isotropic one.
+   * (1 + NetFluxFactor NetFlux . w). If Light is set, Fluence is light that travels in the
+   * direction of that light's rays, and the factor in parentheses is replaced by the phase function
+   * toward w relative to an isotropic one.
    */
   struct Source
   {
@@ -41,7 +41,7 @@ public:
   {
     /// Light that interacts with the medium again.
     glm::dvec3 Recaptured{ 0.0 };
-    /// Light that leaves the box against the direction passed to Trace, and along it.
+    /// Light that leaves the box, by the sign of its component along the direction passed to Trace.
     glm::dvec3 Backward{ 0.0 };
     glm::dvec3 Forward{ 0.0 };
     /// Light absorbed by blocked cells.
@@ -58,7 +58,8 @@ public:
     void ScaleOut(double medium);
   };
 
-  /// Traces several sources at once. Light that leaves against \a direction is summed separately.
+  /// Traces several sources at once. Light that leaves in a direction with a negative component
+  /// along \a direction is summed separately.
   static std::vector<Sums> Trace(const SanitizedMedium& medium, const PhaseFunction& phase,
     const std::vector<Source>& sources, const glm::dvec3& direction);
 };

@@ -25,7 +25,7 @@ Error PhaseFunction::SetHenyeyGreenstein(double g)
   if (!(std::abs(g) < 1.0))
   {
     return "The anisotropy of the phase function is " + std::to_string(g) +
-      ". It has to be between -1 and 1, exclusive.";
+      ". Set a value between -1 and 1, exclusive.";
   }
   this->Table.clear();
   this->Anisotropy = g;

@@ -19,12 +19,12 @@ Error ScatteringMedium::Check() const
     if (this->Cells[axis] < 1)
     {
       return "The scattering grid has " + std::to_string(this->Cells[axis]) + " cells along axis " +
-        std::to_string(axis) + ". It needs at least 1.";
+        std::to_string(axis) + ". At least 1 cell is required.";
     }
     if (!(this->CellSize[axis] > 0.0 && std::isfinite(this->CellSize[axis])))
     {
       return "The scattering grid's cell size is " + std::to_string(this->CellSize[axis]) +
-        " along axis " + std::to_string(axis) + ". It has to be finite and above 0.";
+        " along axis " + std::to_string(axis) + ". The size must be finite and above 0.";
     }
   }
   if (!Vectors::IsFinite(this->Origin))

@@ -70,7 +70,7 @@ std::vector<float> PieceImage::DrawPiece(Blends blend, const std::vector<std::ui
 std::vector<float> PieceImage::DrawSum(Blends blend, const std::vector<std::uint32_t>* tetrahedra)
 {
   std::vector<float> colors = this->DrawPiece(blend, tetrahedra);
-  this->Exchange.Add(colors);
+  this->Exchange.ReduceSum(colors);
   TetrahedraFrame frame;
   frame.Blend = blend;
   for (std::size_t p = 0; p < this->Pixels; ++p)
@@ -91,7 +91,7 @@ std::vector<float> PieceImage::DrawMaximum()
 {
   const bool hasScalars = this->Frame && this->Frame->Fields->Kind == TetrahedraFields::SCALARS;
   std::vector<int> anyHasScalars{ hasScalars ? 1 : 0 };
-  this->Exchange.Maximize(anyHasScalars);
+  this->Exchange.ReduceMax(anyHasScalars);
   std::vector<float> colors = this->DrawPiece(Blends::MAXIMUM, nullptr);
   if (anyHasScalars[0] != 0)
   {
@@ -107,14 +107,14 @@ std::vector<float> PieceImage::DrawMaximum()
         scalar >= 0.0 ? static_cast<float>(range[0] + scalar * (range[1] - range[0])) : none;
     }
     std::vector<float> largest = local;
-    this->Exchange.Maximize(largest);
+    this->Exchange.ReduceMax(largest);
     for (std::size_t p = 0; p < this->Pixels; ++p)
     {
       const bool isLocal = local[p] > none && local[p] == largest[p];
       Set(colors, p, isLocal ? FragmentBlending::Finish(Get(colors, p), *this->Frame) : Pixel{});
     }
   }
-  this->Exchange.Maximize(colors);
+  this->Exchange.ReduceMax(colors);
   return colors;
 }
 
@@ -153,13 +153,13 @@ std::vector<float> PieceImage::DrawLayers(const std::map<int, double>& prioritie
 std::vector<bool> PieceImage::FindShown(const PieceExchange& exchange, std::vector<float>& depths)
 {
   const std::vector<float> local = depths;
-  exchange.Minimize(depths);
+  exchange.ReduceMin(depths);
   std::vector<int> ranks(depths.size());
   for (std::size_t p = 0; p < depths.size(); ++p)
   {
     ranks[p] = local[p] == depths[p] ? exchange.GetRank() : exchange.GetNumberOfRanks();
   }
-  exchange.Minimize(ranks);
+  exchange.ReduceMin(ranks);
   std::vector<bool> isShown(depths.size());
   for (std::size_t p = 0; p < depths.size(); ++p)
   {

@@ -519,7 +519,7 @@ std::vector<int> TetrahedraRenderer::FindPieceOrder(
   {
     order = pieces.GetOrder()->Compute(TetrahedraView::FindEye(renderer, volume));
   }
-  pieces.Maximize(order);
+  pieces.ReduceMax(order);
   return order;
 }
 
@@ -551,7 +551,7 @@ Error TetrahedraRenderer::RenderPieces(vtkRenderer* renderer, vtkVolume* volume,
   state.PieceOrder = FindPieceOrder(renderer, volume, pieces);
   std::vector<int> all{ resources.Drawn == state ? 0 : 1, hasDepth ? 1 : 0, size[0], size[1],
     -size[0], -size[1] };
-  pieces.Maximize(all);
+  pieces.ReduceMax(all);
   if (all[2] != -all[4] || all[3] != -all[5])
   {
     return "the viewports of the processes have different sizes; use the same window and viewport "

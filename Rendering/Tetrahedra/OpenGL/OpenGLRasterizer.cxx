@@ -333,7 +333,7 @@ void OpenGLRasterizer::SetUniforms(
   }
   if (!view.IsParallel() || frame.Surface)
   {
-    const std::array<glm::dvec3, 2> eye = view.GetEyeOfPixels();
+    const std::array<glm::dvec3, 2> eye = view.GetEyeFromPixels();
     const glm::vec3 coefficients[2] = { glm::vec3(eye[0]), glm::vec3(eye[1]) };
     program->SetUniform3fv("eyeOfPixel", 2, glm::value_ptr(coefficients[0]));
   }

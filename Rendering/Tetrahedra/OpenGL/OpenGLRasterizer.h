@@ -75,8 +75,8 @@ private:
   bool PrepareTarget(vtkOpenGLRenderWindow* window, int width, int height, bool hasLayers);
   void SetUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame, bool hasOpaque);
   void SetSurfaceUniforms(vtkShaderProgram* program, const TetrahedraFrame& frame);
-  /// Draw all layers of PRIORITY over each other, or all tetrahedra at once. Return false if the
-  /// shaders cannot be compiled.
+  /// Draws the layers one over another if Blend is PRIORITY, otherwise all tetrahedra at once.
+  /// Returns false if the shaders cannot be compiled.
   bool DrawLayers(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,
     const std::string& features, bool hasOpaque);
   bool DrawLayer(vtkOpenGLRenderWindow* window, const TetrahedraFrame& frame,

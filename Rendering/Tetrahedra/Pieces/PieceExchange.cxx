@@ -39,7 +39,7 @@ std::vector<int> PieceExchange::Unite(const std::vector<int>& numbers) const
   // All processes must send the same count, so shorter lists are padded with duplicates.
   constexpr int none = std::numeric_limits<int>::lowest();
   std::vector<int> maximum{ static_cast<int>(numbers.size()) };
-  this->Maximize(maximum);
+  this->ReduceMax(maximum);
   if (maximum[0] == 0)
   {
     return {};
@@ -110,7 +110,7 @@ void PieceExchange::Composite(std::vector<float>& colors, const std::vector<int>
       colors[c] *= front[p];
     }
   }
-  this->Add(colors);
+  this->ReduceSum(colors);
 }
 
 }

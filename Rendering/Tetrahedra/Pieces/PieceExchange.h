@@ -18,8 +18,8 @@ namespace interlume
  * @class   PieceExchange
  * @brief   communication between processes that each draw a partition of a volume
  *
- * Add, Maximize, Minimize, Unite and Composite are collective: all processes must call them in the
- * same order. Arrays must have the same length in all processes, except in Unite.
+ * ReduceSum, ReduceMax, ReduceMin, Unite and Composite are collective: all processes must call them
+ * in the same order. Arrays must have the same length in all processes, except in Unite.
  */
 class PieceExchange
 {
@@ -41,17 +41,17 @@ public:
   ///@{
   /// Replace each number by its sum, maximum or minimum over all processes.
   template <typename Number>
-  void Add(std::vector<Number>& numbers) const
+  void ReduceSum(std::vector<Number>& numbers) const
   {
     this->Reduce(numbers, vtkCommunicator::SUM_OP);
   }
   template <typename Number>
-  void Maximize(std::vector<Number>& numbers) const
+  void ReduceMax(std::vector<Number>& numbers) const
   {
     this->Reduce(numbers, vtkCommunicator::MAX_OP);
   }
   template <typename Number>
-  void Minimize(std::vector<Number>& numbers) const
+  void ReduceMin(std::vector<Number>& numbers) const
   {
     this->Reduce(numbers, vtkCommunicator::MIN_OP);
   }

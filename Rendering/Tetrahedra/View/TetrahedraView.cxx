@@ -127,7 +127,7 @@ Error TetrahedraView::Set(
   const double determinant = std::abs(volumeMatrix->Determinant());
   if (!(determinant > 0.0) || !std::isfinite(determinant))
   {
-    return "the matrix of the volume is singular or not finite; check its position, scale and user "
+    return "the volume's matrix is singular or not finite; check its position, scale and user "
            "matrix";
   }
   this->Unit = std::cbrt(determinant);
@@ -152,7 +152,7 @@ Error TetrahedraView::SetEye(glm::dmat4 world, glm::dmat4 mesh, const glm::dvec3
   const Axes axes(world, this->Parallel ? 2 : 3);
   if (!axes.IsValid() || !std::isfinite(this->NearPlane.w) || !std::isfinite(this->FarPlane.w))
   {
-    return "the matrix of the camera is singular or not finite; check its position, focal point, "
+    return "the camera matrix is singular or not finite; check the camera's position, focal point, "
            "clipping range and transforms";
   }
 
@@ -230,7 +230,7 @@ std::array<double, 12> TetrahedraView::GetPixelsFromMesh() const
   return rows;
 }
 
-std::array<glm::dvec3, 2> TetrahedraView::GetEyeOfPixels() const
+std::array<glm::dvec3, 2> TetrahedraView::GetEyeFromPixels() const
 {
   const glm::dvec3 first = this->GetEyePoint(0.0, 0.0, this->Parallel ? 0.0 : 1.0);
   return { { { 1.0 / this->ScaleX, -this->SkewX / (this->ScaleX * this->ScaleY), first.x },

@@ -134,7 +134,7 @@ public:
   glm::dvec2 GetPixelOffset() const { return { this->OffsetX, this->OffsetY }; }
   /// Returns eye x and y of the point on a pixel's view ray where z is -1 in perspective and 0 in
   /// parallel projection. Each has three coefficients, for the pixel's x, y and 1.
-  std::array<glm::dvec3, 2> GetEyeOfPixels() const;
+  std::array<glm::dvec3, 2> GetEyeFromPixels() const;
   /// Returns the change of eye x and y per unit of depth along a view ray, in parallel projection.
   glm::dvec2 GetTilt() const;
 

@@ -227,7 +227,7 @@ void TestWarnings(Check& check)
     "729). Put the surface where the flow comes from");
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputConnection(field->GetOutputPort());
-  check.Contains(WarningsOf(mapping), "not a number at any of 729 samples: 0 reached");
+  check.Contains(WarningsOf(mapping), "Inflow is NaN at all 729 samples: 0 reached");
   vtkNew<vtkFlowVolume> volume;
   volume->SetInputConnection(mapping->GetOutputPort());
   check.Contains(WarningsOf(volume), "None of 729 samples reached");
@@ -266,17 +266,18 @@ void TestWarnings(Check& check)
 
   vtkNew<vtkFlowCriticalPoints> points;
   points->SetInputData(image);
-  check.Contains(WarningsOf(points), "no isolated critical point in 512 cells: 0 are 0");
+  check.Contains(WarningsOf(points),
+    "no isolated critical point in 512 cells. The velocity is 0 throughout 0 cells");
   vtkNew<vtkVortexAxis> axis;
   axis->SetInputData(image);
-  check.Contains(WarningsOf(axis), "No plane across the axis (0, 0, 1) has a vortex");
+  check.Contains(WarningsOf(axis), "No plane perpendicular to Axis (0, 0, 1) has a vortex");
   vtkNew<vtkFlowLIC> lic;
   vtkNew<vtkImageData> away;
   away->SetDimensions(3, 3, 3);
   away->SetOrigin(100.0, 0.0, 0.0);
   lic->SetInputData(away);
   lic->SetFieldData(image);
-  check.Contains(WarningsOf(lic), "All 27 points lie outside of the field");
+  check.Contains(WarningsOf(lic), "All 27 points lie outside the field");
   // Spheres around critical points in a field without critical points.
   vtkNew<vtkImplicitFlowField> spheres;
   spheres->SetInputDataObject(image);

@@ -133,8 +133,8 @@ void TestBad(Check& check)
   check.Contains(MessagesOf(filter), "field has no flow");
 }
 
-/// The filter positions the surface from the direction and the field, in a single execution for
-/// each change.
+/// The filter places the surface by its Direction and the field, and executes only once per change
+/// of Direction.
 void TestFilter(Check& check)
 {
   check.SetContext("filter");

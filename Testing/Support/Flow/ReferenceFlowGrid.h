@@ -32,7 +32,7 @@ namespace reference
 using Vector = std::array<double, 3>;
 using VectorField = std::function<Vector(const Vector&)>;
 
-/// Returns A x + b, whose matrix A has linearly independent rows.
+/// Returns A x + b, where the rows of the matrix A are linearly independent.
 Vector GetLinearVector(const Vector& x);
 /// Returns the matrix A of GetLinearVector(), row by row.
 std::array<double, 9> GetLinearGradient();

@@ -36,11 +36,11 @@ ModelPart MakeBlock(const Position3& center, const Position3& lengths, double ra
 
 }
 
-Model MakeMushroom(double height, double capRadius, double netFlux)
+Model MakeMushroom(double height, double capRadius, double lean)
 {
   const double capHeight = 0.72 * capRadius;
   const double rim = height - capHeight;
-  const double shift = netFlux * height;
+  const double shift = lean * height;
   // A dome, a rim that curls inward, and gills that rise to the stem below.
   vtkSmartPointer<vtkPolyData> cap =
     Revolve(Scale({ { { 0.0, 1.0 } }, { { 0.25, 0.97 } }, { { 0.5, 0.86 } }, { { 0.75, 0.63 } },
@@ -55,7 +55,7 @@ Model MakeMushroom(double height, double capRadius, double netFlux)
                { { 0.2 * shift, 0.0, 0.45 * top } }, { { 0.62 * shift, 0.0, 0.8 * top } },
                { { shift, 0.0, top } } },
       { 1.25 * r, 1.45 * r, 1.0 * r, 0.86 * r, 0.95 * r });
-  Model model = { { MoveShape(cap, { { shift, 0.0, 0.0 } }, { { 0.0, 40.0 * netFlux, 0.0 } }),
+  Model model = { { MoveShape(cap, { { shift, 0.0, 0.0 } }, { { 0.0, 40.0 * lean, 0.0 } }),
                     { { 0.72, 0.20, 0.13 } }, 0.35 },
     { stem, Ivory, 0.08 } };
   // White spots on the dome, on spirals with the golden angle.
@@ -76,7 +76,7 @@ Model MakeMushroom(double height, double capRadius, double netFlux)
     spot = MoveShape(spot, { { out * capRadius, 0.0, up * capHeight } });
     spot = MoveShape(spot, { { 0.0, 0.0, rim } }, { { 0.0, 0.0, around } });
     model.push_back(
-      { MoveShape(spot, { { shift, 0.0, 0.0 } }, { { 0.0, 40.0 * netFlux, 0.0 } }), Ivory, 0.1 });
+      { MoveShape(spot, { { shift, 0.0, 0.0 } }, { { 0.0, 40.0 * lean, 0.0 } }), Ivory, 0.1 });
   }
   return model;
 }

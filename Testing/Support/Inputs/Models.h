@@ -25,8 +25,8 @@ struct ModelPart
 using Model = std::vector<ModelPart>;
 
 /// Returns a mushroom of the given height and cap radius. The top of the stem is shifted along x by
-/// \a netFlux times the height.
-Model MakeMushroom(double height, double capRadius, double netFlux = 0.0);
+/// \a lean times the height.
+Model MakeMushroom(double height, double capRadius, double lean = 0.0);
 
 /// Returns a teapot with the spout toward x. It is 1.6 long and 0.95 high.
 Model MakeTeapot();

@@ -8,8 +8,8 @@ namespace interval4d
 {
 /**
  * The region f >= c of the field VORTEX at times 0 and 1 on points^3 points. c is chosen so that a
- * given fraction of the points is inside at time 0. The fraction varies the size of the output
- * without changing the grid.
+ * given fraction of the points is inside at time 0. Different fractions change the size of the
+ * output but not the grid.
  */
 class VortexFractions
 {

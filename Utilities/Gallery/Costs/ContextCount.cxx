@@ -15,7 +15,7 @@ namespace gallery
 {
 namespace
 {
-/// Upper bound of OpenGL names. Drivers assign names from 1 on and first reuse free names.
+/// Upper bound on OpenGL names. Drivers number objects from 1 and reuse freed names first.
 constexpr GLuint MAXIMUM_NAME = 20000;
 
 struct Target
