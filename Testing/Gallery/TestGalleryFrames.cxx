@@ -50,13 +50,14 @@ int CountChanges(vtkImageData* one, vtkImageData* other, bool isRight, int toler
 bool CheckFrames()
 {
   const gallery::DisplayHold display;
-  gallery::Stage stage(WIDTH, HEIGHT);
+  const gallery::ImageSize size = { WIDTH, HEIGHT };
+  gallery::Stage stage(size);
   gallery::FindScene("inflow-post")->Build(stage);
   if (!Expect(stage.HasAnimation(), "the scene has an animation"))
   {
     return false;
   }
-  const auto draw = [&stage](double part) { return stage.RenderFrame(part, WIDTH, HEIGHT); };
+  const auto draw = [&stage, &size](double part) { return stage.RenderFrame(part, size); };
   const vtkSmartPointer<vtkImageData> begin = draw(0.0);
   const vtkSmartPointer<vtkImageData> quarter = draw(0.25);
   const vtkSmartPointer<vtkImageData> later = draw(0.35);

@@ -70,7 +70,7 @@ bool Matches(const gallery::Scene& scene, vtkTesting* testing)
 {
   const gallery::DisplayHold display;
   gallery::SceneReport report;
-  vtkSmartPointer<vtkImageData> image = gallery::RenderScene(scene, WIDTH, HEIGHT, report);
+  vtkSmartPointer<vtkImageData> image = gallery::RenderScene(scene, { WIDTH, HEIGHT }, report);
   vtkNew<vtkTrivialProducer> producer;
   producer->SetOutput(image);
   vtkNew<vtkPNGWriter> writer;

@@ -12,6 +12,7 @@
 
 #include "vtksys/SystemTools.hxx"
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
@@ -27,6 +28,7 @@ struct Options
   std::vector<std::string> Scenes;
   std::string Out = "gallery";
   std::string Size = "1280x800";
+  int Samples = 3;
   std::string Json;
   int Frames = 36;
 };
@@ -39,15 +41,20 @@ void PrintList()
   }
 }
 
-void ParseSize(const std::string& text, int& width, int& height)
+gallery::ImageSize ParseSize(const std::string& text, int samples)
 {
+  // OpenGL renders images of up to 16384 pixels in each direction.
+  const int largest = 16384 / samples;
+  gallery::ImageSize size = { 0, 0, samples };
   char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 64 ||
-    height < 64 || width > 8192 || height > 8192)
+  if (std::sscanf(text.c_str(), "%dx%d%c", &size.Width, &size.Height, &rest) != 2 ||
+    std::min(size.Width, size.Height) < 64 || std::max(size.Width, size.Height) > largest)
   {
-    throw std::invalid_argument(
-      "--size requires WIDTHxHEIGHT with both from 64 to 8192, not " + text + ".");
+    throw std::invalid_argument("With --antialias " + std::to_string(samples) +
+      ", --size requires WIDTHxHEIGHT with both from 64 to " + std::to_string(largest) + ", not " +
+      text + ".");
   }
+  return size;
 }
 
 std::vector<const gallery::Scene*> ChosenScenes(const std::vector<std::string>& ids)
@@ -89,9 +96,7 @@ void WriteJson(const std::vector<gallery::SceneReport>& reports, const std::stri
 
 void Draw(const Options& options)
 {
-  int width = 0;
-  int height = 0;
-  ParseSize(options.Size, width, height);
+  const gallery::ImageSize size = ParseSize(options.Size, options.Samples);
   const std::vector<const gallery::Scene*> scenes = ChosenScenes(options.Scenes);
   const gallery::DisplayHold display;
   if (!vtksys::SystemTools::MakeDirectory(options.Out))
@@ -103,8 +108,8 @@ void Draw(const Options& options)
   {
     gallery::SceneReport report;
     gallery::FrameFiles frames(options.Out, scene->Id);
-    vtkSmartPointer<vtkImageData> image = gallery::RenderScene(*scene, width, height, report,
-      options.Frames, [&frames](vtkImageData* frame) { frames.Add(frame); });
+    vtkSmartPointer<vtkImageData> image = gallery::RenderScene(
+      *scene, size, report, options.Frames, [&frames](vtkImageData* frame) { frames.Add(frame); });
     report.HasMovie = frames.Finish();
     gallery::WritePng(image, options.Out + "/" + scene->Id + ".png");
     reports.push_back(report);
@@ -134,6 +139,9 @@ int main(int argc, char* argv[])
   app.add_option("--out", options.Out, "Directory for the images and index.html")
     ->capture_default_str();
   app.add_option("--size", options.Size, "Width and height of an image in pixels")
+    ->capture_default_str();
+  app.add_option("--antialias", options.Samples, "Render N x N samples per pixel; 1 for none")
+    ->check(CLI::Range(1, 8))
     ->capture_default_str();
   app.add_option("--json", options.Json, "Write times and counters of every scene to this file");
   app

@@ -110,6 +110,7 @@ void AddColorBar(vtkRenderer* overlay, const std::string& title, vtkScalarsToCol
   const int strips = 256;
   const double height = 0.75 * fontSize;
   const double left = x - 0.5 * width;
+  const double tick = fontSize / 9.0;
   Rectangles rectangles;
   for (int i = 0; i < strips; ++i)
   {
@@ -121,7 +122,8 @@ void AddColorBar(vtkRenderer* overlay, const std::string& title, vtkScalarsToCol
   for (int i = 0; i < labels; ++i)
   {
     const double fraction = static_cast<double>(i) / (labels - 1);
-    rectangles.Add(left + fraction * width - 1.0, y - 0.3 * fontSize, 2.0, 0.3 * fontSize, Ink());
+    rectangles.Add(
+      left + fraction * width - 0.5 * tick, y - 0.3 * fontSize, tick, 0.3 * fontSize, Ink());
     AddText(overlay, NumberLabel(lower + fraction * (upper - lower), upper - lower),
       left + fraction * width, y - 0.9 * fontSize, fontSize);
   }

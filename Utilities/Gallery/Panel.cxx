@@ -16,6 +16,7 @@
 #include "vtkPointSet.h"
 #include "vtkProp3D.h"
 #include "vtkPropCollection.h"
+#include "vtkProperty.h"
 #include "vtkRenderPassCollection.h"
 #include "vtkSSAOPass.h"
 #include "vtkSequencePass.h"
@@ -24,7 +25,9 @@
 #include "vtkVolumetricPass.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 
 namespace gallery
 {
@@ -47,6 +50,40 @@ void ForEachProp(vtkRenderer* renderer, const Visit& visit)
     visit(prop);
   }
 }
+
+/// Multiplies the line widths and point sizes of all actors by a factor, and restores them.
+class LineScale
+{
+public:
+  LineScale(vtkRenderer* renderer, double factor)
+  {
+    ForEachProp(renderer,
+      [this](vtkProp* prop)
+      {
+        if (auto* actor = vtkActor::SafeDownCast(prop))
+        {
+          vtkProperty* property = actor->GetProperty();
+          this->Sizes[property] = { property->GetLineWidth(), property->GetPointSize() };
+        }
+      });
+    this->Apply(factor);
+  }
+  ~LineScale() { this->Apply(1.0); }
+  LineScale(const LineScale&) = delete;
+  void operator=(const LineScale&) = delete;
+
+private:
+  void Apply(double factor)
+  {
+    for (const auto& [property, size] : this->Sizes)
+    {
+      property->SetLineWidth(static_cast<float>(factor * size[0]));
+      property->SetPointSize(static_cast<float>(factor * size[1]));
+    }
+  }
+
+  std::map<vtkProperty*, std::array<double, 2>> Sizes;
+};
 
 /// Returns the dataset with the points of a prop, or nullptr if the prop is transformed or has no
 /// points.
@@ -174,8 +211,9 @@ void Panel::PreparePasses()
   vtkOpenGLRenderer::SafeDownCast(this->Renderer)->SetPass(camera);
 }
 
-vtkSmartPointer<vtkImageData> Panel::Draw(int width, int height)
+vtkSmartPointer<vtkImageData> Panel::Draw(int width, int height, double lineScale)
 {
+  const LineScale scale(this->Renderer, lineScale);
   // Each panel has its own window, since the ambient occlusion of VTK 9.1 requires that a renderer
   // covers its window.
   this->PreparePasses();

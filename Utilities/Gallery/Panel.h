@@ -85,7 +85,9 @@ public:
   bool UsesAmbientOcclusion() const;
   std::vector<vtkVector3d> GetPoints() const;
   void Fit(const std::vector<vtkVector3d>& points, double aspect);
-  vtkSmartPointer<vtkImageData> Draw(int width, int height);
+  /// Draws in a window of its own. Lines and points are \a lineScale times as wide as their
+  /// properties set.
+  vtkSmartPointer<vtkImageData> Draw(int width, int height, double lineScale = 1.0);
   /// Draws in \a window, which shows only this panel and can be reused.
   vtkSmartPointer<vtkImageData> DrawIn(vtkRenderWindow* window);
   vtkIdType GetPixels() const { return this->Pixels; }

@@ -21,28 +21,29 @@ namespace gallery
 {
 namespace
 {
-/// Factor by which the image is rendered larger in each direction, before it is averaged down.
-constexpr int SUPERSAMPLING = 2;
-
 /// Heights of a caption and of the legend, in lines of text.
 constexpr double CAPTION_LINES = 2.4;
 constexpr double LEGEND_LINES = 4.4;
 
-int FontSize(int height)
-{
-  return std::max(9 * SUPERSAMPLING, static_cast<int>(0.022 * height + 0.5));
-}
+/// Font size at which lines and points have the width that their scene sets.
+constexpr double FONT_OF_LINES = 18.0;
 }
 
-Stage::Stage(int width, int height)
-  : Width(SUPERSAMPLING * width)
-  , Height(SUPERSAMPLING * height)
+Stage::Stage(const ImageSize& size)
+  : Width(size.Samples * size.Width)
+  , Height(size.Samples * size.Height)
+  , Samples(size.Samples)
 {
-  this->Report.Width = width;
-  this->Report.Height = height;
+  this->Report.Width = size.Width;
+  this->Report.Height = size.Height;
 }
 
 Stage::~Stage() = default;
+
+int Stage::GetFontSize() const
+{
+  return std::max(9 * this->Samples, static_cast<int>(0.022 * this->Height + 0.5));
+}
 
 Panel& Stage::AddPanel(const std::string& caption)
 {
@@ -179,7 +180,7 @@ Stage::Cell Stage::GetCell(std::size_t panel) const
   const int rows = (count + columns - 1) / columns;
   const int column = static_cast<int>(panel) % columns;
   const int row = static_cast<int>(panel) / columns;
-  const int font = FontSize(this->Height);
+  const int font = this->GetFontSize();
   const int legend = this->Legend ? static_cast<int>(LEGEND_LINES * font) : 0;
   const int captionHeight =
     this->Panels[panel]->GetCaption().empty() ? 0 : static_cast<int>(CAPTION_LINES * font);
@@ -200,7 +201,8 @@ vtkSmartPointer<vtkImageData> Stage::Render()
     Panel& panel = *this->Panels[i];
     const DrawCounter counter(panel.GetRenderer());
     const Cell cell = this->GetCell(i);
-    vtkSmartPointer<vtkImageData> drawing = panel.Draw(cell.Width, cell.Height - cell.Caption);
+    vtkSmartPointer<vtkImageData> drawing =
+      panel.Draw(cell.Width, cell.Height - cell.Caption, this->GetFontSize() / FONT_OF_LINES);
     Paste(image, drawing, cell.Left, cell.Bottom + cell.Caption);
     const BufferCount used = CountBuffers(panel, this->Report.Features);
     this->Report.Buffers += used.Buffers;
@@ -211,28 +213,30 @@ vtkSmartPointer<vtkImageData> Stage::Render()
     AddVolumeReports(panel, this->Report);
   }
   this->Report.Panels = static_cast<int>(this->Panels.size());
-  image = AverageDown(image, SUPERSAMPLING);
+  image = AverageDown(image, this->Samples);
   this->Report.RenderSeconds = watch.Seconds();
   return image;
 }
 
-vtkSmartPointer<vtkImageData> Stage::RenderFrame(double fraction, int width, int height)
+vtkSmartPointer<vtkImageData> Stage::RenderFrame(double fraction, const ImageSize& size)
 {
   const SceneReport report = this->Report;
-  const int size[2] = { this->Width, this->Height };
-  this->Width = SUPERSAMPLING * width;
-  this->Height = SUPERSAMPLING * height;
+  const int previous[3] = { this->Width, this->Height, this->Samples };
+  this->Width = size.Samples * size.Width;
+  this->Height = size.Samples * size.Height;
+  this->Samples = size.Samples;
   this->Show(fraction);
   vtkSmartPointer<vtkImageData> frame = this->Render();
-  this->Width = size[0];
-  this->Height = size[1];
+  this->Width = previous[0];
+  this->Height = previous[1];
+  this->Samples = previous[2];
   this->Report = report;
   return frame;
 }
 
 vtkSmartPointer<vtkImageData> Stage::DrawCaptions()
 {
-  const int font = FontSize(this->Height);
+  const int font = this->GetFontSize();
   vtkNew<vtkRenderer> overlay;
   ApplyLook(overlay);
   for (std::size_t i = 0; i < this->Panels.size(); ++i)
@@ -274,16 +278,16 @@ void Stage::FitCameras()
 }
 
 vtkSmartPointer<vtkImageData> RenderScene(
-  const Scene& scene, int width, int height, SceneReport& report)
+  const Scene& scene, const ImageSize& size, SceneReport& report)
 {
-  return RenderScene(scene, width, height, report, 0, [](vtkImageData*) {});
+  return RenderScene(scene, size, report, 0, [](vtkImageData*) {});
 }
 
-vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, int width, int height,
+vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, const ImageSize& size,
   SceneReport& report, int frames, const std::function<void(vtkImageData* frame)>& take)
 {
   const Stopwatch watch;
-  Stage stage(width, height);
+  Stage stage(size);
   scene.Build(stage);
   const double buildSeconds = watch.Seconds();
   vtkSmartPointer<vtkImageData> image = stage.Render();
@@ -292,10 +296,11 @@ vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, int width, int hei
   report.Figure = scene.Figure;
   report.BuildSeconds = buildSeconds;
   report.Frames = stage.HasAnimation() ? frames : 0;
+  const ImageSize frameSize = { size.Width / 2, size.Height / 2, std::min(size.Samples, 2) };
   const Stopwatch frameWatch;
   for (int i = 0; i < report.Frames; ++i)
   {
-    take(stage.RenderFrame(static_cast<double>(i) / report.Frames, width / 2, height / 2));
+    take(stage.RenderFrame(static_cast<double>(i) / report.Frames, frameSize));
   }
   report.FrameSeconds = frameWatch.Seconds();
   return image;

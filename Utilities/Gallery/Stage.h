@@ -28,16 +28,24 @@ namespace gallery
 struct Scene;
 
 /**
+ * Width and height of an image in pixels, and the number of samples per pixel in each direction.
+ */
+struct ImageSize
+{
+  int Width;
+  int Height;
+  int Samples = 2;
+};
+
+/**
  * Arranges the panels of a scene in a grid, with a caption under each panel and one legend under
- * all panels. Renders the image off-screen at twice its size, and counts the resources used.
+ * all panels. Renders the image off-screen with several samples per pixel, averages them, and
+ * counts the resources used.
  */
 class Stage
 {
 public:
-  /**
-   * Creates a stage for an image of width x height pixels.
-   */
-  Stage(int width, int height);
+  explicit Stage(const ImageSize& size);
   ~Stage();
 
   /**
@@ -107,10 +115,9 @@ public:
   vtkSmartPointer<vtkImageData> Render();
 
   /**
-   * Renders the animation at a fraction, as an image of width x height pixels. The report does not
-   * include this frame.
+   * Renders the animation at a fraction. The report does not include this frame.
    */
-  vtkSmartPointer<vtkImageData> RenderFrame(double fraction, int width, int height);
+  vtkSmartPointer<vtkImageData> RenderFrame(double fraction, const ImageSize& size);
 
   /**
    * Fits the cameras as Render() does, and returns the panels.
@@ -139,8 +146,12 @@ private:
   void FitCameras();
   vtkSmartPointer<vtkImageData> DrawCaptions();
 
+  int GetFontSize() const;
+
+  /// Width and height of the supersampled image, and samples per pixel in each direction.
   int Width;
   int Height;
+  int Samples;
   int Columns = 0;
   std::vector<std::unique_ptr<Panel>> Panels;
   std::function<void(vtkRenderer*, double, double, int)> Legend;
@@ -152,14 +163,14 @@ private:
  * Builds and renders \a scene, and fills the report.
  */
 vtkSmartPointer<vtkImageData> RenderScene(
-  const Scene& scene, int width, int height, SceneReport& report);
+  const Scene& scene, const ImageSize& size, SceneReport& report);
 
 /**
  * As above. If the scene has an animation, also renders \a frames frames and passes each to
- * \a take. Frames are evenly spaced from fraction 0 to fraction 1, which is excluded, and have half
- * the width and height of the image.
+ * \a take. Frames are evenly spaced from fraction 0 to fraction 1, which is excluded. They have
+ * half the width and height of the image, and at most 2 x 2 samples per pixel.
  */
-vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, int width, int height,
+vtkSmartPointer<vtkImageData> RenderScene(const Scene& scene, const ImageSize& size,
   SceneReport& report, int frames, const std::function<void(vtkImageData* frame)>& take);
 }
 

@@ -339,7 +339,7 @@ class BuiltScene
 public:
   BuiltScene(const Scene& scene, const CostSettings& settings)
     : Settings(settings)
-    , SceneStage(settings.Width, settings.Height)
+    , SceneStage({ settings.Width, settings.Height })
   {
     const ExecutionWatch watch;
     scene.Build(this->SceneStage);

@@ -328,8 +328,8 @@ vtkSmartPointer<vtkVolume> MakeSlicedVolume(
   mapper->SetSurfaceGradient(surfaceGradient);
   // The light buffer is finer than the volume, to avoid aliasing patterns on lit surfaces.
   mapper->SetLightBufferSize(768);
-  // Images are rendered at twice their size and then reduced. For volumes with soft edges, one
-  // sample per pixel of the reduced image is sufficient.
+  // Images have several samples per pixel. For volumes with soft edges, half as many in each
+  // direction are sufficient.
   mapper->SetImageSampleDistance(2.0);
   auto volume = vtkSmartPointer<vtkVolume>::New();
   volume->SetMapper(mapper);
