@@ -3,7 +3,6 @@
 
 #include "Gallery/Panel.h"
 #include "Gallery/SceneReport.h"
-#include "Gallery/Volumes.h"
 
 #include "vtkActor.h"
 #include "vtkCallbackCommand.h"
@@ -115,9 +114,9 @@ void AddVolumeReports(const Panel& panel, SceneReport& report)
     {
       report.AddInflowVolume(inflow->GetReport());
     }
-    else
+    else if (auto* mapper = vtkTimeWeightedTetrahedraMapper::SafeDownCast(volume->GetMapper()))
     {
-      report.AddVolume(GetMapper(volume)->GetReport());
+      report.AddVolume(mapper->GetReport());
     }
   }
 }

@@ -164,13 +164,12 @@ vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(vtkFlowVolume* filter, vtkDa
   return tetrahedra;
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> Stage::Slice(vtkUnstructuredGrid* simplices, double time)
+vtkSmartPointer<vtkUnstructuredGrid> Stage::Extract(
+  vtkSimplexTimeSlice* filter, vtkDataObject* simplices)
 {
-  vtkNew<vtkSimplexTimeSlice> slice;
-  slice->SetInputData(simplices);
-  slice->SetTime(time);
+  filter->SetInputDataObject(simplices);
   this->Report.Features.insert("time-slices");
-  return this->Run(slice);
+  return this->Run(filter);
 }
 
 Stage::Cell Stage::GetCell(std::size_t panel) const

@@ -21,6 +21,7 @@ class vtkFlowVolume;
 class vtkIntervalVolume;
 class vtkRenderer;
 class vtkScalarsToColors;
+class vtkSimplexTimeSlice;
 class vtkTimeVaryingIntervalVolume;
 
 namespace gallery
@@ -98,9 +99,10 @@ public:
   vtkSmartPointer<vtkUnstructuredGrid> Extract(vtkFlowVolume* filter, vtkDataObject* input);
 
   /**
-   * Returns a slice of the 4-simplices at one time as tetrahedra, and counts them.
+   * Runs a time slice on 4-simplices. Returns its tetrahedra and counts them.
    */
-  vtkSmartPointer<vtkUnstructuredGrid> Slice(vtkUnstructuredGrid* simplices, double time);
+  vtkSmartPointer<vtkUnstructuredGrid> Extract(
+    vtkSimplexTimeSlice* filter, vtkDataObject* simplices);
 
   /**
    * Sets the animation: \a show updates the scene to a fraction of the animation, 0 to 1. Default:

@@ -11,8 +11,8 @@ set(interlume_precompiled_headers
   <vtkMath.h> <vtkNew.h> <vtkObjectFactory.h> <vtkPointData.h> <vtkPolyData.h> <vtkSmartPointer.h>
   <vtkUnstructuredGrid.h>)
 set(interlume_large_targets
-  InterlumeBenchmarks InterlumeFlowTests InterlumeGalleryScenes InterlumeIntervalsTests InterlumeLightTests
-  InterlumeImageSupport InterlumeRepresentations InterlumeTestSupport InterlumeTetrahedraTests)
+  InterlumeBenchmarks InterlumeFlowTests InterlumeGalleryFlow InterlumeGalleryIntervals InterlumeGalleryLight
+  InterlumeIntervalsTests InterlumeLightTests InterlumeImageSupport InterlumeRepresentations InterlumeTestSupport InterlumeTetrahedraTests)
 
 function (interlume_precompile)
   if (NOT INTERLUME_PRECOMPILE_HEADERS)

@@ -8,6 +8,7 @@
 
 #include "vtkAnalyticFieldSource.h"
 #include "vtkNew.h"
+#include "vtkSimplexTimeSlice.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 
 #include <array>
@@ -35,7 +36,9 @@ void Build(gallery::Stage& stage)
   for (std::size_t i = 0; i < times.size(); ++i)
   {
     gallery::Panel& panel = stage.AddPanel(captions[i], { 0.55, -1.0, 1.0 });
-    panel.Add(gallery::MakeActor(gallery::MakeSurface(stage.Slice(simplices, times[i]), 80.0),
+    vtkNew<vtkSimplexTimeSlice> slice;
+    slice->SetTime(times[i]);
+    panel.Add(gallery::MakeActor(gallery::MakeSurface(stage.Extract(slice, simplices), 80.0),
       gallery::IntervalColor(static_cast<int>(i) + 1)));
   }
 }
