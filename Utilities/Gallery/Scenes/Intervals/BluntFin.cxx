@@ -10,6 +10,7 @@
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
+#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -59,12 +60,10 @@ vtkSmartPointer<vtkPolyData> MakeLid(vtkStructuredGrid* flow)
 
 /// Reads one half of the flow past a blunt fin and adds its mirror image. The surface i = 0 of the
 /// grid is the plane of symmetry, y = 0, upstream of the fin. Both halves share the points of that
-/// surface. Only point arrays with one component are retained; `Speed` is the magnitude of the
-/// velocity.
+/// surface. Only point arrays with one component are retained.
 vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
 {
-  vtkSmartPointer<vtkDataSet> data =
-    AddMagnitude(interlume::ReadData("bluntfin.vts"), "Velocity", "Speed");
+  vtkSmartPointer<vtkDataSet> data = interlume::ReadData("bluntfin.vts");
   vtkStructuredGrid* half = vtkStructuredGrid::SafeDownCast(data);
   int dimensions[3];
   half->GetDimensions(dimensions);
@@ -113,20 +112,24 @@ vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
   return full;
 }
 
+/// The part of the flow to which cameras are fitted: the fin's leading edge and the shock around
+/// it.
+const vtkBoundingBox NEAR_FIN(-4.5, 9.5, -6.5, 6.5, 0.5, 6.4);
+
 /// Returns the fin: both sides (surface j = 0) and the top.
-vtkSmartPointer<vtkActor> MakeBluntFin(vtkStructuredGrid* flow)
+vtkSmartPointer<vtkActor> MakeBluntFin(vtkStructuredGrid* flow, const vtkColor3d& color)
 {
   vtkNew<vtkAppendPolyData> fin;
   fin->AddInputData(MakeWall(flow, 1, 0));
   fin->AddInputData(MakeLid(flow));
   fin->Update();
-  return MakeActor(fin->GetOutput(), Pencil());
+  return MakeActor(fin->GetOutput(), color);
 }
 
 /// Returns the plate on which the fin stands (surface k = 0).
-vtkSmartPointer<vtkActor> MakeBluntFinPlate(vtkStructuredGrid* flow)
+vtkSmartPointer<vtkActor> MakeBluntFinPlate(vtkStructuredGrid* flow, const vtkColor3d& color)
 {
-  return MakeActor(MakeWall(flow, 2, 0), Pencil());
+  return MakeActor(MakeWall(flow, 2, 0), color);
 }
 
 void BuildIntervalLinear(gallery::Stage& stage)
@@ -142,23 +145,19 @@ void BuildIntervalLinear(gallery::Stage& stage)
   vtkSmartPointer<vtkColorTransferFunction> colors =
     gallery::MakeColorMap(gallery::Map::Viridis, lower, upper);
   vtkNew<vtkPiecewiseFunction> extinction;
-  extinction->AddPoint(lower, 0.4);
+  // Transparent at the lower bound, since the grid is too coarse for a smooth boundary far from the
+  // fin.
+  extinction->AddPoint(lower, 0.0);
+  extinction->AddPoint(1.5, 0.5);
   extinction->AddPoint(2.0, 1.2);
   extinction->AddPoint(upper, 8.0);
-  vtkSmartPointer<vtkVolume> air = gallery::MakeVolume(tetrahedra, "Density", colors, extinction);
-  vtkSmartPointer<vtkActor> plate = MakeBluntFinPlate(flow);
-  vtkSmartPointer<vtkActor> fin = MakeBluntFin(flow);
-
-  gallery::Panel& front = stage.AddPanel("from upstream");
-  gallery::Panel& back = stage.AddPanel("from above");
-  for (gallery::Panel* panel : { &front, &back })
-  {
-    panel->Add(plate);
-    panel->Add(fin);
-    panel->Add(air);
-  }
-  front.LookFrom({ -1.0, 0.5, 0.5 }, { 0.0, 0.0, 1.0 });
-  back.LookFrom({ -0.4, 0.5, 1.3 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { -1.0, 0.55, 0.5 });
+  panel.SetBackground({ 0.86, 0.90, 0.95 });
+  panel.SetAmbientOcclusion(0.015);
+  panel.Frame(NEAR_FIN);
+  panel.Add(MakeBluntFinPlate(flow, { 0.80, 0.79, 0.77 }));
+  panel.Add(MakeBluntFin(flow, { 0.80, 0.79, 0.77 }));
+  panel.Add(gallery::MakeVolume(tetrahedra, "Density", colors, extinction));
   stage.SetColorBar("density (free stream 1)", colors, lower, upper);
 }
 
@@ -172,29 +171,37 @@ const gallery::SceneRegistration intervalLinear({ "interval-linear", "3.3",
 
 void BuildIntervalTwoAttributes(gallery::Stage& stage)
 {
-  const double slow = 1.75;
+  const double lower = 6.0;
+  const double upper = 24.0;
   vtkSmartPointer<vtkStructuredGrid> flow = ReadBluntFin();
   vtkNew<vtkIntervalVolume> interval;
-  interval->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Speed");
-  interval->SetInterval(0, 0.0, slow);
+  interval->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Density");
+  interval->SetInterval(0, 1.2, 5.0);
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, flow);
 
-  const double lower = 0.4;
-  const double upper = 1.6;
   vtkSmartPointer<vtkColorTransferFunction> colors =
-    gallery::MakeColorMap(gallery::Map::Viridis, lower, upper);
-  gallery::Panel& panel = stage.AddPanel("", { -1.0, 0.8, 0.8 });
-  panel.Add(gallery::MakeColoredActor(gallery::MakeSurface(tetrahedra), "Pressure", colors));
-  panel.Add(MakeBluntFin(flow));
+    gallery::MakeColorMap(gallery::Map::Inferno, lower, upper);
+  vtkNew<vtkPiecewiseFunction> extinction;
+  extinction->AddPoint(lower, 0.0);
+  extinction->AddPoint(12.0, 0.5);
+  extinction->AddPoint(18.0, 1.6);
+  extinction->AddPoint(upper, 5.0);
+  gallery::Panel& panel = stage.AddPanel("", { -1.0, -0.5, 0.55 });
+  panel.SetBackground({ 0.05, 0.06, 0.08 });
+  panel.SetAmbientOcclusion(0.015);
+  panel.Frame(NEAR_FIN);
+  panel.Add(MakeBluntFinPlate(flow, { 0.30, 0.32, 0.36 }));
+  panel.Add(MakeBluntFin(flow, { 0.42, 0.44, 0.48 }));
+  panel.Add(gallery::MakeVolume(tetrahedra, "StagnationEnergy", colors, extinction));
   stage.SetColorBar(
-    "pressure where the speed is below 1.75 (above 1.6 drawn as 1.6)", colors, lower, upper);
+    "stagnation energy where the density is above 1.2 (free stream 1)", colors, lower, upper);
 }
 
 const gallery::SceneRegistration intervalTwoAttributes(
-  { "interval-two-attributes", "3.9", "Extracted by speed, colored by pressure",
-    "A supersonic stream meets a blunt fin that stands on a plate. The solid is the slow air: the "
-    "boundary layers of plate and fin, and the horseshoe vortex around the foot of the fin. Its "
-    "color is another attribute, the pressure, which the extraction interpolates. The data contain "
-    "one half of the flow; the other half is its mirror image.",
+  { "interval-two-attributes", "3.9", "Extracted by density, colored by energy",
+    "A supersonic stream meets a blunt fin that stands on a plate. The volume is the dense air "
+    "between the shock and the fin. Its color and opacity are functions of another attribute, the "
+    "stagnation energy, which the extraction interpolates: it is highest along the leading edge. "
+    "The data contain one half of the flow; the other half is its mirror image.",
     { "bluntfin.vts" }, &BuildIntervalTwoAttributes });
 }

@@ -37,12 +37,12 @@ struct ShownBoundary
   IntervalLook Look;
 };
 
-/// Returns the vortices above a delta wing at times 0.65 and 1.85. Between these times, the spirals
+/// Returns the vortices above a delta wing from time 0.65 to 1.85. Between these times, the spirals
 /// rotate by 65 degrees, and the breakdown returns to its initial position.
-vtkSmartPointer<vtkDeltaWingSource> MakeDeltaWingVortices()
+vtkSmartPointer<vtkDeltaWingSource> MakeDeltaWingVortices(int steps)
 {
   auto vortices = vtkSmartPointer<vtkDeltaWingSource>::New();
-  vortices->SetNumberOfTimeSteps(2);
+  vortices->SetNumberOfTimeSteps(steps);
   vortices->SetTimeRange(0.65, 1.85);
   return vortices;
 }
@@ -76,7 +76,7 @@ void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& bou
   {
     interval->SetGenerateBoundary(boundary.Kind, true);
   }
-  stage.Extract(interval, MakeDeltaWingVortices());
+  stage.Extract(interval, MakeDeltaWingVortices(2));
   for (const ShownBoundary& boundary : boundaries)
   {
     Panel& panel = stage.AddPanel(boundary.Caption, { -0.85, -0.25, 1.0 });
@@ -88,17 +88,19 @@ void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& bou
 
 void BuildTimeDelta(gallery::Stage& stage)
 {
-  gallery::Panel& panel = gallery::AddPanelInTime(stage, MakeDeltaWingVortices(), 0.35, 0.6, 8.0);
-  panel.Add(MakeDeltaWing({ 0.2, 0.21, 0.23 }));
+  gallery::Panel& panel = gallery::AddPanelInTime(stage, MakeDeltaWingVortices(6), 0.4, 1.1, 9.0);
+  panel.SetBackground({ 0.02, 0.035, 0.08 });
+  panel.Add(MakeDeltaWing({ 0.2, 0.23, 0.3 }));
   panel.LookFrom({ -0.6, -0.8, 0.9 }, { 0.0, 0.0, 1.0 });
 }
 
 const gallery::SceneRegistration timeDelta(
-  { "time-delta", "3.22", "Vortices above a delta wing between two time steps",
-    "The region where the pressure loss in two vortices, which break down to spirals, is from 0.35 "
-    "to 0.6 at any time between two steps. Colors of all times are added: green exists only at the "
-    "first step, red only at the second, yellow at both. The spirals rotate, and both breakdowns "
-    "end where they began. An analytic model replaces the data of the dissertation.",
+  { "time-delta", "3.22", "Vortices above a delta wing over six time steps",
+    "The region where the pressure loss in two vortices, which break down to spirals, is above 0.4 "
+    "at any time from the first to the last of six steps. Colors of all times are added: blue "
+    "exists only at the first step, red only at the last, white all the time. The spirals rotate, "
+    "and both breakdowns end where they began. An analytic model replaces the data of the "
+    "dissertation.",
     {}, &BuildTimeDelta });
 
 void BuildTimeEndVolumes(gallery::Stage& stage)

@@ -22,14 +22,24 @@ namespace
 {
 using namespace gallery;
 
-/// Returns the wake of a tapered cylinder at times 0 and 0.6, on 80 x 80 x 40 points.
-vtkSmartPointer<vtkTaperedCylinderSource> MakeCylinderWake()
+/// Bounds of the density in the vortices.
+constexpr double LOWER = 0.97;
+constexpr double UPPER = 0.994;
+
+/// Returns the wake of a tapered cylinder from time 0 to \a end.
+vtkSmartPointer<vtkTaperedCylinderSource> MakeCylinderWake(double end, int steps)
 {
   auto wake = vtkSmartPointer<vtkTaperedCylinderSource>::New();
-  wake->SetDimensions(80, 80, 40);
-  wake->SetNumberOfTimeSteps(2);
-  wake->SetTimeRange(0.0, 0.6);
+  wake->SetDimensions(80, 80, 48);
+  wake->SetNumberOfTimeSteps(steps);
+  wake->SetTimeRange(0.0, end);
   return wake;
+}
+
+/// Looks at the wake from the side, with the cylinder at the top.
+void LookAtWake(Panel& panel)
+{
+  panel.LookFrom({ -0.5, -1.0, 0.2 }, { -1.0, 0.0, 0.0 });
 }
 
 /// Returns the cylinder: surface i = 0 of the grid of \a wake, which must be up to date.
@@ -40,25 +50,27 @@ vtkSmartPointer<vtkActor> MakeCylinder(vtkTaperedCylinderSource* wake, const vtk
 
 void BuildTimeCylinder(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake();
-  gallery::Panel& panel = gallery::AddPanelInTime(stage, wake, 0.991, 0.995, 2.2);
+  vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake(0.9, 6);
+  gallery::Panel& panel = gallery::AddPanelInTime(stage, wake, LOWER, UPPER, 1.2);
+  panel.SetBackground({ 0.03, 0.025, 0.05 });
   panel.Add(MakeCylinder(wake, { 0.3, 0.31, 0.33 }));
-  panel.LookFrom({ -0.35, -1.0, 0.2 }, { -1.0, 0.0, 0.0 });
+  LookAtWake(panel);
 }
 
 const gallery::SceneRegistration timeCylinder(
-  { "time-cylinder", "3.24", "The wake of a tapered cylinder between two time steps",
-    "Density from 0.991 to 0.995 in the vortices behind a tapered cylinder, which sheds faster "
-    "where it is thin. All times between two steps are added: the vortices leave the green region "
-    "and move to the red one; yellow is in both. The vortex lines are slanted and break where the "
-    "frequency changes. An analytic model replaces the data of the dissertation.",
+  { "time-cylinder", "3.24", "The wake of a tapered cylinder over six time steps",
+    "Density below 0.994 in the vortices behind a tapered cylinder, which sheds faster where it is "
+    "thin. All times from the first to the last of six steps are added: the vortices leave the "
+    "blue region and move to the red one; white is covered all the time. The vortex lines are "
+    "slanted and break where the frequency changes. An analytic model replaces the data of the "
+    "dissertation.",
     {}, &BuildTimeCylinder });
 
 void BuildTimePriority(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake();
+  vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake(0.6, 2);
   vtkNew<vtkTimeVaryingIntervalVolume> interval;
-  interval->SetInterval(0, 0.991, 0.995);
+  interval->SetInterval(0, LOWER, UPPER);
   interval->GenerateTetrahedraOff();
   const int start = vtkTimeVaryingIntervalVolume::VOLUME_AT_START;
   const int end = vtkTimeVaryingIntervalVolume::VOLUME_AT_END;
@@ -67,9 +79,10 @@ void BuildTimePriority(gallery::Stage& stage)
   stage.Extract(interval, wake);
   vtkSmartPointer<vtkUnstructuredGrid> both = gallery::MakeTimeBoundary(interval, { start, end });
 
-  const vtkVector3d from(0.3, -1.0, 0.35);
-  gallery::Panel& later = stage.AddPanel("time 0.6 over time 0", from);
-  gallery::Panel& earlier = stage.AddPanel("time 0 over time 0.6", from);
+  gallery::Panel& later = stage.AddPanel("time 0.6 over time 0");
+  gallery::Panel& earlier = stage.AddPanel("time 0 over time 0.6");
+  LookAtWake(later);
+  earlier.LookAs(later);
   const vtkColor3d yellow = gallery::IntervalColor(2);
   const vtkColor3d red = gallery::IntervalColor(3);
   for (gallery::Panel* panel : { &later, &earlier })

@@ -34,6 +34,7 @@ vtkSmartPointer<vtkActor> MakeEdges(vtkUnstructuredGrid* mug)
   edges->Update();
   vtkSmartPointer<vtkActor> actor = gallery::MakeActor(edges->GetOutput(), gallery::Pencil());
   actor->GetProperty()->LightingOff();
+  actor->GetProperty()->SetLineWidth(2.0);
   return actor;
 }
 

@@ -22,31 +22,32 @@ namespace
 {
 using namespace gallery;
 
-/// Returns the test function of the dissertation, a traveling wave, on 40 x 20 x 20 points at times
-/// 0 and 1.
-vtkSmartPointer<vtkAnalyticFieldSource> MakeWave()
+/// Returns the test function of the dissertation, a traveling wave, from time 0 to 1. It is linear
+/// in z and changes slowly along y, so it needs many points along x only. With fewer, the diagonals
+/// of 4-simplices would show as teeth, whose size is the spacing times the change between steps.
+vtkSmartPointer<vtkAnalyticFieldSource> MakeWave(int steps)
 {
   auto wave = vtkSmartPointer<vtkAnalyticFieldSource>::New();
   wave->SetFieldToWave();
-  wave->SetDimensions(40, 20, 20);
+  wave->SetDimensions(144, 20, 8);
   wave->SetBounds(-2.0, 2.0, -1.0, 1.0, -1.0, 1.0);
   wave->SetTimeRange(0.0, 1.0);
-  wave->SetNumberOfTimeSteps(2);
+  wave->SetNumberOfTimeSteps(steps);
   return wave;
 }
 
 void BuildWaveInTime(gallery::Stage& stage)
 {
-  gallery::Panel& panel = gallery::AddPanelInTime(stage, MakeWave(), -0.15, 0.15, 1.1);
+  gallery::Panel& panel = gallery::AddPanelInTime(stage, MakeWave(5), -0.15, 0.15, 1.6);
   panel.LookFrom({ 0.27, -1.0, 0.13 }, { 0.0, 0.0, 1.0 });
 }
 
 const gallery::SceneRegistration waveInTime(
-  { "wave-in-time", "3.20", "A wave between two time steps, colored by time",
-    "A sheet between two isovalues that follows a wave, on 40 x 20 x 20 points, over all times "
-    "between two time steps, seen along its crests. Green is its position at the first step, red "
-    "at the last, and yellow is covered half of the time or all the time: the wave travels to the "
-    "right. Colors of different times are added.",
+  { "wave-in-time", "3.20", "A wave over five time steps, colored by time",
+    "A sheet between two isovalues that follows a wave, over all times from the first to the last "
+    "of five steps, seen along its crests. Blue is its position at the first step, green midway, "
+    "red at the last, and white is covered all the time: the wave travels to the right. Colors of "
+    "different times are added.",
     {}, &BuildWaveInTime });
 
 void BuildTimeBoundaries(gallery::Stage& stage)
@@ -60,7 +61,7 @@ void BuildTimeBoundaries(gallery::Stage& stage)
   {
     interval->SetGenerateBoundary(kind, true);
   }
-  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, MakeWave());
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, MakeWave(2));
 
   stage.SetColumns(2);
   for (int kind = 0; kind < count; ++kind)
