@@ -3,7 +3,6 @@
 
 #include "Gallery/Look.h"
 
-#include "vtkArrayCalculator.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDataArray.h"
@@ -133,18 +132,6 @@ vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data, const std::string& arr
   gradient->SetResultArrayName(GRADIENT);
   gradient->Update();
   return vtkDataSet::SafeDownCast(gradient->GetOutput());
-}
-
-vtkSmartPointer<vtkDataSet> AddMagnitude(
-  vtkDataSet* data, const std::string& vectors, const std::string& magnitude)
-{
-  vtkNew<vtkArrayCalculator> calculator;
-  calculator->SetInputData(data);
-  calculator->AddVectorArrayName(vectors.c_str());
-  calculator->SetFunction(("mag(" + vectors + ")").c_str());
-  calculator->SetResultArrayName(magnitude.c_str());
-  calculator->Update();
-  return vtkDataSet::SafeDownCast(calculator->GetOutput());
 }
 
 vtkSmartPointer<vtkPolyData> MakeWall(vtkStructuredGrid* grid, int axis, int index)

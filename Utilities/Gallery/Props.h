@@ -59,12 +59,6 @@ vtkSmartPointer<vtkActor> MakeColoredActor(
 vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data, const std::string& array);
 
 /**
- * Returns \a data with the magnitude of the point array \a vectors as the point array \a magnitude.
- */
-vtkSmartPointer<vtkDataSet> AddMagnitude(
-  vtkDataSet* data, const std::string& vectors, const std::string& magnitude);
-
-/**
  * Returns the grid surface at \a index of \a axis (0 to 2), such as a wall.
  */
 vtkSmartPointer<vtkPolyData> MakeWall(vtkStructuredGrid* grid, int axis, int index);
