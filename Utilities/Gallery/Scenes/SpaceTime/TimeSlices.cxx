@@ -7,10 +7,15 @@
 #include "Gallery/Stage.h"
 
 #include "vtkAnalyticFieldSource.h"
-#include "vtkDataArray.h"
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkFloatArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkSimplexTimeSlice.h"
+#include "vtkSmartPointer.h"
 #include "vtkTimeVaryingIntervalVolume.h"
 #include "vtkVector.h"
 
@@ -20,31 +25,75 @@
 
 namespace
 {
-/// Replaces the normals of the upper and the lower side of a slice by those of the field. The other
-/// sides, where the sheet is cut off along x and y, keep the normals of their triangles.
-void SetFieldNormals(vtkPolyData* slice, const vtkAnalyticFieldSource* field, double time)
+/// Returns the unit gradient of \a field, in the direction away from its zero surface.
+vtkVector3d GetNormal(const vtkAnalyticFieldSource* field, const vtkVector3d& at, double time)
 {
-  const double step = 1e-4;
-  vtkDataArray* normals = slice->GetPointData()->GetNormals();
-  for (vtkIdType i = 0; i < slice->GetNumberOfPoints(); ++i)
+  vtkVector3d point = at;
+  const double value = field->Evaluate(point.GetData(), time);
+  const double step = value > 0.0 ? 1e-4 : -1e-4;
+  vtkVector3d normal;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    if (std::max(std::abs(normals->GetComponent(i, 0)), std::abs(normals->GetComponent(i, 1))) >
-      0.99)
-    {
-      continue;
-    }
-    vtkVector3d point(slice->GetPoint(i));
-    const double side = field->Evaluate(point.GetData(), time) > 0.0 ? 1.0 : -1.0;
-    vtkVector3d normal;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      vtkVector3d next = point;
-      next[axis] += side * step;
-      normal[axis] = field->Evaluate(next.GetData(), time) - field->Evaluate(point.GetData(), time);
-    }
-    normal.Normalize();
-    normals->SetTuple(i, normal.GetData());
+    point[axis] += step;
+    normal[axis] = field->Evaluate(point.GetData(), time) - value;
+    point[axis] -= step;
   }
+  return normal.Normalized();
+}
+
+/// Returns the side of \a bounds, 0 to 3 for the sides along x and y, in which all \a corners lie,
+/// or -1.
+int FindSide(const double bounds[6], const std::array<vtkVector3d, 3>& corners)
+{
+  for (int side = 0; side < 4; ++side)
+  {
+    if (std::all_of(corners.begin(), corners.end(),
+          [bounds, side](const vtkVector3d& corner)
+          { return std::abs(corner[side / 2] - bounds[side]) < 1e-4; }))
+    {
+      return side;
+    }
+  }
+  return -1;
+}
+
+/// Returns a slice as triangles with the normals of the field, except on the sides along x and y,
+/// where the sheet is cut off. Normals of the triangles would be noisy, since some are very thin.
+vtkSmartPointer<vtkPolyData> ShadeByField(
+  vtkPolyData* slice, const vtkAnalyticFieldSource* field, double time)
+{
+  double bounds[6];
+  slice->GetBounds(bounds);
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkFloatArray> normals;
+  normals->SetNumberOfComponents(3);
+  vtkNew<vtkCellArray> triangles;
+  for (vtkIdType cell = 0; cell < slice->GetNumberOfCells(); ++cell)
+  {
+    std::array<vtkVector3d, 3> corners;
+    for (int i = 0; i < 3; ++i)
+    {
+      corners[i] = vtkVector3d(slice->GetCell(cell)->GetPoints()->GetPoint(i));
+    }
+    const int side = FindSide(bounds, corners);
+    vtkVector3d sideNormal(0.0, 0.0, 0.0);
+    if (side >= 0)
+    {
+      sideNormal[side / 2] = side % 2 == 0 ? -1.0 : 1.0;
+    }
+    triangles->InsertNextCell(3);
+    for (const vtkVector3d& corner : corners)
+    {
+      triangles->InsertCellPoint(points->InsertNextPoint(corner.GetData()));
+      const vtkVector3d normal = side >= 0 ? sideNormal : GetNormal(field, corner, time);
+      normals->InsertNextTuple(normal.GetData());
+    }
+  }
+  auto shaded = vtkSmartPointer<vtkPolyData>::New();
+  shaded->SetPoints(points);
+  shaded->SetPolys(triangles);
+  shaded->GetPointData()->SetNormals(normals);
+  return shaded;
 }
 
 void Build(gallery::Stage& stage)
@@ -74,8 +123,7 @@ void Build(gallery::Stage& stage)
     vtkNew<vtkSimplexTimeSlice> slice;
     slice->SetTime(times[i]);
     vtkSmartPointer<vtkPolyData> sheet =
-      gallery::MakeSurface(stage.Extract(slice, simplices), 60.0);
-    SetFieldNormals(sheet, wave, times[i]);
+      ShadeByField(gallery::MakeSurface(stage.Extract(slice, simplices)), wave, times[i]);
     panel.Add(gallery::MakeActor(sheet, gallery::IntervalColor(static_cast<int>(i) + 1)));
   }
 }
