@@ -60,7 +60,7 @@ public:
     IMAGE = vtkInflowKind::IMAGE
   };
 
-  enum
+  enum Ids
   {
     /// Id of the mapping for all ids without their own mapping.
     ALL = -1
