@@ -3,8 +3,8 @@
 
     check.py SITE [PICTURES]
 
-Checks that links, anchors and images exist. With PICTURES, opens each page in Chromium at two widths, checks the layout,
-the images, the formulas and the search, and writes screenshots of the main pages to that directory.
+Checks that links, anchors and images exist. With PICTURES, opens each page in Chromium at two widths, checks the
+layout, the images, the formulas and the search, and writes screenshots of the main pages to that directory.
 """
 
 import json
@@ -118,7 +118,7 @@ def check_search(browser, site, terms):
     for term, expected in terms.items():
         found = find_first(browser, site, term)
         if found[:1] not in [[page] for page in expected]:
-            errors.append(f"search for {term}: found {', '.join(found) or 'nothing'} instead of {' or '.join(expected)}")
+            errors.append(f"search for {term}: {', '.join(found) or 'nothing'} instead of {' or '.join(expected)}")
     return errors
 
 

@@ -7,8 +7,9 @@ from docutils import nodes
 from sphinx.ext.graphviz import graphviz
 
 FONT = 'fontname="sans-serif", fontsize=11'
-HEAD = (f'bgcolor=transparent; node [shape=box, style="rounded,filled", fillcolor="#eef1f6", color="#8892a6", {FONT}];'
-        f' edge [color="#8892a6", fontcolor="#8892a6", {FONT}]')
+HEAD = ("bgcolor=transparent; ranksep=0.3; nodesep=0.2;"
+        ' node [shape=box, margin="0.1,0.05", style="rounded,filled", fillcolor="#eef1f6", color="#8892a6",'
+        f' {FONT}]; edge [color="#8892a6", fontcolor="#8892a6", {FONT}]')
 NODE = re.compile(r"(\w+)(?:\[([^\]]*)\]|\{([^}]*)\})?\s*")
 ARROW = re.compile(r"(?:-->(?:\|([^|]*)\|)?|-- (.*?) -->|-\.->)\s*")
 

@@ -108,6 +108,12 @@ def read_manifest():
     return {file: row for file, *row in rows}
 
 
+def shrink(image, width):
+    image = image.copy()
+    image.thumbnail((width, width))
+    return image
+
+
 def save_images(name):
     """Saves the image of a scene, its thumbnail and its animation. Returns the size, and whether it is animated."""
     folder = root / "extra/gallery/images"
@@ -117,12 +123,10 @@ def save_images(name):
         sys.exit(f"{path}: the image of a scene is missing")
     image = Image.open(path).convert("RGB")
     image.save(folder / f"{name}.webp", quality=92)
-    frames = [Image.open(frame).convert("RGB") for frame in sorted((images / name).glob("*.png"))]
+    shrink(image, 480).save(folder / f"{name}-small.webp", quality=85)
+    frames = [shrink(Image.open(frame).convert("RGB"), 960) for frame in sorted((images / name).glob("*.png"))]
     if frames:
         frames[0].save(folder / f"{name}-animated.webp", save_all=True, append_images=frames[1:], duration=80, loop=0)
-    small = image.copy()
-    small.thumbnail((480, 480))
-    small.save(folder / f"{name}-small.webp", quality=85)
     return image.size, bool(frames)
 
 

@@ -19,20 +19,21 @@ check_website_packages()
 build_website()
 {
   local pages=$1 site=$2 images=$3 python_path=$4
+  rm -rf "$pages" "$site"
   copy_website_sources "$pages"
   cd "$source_dir"
   { cat Documentation/site/Doxyfile; printf 'OUTPUT_DIRECTORY = "%s"\n' "$pages"; } | doxygen -
   # Debian's Python has the packages, also if another Python comes first in PATH.
   PYTHONPATH=$python_path PYTHONDONTWRITEBYTECODE=1 \
     /usr/bin/python3 "$pages/Documentation/site/pages.py" "$pages" "$images"
-  /usr/bin/python3 -m sphinx -q -W --keep-going -c "$pages/Documentation/site" "$pages" "$site"
+  /usr/bin/python3 -m sphinx -q -W --keep-going -c "$pages/Documentation/site" -d "$pages/.doctrees" \
+    "$pages" "$site"
 }
 
 # Copies the documents and the files to which they link, and MathJax without its fonts.
 copy_website_sources()
 {
   local pages=$1
-  rm -rf "$pages"
   mkdir -p "$pages/Data" "$pages/extra/Documentation" "$pages/static/mathjax"
   cd "$source_dir"
   find . -maxdepth 1 -type f -exec cp -a {} "$pages" \;
