@@ -40,13 +40,14 @@ KEYWORDS = {
     "Documentation/guide/intervals": ["isovolume", "isosurface", "interval volume", "contour", "clip", "threshold"],
     "Documentation/guide/meshing": ["OpenFOAM polyhedra", "TetGen", "Delaunay"],
     "Documentation/guide/packages": ["PyVista", "pip", "wheel", "find_package"],
-    "Documentation/guide/paraview": ["remote server"],
+    "Documentation/guide/paraview": ["remote server", "MPI"],
     "Documentation/guide/scattering": ["scattering", "clouds", "phase function"],
     "Documentation/guide/scene": ["soft shadows", "area light"],
     "Documentation/guide/shadows": ["volume shadow", "transfer function"],
     "Documentation/guide/sources": ["analytic field", "test data"],
     "Documentation/guide/tetrahedra": ["unstructured volume rendering"],
     "Documentation/guide/time": ["time-varying"],
+    "Documentation/measurements": ["benchmark"],
     "Documentation/methods/implicit-flow": ["critical points", "vortex axis", "stiff"],
 }
 

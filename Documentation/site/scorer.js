@@ -3,7 +3,8 @@
 const kinds = {
   "Documentation/guide/README": -6, "Documentation/guide/properties": -6,
   "Documentation/guide/choosing": 4, "Documentation/guide/paraview": 4, "Documentation/guide/": 10,
-  "Documentation/methods/README": -6, "Documentation/methods/": 4, "Documentation/": -4,
+  "Documentation/methods/README": -6, "Documentation/methods/": 4,
+  "Documentation/measurements": 2, "Documentation/": -4,
   "api/cpp/": 2, "api/python/": -6, "gallery/index": -6, "gallery/": -2, "CHANGELOG": -10, "": -6,
 };
 const typed = (new URLSearchParams(location.search).get("q") || "").trim();
