@@ -39,7 +39,7 @@ copy_website_sources()
   find . -maxdepth 1 -type f -exec cp -a {} "$pages" \;
   cp -a Documentation Examples Filters Plugin Python Rendering Testing Utilities "$pages"
   cp -a Data/MANIFEST.md Data/Baseline "$pages/Data"
-  cp Documentation/site/index.md "$pages"
+  cp Documentation/site/index.in.md "$pages/index.md"
   # HTML tags in documents refer to images by their path.
   cp -a Documentation/pictures "$pages/extra/Documentation"
   cd "$mathjax_dir"
