@@ -175,6 +175,26 @@ class TestPages(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "typed by hand"):
             folder.run("--check")
 
+    def test_pages_of_the_guide(self):
+        folder = Project()
+        folder.add([dict(row, method="threads-2") for row in FAST[:1]])
+        guide = folder.root / "Documentation" / "guide"
+        examples = folder.root / "Examples" / "Guide"
+        for path in (guide, examples):
+            path.mkdir(parents=True)
+        page = guide / "intervals.md"
+        page.write_text("<!-- value interval.second-images -->9<!-- / --> times\n", encoding="utf-8")
+        self.assertEqual(folder.run("--check"), 1)
+        folder.run()
+        self.assertEqual(folder.run("--check"), 0)
+        text = page.read_text(encoding="utf-8")
+        self.assertEqual(text, "<!-- value interval.second-images -->5<!-- / --> times\n")
+        page.write_text(text + "It is 4.8 times faster.\n", encoding="utf-8")
+        self.assertEqual(folder.run("--check"), 0)
+        (examples / "intervals.py").touch()
+        with self.assertRaisesRegex(ValueError, "typed by hand"):
+            folder.run("--check")
+
     def test_numbers_typed_by_hand_are_refused(self):
         for words in ("It is 4.8 times faster.", "It takes 12 ms.", "That is 5 % more.", "It is off by 1e-6."):
             with self.assertRaisesRegex(ValueError, "typed by hand"):

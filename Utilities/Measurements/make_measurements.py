@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""make_measurements.py [--check]: writes Documentation/measurements.md and the section "Measured" of README.md.
+"""make_measurements.py [--check]: writes Documentation/measurements.md, the section "Measured" of README.md, and the
+measured numbers in Documentation/guide.
 
 The templates are Documentation/measurements/page.in.md and readme.in.md. The numbers are read from
 Documentation/measurements/vtk-*/SUITE.json, which `interlume-bench SUITE --json FILE` writes.

@@ -5,6 +5,8 @@
 number in a sentence; {{targets SUITE}}: the number of targets met; {{missed SUITE: TEXT}}: a missed target with its
 cases; {{readme}}: the README's table; {{"text"}}: text that is not a measurement, such as a setting.
 Each missed target requires a {{missed}} field, so that the page explains the reason.
+
+Pages of the guide have no template. Comments mark their numbers: <!-- value NAME -->1.7<!-- / -->.
 """
 
 import re
@@ -15,6 +17,7 @@ from results import Results
 from tables import README_LINES, TABLES, VALUES
 
 FIELD = re.compile(r"\{\{(.+?)\}\}")
+GUIDE_VALUE = re.compile(r"<!-- value (\S+) -->.*?<!-- / -->")
 README_BLOCK = re.compile(r"(<!-- measured: .*? -->\n).*?(<!-- /measured -->)", re.DOTALL)
 # Parts of a page that are not prose: fields, code, images, link targets, program versions.
 NOT_PROSE = re.compile(r"\{\{.*?\}\}|`[^`]*`|!\[[^\]]*\]\([^)]*\)|\]\([^)]*\)|\b(?:VTK|ParaView|Debian) [\d.]+")
@@ -81,7 +84,7 @@ class Pages:
         self.stated = set()
 
     def written(self, root):
-        """Returns the texts of measurements.md and of README.md, by path."""
+        """Returns the texts of measurements.md, README.md and the pages of the guide, by path."""
         readme = root / "README.md"
         old = readme.read_text(encoding="utf-8")
         if not README_BLOCK.search(old):
@@ -89,9 +92,10 @@ class Pages:
         check_words(readme, NOT_TYPED.sub(lambda found: "\n" * found.group().count("\n"), old))
         block = self.expanded("readme.in.md")
         page = self.expanded("page.in.md")
+        guide = {path: self.filled(path) for path in sorted((root / "Documentation" / "guide").glob("*.md"))}
         if len(page.split()) > MAXIMUM_WORDS:
             raise ValueError(f"page.in.md expands to {len(page.split())} words; the limit is {MAXIMUM_WORDS}")
-        return {root / "Documentation" / "measurements.md": page,
+        return {**guide, root / "Documentation" / "measurements.md": page,
                 readme: README_BLOCK.sub(lambda found: found.group(1) + block + found.group(2), old)}
 
     def expanded(self, name):
@@ -100,6 +104,14 @@ class Pages:
         self.stated = set(re.findall(r"\{\{missed (.+?)\}\}", text))
         # Fields that expand to nothing leave empty lines.
         return re.sub(r"\n{3,}", "\n\n", FIELD.sub(lambda found: self.field(found.group(1)), text))
+
+    def filled(self, path):
+        """Returns the text of a page of the guide. Pages with a program must not contain typed measurements."""
+        text = path.read_text(encoding="utf-8")
+        if (path.parents[2] / "Examples" / "Guide" / f"{path.stem}.py").exists():
+            check_words(path, NOT_TYPED.sub(lambda found: "\n" * found.group().count("\n"), GUIDE_VALUE.sub(" ", text)))
+        return GUIDE_VALUE.sub(
+            lambda found: f"<!-- value {found.group(1)} -->{self.field('value ' + found.group(1))}<!-- / -->", text)
 
     def field(self, words):
         if words.startswith('"'):

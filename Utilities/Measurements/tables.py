@@ -134,14 +134,15 @@ TABLES = {
                          case="all scenes", method="vtkShadowedSliceMapper",
                          parameter=("Shadows", "ScatteringMode")),
 }
+IMAGES = ("wavelet-97", "wavelet-41", "head-ct", "isabel")
+PROJECTED = {"peer": "projectedtetrahedra", "parameter": "composite", "error": None}
 VORTEX = {"case": "vortex-2", **WARM}
 HEXAHEDRON = {"case": "random-hexahedra", "method": "inverted"}
 HEAD = {"case": "head-ct", "method": "inverted"}
 MAPPING = {"method": "new-mapping", **ONE}
 VALUES = {
     "interval.memory": ("interval", "{peak_share}", {"method": "memory"}),
-    "interval.second-images": ("interval", "{ratio}", {"case": ("wavelet-97", "wavelet-41", "head-ct", "isabel"),
-                                                       **SECOND}),
+    "interval.second-images": ("interval", "{ratio}", {"case": IMAGES, **SECOND}),
     "interval.second-fin": ("interval", "{ratio}", {"case": "blunt-fin", **SECOND}),
     "interval.second-disk": ("interval", "{ratio}", {"case": "disk-out", **SECOND}),
     "interval.inverted-tetrahedra": ("interval", "{inverted}", {"case": "random-tetrahedra", "method": "inverted"}),
@@ -158,6 +159,46 @@ VALUES = {
     "flow-speed.second": ("flow-speed", "{ratio}", {"method": "threads-2"}),
     "flow-texture.shadows": ("flow-texture", "{slower}", {"case": "rotation", "method": "shadows"}),
     "scattering.views": ("scattering", "{slower}", {"case": "cloud, the view turns", "method": "full"}),
+    "interval.clips-images": ("interval", "{ratio}", {"case": IMAGES, "peer": "clip2", **INTERVAL}),
+    "interval.clips-fin": ("interval", "{ratio}", {"case": "blunt-fin", "peer": "clip2", **INTERVAL}),
+    "interval.clips-disk": ("interval", "{ratio}", {"case": "disk-out", "peer": "clip2", **INTERVAL}),
+    "tetrahedra.software": ("tetrahedra", "{ratio}", {"method": "software", **PROJECTED}),
+    "tetrahedra.opengl": ("tetrahedra", "{ratio}", {"method": "opengl", **PROJECTED}),
+    "tetrahedra.sorted": ("tetrahedra", TIME, {"case": "gyroid-2M", "method": "software", **PROJECTED}),
+    "tetrahedra.unsorted": ("tetrahedra", TIME, {"case": "gyroid-2M", "method": "software", **PROJECTED,
+                                                 "parameter": "composite, unsorted"}),
+    "tetrahedra.optical-depth": ("tetrahedra", TIME, {"case": "gyroid-2M", "method": "software", **PROJECTED,
+                                                      "parameter": "optical depth"}),
+    "graphics-card.sorted": ("graphics-card", TIME, {"case": "gyroid-8M", "method": "opengl, vertex shader",
+                                                     "parameter": "composite"}),
+    "graphics-card.unsorted": ("graphics-card", TIME, {"case": "gyroid-8M", "method": "opengl, vertex shader",
+                                                       "parameter": "composite, unsorted"}),
+    "graphics-card.projected": ("graphics-card", TIME, {"case": "gyroid-8M", "method": "projectedtetrahedra"}),
+    "interval4d.second": ("interval4d", "{ratio}", SECOND),
+    "shadows.one": ("shadows", "{over_off}", shadowed(1)),
+    "shadows.two": ("shadows", "{over_one_light}", shadowed(2)),
+    "shadows.four": ("shadows", "{over_one_light}", shadowed(4)),
+    **{f"shadows.{method}-{number:g}": ("shadows", "{error:2} in {seconds}",
+                                        {"case": "rings-128, shaded", "method": method, "parameter": number})
+       for method, numbers in (("spacing", (0.5, 1, 2)), ("buffer", (128, 256, 512))) for number in numbers},
+    "soft-shadows.hard": ("soft-shadows", "{over_hard}", {"method": "default"}),
+    **{f"soft-shadows.samples-{number}": ("soft-shadows", "{error:2} in {seconds}",
+                                          {"case": "rings-64", "method": "sample-layers", "parameter": number})
+       for number in (4, 16, 64)},
+    **{f"scattering.cloud-{mode}": ("scattering", "{error:2}", {"case": "cloud", "parameter": "default",
+                                                                "method": mode})
+       for mode in ("single", "forward", "full")},
+    **{f"scattering.time-{mode}": ("scattering", "{slower}", {"case": "cloud", "parameter": "default",
+                                                              "method": mode})
+       for mode in ("single", "forward", "full")},
+    "flow-speed.images": ("flow-speed", "{ratio}", {"case": ("image-64", "image-128"), "method": "equal-error"}),
+    "flow-speed.hexahedra": ("flow-speed", "{ratio}", {"case": "hexahedra-64", "method": "equal-error"}),
+    "flow-speed.tetrahedra": ("flow-speed", "{ratio}", {"case": "tetrahedra-64", "method": "equal-error"}),
+    **{f"flow.abc-{name}": ("flow", "{error:2} in {seconds}", {"case": "abc", "method": "automatic",
+                                                               "parameter": number})
+       for name, number in (("coarse", 1e-3), ("default", 1e-6), ("fine", 1e-9))},
+    "flow-texture.rgba": ("flow-texture", "{slower}", {"method": "textures", "peer": "gpu-rgba"}),
+    "flow-texture.components": ("flow-texture", "{ratio}", {"method": "textures", "peer": "gpu"}),
     "mixed.budget": ("mixed", "{over_budget}", {"method": "scene-pass", "peer": "volume + 2 actors"}),
 }
 
