@@ -1,33 +1,24 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# cmake -D PAGE=page.md -D CXX=program.cxx -D PYTHON=script.py -P CheckGuide.cmake
-# Checks that the C++ and Python code on the page occurs in the program and the script, except for indentation
-# and additional code between the parts.
+# cmake -D PAGE=page.md -D PROGRAM=Examples/Guide/page -P CheckGuide.cmake
+# Checks that the page starts with its image, and that its first code block of each language is the whole file
+# PROGRAM.cxx or PROGRAM.py, except for the license in the first line.
 file(READ "${PAGE}" page)
+get_filename_component(name "${PROGRAM}" NAME)
 
-# Checks the code block of one language.
+string(REGEX MATCH "^# [^\n]+\n\n!\\[[^]]+\\]\\(\\.\\./pictures/pages/([a-z-]+)\\.png\\)\n" begin "${page}")
+if (NOT CMAKE_MATCH_1 STREQUAL name)
+  message(FATAL_ERROR "${PAGE} does not start with a title and the image ../pictures/pages/${name}.png")
+endif ()
+
 function (check language source)
   file(READ "${source}" text)
-  string(REGEX REPLACE "\n +" "\n" text "${text}")
-  string(FIND "${page}" "```${language}\n" begin)
-  if (begin LESS 0)
-    message(FATAL_ERROR "${PAGE} has no code block of ${language}")
+  string(FIND "${text}" "\n" end)
+  string(SUBSTRING "${text}" ${end} -1 text)
+  string(FIND "${page}" "```${language}${text}```\n" position)
+  if (position LESS 0)
+    message(FATAL_ERROR "No code block of ${PAGE} is ${source} without its first line:\n```${language}${text}```")
   endif ()
-  string(SUBSTRING "${page}" ${begin} -1 block)
-  string(REGEX REPLACE "^```[a-z]+\n" "" block "${block}")
-  string(FIND "${block}" "```" end)
-  string(SUBSTRING "${block}" 0 ${end} block)
-  string(REGEX REPLACE "\n +" "\n" block "${block}")
-  # Blank lines separate parts, such as imports.
-  string(REPLACE "\n\n" "@" parts "${block}")
-  string(REPLACE ";" "\\;" parts "${parts}")
-  string(REPLACE "@" ";" parts "${parts}")
-  foreach (part IN LISTS parts)
-    string(FIND "${text}" "${part}" position)
-    if (position LESS 0)
-      message(FATAL_ERROR "${source} does not contain this code of ${PAGE}:\n${part}")
-    endif ()
-  endforeach ()
 endfunction ()
 
-check(cpp "${CXX}")
-check(python "${PYTHON}")
+check(cpp "${PROGRAM}.cxx")
+check(python "${PROGRAM}.py")

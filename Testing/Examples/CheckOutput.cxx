@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Checks the output files of the examples. A .vtu file must have tetrahedra whose point array is
-// within a range, and a .png file must have more than one color.
+// within a range, and a .png file must have more than one color. With a second .png file of the
+// same shape and any size, both must agree in the mean colors of a grid of blocks.
 //
 //   CheckOutput FILE.vtu ARRAY LOWER UPPER [ARRAY LOWER UPPER]
-//   CheckOutput FILE.png
+//   CheckOutput FILE.png [EXPECTED.png]
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkImageShrink3D.h>
 #include <vtkNew.h>
 #include <vtkPNGReader.h>
 #include <vtkPointData.h>
+#include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <iostream>
 #include <string>
@@ -62,14 +67,63 @@ bool CheckMesh(int argc, char* argv[])
   return isValid;
 }
 
-bool CheckImage(const char* path)
+/// Number of blocks along the width and the height of an image.
+constexpr int COLUMNS = 30;
+constexpr int ROWS = 20;
+
+/// Maximum difference of the mean colors of a block, of 255.
+constexpr double MAXIMUM_DIFFERENCE = 12.0;
+
+/// Returns the mean colors of the blocks, or null if the size of the image is not a multiple.
+vtkSmartPointer<vtkImageData> MeanOfBlocks(vtkImageData* image)
+{
+  const int* size = image->GetDimensions();
+  if (size[0] % COLUMNS != 0 || size[1] % ROWS != 0)
+  {
+    return nullptr;
+  }
+  vtkNew<vtkImageShrink3D> mean;
+  mean->SetInputData(image);
+  mean->SetShrinkFactors(size[0] / COLUMNS, size[1] / ROWS, 1);
+  mean->MeanOn();
+  mean->Update();
+  return mean->GetOutput();
+}
+
+bool Agrees(vtkImageData* image, const char* path)
+{
+  vtkNew<vtkPNGReader> reader;
+  reader->SetFileName(path);
+  reader->Update();
+  const vtkSmartPointer<vtkImageData> actual = MeanOfBlocks(image);
+  const vtkSmartPointer<vtkImageData> expected = MeanOfBlocks(reader->GetOutput());
+  const int components = image->GetNumberOfScalarComponents();
+  if (!actual || !expected || expected->GetNumberOfScalarComponents() != components)
+  {
+    std::cerr << path << " has another size or other components\n";
+    return false;
+  }
+  double largest = 0.0;
+  for (int i = 0; i < COLUMNS * ROWS * components; ++i)
+  {
+    const int at[3] = { i / components % COLUMNS, i / components / COLUMNS, i % components };
+    largest = std::max(largest,
+      std::abs(actual->GetScalarComponentAsDouble(at[0], at[1], 0, at[2]) -
+        expected->GetScalarComponentAsDouble(at[0], at[1], 0, at[2])));
+  }
+  std::cout << "blocks differ from " << path << " by up to " << largest << " of 255\n";
+  return largest <= MAXIMUM_DIFFERENCE;
+}
+
+bool CheckImage(const char* path, const char* expected)
 {
   vtkNew<vtkPNGReader> reader;
   reader->SetFileName(path);
   reader->Update();
   double range[2];
   reader->GetOutput()->GetScalarRange(range);
-  return reader->GetOutput()->GetNumberOfPoints() > 1 && range[1] - range[0] > 100.0;
+  return reader->GetOutput()->GetNumberOfPoints() > 1 && range[1] - range[0] > 100.0 &&
+    (!expected || Agrees(reader->GetOutput(), expected));
 }
 }
 
@@ -77,12 +131,12 @@ int main(int argc, char* argv[])
 {
   if (argc < 2)
   {
-    std::cerr << "usage: CheckOutput FILE [ARRAY LOWER UPPER...]\n";
+    std::cerr << "usage: CheckOutput FILE [EXPECTED.png | ARRAY LOWER UPPER...]\n";
     return EXIT_FAILURE;
   }
   const std::string path = argv[1];
   const bool isImage = path.size() > 4 && path.compare(path.size() - 4, 4, ".png") == 0;
-  const bool isValid = isImage ? CheckImage(argv[1]) : CheckMesh(argc, argv);
+  const bool isValid = isImage ? CheckImage(argv[1], argv[2]) : CheckMesh(argc, argv);
   if (!isValid)
   {
     std::cerr << path << " does not have the expected content\n";

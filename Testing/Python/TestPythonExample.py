@@ -3,7 +3,7 @@
 
 Tests that an example of at most LINES lines reproduces the image that C++ rendered with this build: a scene of
 the gallery, which another test compares with its baseline, or a program of the guide. The arguments are passed
-to the example before the path of its image.
+to the example.
 """
 
 import runpy
@@ -26,7 +26,7 @@ example, image, expected = map(Path, sys.argv[2:5])
 lines = len(example.read_text(encoding="utf-8").splitlines())
 assert lines <= int(sys.argv[1]), f"{example.name} has {lines} lines, more than {sys.argv[1]}"
 image.unlink(missing_ok=True)
-sys.argv = [str(example), *sys.argv[5:], str(image)]
+sys.argv = [str(example), *sys.argv[5:]]
 sys.path.insert(0, str(example.parent))
 runpy.run_path(str(example), run_name="__main__")
 difference = np.abs(read_pixels(image) - read_pixels(expected))

@@ -1,0 +1,82 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The axis of a hurricane with streamlines around it, and the point at which the air rests."""
+
+import vtkmodules.vtkInteractionStyle
+import vtkmodules.vtkRenderingOpenGL2
+from interlume import vtkAnalyticFlowSource, vtkFlowCriticalPoints, vtkVortexAxis
+from vtkmodules.vtkFiltersCore import vtkGlyph3D, vtkTubeFilter
+from vtkmodules.vtkFiltersFlowPaths import vtkStreamTracer
+from vtkmodules.vtkFiltersSources import vtkPointSource, vtkSphereSource
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkRenderWindowInteractor)
+
+renderer = vtkRenderer()
+flow = vtkAnalyticFlowSource()
+flow.SetField(vtkAnalyticFlowSource.HURRICANE)
+flow.SetDimensions(65, 65, 65)
+
+axis = vtkVortexAxis()
+axis.SetInputConnection(flow.GetOutputPort())
+tube = vtkTubeFilter()
+tube.SetInputConnection(axis.GetOutputPort())
+tube.SetRadius(0.04)
+tube.SetNumberOfSides(16)
+axisMapper = vtkPolyDataMapper()
+axisMapper.SetInputConnection(tube.GetOutputPort())
+axisMapper.ScalarVisibilityOff()
+axisActor = vtkActor()
+axisActor.SetMapper(axisMapper)
+axisActor.GetProperty().SetColor(0.93, 0.69, 0.26)
+renderer.AddActor(axisActor)
+
+points = vtkFlowCriticalPoints()
+points.SetInputConnection(flow.GetOutputPort())
+sphere = vtkSphereSource()
+sphere.SetRadius(0.09)
+sphere.SetThetaResolution(32)
+sphere.SetPhiResolution(32)
+glyphs = vtkGlyph3D()
+glyphs.SetInputConnection(points.GetOutputPort())
+glyphs.SetSourceConnection(sphere.GetOutputPort())
+glyphs.ScalingOff()
+pointMapper = vtkPolyDataMapper()
+pointMapper.SetInputConnection(glyphs.GetOutputPort())
+pointMapper.ScalarVisibilityOff()
+pointActor = vtkActor()
+pointActor.SetMapper(pointMapper)
+pointActor.GetProperty().SetColor(0.85, 0.25, 0.20)
+renderer.AddActor(pointActor)
+
+seeds = vtkPointSource()
+seeds.SetRadius(0.6)
+seeds.SetNumberOfPoints(16)
+streamlines = vtkStreamTracer()
+streamlines.SetInputConnection(flow.GetOutputPort())
+streamlines.SetSourceConnection(seeds.GetOutputPort())
+streamlines.SetIntegrationDirectionToBoth()
+streamlines.SetMaximumPropagation(1.5)
+thin = vtkTubeFilter()
+thin.SetInputConnection(streamlines.GetOutputPort())
+thin.SetRadius(0.008)
+thin.SetNumberOfSides(8)
+lineMapper = vtkPolyDataMapper()
+lineMapper.SetInputConnection(thin.GetOutputPort())
+lineMapper.ScalarVisibilityOff()
+lineActor = vtkActor()
+lineActor.SetMapper(lineMapper)
+lineActor.GetProperty().SetColor(0.45, 0.65, 0.85)
+renderer.AddActor(lineActor)
+
+renderer.SetBackground(0.10, 0.12, 0.16)
+camera = renderer.GetActiveCamera()
+camera.SetPosition(0.4, -1, 0.6)
+camera.SetViewUp(0, 0, 1)
+renderer.ResetCamera()
+camera.Zoom(1.35)
+window = vtkRenderWindow()
+window.SetSize(900, 600)
+window.SetWindowName("Critical points")
+window.AddRenderer(renderer)
+interactor = vtkRenderWindowInteractor()
+interactor.SetRenderWindow(window)
+interactor.Start()

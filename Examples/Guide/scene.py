@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A scanned bonsai, which is a volume, stands on polygons. All of them shadow each other under a lamp."""
+
+import sys
+
+import vtkmodules.vtkInteractionStyle
+import vtkmodules.vtkRenderingVolumeOpenGL2
+from interlume import vtkAreaLight, vtkShadowedScenePass, vtkShadowedSliceMapper
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.vtkFiltersSources import vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkImagingCore import vtkExtractVOI
+from vtkmodules.vtkIOXML import vtkXMLImageDataReader
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
+    vtkRenderWindowInteractor, vtkVolume)
+
+reader = vtkXMLImageDataReader()
+reader.SetFileName(sys.argv[1] if len(sys.argv) > 1 else "../../Data/bonsai.vti")
+tree = vtkExtractVOI()
+tree.SetInputConnection(reader.GetOutputPort())
+tree.SetVOI(34, 222, 10, 236, 62, 255)
+mapper = vtkShadowedSliceMapper()
+mapper.SetInputConnection(tree.GetOutputPort())
+colors = vtkColorTransferFunction()
+colors.AddRGBPoint(40, 0.30, 0.52, 0.16)
+colors.AddRGBPoint(65, 0.52, 0.68, 0.26)
+colors.AddRGBPoint(85, 0.55, 0.40, 0.24)
+colors.AddRGBPoint(170, 0.55, 0.36, 0.22)
+colors.AddRGBPoint(200, 0.80, 0.45, 0.30)
+opacities = vtkPiecewiseFunction()
+opacities.AddPoint(34, 0)
+opacities.AddPoint(60, 0.5)
+opacities.AddPoint(130, 0.9)
+volume = vtkVolume()
+volume.SetMapper(mapper)
+volume.GetProperty().SetColor(colors)
+volume.GetProperty().SetScalarOpacity(opacities)
+volume.GetProperty().ShadeOn()
+ground = vtkPlaneSource()
+ground.SetOrigin(-300, 10, -300)
+ground.SetPoint1(600, 10, -300)
+ground.SetPoint2(-300, 10, 600)
+plate = vtkPolyDataMapper()
+plate.SetInputConnection(ground.GetOutputPort())
+floor = vtkActor()
+floor.SetMapper(plate)
+floor.GetProperty().SetColor(0.50, 0.48, 0.46)
+sphere = vtkSphereSource()
+sphere.SetCenter(20, 36, 60)
+sphere.SetRadius(26)
+sphere.SetThetaResolution(64)
+sphere.SetPhiResolution(64)
+surface = vtkPolyDataMapper()
+surface.SetInputConnection(sphere.GetOutputPort())
+ball = vtkActor()
+ball.SetMapper(surface)
+ball.GetProperty().SetColor(0.8, 0.2, 0.15)
+lamp = vtkAreaLight()
+lamp.SetPosition(-150, 450, -50)
+lamp.SetFocalPoint(128, 60, 128)
+lamp.SetSize(120, 120)
+lamp.SetIntensity(1.4)
+sky = vtkLight()
+sky.SetPosition(0, 300, -400)
+sky.SetIntensity(0.4)
+sky.SetShadowAttenuation(0)
+shadows = vtkShadowedScenePass()
+
+renderer = vtkRenderer()
+renderer.AddVolume(volume)
+renderer.AddActor(floor)
+renderer.AddActor(ball)
+renderer.AddLight(lamp)
+renderer.AddLight(sky)
+renderer.SetPass(shadows)
+renderer.SetBackground(0.75, 0.78, 0.82)
+camera = renderer.GetActiveCamera()
+camera.SetPosition(80, 300, -390)
+camera.SetFocalPoint(95, 112, 128)
+camera.SetViewUp(0, 1, 0)
+window = vtkRenderWindow()
+window.SetSize(900, 600)
+window.SetWindowName("Scene")
+window.AddRenderer(renderer)
+interactor = vtkRenderWindowInteractor()
+interactor.SetRenderWindow(window)
+interactor.Start()
