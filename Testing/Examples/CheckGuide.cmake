@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # cmake -D PAGE=page.md -D PROGRAM=Examples/Guide/page -P CheckGuide.cmake
-# Checks that the page starts with its image, and that its first code block of each language is the whole file
-# PROGRAM.cxx or PROGRAM.py, except for the license in the first line.
+# Checks that a page of the guide starts with its image, or that the README contains it, and that the first code block of
+# each language is the whole file PROGRAM.cxx or PROGRAM.py, except for the license in the first line.
 file(READ "${PAGE}" page)
 get_filename_component(name "${PROGRAM}" NAME)
 
-string(REGEX MATCH "^# [^\n]+\n\n!\\[[^]]+\\]\\(\\.\\./pictures/pages/([a-z-]+)\\.png\\)\n" begin "${page}")
-if (NOT CMAKE_MATCH_1 STREQUAL name)
-  message(FATAL_ERROR "${PAGE} does not start with a title and the image ../pictures/pages/${name}.png")
+set(begin "^# [^\n]+\n\n!\\[[^]]+\\]\\(\\.\\./")
+if (name STREQUAL readme)
+  set(begin "!\\[[^]]+\\]\\(Documentation/")
+endif ()
+if (NOT page MATCHES "${begin}pictures/pages/${name}\\.png\\)\n")
+  message(FATAL_ERROR "${PAGE} lacks the image pictures/pages/${name}.png at its place")
 endif ()
 
 function (check language source)

@@ -14,15 +14,16 @@ from pathlib import Path
 
 from cells import NOTHING, markdown, number_of, short, span_of, text_of
 from results import Results
-from tables import README_LINES, TABLES, VALUES
+from tables import RATIO_LINES, README_LINES, TABLES, VALUES
 
 FIELD = re.compile(r"\{\{(.+?)\}\}")
 GUIDE_VALUE = re.compile(r"<!-- value (\S+) -->.*?<!-- / -->")
+GUIDE_RATIOS = re.compile(r"(<!-- ratios -->\n).*?(<!-- /ratios -->)", re.DOTALL)
 README_BLOCK = re.compile(r"(<!-- measured: .*? -->\n).*?(<!-- /measured -->)", re.DOTALL)
 # Parts of a page that are not prose: fields, code, images, link targets, program versions.
 NOT_PROSE = re.compile(r"\{\{.*?\}\}|`[^`]*`|!\[[^\]]*\]\([^)]*\)|\]\([^)]*\)|\b(?:VTK|ParaView|Debian) [\d.]+")
 # Generated parts of the README, and code blocks.
-NOT_TYPED = re.compile(r"<!-- (versions|measured).*?<!-- (?:end of |/)\1 -->|```.*?```", re.DOTALL)
+NOT_TYPED = re.compile(r"<!-- (versions|measured|ratios).*?<!-- (?:end of |/)\1 -->|```.*?```", re.DOTALL)
 MEASURED = re.compile(r"\d\.\d|\d ?%|\d\s?e-?\d|\d ?(?:s|ms|µs|MB|MiB|GB|GiB|times|million)\b")
 MAXIMUM_WORDS = 3000
 # The README has a column for each VTK version that has results of at least this number of suites.
@@ -36,6 +37,11 @@ def check_words(name, text):
         if found:
             raise ValueError(f"{name}:{number}: \"{found.group()}\" is typed by hand; use a {{{{value}}}} field: "
                              f"{line.strip()}")
+
+
+def prose_of(text):
+    """Returns a page with empty lines in place of generated parts and code, and without generated values."""
+    return NOT_TYPED.sub(lambda found: "\n" * found.group().count("\n"), GUIDE_VALUE.sub(" ", text))
 
 
 def only_row(run, fields):
@@ -86,10 +92,10 @@ class Pages:
     def written(self, root):
         """Returns the texts of measurements.md, README.md and the pages of the guide, by path."""
         readme = root / "README.md"
-        old = readme.read_text(encoding="utf-8")
+        old = self.filled(readme)
         if not README_BLOCK.search(old):
             raise ValueError(f"{readme} has no block <!-- measured: --> ... <!-- /measured -->; add one")
-        check_words(readme, NOT_TYPED.sub(lambda found: "\n" * found.group().count("\n"), old))
+        check_words(readme, prose_of(old))
         block = self.expanded("readme.in.md")
         page = self.expanded("page.in.md")
         guide = {path: self.filled(path) for path in sorted((root / "Documentation" / "guide").glob("*.md"))}
@@ -106,10 +112,12 @@ class Pages:
         return re.sub(r"\n{3,}", "\n\n", FIELD.sub(lambda found: self.field(found.group(1)), text))
 
     def filled(self, path):
-        """Returns the text of a page of the guide. Pages with a program must not contain typed measurements."""
+        """Returns the text of a page with its values. Pages with a program must not contain typed measurements."""
         text = path.read_text(encoding="utf-8")
         if (path.parents[2] / "Examples" / "Guide" / f"{path.stem}.py").exists():
-            check_words(path, NOT_TYPED.sub(lambda found: "\n" * found.group().count("\n"), GUIDE_VALUE.sub(" ", text)))
+            check_words(path, prose_of(text))
+        text = GUIDE_RATIOS.sub(
+            lambda found: f"{found.group(1)}{self.ratios(RATIO_LINES)}\n{found.group(2)}", text)
         return GUIDE_VALUE.sub(
             lambda found: f"<!-- value {found.group(1)} -->{self.field('value ' + found.group(1))}<!-- / -->", text)
 
@@ -179,12 +187,15 @@ class Pages:
         return "; ".join(f"{machine} (VTK {', '.join(sorted(versions))})" for machine, versions in found.items())
 
     def readme(self, _):
-        """Returns the table of ratios to baselines: a column for each VTK, smallest ratio first."""
+        return self.ratios(README_LINES)
+
+    def ratios(self, ratio_lines):
+        """Returns a table of ratios to baselines: a column for each VTK, smallest ratio first."""
         measured = [version for _, version in self.results.runs]
         columns = [version for version in self.results.versions() if measured.count(version) >= MINIMUM_SUITES]
         columns = columns or self.results.versions()
         lines = []
-        for line in README_LINES:
+        for line in ratio_lines:
             found = {version: line_ratios(self.results.runs.get((line["suite"], version)), line)
                      for version in self.results.versions()}
             found = {version: made for version, made in found.items() if made}

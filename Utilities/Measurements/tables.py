@@ -204,14 +204,14 @@ VALUES = {
 
 
 def ratios(suite, work, data, peer, rows):
-    """Describes a line of the README's table."""
+    """Describes a line of a table of ratios: a suite, its task, data, baseline and rows."""
     return {"suite": suite, "work": work, "data": data, "peer": peer, "rows": rows}
 
 
 CASTER = "`vtkGPUVolumeRayCastMapper`"
 FRAME = "CT, 256² x 128{}, 512², llvmpipe, two threads; Interlume at its defaults, slices half a voxel apart"
 UNADJUSTED = "one sample per voxel, no automatic sample distances (not its defaults)"
-README_LINES = [
+RATIO_LINES = [
     *(ratios("interval", "extract tetrahedra between two values", words,
              "`vtkTableBasedClipDataSet` twice (mixed cells) / followed by `vtkDataSetTriangleFilter` (tetrahedra)",
              [{"case": case, "peer": peer, **INTERVAL} for peer in ("clip2", "clip2-tetrahedra")])
@@ -244,4 +244,25 @@ README_LINES = [
                                                for integrator in ("RK4", "RK45")])
       for case, words in (("image-64", "image 64³"), ("image-128", "image 128³"),
                           ("hexahedra-64", "64³ points, hexahedra"), ("tetrahedra-64", "64³ points, tetrahedra"))),
+]
+# The README's rows: the largest losses, threads, a graphics card, and one row for each task.
+README_LINES = [
+    ratios("shadows", "volume without shadows", "CT 256³ / rings 128³", "`vtkGPUVolumeRayCastMapper`",
+           [{"case": case, "method": "shadows-off", "peer": "gpu"} for case in ("bonsai-256x256x256", "rings-128")]),
+    ratios("contour", "isosurface", "image 97³", "`vtkFlyingEdges3D`",
+           [{"case": "wavelet-97", "method": "isotable-image", "peer": "flyingedges", **ONE}]),
+    ratios("tetrahedra", "tetrahedra as a volume, OpenGL on a CPU", "0.3 M / 8 M", "`vtkProjectedTetrahedraMapper`",
+           [{"case": case, "method": "opengl", "parameter": "composite", "peer": "projectedtetrahedra", "error": None}
+            for case in ("gyroid-0.3M", "gyroid-8M")]),
+    ratios("interval", "tetrahedra between two values, two threads", "image 97³ / disk", "one thread",
+           [{"case": case, **SECOND} for case in ("wavelet-97", "disk-out")]),
+    ratios("interval", "tetrahedra between two values", "image 97³ / disk", "`vtkTableBasedClipDataSet` twice",
+           [{"case": case, "peer": "clip2", **INTERVAL} for case in ("wavelet-97", "disk-out")]),
+    ratios("shadows", "volume with the shadows of a light", "CT 256² x 128",
+           "`vtkGPUVolumeRayCastMapper`, volumetric shadows",
+           [{"case": "bonsai-256x256x128", "method": "shadows", "peer": "gpu-shadows"}]),
+    ratios("graphics-card", "tetrahedra as a volume, NVIDIA H200", "8 M", "`vtkProjectedTetrahedraMapper`",
+           [{"case": "gyroid-8M", "method": "opengl, vertex shader", "parameter": "composite"}]),
+    ratios("flow-speed", "ends of streamlines, equal error", "image 64³", "`vtkStreamTracer`, RK4 / RK45",
+           [{"case": "image-64", **equal_error(integrator)} for integrator in ("RK4", "RK45")]),
 ]

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A scanned bonsai that casts shadows on itself."""
+
+import vtkmodules.all as vtk
+from interlume import vtkShadowedSliceMapper
+
+reader = vtk.vtkXMLImageDataReader()
+reader.SetFileName("Data/bonsai.vti")
+mapper = vtkShadowedSliceMapper()
+mapper.SetInputConnection(reader.GetOutputPort())
+mapper.SetCroppingRegionPlanes(30, 226, 12, 236, 62, 255)
+mapper.CroppingOn()
+opacities = vtk.vtkPiecewiseFunction()
+opacities.AddSegment(34, 0.0, 120, 1.0)
+colors = vtk.vtkColorTransferFunction()
+colors.AddRGBSegment(40, 0.4, 0.6, 0.2, 100, 0.7, 0.5, 0.3)
+volume = vtk.vtkVolume()
+volume.SetMapper(mapper)
+volume.GetProperty().SetScalarOpacity(opacities)
+volume.GetProperty().SetColor(colors)
+sun = vtk.vtkLight()
+sun.SetPosition(1.0, 1.6, -0.8)
+sun.SetIntensity(1.8)
+renderer = vtk.vtkRenderer()
+renderer.SetBackground(0.93, 0.93, 0.94)
+renderer.AddVolume(volume)
+renderer.AddLight(sun)
+renderer.GetActiveCamera().SetPosition(0.1, 0.4, -1)
+renderer.ResetCamera()
+renderer.GetActiveCamera().Zoom(1.9)
+window = vtk.vtkRenderWindow()
+window.SetSize(900, 600)
+window.AddRenderer(renderer)
+interactor = vtk.vtkRenderWindowInteractor()
+interactor.SetRenderWindow(window)
+interactor.Start()
