@@ -25,10 +25,11 @@ vtkStandardNewMacro(vtkShadowedScenePass);
 vtkCxxSetObjectMacro(vtkShadowedScenePass, DelegatePass, vtkRenderPass);
 vtkInformationKeyMacro(vtkShadowedScenePass, CASTS_SHADOWS, Integer);
 vtkInformationKeyMacro(vtkShadowedScenePass, RECEIVES_SHADOWS, Integer);
+vtkInformationKeyMacro(vtkShadowedScenePass, CASTS_SHADOWS_WHEN_INVISIBLE, Integer);
 
 namespace
 {
-void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool isOn)
+void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool isOn, bool isOnByDefault)
 {
   if (!prop)
   {
@@ -36,12 +37,12 @@ void SetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool isOn)
   }
   if (vtkInformation* keys = prop->GetPropertyKeys())
   {
-    isOn ? keys->Remove(key) : keys->Set(key, 0);
+    isOn == isOnByDefault ? keys->Remove(key) : keys->Set(key, isOn ? 1 : 0);
   }
-  else if (!isOn)
+  else if (isOn != isOnByDefault)
   {
     vtkNew<vtkInformation> newKeys;
-    newKeys->Set(key, 0);
+    newKeys->Set(key, isOn ? 1 : 0);
     prop->SetPropertyKeys(newKeys);
   }
 }
@@ -51,10 +52,10 @@ interlume::VolumeImage& UpdateImage(vtkRenderer* renderer, vtkVolume* volume)
   return vtkShadowedSliceMapper::SafeDownCast(volume->GetMapper())->UpdateImage(renderer, volume);
 }
 
-bool GetKey(vtkProp* prop, vtkInformationIntegerKey* key)
+bool GetKey(vtkProp* prop, vtkInformationIntegerKey* key, bool isOnByDefault)
 {
   vtkInformation* keys = prop ? prop->GetPropertyKeys() : nullptr;
-  return prop && (!keys || !keys->Has(key) || keys->Get(key) != 0);
+  return prop && (keys && keys->Has(key) ? keys->Get(key) != 0 : isOnByDefault);
 }
 }
 
@@ -72,22 +73,32 @@ vtkShadowedScenePass::~vtkShadowedScenePass()
 
 void vtkShadowedScenePass::SetCastsShadows(vtkProp* prop, bool casts)
 {
-  SetKey(prop, CASTS_SHADOWS(), casts);
+  SetKey(prop, CASTS_SHADOWS(), casts, true);
 }
 
 bool vtkShadowedScenePass::GetCastsShadows(vtkProp* prop)
 {
-  return GetKey(prop, CASTS_SHADOWS());
+  return GetKey(prop, CASTS_SHADOWS(), true);
 }
 
 void vtkShadowedScenePass::SetReceivesShadows(vtkProp* prop, bool receives)
 {
-  SetKey(prop, RECEIVES_SHADOWS(), receives);
+  SetKey(prop, RECEIVES_SHADOWS(), receives, true);
 }
 
 bool vtkShadowedScenePass::GetReceivesShadows(vtkProp* prop)
 {
-  return GetKey(prop, RECEIVES_SHADOWS());
+  return GetKey(prop, RECEIVES_SHADOWS(), true);
+}
+
+void vtkShadowedScenePass::SetCastsShadowsWhenInvisible(vtkProp* prop, bool casts)
+{
+  SetKey(prop, CASTS_SHADOWS_WHEN_INVISIBLE(), casts, false);
+}
+
+bool vtkShadowedScenePass::GetCastsShadowsWhenInvisible(vtkProp* prop)
+{
+  return GetKey(prop, CASTS_SHADOWS_WHEN_INVISIBLE(), false);
 }
 
 void vtkShadowedScenePass::DrawAll(const vtkRenderState* state)
@@ -124,7 +135,8 @@ void vtkShadowedScenePass::Render(const vtkRenderState* state)
   interlume::SceneRenderer& scene = *this->Renderer;
   const interlume::SceneRenderer::Request request{ this->MaximumNumberOfShadowLights,
     this->DepthMapResolution, this->DepthBias, this->NumberOfLightSamples,
-    this->MaximumNumberOfLayers, GetCastsShadows, GetReceivesShadows };
+    this->MaximumNumberOfLayers, GetCastsShadows, GetReceivesShadows,
+    GetCastsShadowsWhenInvisible };
   this->FindVolumes(renderer);
   if (!scene.Begin(renderer, request, static_cast<int>(this->Volumes.size())))
   {

@@ -40,7 +40,8 @@ class VolumeImage;
  * computed from shadow maps. T is the transmittance of the volumes. All visible opaque actors cast
  * shadows, whether they are in view or not. Meshes may be open, inverted or without thickness.
  * Properties, textures, normals, vertex colors, clipping planes, PBR and flat shading, and glyphs
- * of vtkOpenGLGlyph3DMapper work as usual. SetCastsShadows and SetReceivesShadows exclude actors.
+ * of vtkOpenGLGlyph3DMapper work as usual. SetCastsShadows and SetReceivesShadows exclude actors;
+ * SetCastsShadowsWhenInvisible includes invisible ones.
  *
  * **Lights** are all lights that are switched on, as in vtkShadowedSliceMapper. Lights with a
  * ShadowAttenuation above 0 cast shadows, except headlights on actors. Images of vtkProjectiveLight
@@ -162,11 +163,13 @@ public:
   ///@{
   /**
    * Keys for vtkProp::SetPropertyKeys that control whether the prop's surfaces cast and receive
-   * shadows. The surfaces do if the key is missing or not 0. Keys of an assembly or a
-   * level-of-detail prop apply to its parts.
+   * shadows. The surfaces do if CASTS_SHADOWS and RECEIVES_SHADOWS are missing or not 0. Surfaces
+   * of an invisible prop cast shadows only if CASTS_SHADOWS_WHEN_INVISIBLE is not 0. Keys of an
+   * assembly or a level-of-detail prop apply to its parts.
    */
   static vtkInformationIntegerKey* CASTS_SHADOWS();
   static vtkInformationIntegerKey* RECEIVES_SHADOWS();
+  static vtkInformationIntegerKey* CASTS_SHADOWS_WHEN_INVISIBLE();
   ///@}
 
   ///@{
@@ -182,6 +185,17 @@ public:
   static bool GetCastsShadows(vtkProp* prop);
   static void SetReceivesShadows(vtkProp* prop, bool receives);
   static bool GetReceivesShadows(vtkProp* prop);
+  ///@}
+
+  ///@{
+  /**
+   * Set or get the CASTS_SHADOWS_WHEN_INVISIBLE key of an actor or assembly. Default false, which
+   * removes the key. An actor with this key and VisibilityOff() casts shadows on surfaces and in
+   * volumes without being drawn, for example a screen with holes that shapes beams of light. For a
+   * null prop, the getter returns false.
+   */
+  static void SetCastsShadowsWhenInvisible(vtkProp* prop, bool casts);
+  static bool GetCastsShadowsWhenInvisible(vtkProp* prop);
   ///@}
 
   /**

@@ -131,7 +131,8 @@ std::string Print(vtkObject* object)
 /// Values that PrintSelf does not print: values per id or layer are printed only if they are set,
 /// and information keys belong to a prop.
 const std::set<std::string> NotPrinted = { "vtkInflowMapping::Formula", "vtkInflowMapping::Image",
-  "vtkShadowedScenePass::CastsShadows", "vtkShadowedScenePass::ReceivesShadows" };
+  "vtkShadowedScenePass::CastsShadows", "vtkShadowedScenePass::CastsShadowsWhenInvisible",
+  "vtkShadowedScenePass::ReceivesShadows" };
 
 /// Returns the text of each module header without comments, by class name.
 std::map<std::string, std::string> ReadHeaders(const fs::path& source)

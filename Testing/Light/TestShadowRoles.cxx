@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Actors that vtkShadowedScenePass excludes from casting or receiving shadows: opaque and
-// translucent actors, actors with smoke, and parts of assemblies.
+// Actors that vtkShadowedScenePass excludes from casting or receiving shadows, and invisible actors
+// that cast shadows: opaque and translucent actors, actors with smoke, and parts of assemblies.
 #include "Support/Checks/ReferenceCheck.h"
 #include "SceneStage.h"
 
@@ -11,6 +11,7 @@
 #include "vtkLight.h"
 #include "vtkNew.h"
 #include "vtkProjectiveLight.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
 #include "vtkShadowedSliceMapper.h"
 
@@ -70,6 +71,15 @@ void TestKeys(Check& check)
     "the default removes the keys");
   Pass::SetCastsShadows(nullptr, false);
   check.That(!Pass::GetCastsShadows(nullptr), "a null prop casts no shadows");
+  check.That(
+    !Pass::GetCastsShadowsWhenInvisible(actor), "invisible props cast no shadows by default");
+  Pass::SetCastsShadowsWhenInvisible(actor, true);
+  check.That(Pass::GetCastsShadowsWhenInvisible(actor), "casting when invisible is on");
+  Pass::SetCastsShadowsWhenInvisible(actor, false);
+  check.That(!actor->GetPropertyKeys()->Has(Pass::CASTS_SHADOWS_WHEN_INVISIBLE()),
+    "the default removes the key of invisible props");
+  Pass::SetCastsShadowsWhenInvisible(nullptr, true);
+  check.That(!Pass::GetCastsShadowsWhenInvisible(nullptr), "a null prop casts no shadows");
 }
 
 void TestSurfaces(Check& check)
@@ -192,6 +202,56 @@ void TestTranslucent(Check& check)
   check.That(CompareImages(mixed, stage.Draw()).Max > 0.01, "the square's shadow in the smoke");
 }
 
+// An invisible plate casts the same shadow as a visible one, on the floor and in smoke.
+void TestInvisible(Check& check)
+{
+  Plates scene;
+  const auto at = [&](const std::string& name, double plate, double shadow)
+  {
+    const RgbaImage image = scene.Stage.Draw();
+    check.Near(scene.Stage.At(image, 0.4, 0.0), plate, 1e-3, name + ": at the plate", 1.0);
+    check.Near(scene.Stage.At(image, -0.3, 0.0), shadow, 1e-3, name + ": in its shadow", 1.0);
+  };
+  at("visible", scene.Sun, 0.0);
+  scene.Plate->VisibilityOff();
+  // The floor below the plate is lit.
+  at("invisible", scene.Sun, scene.Sun);
+  Pass::SetCastsShadowsWhenInvisible(scene.Plate, true);
+  scene.Plate->GetProperty()->SetColor(0.2, 0.2, 0.2);
+  at("invisible with shadow", scene.Sun, 0.0);
+  Pass::SetCastsShadows(scene.Plate, false);
+  at("invisible without shadow", scene.Sun, scene.Sun);
+  Pass::SetCastsShadows(scene.Plate, true);
+  scene.Plate->GetProperty()->SetOpacity(0.5);
+  at("invisible and translucent", scene.Sun, 0.5 * scene.Sun);
+}
+
+// Smoke under an invisible plate, without any visible surface.
+void TestInvisibleInSmoke(Check& check)
+{
+  SceneStage stage(64);
+  const vtkSmartPointer<vtkActor> plate =
+    MakeRectangle({ { 0.5, -0.4, 0.8 } }, { { 0.4, 0.0, 0.0 } }, { { 0.0, 0.8, 0.0 } });
+  stage.AddSmoke({ { -0.4, 0.4, -0.4, 0.4, 0.0, 0.3 } }, 2.0);
+  stage.Stage.SetLights({ MakeSun(DOWN) });
+  const RgbaImage lit = stage.Draw();
+  stage.Add(plate);
+  const RgbaImage seen = stage.Draw();
+  plate->VisibilityOff();
+  check.Near(CompareImages(lit, stage.Draw()).Max, 0.0, 1e-6, "invisible plates do nothing", 1.0);
+  Pass::SetCastsShadowsWhenInvisible(plate, true);
+  for (const double opacity : { 1.0, 0.5 })
+  {
+    plate->GetProperty()->SetOpacity(opacity);
+    const RgbaImage hidden = stage.Draw();
+    const double light = 1.0 - opacity;
+    const double expected =
+      light * stage.At(lit, 0.2, 0.0) + (1.0 - light) * stage.At(seen, 0.2, 0.0);
+    check.Near(stage.At(hidden, 0.2, 0.0), expected, 5e-3, "the shadow in the smoke", 1.0);
+    check.Near(stage.At(hidden, 0.7, 0.0), stage.At(lit, 0.7, 0.0), 1e-6, "no plate", 1.0);
+  }
+}
+
 // Parts of an assembly use the shadow keys that are set on the assembly.
 void TestAssembly(Check& check)
 {
@@ -210,6 +270,10 @@ void TestAssembly(Check& check)
   Pass::SetCastsShadows(parts, false);
   stage.Add(MakeFloor());
   check.Near(stage.At(stage.Draw(), -0.3, 0.0), sun, 1e-3, "its parts cast no shadows", 1.0);
+  Pass::SetCastsShadows(parts, true);
+  Pass::SetCastsShadowsWhenInvisible(parts, true);
+  parts->VisibilityOff();
+  check.Near(stage.At(stage.Draw(), -0.3, 0.0), 0.0, DARK, "parts of an invisible assembly", 1.0);
 }
 
 }
@@ -222,6 +286,8 @@ int TestShadowRoles(int, char*[])
   TestLightImages(check);
   TestSmoke(check);
   TestTranslucent(check);
+  TestInvisible(check);
+  TestInvisibleInSmoke(check);
   TestAssembly(check);
   return check.Result();
 }

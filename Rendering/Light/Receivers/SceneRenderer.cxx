@@ -85,9 +85,10 @@ bool SceneRenderer::SortProps(vtkRenderer* renderer, Boxes& boxes)
   props->InitTraversal(iterator);
   while (vtkProp* prop = props->GetNextProp(iterator))
   {
-    if (!prop->GetVisibility() || !HasSurfaces(prop))
+    const bool isVisible = prop->GetVisibility() != 0;
+    if (!HasSurfaces(prop) || !(isVisible || this->Settings.CastsWhenInvisible(prop)))
     {
-      hasOthers = hasOthers || (prop->GetVisibility() && MayOcclude(prop));
+      hasOthers = hasOthers || (isVisible && MayOcclude(prop));
       continue;
     }
     this->Props.push_back(prop);
@@ -107,7 +108,10 @@ bool SceneRenderer::SortProps(vtkRenderer* renderer, Boxes& boxes)
     const auto add = [&](std::vector<vtkProp*>& all, std::vector<vtkProp*>& occluders,
                        std::vector<ShadowMapView::Box>& occluderBoxes)
     {
-      all.push_back(prop);
+      if (isVisible)
+      {
+        all.push_back(prop);
+      }
       if (casts)
       {
         occluders.push_back(prop);
@@ -184,9 +188,12 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
     renderer->GetUseDepthPeeling() != 0 && renderer->GetUseDepthPeelingForVolumes();
   this->IsLayered =
     !this->Translucent.empty() && volumes > 0 && !isPeeled && (!this->Opaque.empty() || !hasOthers);
-  this->IsMixed =
-    (volumes > 0 && hasShadows && (!this->Opaque.empty() || isGroup)) || this->IsLayered;
-  if (this->Layering.Enable(!this->Translucent.empty()))
+  // Without translucent props in view, translucent occluders are invisible ones.
+  const bool hasTranslucent = !this->Translucent.empty() || !this->TranslucentOccluders.empty();
+  const bool hasOccluders = !this->Opaque.empty() || !this->Occluders.empty() ||
+    (this->Translucent.empty() && hasTranslucent);
+  this->IsMixed = (volumes > 0 && hasShadows && (hasOccluders || isGroup)) || this->IsLayered;
+  if (this->Layering.Enable(hasTranslucent))
   {
     this->ShaderTime.Modified();
   }

@@ -53,6 +53,8 @@ public:
     /// Return whether a prop casts shadows, and whether it receives them.
     bool (*Casts)(vtkProp* prop) = nullptr;
     bool (*Receives)(vtkProp* prop) = nullptr;
+    /// Returns true if a prop casts shadows even if it is invisible.
+    bool (*CastsWhenInvisible)(vtkProp* prop) = nullptr;
   };
 
   SceneRenderer();
@@ -67,7 +69,8 @@ public:
   /// the pass did not exist.
   bool HasVolumes() const { return this->IsMixed; }
 
-  /// Returns the props whose shaders are changed: all visible props with surfaces.
+  /// Returns the props whose shaders are changed: all props with surfaces that are visible or cast
+  /// shadows.
   std::vector<vtkProp*>& GetProps() { return this->Props; }
 
   /// Draws the shadow maps of opaque and translucent surfaces. Returns an error if the maps cannot
@@ -123,8 +126,8 @@ private:
     std::vector<ShadowMapView::Box> All;
   };
 
-  /// Classifies the renderer's visible props. Returns true if props that are not drawn as surfaces
-  /// can hide volumes.
+  /// Classifies the renderer's props that are visible or cast shadows. Returns true if props that
+  /// are not drawn as surfaces can hide volumes.
   bool SortProps(vtkRenderer* renderer, Boxes& boxes);
   Error UpdateContext(vtkOpenGLRenderWindow* window);
   Error DrawTranslucentMaps(vtkRenderer* renderer);
