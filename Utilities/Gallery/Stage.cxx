@@ -27,6 +27,10 @@ constexpr double LEGEND_LINES = 4.4;
 
 /// Font size at which lines and points have the width that their scene sets.
 constexpr double FONT_OF_LINES = 18.0;
+
+/// Width of the gap between panels with a gradient background, as a fraction of the image's width.
+/// Without a gap, such panels would appear as one.
+constexpr double GAP = 0.01;
 }
 
 Stage::Stage(const ImageSize& size)
@@ -183,8 +187,10 @@ Stage::Cell Stage::GetCell(std::size_t panel) const
   const int legend = this->Legend ? static_cast<int>(LEGEND_LINES * font) : 0;
   const int captionHeight =
     this->Panels[panel]->GetCaption().empty() ? 0 : static_cast<int>(CAPTION_LINES * font);
-  const int left = this->Width * column / columns;
-  const int right = this->Width * (column + 1) / columns;
+  const bool isGradient = this->Panels[panel]->GetRenderer()->GetGradientBackground();
+  const int gap = isGradient ? static_cast<int>(0.5 * GAP * this->Width) : 0;
+  const int left = this->Width * column / columns + (column > 0 ? gap : 0);
+  const int right = this->Width * (column + 1) / columns - (column + 1 < columns ? gap : 0);
   const int bottom = legend + (this->Height - legend) * (rows - 1 - row) / rows;
   const int top = legend + (this->Height - legend) * (rows - row) / rows;
   return { left, bottom, right - left, top - bottom, captionHeight };

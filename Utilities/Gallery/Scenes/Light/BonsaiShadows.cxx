@@ -10,25 +10,27 @@ namespace
 {
 vtkSmartPointer<vtkImageData> SampleBonsai()
 {
-  vtkSmartPointer<vtkSpatialObject> all = gallery::Unite({ gallery::MakeBonsai(),
-    gallery::MakeDisk({ 0.0, -0.05, 0.0 }, 0.68, 0.05, gallery::Plaster()) });
-  return gallery::Sample(all, vtkBoundingBox(-0.7, 0.7, -0.75, 0.65, -0.07, 1.1), 216, 0.5);
+  vtkSmartPointer<vtkSpatialObject> all =
+    gallery::Unite({ gallery::MakeBonsai(), gallery::MakeFloor({ 0.78, 0.70, 0.60 }) });
+  return gallery::Sample(all, vtkBoundingBox(-0.88, 0.88, -0.86, 0.84, -0.04, 1.08), 240, 0.5);
 }
 
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleBonsai();
   gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -1.8, -1.4, 3.2 }, 0.85));
-  pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.66, 0.66, -0.1, 0.1, -0.27, 1.06));
+    gallery::MakeStudioLights({ -1.1, -0.5, 3.3 }, 0.9));
+  pair.UseBackdrop({ 0.90, 0.90, 0.84 }, { 0.50, 0.60, 0.56 });
+  pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.54, 0.58, -0.1, 0.1, -0.17, 1.08));
 }
 
 void BuildSoft(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleBonsai();
-  gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -1.8, -1.4, 3.2 }, 0.85), 0.9)
-    .Look({ 0.1, -1.0, 0.5 }, vtkBoundingBox(-0.66, 0.66, -0.1, 0.1, -0.33, 1.04));
+  gallery::SoftPair pair = gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
+    gallery::MakeStudioLights({ -1.8, -1.0, 2.8 }, 0.85), 0.7);
+  pair.UseBackdrop({ 0.92, 0.88, 0.80 }, { 0.56, 0.50, 0.46 });
+  pair.Look({ 0.1, -1.0, 0.5 }, vtkBoundingBox(-0.54, 0.62, -0.1, 0.1, -0.22, 1.08));
 }
 
 const gallery::SceneRegistration registration(
@@ -40,6 +42,6 @@ const gallery::SceneRegistration registration(
 const gallery::SceneRegistration softRegistration(
   { "bonsai-soft", "2.36", "A bonsai under a point light and under a disk light",
     "The scanned bonsai under a disk light. The shadow of the pot has a sharp edge; the shadow of "
-    "the crown on the plate is soft.",
+    "the crown on the floor is soft.",
     { "bonsai.vti" }, &BuildSoft });
 }

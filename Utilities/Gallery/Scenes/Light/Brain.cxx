@@ -34,8 +34,12 @@ void Build(gallery::Stage& stage)
   gallery::ShadowPair part =
     gallery::AddShadowPair(stage, image, property, lights, 0.0, "close up, ");
   stage.SetColumns(2);
-  whole.Look({ 0.4, -1.0, 0.5 }, vtkBoundingBox(-0.3, 0.3, -0.1, 0.1, -0.335, 0.295));
-  part.Look({ 0.4, -1.0, 0.5 }, vtkBoundingBox(-0.1, 0.1, -0.3, -0.1, 0.0, 0.2));
+  for (const gallery::ShadowPair& pair : { whole, part })
+  {
+    pair.UseBackdrop({ 0.52, 0.60, 0.64 }, { 0.14, 0.19, 0.23 });
+  }
+  whole.Look({ 0.4, -1.0, 0.5 }, vtkBoundingBox(-0.3, 0.3, -0.1, 0.1, -0.16, 0.29));
+  part.Look({ 0.4, -1.0, 0.5 }, vtkBoundingBox(-0.06, 0.22, -0.3, -0.1, 0.05, 0.2));
 }
 
 const gallery::SceneRegistration registration(

@@ -23,7 +23,8 @@ void BuildSphere(gallery::Stage& stage)
     { gallery::MakeParallelProjector(
         { -2.4, -2.2, 3.4 }, { 0.0, 0.0, 0.0 }, 3.2, 3.2, 1.9, gallery::MakeGridPattern(32, 0.14)),
       gallery::MakeFillLight({ 1.0, -1.0, 0.4 }, 0.25) });
-  panel.Frame(vtkBoundingBox(-1.0, 1.2, -0.3, 0.3, -0.95, 0.78));
+  gallery::UseBackdrop(panel, { 0.66, 0.72, 0.78 }, { 0.18, 0.22, 0.30 });
+  panel.Frame(vtkBoundingBox(-1.0, 1.2, -0.3, 0.3, -0.85, 0.76));
   panel.LookFrom({ 0.2, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
 }
 
@@ -38,7 +39,8 @@ void BuildProtein(gallery::Stage& stage)
     { gallery::MakeParallelProjector(
         { -1.6, -2.4, 2.4 }, { 0.0, 0.0, 0.3 }, 2.4, 2.4, 2.3, gallery::MakeGridPattern(40, 0.14)),
       gallery::MakeFillLight({ 1.0, -1.0, 0.4 }, 0.25) });
-  panel.Frame(vtkBoundingBox(-0.72, 0.88, -0.2, 0.2, -0.35, 1.05));
+  gallery::UseBackdrop(panel, { 0.74, 0.70, 0.66 }, { 0.26, 0.22, 0.24 });
+  panel.Frame(vtkBoundingBox(-0.72, 0.88, -0.2, 0.2, -0.28, 1.03));
   panel.LookFrom({ 0.25, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
 }
 

@@ -9,13 +9,20 @@
 
 #include "vtkConstructiveModelSource.h"
 
+namespace
+{
+vtkSmartPointer<vtkSpatialObject> MakeRings()
+{
+  return gallery::Place(
+    gallery::Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS)),
+    { 0.0, 0.0, 0.42 }, 8.0);
+}
+}
+
 vtkSmartPointer<vtkImageData> gallery::SampleRings()
 {
   vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
-    { gallery::Place(
-        gallery::Soften(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::RINGS)),
-        { 0.0, 0.0, 0.42 }, 8.0),
-      gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.25, 0.06, gallery::Plaster()) });
+    { MakeRings(), gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 1.25, 0.06, gallery::Plaster()) });
   return gallery::Sample(all, vtkBoundingBox(-1.3, 1.3, -1.3, 1.3, -0.1, 0.8), 220);
 }
 
@@ -26,16 +33,20 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkImageData> image = gallery::SampleRings();
   gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ -2.2, -1.2, 3.6 }, 0.85));
+  gallery::UseBackdrop(panel, { 0.80, 0.82, 0.84 }, { 0.46, 0.54, 0.64 });
   panel.LookFrom({ 0.1, -1.0, 0.8 }, { 0.0, 0.0, 1.0 });
   panel.Frame(vtkBoundingBox(-1.4, 1.4, -0.1, 0.1, -1.18, 0.98));
 }
 
 void BuildSoft(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkImageData> image = gallery::SampleRings();
-  gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -2.2, -1.2, 3.6 }, 0.85), 0.9)
-    .Look({ 0.1, -1.0, 0.8 }, vtkBoundingBox(-1.28, 1.28, -0.1, 0.1, -1.1, 0.98));
+  vtkSmartPointer<vtkImageData> image =
+    gallery::Sample(gallery::Unite({ MakeRings(), gallery::MakeFloor({ 0.88, 0.84, 0.78 }) }),
+      vtkBoundingBox(-1.7, 1.7, -1.7, 1.7, -0.06, 0.8), 260);
+  gallery::SoftPair pair = gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
+    gallery::MakeStudioLights({ -2.0, -1.0, 3.4 }, 0.85), 0.9, 0.0, 512);
+  pair.UseBackdrop({ 0.84, 0.86, 0.88 }, { 0.50, 0.58, 0.66 });
+  pair.Look({ 0.1, -1.0, 1.3 }, vtkBoundingBox(-0.94, 1.0, -0.1, 0.1, -1.5, 1.6));
 }
 
 const gallery::SceneRegistration registration({ "rings", "2.7", "Rings with shadows on each other",
@@ -46,6 +57,6 @@ const gallery::SceneRegistration registration({ "rings", "2.7", "Rings with shad
 const gallery::SceneRegistration softRegistration(
   { "rings-soft", "2.33", "Rings under a point light and under a disk light",
     "A disk light instead of a point light. A shadow is sharp where a ring touches another ring or "
-    "the plate, and becomes wider with the distance from the ring.",
+    "is close to the floor, and becomes wider with the distance from the ring.",
     {}, &BuildSoft });
 }

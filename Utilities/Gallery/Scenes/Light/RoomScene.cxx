@@ -14,7 +14,9 @@ void Build(gallery::Stage& stage)
   gallery::Panel& panel =
     gallery::AddShadowPanel(stage, image, gallery::MakeSolidMediumInSmoke(image, 0.09),
       gallery::MakeStudioLights({ 2.8, -1.8, 2.8 }), gallery::SMOKE_GRADIENT);
+  gallery::UseBackdrop(panel, { 0.24, 0.25, 0.28 }, { 0.40, 0.43, 0.48 });
   panel.LookFrom({ 0.6, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
+  panel.Frame(vtkBoundingBox(-1.0, 1.0, -1.0, 1.0, 0.02, 1.28));
 }
 
 const gallery::SceneRegistration registration({ "room", "2.9", "A room with hard and soft shadows",

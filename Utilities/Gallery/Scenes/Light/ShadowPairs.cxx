@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Objects above a plate, without and with shadows.
+// Objects on and above a floor, without and with shadows.
 
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Light/Protein.h"
@@ -17,21 +17,21 @@ void BuildSphereShadow(gallery::Stage& stage)
   fuzzy->SetShape(vtkSpatialPrimitive::FUZZY_SPHERE);
   fuzzy->SetRadius(0.5);
   fuzzy->SetInnerRadius(0.2);
-  vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 0.85, 0.06, gallery::Plaster()),
-      vtkBoundingBox(-0.9, 0.9, -0.9, 0.9, -0.1, 1.16), 160);
+  vtkSmartPointer<vtkImageData> image = gallery::Sample(gallery::MakeFloor({ 0.86, 0.80, 0.70 }),
+    vtkBoundingBox(-1.2, 1.05, -1.0, 0.85, -0.06, 1.16), 165);
   gallery::AddSmoke(image, gallery::Place(fuzzy, { 0.0, 0.0, 0.6 }), 0.24, { 0.27, 0.45, 0.68 });
   const double opacity = 0.075;
   gallery::ShadowPair pair =
     gallery::AddShadowPair(stage, image, gallery::MakeSolidMediumInSmoke(image, opacity),
-      gallery::MakeStudioLights({ -1.6, -1.2, 3.4 }, 0.9), 3.0 * gallery::SMOKE_GRADIENT);
-  pair.Look({ 0.2, -1.0, 0.75 }, vtkBoundingBox(-0.84, 0.84, -0.1, 0.1, -0.35, 1.15));
+      gallery::MakeStudioLights({ -1.2, -1.2, 3.4 }, 0.9), 3.0 * gallery::SMOKE_GRADIENT);
+  pair.UseBackdrop({ 0.90, 0.88, 0.84 }, { 0.55, 0.62, 0.68 });
+  pair.Look({ 0.15, -1.0, 0.75 }, vtkBoundingBox(-0.62, 0.74, -0.1, 0.1, -0.55, 1.25));
 }
 
 const gallery::SceneRegistration sphereShadow(
-  { "sphere-shadow", "2.5", "A fuzzy sphere over a plate, without and with shadows",
+  { "sphere-shadow", "2.5", "A fuzzy sphere over a floor, without and with shadows",
     "The sphere is dense inside and its density decreases to the border. With shadows it is darker "
-    "on the side away from the point light, and its shadow on the plate is soft.",
+    "on the side away from the point light, and its shadow on the floor is soft.",
     {}, &BuildSphereShadow });
 
 void BuildCurvedShadows(gallery::Stage& stage)
@@ -40,18 +40,19 @@ void BuildCurvedShadows(gallery::Stage& stage)
     gallery::Unite({ gallery::Place(gallery::Soften(vtkConstructiveModelSource::MakeModel(
                                       vtkConstructiveModelSource::TWO_SPHERES)),
                        { 0.0, 0.0, 0.5 }, -60.0),
-      gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 0.85, 0.05, gallery::Plaster()) });
+      gallery::MakeFloor({ 0.62, 0.66, 0.60 }) });
   vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(all, vtkBoundingBox(-0.9, 0.9, -0.9, 0.9, -0.1, 1.35), 160);
+    gallery::Sample(all, vtkBoundingBox(-1.25, 1.05, -1.0, 0.9, -0.06, 1.35), 185);
   gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -1.9, -2.3, 3.2 }, 0.9));
-  pair.Look({ 0.2, -1.0, 0.75 }, vtkBoundingBox(-0.84, 0.84, -0.1, 0.1, -0.4, 1.3));
+    gallery::MakeStudioLights({ -0.9, -1.7, 3.8 }, 0.95));
+  pair.UseBackdrop({ 0.80, 0.84, 0.82 }, { 0.34, 0.45, 0.46 });
+  pair.Look({ 0.2, -1.0, 0.75 }, vtkBoundingBox(-0.66, 0.7, -0.1, 0.1, -0.42, 1.4));
 }
 
 const gallery::SceneRegistration curvedShadows(
   { "curved-shadows", "2.11", "Curved shadows on curved objects, without and with shadows",
     "A small sphere is joined to a large one. Its shadow curves over the large sphere and "
-    "continues on the disk.",
+    "continues on the floor.",
     {}, &BuildCurvedShadows });
 
 void BuildTeddyBear(gallery::Stage& stage)
@@ -59,12 +60,13 @@ void BuildTeddyBear(gallery::Stage& stage)
   vtkSmartPointer<vtkSpatialObject> all = gallery::Unite(
     { gallery::Place(vtkConstructiveModelSource::MakeModel(vtkConstructiveModelSource::TEDDY_BEAR),
         { 0.0, 0.1, 0.0 }, 20.0),
-      gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 0.74, 0.05, gallery::Plaster()) });
+      gallery::MakeFloor({ 0.66, 0.52, 0.40 }) });
   vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(all, vtkBoundingBox(-0.77, 0.77, -0.77, 0.77, -0.1, 1.4), 180, 0.8);
+    gallery::Sample(all, vtkBoundingBox(-0.95, 0.95, -0.8, 0.9, -0.06, 1.4), 205, 0.8);
   gallery::ShadowPair pair = gallery::AddShadowPair(
     stage, image, gallery::MakeSolidMedium(image), gallery::MakeStudioLights({ -2.0, -2.0, 3.0 }));
-  pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.73, 0.73, -0.1, 0.1, -0.3, 1.36));
+  pair.UseBackdrop({ 0.93, 0.88, 0.78 }, { 0.52, 0.60, 0.68 });
+  pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.64, 0.64, -0.1, 0.1, -0.27, 1.38));
 }
 
 const gallery::SceneRegistration teddyBear(
@@ -77,18 +79,19 @@ void BuildProteinShadows(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkSpatialObject> all =
     gallery::Unite({ gallery::Place(gallery::MakeProtein(), { 0.0, 0.0, 0.52 }, 90.0),
-      gallery::MakeDisk({ 0.0, 0.0, 0.0 }, 0.7, 0.04, gallery::Plaster()) });
+      gallery::MakeFloor({ 0.40, 0.46, 0.54 }) });
   vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(all, vtkBoundingBox(-0.73, 0.73, -0.73, 0.73, -0.08, 1.05), 170, 0.7);
+    gallery::Sample(all, vtkBoundingBox(-1.0, 1.0, -1.02, 0.9, -0.05, 1.05), 220, 0.7);
   gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -1.8, -1.4, 3.2 }, 0.85));
-  pair.Look({ 0.0, -1.0, 0.55 }, vtkBoundingBox(-0.69, 0.69, -0.1, 0.1, -0.3, 1.02));
+    gallery::MakeStudioLights({ -1.4, -1.2, 3.4 }, 0.95));
+  pair.UseBackdrop({ 0.70, 0.76, 0.83 }, { 0.20, 0.26, 0.36 });
+  pair.Look({ 0.0, -1.0, 0.6 }, vtkBoundingBox(-0.68, 0.70, -0.1, 0.1, -0.48, 1.2));
 }
 
 const gallery::SceneRegistration proteinShadows(
   { "protein", "2.10", "A protein, without and with shadows",
     "The absolute value of an electron's wave function in a high-potential iron protein, as blobs "
     "around its maxima. The shadows show which blob is in front of another, and how high each is "
-    "above the disk.",
+    "above the floor.",
     { "ironProt.vtk" }, &BuildProteinShadows });
 }

@@ -189,6 +189,19 @@ vtkColor3d Plaster()
   return { 0.90, 0.88, 0.84 };
 }
 
+vtkSmartPointer<vtkSpatialPrimitive> MakeFloor(const vtkColor3d& color, double height)
+{
+  constexpr double size = 10.0;
+  return MakeBox({ -size, -size, height - size }, { size, size, height }, color);
+}
+
+void UseBackdrop(Panel& panel, const vtkColor3d& lower, const vtkColor3d& upper)
+{
+  panel.SetBackground(lower);
+  panel.GetRenderer()->SetBackground2(upper[0], upper[1], upper[2]);
+  panel.GetRenderer()->GradientBackgroundOn();
+}
+
 vtkSmartPointer<vtkSpatialObject> Place(
   vtkSpatialObject* object, const vtkVector3d& offset, double degrees)
 {
@@ -367,8 +380,10 @@ vtkSmartPointer<vtkLight> MakeParallelLight(const vtkVector3d& from, double inte
 Lights MakeStudioLights(const vtkVector3d& position, double intensity)
 {
   vtkSmartPointer<vtkLight> key = MakePointLight(position, EDGE_GAIN * intensity);
+  key->SetDiffuseColor(1.0, 0.96, 0.90);
   vtkSmartPointer<vtkLight> fill = MakeParallelLight(
     { -position[0], 1.5 * position[1], 0.7 * position[2] }, FILL_FRACTION * intensity);
+  fill->SetDiffuseColor(0.80, 0.90, 1.0);
   fill->SetShadowAttenuation(0.0F);
   return { key, fill };
 }
@@ -379,6 +394,12 @@ void ShadowPair::Look(const vtkVector3d& from, const vtkBoundingBox& frame) cons
   this->With.LookAs(this->Without);
   this->Without.Frame(frame);
   this->With.Frame(frame);
+}
+
+void ShadowPair::UseBackdrop(const vtkColor3d& lower, const vtkColor3d& upper) const
+{
+  gallery::UseBackdrop(this->Without, lower, upper);
+  gallery::UseBackdrop(this->With, lower, upper);
 }
 
 ShadowPair AddShadowPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,

@@ -46,6 +46,13 @@ vtkSmartPointer<vtkSpatialPrimitive> MakeDisk(
 /// Returns the color of the ground and of walls.
 vtkColor3d Plaster();
 
+/// Returns a floor whose upper side is at \a height and that extends past the sides of every
+/// volume. Frame it so that only its far edge is in view.
+vtkSmartPointer<vtkSpatialPrimitive> MakeFloor(const vtkColor3d& color, double height = 0.0);
+
+/// Sets the background to a vertical gradient from \a lower to \a upper.
+void UseBackdrop(Panel& panel, const vtkColor3d& lower, const vtkColor3d& upper);
+
 /// Returns a copy of \a object, rotated by \a degrees around the z axis and then moved by
 /// \a offset.
 vtkSmartPointer<vtkSpatialObject> Place(
@@ -138,7 +145,8 @@ vtkSmartPointer<vtkLight> MakeParallelLight(const vtkVector3d& from, double inte
 
 /**
  * Returns a shadow-casting point light of EDGE_GAIN times \a intensity, and a weak fill light from
- * the other side that casts no shadows, so that shapes in shadow remain visible.
+ * the other side that casts no shadows, so that shapes in shadow remain visible. The point light is
+ * slightly yellow, the fill light slightly blue.
  */
 Lights MakeStudioLights(const vtkVector3d& position, double intensity = 1.0);
 
@@ -150,6 +158,9 @@ struct ShadowPair
 
   /// Sets the same view direction and framing in both panels. z is up.
   void Look(const vtkVector3d& from, const vtkBoundingBox& frame) const;
+
+  /// Sets the same backdrop in both panels.
+  void UseBackdrop(const vtkColor3d& lower, const vtkColor3d& upper) const;
 };
 
 /**

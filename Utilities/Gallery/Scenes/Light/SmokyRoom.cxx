@@ -20,16 +20,19 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(all, vtkBoundingBox(-1.1, 1.1, -1.1, 1.1, -0.1, 1.4), 160);
   vtkNew<vtkTurbulenceSource> smoke;
-  smoke->SetFrequency(1.6);
-  smoke->SetOffset(0.05);
+  smoke->SetFrequency(1.9);
+  smoke->SetOffset(-0.06);
+  smoke->SetAmplitude(1.4);
   smoke->SetFalloff(vtkTurbulenceSource::EXPONENTIAL);
-  smoke->SetTopFraction(0.03);
+  smoke->SetTopFraction(0.002);
   gallery::AddSmoke(
-    image, smoke, 0.3, { 0.80, 0.81, 0.82 }, vtkBoundingBox(-1.0, 0.98, -0.98, 1.0, 0.0, 1.3));
+    image, smoke, 0.42, { 0.86, 0.87, 0.88 }, vtkBoundingBox(-1.0, 0.98, -0.98, 1.0, 0.0, 1.3));
   gallery::Panel& panel =
     gallery::AddShadowPanel(stage, image, gallery::MakeSolidMediumInSmoke(image, 0.045),
       gallery::MakeStudioLights({ 2.8, -1.6, 3.2 }, 1.0), gallery::SMOKE_GRADIENT);
+  gallery::UseBackdrop(panel, { 0.20, 0.22, 0.26 }, { 0.34, 0.38, 0.44 });
   panel.LookFrom({ 0.6, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
+  panel.Frame(vtkBoundingBox(-1.0, 1.0, -1.0, 1.0, 0.02, 1.28));
 }
 
 const gallery::SceneRegistration registration({ "smoky-room", "2.8", "A cube in a smoky room",

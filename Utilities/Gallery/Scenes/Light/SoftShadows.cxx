@@ -32,6 +32,11 @@ void SoftPair::Look(const vtkVector3d& from, const vtkBoundingBox& frame) const
   ShadowPair{ this->Hard, this->Soft }.Look(from, frame);
 }
 
+void SoftPair::UseBackdrop(const vtkColor3d& lower, const vtkColor3d& upper) const
+{
+  ShadowPair{ this->Hard, this->Soft }.UseBackdrop(lower, upper);
+}
+
 SoftPair AddSoftPair(Stage& stage, vtkImageData* image, vtkVolumeProperty* property,
   const Lights& lights, double diameter, double surfaceGradient, int lightBuffer)
 {

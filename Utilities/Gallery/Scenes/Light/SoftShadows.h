@@ -22,6 +22,9 @@ struct SoftPair
 
   /// Sets the same view direction and framing in both panels. z is up.
   void Look(const vtkVector3d& from, const vtkBoundingBox& frame) const;
+
+  /// Sets the same backdrop in both panels.
+  void UseBackdrop(const vtkColor3d& lower, const vtkColor3d& upper) const;
 };
 
 /**

@@ -14,7 +14,10 @@ namespace
 using namespace interlume;
 
 /// Number of samples of area lights, for both the tree and the mushrooms.
-constexpr int SAMPLES = 20;
+constexpr int SAMPLES = 32;
+
+/// Color of the ground.
+constexpr Position3 GROUND{ { 0.70, 0.66, 0.56 } };
 
 Model MakeMushrooms()
 {
@@ -22,18 +25,18 @@ Model MakeMushrooms()
   Append(
     all, Move(MakeMushroom(0.22, 0.11, 0.15), { { 0.44, -0.58, 0.0 } }, { { 0.0, 0.0, -60.0 } }));
   return Append(
-    all, Move(MakeMushroom(0.28, 0.13, 0.12), { { -0.36, -0.46, 0.0 } }, { { 0.0, 0.0, 200.0 } }));
+    all, Move(MakeMushroom(0.28, 0.13, 0.12), { { -0.29, -0.46, 0.0 } }, { { 0.0, 0.0, 200.0 } }));
 }
 
-/// Returns the tree on a plate that is part of the volume.
-vtkSmartPointer<vtkImageData> SampleTreeOnPlate()
+/// Returns the tree on a floor that is part of the volume.
+vtkSmartPointer<vtkImageData> SampleTreeOnFloor()
 {
-  return gallery::Sample(gallery::Unite({ gallery::MakeBonsai(),
-                           gallery::MakeDisk({ 0.0, -0.1, 0.0 }, 0.74, 0.05, gallery::Plaster()) }),
-    vtkBoundingBox(-0.76, 0.76, -0.86, 0.66, -0.07, 1.1), 230, 0.5);
+  return gallery::Sample(
+    gallery::Unite({ gallery::MakeBonsai(), gallery::MakeFloor({ 0.66, 0.64, 0.52 }) }),
+    vtkBoundingBox(-1.3, 1.3, -0.85, 0.95, -0.04, 1.08), 280, 0.5);
 }
 
-/// Returns the tree without a plate, for use with a polygonal plate. On a plate in the volume,
+/// Returns the tree without a floor, for use with a polygonal ground. On a floor in the volume,
 /// steps between light samples and between voxels would be visible under an area light.
 vtkSmartPointer<vtkImageData> SampleTree(int resolution)
 {
@@ -73,53 +76,58 @@ void Build(gallery::Stage& stage)
     gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image), lights);
   pair.Without.SetAmbientOcclusion(0.0);
   gallery::AddModel(pair.Without, MakeMushrooms());
-  gallery::AddGround(pair.Without, ground, 0.74);
+  gallery::AddGround(pair.Without, ground, 1.4, 1.0, GROUND);
   gallery::UseFullResolution(pair.Without);
   AddMushrooms(pair.With);
-  gallery::AddGround(pair.With, ground, 0.74, gallery::EDGE_GAIN);
-  const vtkBoundingBox frame(-0.7, 0.7, -0.1, 0.1, -0.4, 1.06);
+  gallery::AddGround(pair.With, ground, 1.4, gallery::EDGE_GAIN, GROUND);
+  pair.UseBackdrop({ 0.86, 0.88, 0.82 }, { 0.48, 0.58, 0.52 });
+  const vtkBoundingBox frame(-0.52, 0.6, -0.1, 0.1, -0.4, 1.06);
   pair.Look({ 0.1, -1.0, 0.5 }, frame);
   gallery::Panel& soft = AddSoftPanel(stage, "with soft shadows", image, lights, 0.7);
-  gallery::AddGround(soft, ground, 0.74, gallery::EDGE_GAIN);
+  gallery::AddGround(soft, ground, 1.4, gallery::EDGE_GAIN, GROUND);
+  gallery::UseBackdrop(soft, { 0.86, 0.88, 0.82 }, { 0.48, 0.58, 0.52 });
   soft.LookAs(pair.Without);
   soft.Frame(frame);
 }
 
 void BuildOtherLight(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkImageData> image = SampleTreeOnPlate();
+  vtkSmartPointer<vtkImageData> image = SampleTreeOnFloor();
   gallery::Panel& panel = gallery::AddShadowPanel(stage, image, gallery::MakeSolidMedium(image),
     gallery::MakeStudioLights({ 2.2, -1.7, 2.2 }, 1.15));
   AddMushrooms(panel);
+  gallery::UseBackdrop(panel, { 0.88, 0.84, 0.74 }, { 0.50, 0.44, 0.44 });
   panel.LookFrom({ 0.1, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
-  panel.Frame(vtkBoundingBox(-0.9, 0.9, -0.1, 0.1, -0.54, 1.08));
+  panel.Frame(vtkBoundingBox(-0.95, 0.85, -0.1, 0.1, -0.36, 1.12));
 }
 
 void BuildSoft(gallery::Stage& stage)
 {
   gallery::Panel& panel = AddSoftPanel(
-    stage, "", SampleTree(130), gallery::MakeStudioLights({ 2.0, 0.9, 2.5 }, 1.15), 0.7);
-  gallery::AddGround(panel, { { -0.14, -0.1, 0.0 } }, 1.0, gallery::EDGE_GAIN);
+    stage, "", SampleTree(130), gallery::MakeStudioLights({ 2.0, 0.9, 2.5 }, 1.15), 0.5);
+  gallery::AddGround(panel, { { -0.14, -0.1, 0.0 } }, 2.0, gallery::EDGE_GAIN, GROUND);
+  gallery::UseBackdrop(panel, { 0.80, 0.84, 0.86 }, { 0.38, 0.46, 0.54 });
   panel.LookFrom({ 0.1, -1.0, 0.62 }, { 0.0, 0.0, 1.0 });
-  panel.Frame(vtkBoundingBox(-1.2, 0.92, -0.1, 0.1, -0.9, 1.16));
+  panel.Frame(vtkBoundingBox(-1.1, 0.75, -0.1, 0.1, -0.48, 1.16));
 }
 
 const gallery::SceneRegistration registration(
   { "bonsai-mushrooms", "2.41", "A bonsai and mushrooms: no shadows, hard shadows, soft shadows",
-    "The bonsai and its pot are a volume, the mushrooms and the plate are polygons. With shadows "
-    "all of them stand on the plate. The mushrooms cast shadows on the plate and on the pot, and "
-    "the tree on the pot and the plate. Under a disk light the shadows widen with the distance "
+    "The bonsai and its pot are a volume, the mushrooms and the ground are polygons. With "
+    "shadows all of them stand on the ground. The mushrooms cast shadows on the ground and on the "
+    "pot, and the tree on the pot and the ground. Under a disk light the shadows widen with the "
+    "distance "
     "from the occluder.",
     { "bonsai.vti" }, &Build });
 const gallery::SceneRegistration otherRegistration(
   { "bonsai-mushrooms-light", "2.42", "A bonsai and mushrooms under another light",
-    "The same objects, with a plate that is part of the volume, under a low light from the right. "
+    "The same objects, on a floor that is part of the volume, under a low light from the right. "
     "The shadows are long, and those of the mushrooms reach the pot.",
     { "bonsai.vti" }, &BuildOtherLight });
 const gallery::SceneRegistration softRegistration(
   { "bonsai-mushrooms-soft", "2.49", "Soft shadows of a bonsai and mushrooms",
-    "The bonsai is a volume, the mushrooms and the plate are polygons, the light is a disk. The "
-    "shadow of the tree is blurred, because the crown is far above the plate. The shadows of the "
+    "The bonsai is a volume, the mushrooms and the ground are polygons, the light is a disk. The "
+    "shadow of the tree is blurred, because the crown is far above the ground. The shadows of the "
     "mushrooms, which stand on it, are sharper.",
     { "bonsai.vti" }, &BuildSoft });
 }

@@ -54,9 +54,9 @@ void UseFullResolution(Panel& panel)
   }
 }
 
-void AddGround(Panel& panel, const interlume::Position3& top, double radius, double gain)
+void AddGround(Panel& panel, const interlume::Position3& top, double radius, double gain,
+  const interlume::Position3& color)
 {
-  const vtkColor3d plaster = Plaster();
   const double edge = 0.02;
   AddModel(panel,
     { { interlume::MoveShape(
@@ -65,7 +65,7 @@ void AddGround(Panel& panel, const interlume::Position3& top, double radius, dou
                                { { radius - edge, 0.0 } }, { { 0.0, 0.0 } } },
             false),
           top),
-      { { plaster[0], plaster[1], plaster[2] } }, 0.05 } },
+      color, 0.05 } },
     gain);
 }
 }

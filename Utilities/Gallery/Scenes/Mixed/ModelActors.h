@@ -27,7 +27,8 @@ void UseFullResolution(Panel& panel);
 
 /// Adds a polygonal disk whose upper side is centered at \a top, as a ground that receives shadows.
 /// For \a gain, see AddModel().
-void AddGround(Panel& panel, const interlume::Position3& top, double radius, double gain = 1.0);
+void AddGround(Panel& panel, const interlume::Position3& top, double radius, double gain = 1.0,
+  const interlume::Position3& color = { { 0.90, 0.88, 0.84 } });
 }
 
 #endif
