@@ -11,23 +11,20 @@ namespace gallery
 {
 namespace
 {
-/// Extinction per unit of length at the center of a cloud.
-constexpr double EXTINCTION = 34.0;
-
 /// Mean cosine of the scattering angle of water droplets.
 constexpr double ANISOTROPY = 0.85;
 }
 
-vtkSmartPointer<vtkVolume> MakeCloudVolume(
-  vtkSpatialObject* clouds, const std::array<double, 6>& bounds, int cells, Scattering scattering)
+vtkSmartPointer<vtkVolume> MakeCloudVolume(vtkSpatialObject* clouds,
+  const std::array<double, 6>& bounds, int cells, Scattering scattering, double extinction)
 {
   vtkSmartPointer<vtkVolume> volume = MakeSlicedVolume(
-    interlume::SampleDensity(clouds, bounds, cells), interlume::MakeCloudMedium(EXTINCTION));
+    interlume::SampleDensity(clouds, bounds, cells), interlume::MakeCloudMedium(extinction));
   Scatter(volume, scattering, ANISOTROPY);
   return volume;
 }
 
-void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy)
+void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy, int cells)
 {
   vtkShadowedSliceMapper* mapper = GetSlicedMapper(volume);
   mapper->SetScatteringMode(scattering == Scattering::SINGLE
@@ -36,18 +33,16 @@ void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy)
                                           : vtkShadowedSliceMapper::FULL_SCATTERING);
   mapper->SetPhaseFunctionToHenyeyGreenstein();
   mapper->SetAnisotropy(anisotropy);
-  mapper->SetScatteringGridSize(64);
+  mapper->SetScatteringGridSize(cells);
 }
 
 void UseSky(Panel& panel, const vtkVector3d& sun, double exposure)
 {
   vtkSmartPointer<vtkLight> direct = MakeParallelLight(sun, 0.48 * exposure);
   direct->SetDiffuseColor(1.0, 0.96, 0.88);
-  vtkSmartPointer<vtkLight> sky = MakeParallelLight({ 0.05, -0.4, 1.0 }, 0.15 * exposure);
+  vtkSmartPointer<vtkLight> sky = MakeParallelLight({ 0.05, -0.4, 1.0 }, 0.10 * exposure);
   sky->SetDiffuseColor(0.72, 0.85, 1.0);
   panel.SetLights({ direct, sky });
-  panel.SetBackground({ 0.80, 0.88, 0.95 });
-  panel.GetRenderer()->SetBackground2(0.26, 0.47, 0.76);
-  panel.GetRenderer()->GradientBackgroundOn();
+  UseBackdrop(panel, { 0.46, 0.62, 0.80 }, { 0.10, 0.22, 0.46 });
 }
 }

@@ -26,13 +26,14 @@ enum class Scattering
 };
 
 /// Returns clouds within \a bounds, sampled with \a cells cells along the longest edge. The phase
-/// function approximates that of water droplets.
-vtkSmartPointer<vtkVolume> MakeCloudVolume(
-  vtkSpatialObject* clouds, const std::array<double, 6>& bounds, int cells, Scattering scattering);
+/// function approximates that of water droplets. \a extinction is the extinction per unit of length
+/// at the center of a cloud.
+vtkSmartPointer<vtkVolume> MakeCloudVolume(vtkSpatialObject* clouds,
+  const std::array<double, 6>& bounds, int cells, Scattering scattering, double extinction = 34.0);
 
 /// Sets scattering with a Henyey-Greenstein phase function in a volume created by
-/// MakeSlicedVolume().
-void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy);
+/// MakeSlicedVolume(). \a cells is the number of cells of scattered light along the longest edge.
+void Scatter(vtkVolume* volume, Scattering scattering, double anisotropy, int cells = 64);
 
 /// Sets the lights of the panel to sunlight from direction \a sun and weak blue light from above,
 /// and its background to a sky. \a exposure scales both lights.

@@ -17,41 +17,41 @@ const std::vector<interlume::Cumulus> CLOUDS = {
   { { { -1.55, 0.4, 0.1 } }, 0.36, 0.8, 0.24, 7, 12 },
 };
 
-void Build(gallery::Stage& stage, gallery::Scattering scattering, double exposure)
+void Build(gallery::Stage& stage, gallery::Scattering scattering)
 {
   gallery::Panel& panel = stage.AddPanel("", { 0.0, -1.0, 0.02 });
   panel.Add(gallery::MakeCloudVolume(
     interlume::MakeClouds(CLOUDS), { { -2.0, 1.9, -0.95, 1.05, -0.15, 1.35 } }, 240, scattering));
-  gallery::UseSky(panel, { -0.6, 0.62, 0.75 }, exposure);
-  panel.Frame(vtkBoundingBox(-1.6, 1.6, -0.1, 0.1, -0.2, 1.4));
+  gallery::UseSky(panel, { -0.4, 0.9, 0.38 });
+  panel.Frame(vtkBoundingBox(-1.7, 1.55, -0.1, 0.1, -0.36, 1.5));
 }
 
 void BuildSingle(gallery::Stage& stage)
 {
-  Build(stage, gallery::Scattering::SINGLE, 8.0);
+  Build(stage, gallery::Scattering::SINGLE);
 }
 
 void BuildForward(gallery::Stage& stage)
 {
-  Build(stage, gallery::Scattering::FORWARD, 3.0);
+  Build(stage, gallery::Scattering::FORWARD);
 }
 
 void BuildFull(gallery::Stage& stage)
 {
-  Build(stage, gallery::Scattering::FULL, 1.0);
+  Build(stage, gallery::Scattering::FULL);
 }
 
 const gallery::SceneRegistration singleRegistration(
   { "clouds-single", "2.50", "Clouds with single scattering",
     "Cumulus clouds, with the sun behind them on the left. Only single scattering: edges through "
-    "which light passes are bright, all other parts are dark. The lights are eight times as bright "
-    "as in clouds-full.",
+    "which light passes are bright, all other parts are dark. The lights are the same as in "
+    "clouds-forward and clouds-full.",
     {}, &BuildSingle });
 
 const gallery::SceneRegistration forwardRegistration(
   { "clouds-forward", "2.52", "Clouds with forward scattering",
     "The same clouds with forward multiple scattering. They are brighter, and light passes through "
-    "thin parts. The lights are three times as bright as in clouds-full.",
+    "thin parts.",
     {}, &BuildForward });
 
 const gallery::SceneRegistration fullRegistration(

@@ -8,33 +8,48 @@
 #include "Gallery/Stage.h"
 #include "Support/Inputs/Clouds.h"
 
+#include "vtkSpatialTurbulence.h"
+
 namespace
 {
+/// Returns a flat layer of clouds, on which a shadow keeps its shape.
+vtkSmartPointer<vtkSpatialObject> MakeLayer()
+{
+  vtkSmartPointer<vtkSpatialPrimitive> slab =
+    gallery::MakeBox({ -9.0, -9.0, -1.0 }, { 9.0, 9.0, 0.2 }, { 1.0, 1.0, 1.0 });
+  slab->SetEdgeWidth(0.1);
+  auto layer = vtkSmartPointer<vtkSpatialTurbulence>::New();
+  layer->SetOperand(slab);
+  layer->SetSum(vtkTurbulenceSource::FRACTAL_SUM);
+  layer->SetNumberOfOctaves(5);
+  layer->SetFrequency(2.3);
+  layer->SetAmplitude(0.1);
+  return layer;
+}
+
 void Build(gallery::Stage& stage)
 {
-  const std::vector<interlume::Cumulus> clouds = {
-    { { { -1.0, 0.35, 0.0 } }, 0.85, 0.8, 0.62, 11, 4 },
-    { { { 0.65, 0.8, 0.0 } }, 0.85, 0.7, 0.5, 11, 7 },
-    { { { 0.4, -0.5, 0.0 } }, 0.75, 0.8, 0.34, 10, 2 },
-    { { { 1.65, -0.1, 0.0 } }, 0.6, 0.8, 0.42, 9, 11 },
-    { { { -0.75, -0.85, 0.0 } }, 0.6, 0.8, 0.26, 9, 13 },
-    { { { -1.95, -0.3, 0.0 } }, 0.55, 0.8, 0.3, 8, 17 },
-    { { { 1.3, -0.95, 0.0 } }, 0.5, 0.8, 0.22, 8, 19 },
+  const std::vector<interlume::Cumulus> heaps = {
+    { { { -1.25, 0.95, 0.0 } }, 0.75, 0.8, 0.62, 11, 4 },
+    { { { 0.45, 1.2, 0.0 } }, 0.85, 0.7, 0.5, 11, 7 },
+    { { { 1.65, 0.55, 0.0 } }, 0.6, 0.8, 0.46, 9, 11 },
+    { { { -1.25, -0.5, 0.0 } }, 0.5, 0.8, 0.3, 9, 13 },
   };
   gallery::Panel& panel = stage.AddPanel("", { 0.12, -1.0, 0.62 });
-  vtkSmartPointer<vtkVolume> volume = gallery::MakeCloudVolume(interlume::MakeClouds(clouds),
-    { { -2.6, 2.4, -1.6, 1.7, -0.12, 0.95 } }, 260, gallery::Scattering::FULL);
-  // The clouds are small. They are white up to their edges because their droplets scatter less
-  // light forward than real droplets.
-  gallery::Scatter(volume, gallery::Scattering::FULL, 0.5);
+  // The scattered light would blur the shadow in thinner clouds. The clouds are white up to their
+  // edges because their droplets scatter less light forward than real droplets.
+  vtkSmartPointer<vtkVolume> volume =
+    gallery::MakeCloudVolume(gallery::Unite({ interlume::MakeClouds(heaps), MakeLayer() }),
+      { { -2.0, 2.2, -1.2, 1.9, -0.1, 0.8 } }, 240, gallery::Scattering::FULL, 70.0);
+  gallery::Scatter(volume, gallery::Scattering::FULL, 0.2, 128);
   panel.Add(volume);
   gallery::AddModel(panel,
-    interlume::Move(
-      interlume::MakeAirplane(), { { -0.15, -0.55, 0.92 } }, { { 24.0, -5.0, -22.0 } }),
+    interlume::Move(interlume::MakeAirplane(), { { -0.35, -0.2, 0.8 } }, { { 14.0, -4.0, -24.0 } }),
     0.8, 0.5);
   gallery::UseSceneShadows(panel);
-  gallery::UseSky(panel, { -0.6, -0.25, 0.85 }, 0.75);
-  panel.Frame(vtkBoundingBox(-1.5, 1.5, -0.5, 0.5, -0.12, 1.0));
+  gallery::UseSky(panel, { -0.9, -0.35, 0.8 }, 0.55);
+  gallery::UseBackdrop(panel, { 0.10, 0.22, 0.40 }, { 0.36, 0.54, 0.74 });
+  panel.Frame(vtkBoundingBox(-1.05, 1.05, -0.1, 0.1, -0.1, 0.98));
 }
 
 const gallery::SceneRegistration registration(
