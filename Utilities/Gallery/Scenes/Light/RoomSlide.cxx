@@ -92,8 +92,8 @@ void Build(gallery::Stage& stage)
 {
   constexpr double height = 0.86;
   vtkSmartPointer<vtkProjectiveLight> projector = gallery::MakeProjector(
-    { 0.3, -2.8, 1.15 }, { 0.14, 1.0, 0.80 }, ASPECT * height, height, 2.6, MakeSlide());
-  gallery::AddHazyRoom(stage, { projector, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.3) });
+    { 0.3, -2.8, 1.15 }, { 0.14, 1.0, 0.80 }, ASPECT * height, height, 2.4, MakeSlide());
+  gallery::AddHazyRoom(stage, { projector, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.55) });
 }
 
 const gallery::SceneRegistration registration(

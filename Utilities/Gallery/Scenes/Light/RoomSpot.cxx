@@ -10,9 +10,9 @@ namespace
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkProjectiveLight> spot = gallery::MakeProjector(
-    { -1.2, -1.5, 2.7 }, { 0.0, 0.15, 0.3 }, 1.7, 1.7, 2.9, gallery::MakeSoftDisk(0.25));
+    { -1.2, -1.5, 2.7 }, { 0.0, 0.15, 0.3 }, 1.7, 1.7, 3.3, gallery::MakeSoftDisk(0.25));
   spot->SetDiffuseColor(1.0, 0.93, 0.80);
-  gallery::AddHazyRoom(stage, { spot, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.2) });
+  gallery::AddHazyRoom(stage, { spot, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.3) });
 }
 
 const gallery::SceneRegistration registration({ "room-spot", "2.22", "A spot of light in a room",
