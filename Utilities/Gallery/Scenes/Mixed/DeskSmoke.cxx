@@ -10,7 +10,7 @@
 
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkTurbulenceSource.h"
+#include "vtkSpatialTurbulence.h"
 
 namespace
 {
@@ -51,17 +51,26 @@ Model MakeShell()
   return shell;
 }
 
+/// Returns turbulent smoke that fills the room.
 vtkSmartPointer<vtkVolume> MakeSmoke()
 {
   const vtkColor3d white(1.0, 0.97, 0.92);
   vtkSmartPointer<vtkSpatialPrimitive> air =
     gallery::MakeBox({ -1.22, -1.08, 0.02 }, { 1.22, 0.98, 1.56 }, white);
   air->SetEdgeWidth(0.04);
+  air->SetDensity(0.5);
+  vtkNew<vtkSpatialTurbulence> smoke;
+  smoke->SetOperand(air);
+  smoke->SetModeToModulation();
+  smoke->SetSum(vtkTurbulenceSource::FRACTAL_SUM);
+  smoke->SetFrequency(2.4);
+  smoke->SetAmplitude(1.6);
   vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(air, vtkBoundingBox(-1.23, 1.23, -1.1, 0.99, 0.01, 1.57), 130);
+    gallery::Sample(smoke, vtkBoundingBox(-1.23, 1.23, -1.1, 0.99, 0.01, 1.57), 130);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(255.0, 0.2);
+  opacity->AddPoint(70.0, 0.02);
+  opacity->AddPoint(255.0, 0.5);
   vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeColoredMedium(opacity, 1.0);
   medium->SetAmbient(0.05);
   medium->SetDiffuse(1.0);
@@ -78,20 +87,21 @@ void Build(gallery::Stage& stage)
   gallery::Panel& panel = stage.AddPanel("", { 0.12, -1.0, 0.1 });
   gallery::AddModel(panel, MakeShell());
   gallery::AddModel(panel, Move(desk, { { 0.46, 0.3, 0.0 } }, { { 0.0, 0.0, 6.0 } }));
-  gallery::AddModel(panel, Move(MakeChair(), { { 0.1, -0.3, 0.0 } }, { { 0.0, 0.0, 24.0 } }));
+  gallery::AddModel(panel, Move(MakeChair(), { { -0.42, -0.1, 0.0 } }, { { 0.0, 0.0, -38.0 } }));
   panel.Add(MakeSmoke());
   gallery::UseSceneShadows(panel);
-  vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.45, 1.0, 0.6 }, 6.0);
+  vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.45, 1.0, 0.6 }, 7.5);
   sun->SetDiffuseColor(1.0, 0.87, 0.68);
-  panel.SetLights({ sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.75) });
+  panel.SetLights({ sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.5) });
   // The background is the sky, which is visible only through the window.
   panel.SetBackground(vtkColor3d(0.93, 0.95, 1.0));
   panel.Frame(vtkBoundingBox(-1.08, 1.08, -1.0, -0.99, 0.1, 1.45));
 }
 
 const gallery::SceneRegistration registration({ "desk-smoke", "2.46", "A desk in a smoky room",
-  "The room, the desk, the chair and the objects on the desk consist of polygons, the smoke is a "
-  "volume. The sun shines through the window at the back. Its light is visible in the smoke, with "
+  "The room, the desk, the chair and the objects on the desk consist of polygons, the turbulent "
+  "smoke is a volume. The sun shines through the window at the back. Its light is visible in the "
+  "smoke, with "
   "the shadows of the window bars and of the furniture.",
   {}, &Build });
 }

@@ -30,11 +30,12 @@ void Build(gallery::Stage& stage)
   panel.Add(gallery::MakeSlicedVolume(image, medium, 1.0));
   gallery::AddModel(panel,
     interlume::Move(interlume::MakeTeapot(), { { 0.0, 0.0, 0.005 } }, { { 0.0, 0.0, 12.0 } }));
-  gallery::AddGround(panel, { { 0.0, 0.0, -0.02 } }, 1.5);
+  gallery::AddGround(panel, { { 0.0, 0.0, -0.02 } }, 2.4, 1.0, { { 0.86, 0.78, 0.68 } });
   gallery::UseSceneShadows(panel);
   panel.SetLights({ gallery::MakePointLight({ -2.2, -0.9, 4.0 }, 1.0),
     gallery::MakeFillLight({ 1.0, -1.0, 0.5 }, 0.25) });
-  panel.Frame(vtkBoundingBox(-1.3, 1.3, -0.1, 0.1, -0.82, 1.4));
+  gallery::UseBackdrop(panel, { 0.84, 0.80, 0.74 }, { 0.34, 0.34, 0.40 });
+  panel.Frame(vtkBoundingBox(-1.15, 1.25, -0.1, 0.1, -0.45, 1.42));
 }
 
 const gallery::SceneRegistration registration(
