@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Polygonal mushrooms and their shadows.
+// Polygonal mushrooms on bumpy ground that is a volume.
 
 #include "Gallery/Scene.h"
-#include "Gallery/Scenes/Light/LightScreens.h"
 #include "Gallery/Scenes/Light/SoftShadows.h"
 #include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
+
+#include "vtkNew.h"
+#include "vtkShadowedSliceMapper.h"
+#include "vtkSpatialTurbulence.h"
 
 namespace
 {
@@ -21,48 +24,66 @@ Model MakeMushrooms()
     all, Move(MakeMushroom(0.4, 0.2, 0.2), { { -0.5, -0.42, 0.0 } }, { { 0.0, 0.0, 215.0 } }));
 }
 
-void AddMushrooms(gallery::Panel& panel)
+vtkSmartPointer<vtkImageData> SampleGround()
 {
-  gallery::AddModel(panel, MakeMushrooms());
-  gallery::AddGround(panel, { { 0.0, 0.0, 0.0 } }, 1.2);
+  vtkNew<vtkSpatialTurbulence> ground;
+  ground->SetOperand(gallery::MakeFloor({ 0.42, 0.50, 0.24 }, -0.03));
+  ground->SetSum(vtkTurbulenceSource::FRACTAL_SUM);
+  ground->SetNumberOfOctaves(4);
+  ground->SetFrequency(3.0);
+  ground->SetAmplitude(0.05);
+  return gallery::Sample(ground, vtkBoundingBox(-1.95, 1.9, -1.35, 1.25, -0.12, 0.08), 300, 0.8);
+}
+
+/// Adds the mushrooms and the ground in \a image, with mutual shadows.
+void AddMushrooms(
+  gallery::Panel& panel, vtkImageData* image, const gallery::Lights& lights, int samples)
+{
+  vtkSmartPointer<vtkVolume> ground =
+    gallery::MakeSlicedVolume(image, gallery::MakeSolidMedium(image));
+  gallery::GetSlicedMapper(ground)->SetNumberOfLightSamples(samples);
+  gallery::GetSlicedMapper(ground)->SetLightBufferSize(512);
+  panel.Add(ground);
+  gallery::AddModel(panel, MakeMushrooms(), gallery::EDGE_GAIN);
+  gallery::UseSceneShadows(panel, samples);
+  gallery::UseFullResolution(panel);
+  gallery::UseBackdrop(panel, { 0.80, 0.86, 0.84 }, { 0.30, 0.44, 0.46 });
+  panel.SetLights(lights);
   panel.LookFrom({ 0.1, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
 }
 
 gallery::Lights MakeLights()
 {
-  return { gallery::MakePointLight({ -2.4, -2.0, 3.8 }, 0.95),
-    gallery::MakeFillLight({ 1.0, -1.0, 0.5 }, 0.35) };
+  return gallery::MakeStudioLights({ -2.4, -2.0, 3.4 }, 1.05);
 }
 
 void Build(gallery::Stage& stage)
 {
   gallery::Panel& panel = stage.AddPanel("");
-  AddMushrooms(panel);
-  gallery::UseSceneShadows(panel);
-  panel.Frame(vtkBoundingBox(-1.12, 1.12, -0.1, 0.1, -0.8, 1.0));
-  panel.SetLights(MakeLights());
+  AddMushrooms(panel, SampleGround(), MakeLights(), 1);
+  panel.Frame(vtkBoundingBox(-0.88, 1.0, -0.1, 0.1, -0.38, 1.06));
 }
 
 void BuildSoft(gallery::Stage& stage)
 {
+  vtkSmartPointer<vtkImageData> ground = SampleGround();
   for (const bool isSoft : { false, true })
   {
     gallery::Panel& panel = stage.AddPanel(isSoft ? "soft shadows" : "hard shadows");
-    AddMushrooms(panel);
-    gallery::UseSceneShadows(panel, 100);
-    panel.Frame(vtkBoundingBox(-1.12, 1.12, -0.1, 0.1, -0.5, 0.9));
-    panel.SetLights(isSoft ? gallery::MakeRoundLights(MakeLights(), 1.3) : MakeLights());
+    AddMushrooms(panel, ground, isSoft ? gallery::MakeRoundLights(MakeLights(), 1.3) : MakeLights(),
+      isSoft ? 16 : 1);
+    panel.Frame(vtkBoundingBox(-0.8, 0.94, -0.1, 0.1, -0.5, 1.15));
   }
 }
 
 const gallery::SceneRegistration registration({ "mushrooms", "2.43", "The shadows of mushrooms",
-  "Three polygonal mushrooms on a plate. Caps shade their own stems and gills, the small mushrooms "
-  "stand in the shadow of the large one, and all cast shadows on the plate.",
+  "Three polygonal mushrooms on bumpy ground, which is a volume. Caps shade their own stems and "
+  "gills, and the shadows of all mushrooms follow the ground.",
   {}, &Build });
 const gallery::SceneRegistration softRegistration(
   { "mushrooms-soft", "2.48", "Hard and soft shadows of mushrooms",
     "The same mushrooms under a point light and under a disk light. The shadows of the stems are "
-    "sharp at their feet. The shadows of the caps widen with their height above the plate and "
+    "sharp at their feet. The shadows of the caps widen with their height above the ground and "
     "above other caps.",
     {}, &BuildSoft });
 }
