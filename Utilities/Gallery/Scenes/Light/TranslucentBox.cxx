@@ -6,18 +6,22 @@
 #include "Gallery/Scenes/Light/LightScreens.h"
 #include "Gallery/Scenes/Light/ShadowScene.h"
 #include "Gallery/Scenes/Light/SoftShadows.h"
+#include "Gallery/Scenes/Mixed/ModelActors.h"
 #include "Gallery/Stage.h"
 #include "Gallery/VectorArithmetic.h"
 
 #include "vtkActor.h"
+#include "vtkClipPolyData.h"
 #include "vtkCubeSource.h"
+#include "vtkImplicitBoolean.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkShadowedScenePass.h"
 #include "vtkShadowedSliceMapper.h"
-#include "vtkSpatialOperation.h"
-#include "vtkTransform.h"
+#include "vtkSphere.h"
 #include "vtkVector.h"
 
 #include <array>
@@ -31,6 +35,8 @@ using namespace gallery;
 struct TranslucentBox
 {
   vtkVector3d Lengths;
+  /// Length of the air along x.
+  double AirLength;
   /// Rotation around the vertical.
   double Degrees;
   /// Extinctions per unit of length.
@@ -45,14 +51,15 @@ vtkSmartPointer<vtkImageData> SampleBox(const TranslucentBox& box)
 {
   const vtkColor3d white(1.0, 1.0, 1.0);
   vtkSmartPointer<vtkSpatialPrimitive> air =
-    MakeBox({ -1.4, -0.6, -0.9 }, { 1.4, 0.6, 0.9 }, white);
+    MakeBox({ -0.5 * box.AirLength, -0.6, -0.9 }, { 0.5 * box.AirLength, 0.6, 0.9 }, white);
   air->SetDensity(AIR_FRACTION);
-  air->SetEdgeWidth(0.2);
+  air->SetEdgeWidth(0.25);
   vtkSmartPointer<vtkSpatialPrimitive> solid =
     MakeBox(-0.5 * box.Lengths, 0.5 * box.Lengths, white);
   solid->SetEdgeWidth(0.04);
   return Sample(Unite({ Place(solid, { 0.0, 0.0, 0.0 }, box.Degrees), air }),
-    vtkBoundingBox(-1.5, 1.5, -0.7, 0.7, -1.0, 1.0), 140);
+    vtkBoundingBox(-0.5 * box.AirLength - 0.1, 0.5 * box.AirLength + 0.1, -0.7, 0.7, -1.0, 1.0),
+    static_cast<int>(47.0 * box.AirLength));
 }
 
 vtkSmartPointer<vtkActor> MakeBoxFrame(const vtkVector3d& lengths, double degrees)
@@ -100,7 +107,7 @@ ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Ligh
     panel->Add(volume);
     panel->Add(MakeBoxFrame(box.Lengths, box.Degrees));
     panel->SetAmbientOcclusion(0.0);
-    panel->SetBackground(DarkBackground());
+    UseBackdrop(*panel, { 0.13, 0.16, 0.20 }, { 0.04, 0.05, 0.07 });
     panel->SetLights(beams);
   }
   return { without, with };
@@ -108,10 +115,12 @@ ShadowPair AddTranslucentBox(Stage& stage, const TranslucentBox& box, const Ligh
 
 void BuildBeamBox(gallery::Stage& stage)
 {
-  const TranslucentBox box = { { 1.0, 0.6, 0.7 }, 35.0, 2.2, 0.4 };
+  // The panels are wide, so one is above the other.
+  stage.SetColumns(1);
+  const TranslucentBox box = { { 1.0, 0.6, 0.7 }, 5.0, 35.0, 2.2, 0.4 };
   AddTranslucentBox(stage, box,
-    { gallery::MakeBeam({ -3.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.26, 4.4, { 1.0, 0.86, 0.6 }) })
-    .Look({ 0.0, -1.0, 0.35 }, vtkBoundingBox(-0.74, 0.74, -0.3, 0.3, -0.6, 0.6));
+    { gallery::MakeBeam({ -3.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }, 0.3, 4.6, { 1.0, 0.80, 0.5 }) })
+    .Look({ 0.0, -1.0, 0.35 }, vtkBoundingBox(-1.4, 1.4, -0.3, 0.3, -0.5, 0.5));
 }
 
 const gallery::SceneRegistration beamBox(
@@ -134,9 +143,9 @@ void BuildBeamsCube(gallery::Stage& stage)
       gallery::MakeBeam(center + vtkVector3d(1.6, -0.2, 0.75), center, 0.2, 6.5, color));
     height -= 0.24;
   }
-  const TranslucentBox cube = { { 0.84, 0.84, 0.84 }, 25.0, 1.8, 0.35 };
+  const TranslucentBox cube = { { 0.84, 0.84, 0.84 }, 1.7, 25.0, 1.8, 0.5 };
   AddTranslucentBox(stage, cube, beams)
-    .Look({ 0.1, -1.0, 0.25 }, vtkBoundingBox(-0.74, 0.74, -0.3, 0.3, -0.6, 0.6));
+    .Look({ 0.1, -1.0, 0.25 }, vtkBoundingBox(-0.72, 0.72, -0.3, 0.3, -0.6, 0.6));
 }
 
 const gallery::SceneRegistration beamsCube(
@@ -147,62 +156,79 @@ const gallery::SceneRegistration beamsCube(
     "hides a part of them.",
     {}, &BuildBeamsCube });
 
-const vtkVector3d BOX(0.6, 0.6, 0.84);
-const vtkVector3d POSITION(0.42, 0.0, 0.0);
+const vtkVector3d BOX(0.9, 0.5, 0.66);
+const vtkVector3d POSITION(0.36, 0.0, 0.0);
 constexpr double DEGREES = 24.0;
 
-/// Returns a screen perpendicular to the x axis, with three holes in a vertical row.
-vtkSmartPointer<vtkSpatialObject> MakeScreen()
+/// Returns a screen perpendicular to the x axis, with three holes in a vertical row. It casts
+/// shadows, but is not drawn.
+vtkSmartPointer<vtkActor> MakeScreen()
 {
-  const vtkColor3d metal(0.42, 0.45, 0.50);
-  auto screen = vtkSmartPointer<vtkSpatialOperation>::New();
-  screen->SetOperationToDifference();
-  screen->AddOperand(gallery::MakeDisk({ 0.0, 0.0, 0.03 }, 0.66, 0.06, metal));
-  for (const double aside : { -0.2, 0.0, 0.2 })
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-0.95, -1.5, -1.5);
+  plane->SetPoint1(-0.95, 1.5, -1.5);
+  plane->SetPoint2(-0.95, -1.5, 1.5);
+  plane->SetResolution(150, 150);
+  vtkNew<vtkImplicitBoolean> holes;
+  for (const double height : { -0.14, 0.0, 0.14 })
   {
-    screen->AddOperand(gallery::MakeDisk({ aside, 0.0, 0.2 }, 0.065, 0.4, metal));
+    vtkNew<vtkSphere> hole;
+    hole->SetCenter(-0.95, 0.0, height);
+    hole->SetRadius(0.05);
+    holes->AddFunction(hole);
   }
-  vtkNew<vtkTransform> transform;
-  transform->Translate(-0.95, 0.0, 0.0);
-  transform->RotateY(90.0);
-  screen->SetTransform(transform);
-  return screen;
+  vtkNew<vtkClipPolyData> screen;
+  screen->SetInputConnection(plane->GetOutputPort());
+  screen->SetClipFunction(holes);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(screen->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->VisibilityOff();
+  vtkShadowedScenePass::SetCastsShadowsWhenInvisible(actor, true);
+  return actor;
 }
 
 void BuildBeamSoft(gallery::Stage& stage)
 {
+  stage.SetColumns(1);
   const vtkColor3d white(1.0, 1.0, 1.0);
-  vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(MakeScreen(), vtkBoundingBox(-1.05, 1.25, -0.7, 0.7, -0.7, 0.7), 115);
   vtkSmartPointer<vtkSpatialPrimitive> air =
-    gallery::MakeBox({ -0.9, -0.5, -0.5 }, { 1.2, 0.5, 0.5 }, white);
+    gallery::MakeBox({ -0.94, -0.5, -0.5 }, { 1.7, 0.5, 0.5 }, white);
   air->SetDensity(0.16);
   air->SetEdgeWidth(0.2);
-  gallery::AddSmoke(image,
-    gallery::Unite(
-      { gallery::Place(gallery::MakeBox(-0.5 * BOX, 0.5 * BOX, white), POSITION, DEGREES), air }),
-    0.2, white);
-  vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeSolidMediumInSmoke(image, 0.03);
+  vtkSmartPointer<vtkSpatialPrimitive> solid = gallery::MakeBox(-0.5 * BOX, 0.5 * BOX, white);
+  solid->SetEdgeWidth(0.04);
+  vtkSmartPointer<vtkImageData> image =
+    gallery::Sample(gallery::Unite({ gallery::Place(solid, POSITION, DEGREES), air }),
+      vtkBoundingBox(-0.94, 1.7, -0.5, 0.5, -0.5, 0.5), 130);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(255.0, 0.76);
+  vtkSmartPointer<vtkVolumeProperty> medium = MakeColoredMedium(opacity, 1.0);
   medium->SetAmbient(0.03);
-  vtkSmartPointer<vtkLight> lamp = gallery::MakePointLight({ -3.2, 0.0, 0.0 }, 15.0);
+  medium->SetSpecular(0.0);
+  vtkSmartPointer<vtkLight> lamp = gallery::MakePointLight({ -3.2, 0.0, 0.0 }, 14.0);
   lamp->SetDiffuseColor(1.0, 0.86, 0.6);
   // With this surface gradient, scattering is isotropic everywhere and edges are not shaded.
   gallery::SoftPair pair = gallery::AddSoftPair(stage, image, medium, { lamp }, 0.4, 1.0, 192);
+  pair.UseBackdrop({ 0.13, 0.16, 0.20 }, { 0.04, 0.05, 0.07 });
   for (gallery::Panel* panel : { &pair.Hard, &pair.Soft })
   {
-    panel->SetBackground(gallery::DarkBackground());
-    panel->SetAmbientOcclusion(0.0);
+    panel->Add(MakeScreen());
+    gallery::UseSceneShadows(*panel, 32);
     vtkSmartPointer<vtkActor> frame = MakeBoxFrame(BOX, DEGREES);
     frame->SetPosition(POSITION[0], POSITION[1], POSITION[2]);
     panel->Add(frame);
   }
-  pair.Look({ 0.35, -1.0, 0.25 }, vtkBoundingBox(-0.98, 0.92, -0.1, 0.1, -0.5, 0.5));
+  pair.Look({ 0.25, -1.0, 0.25 }, vtkBoundingBox(-0.85, 1.5, -0.1, 0.1, -0.36, 0.36));
 }
 
-const gallery::SceneRegistration beamSoft(
-  { "beam-soft", "2.38", "Beams of light behind holes, hard and soft",
-    "Light passes through three holes of a screen into thin smoke and a translucent box. Under a "
-    "point light each beam has a sharp edge. Under a disk light the beams widen behind the holes "
-    "and merge, and their cores fade.",
-    {}, &BuildBeamSoft });
+const gallery::SceneRegistration beamSoft({ "beam-soft", "2.38",
+  "Beams of light behind holes, hard and soft",
+  "Light passes through three holes of a screen into thin smoke and a translucent box. The screen "
+  "casts shadows, but is not drawn. Under a point light each beam has a sharp edge. Under a disk "
+  "light the beams widen behind the holes "
+  "and merge, and their cores fade.",
+  {}, &BuildBeamSoft });
 }
