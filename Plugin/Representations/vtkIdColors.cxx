@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkIdColors.h"
 
+#include "vtkEstimatedOpacity.h"
 #include "vtkVolumeFunctions.h"
 
 #include "vtkSMPropertyHelper.h"
@@ -73,12 +74,6 @@ bool AreDefaultColors(vtkSMProxy* colors, const std::vector<double>& points)
   const auto ids = static_cast<int>(points.size() / 8);
   return ids <= MAXIMUM_IDS && HaveSameColors(points, MakeBands(ids));
 }
-
-/// Returns true if the opacities are ParaView's default ramp.
-bool AreDefaultOpacities(const std::vector<double>& points)
-{
-  return points.size() == 8 && points[1] == 0.0 && points[5] == 1.0;
-}
 }
 
 void vtkIdColors::Apply(vtkSMProxy* colors, vtkSMProxy* opacities, int count)
@@ -102,10 +97,10 @@ void vtkIdColors::Apply(vtkSMProxy* colors, vtkSMProxy* opacities, int count)
     }
     colors->UpdateVTKObjects();
   }
-  vtkSMPropertyHelper ramp(opacities, "Points");
-  std::vector<double> flat = ramp.GetDoubleArray();
-  if (AreDefaultOpacities(flat))
+  if (vtkEstimatedOpacity::IsDefault(opacities))
   {
+    vtkSMPropertyHelper ramp(opacities, "Points");
+    std::vector<double> flat = ramp.GetDoubleArray();
     flat[1] = vtkVolumeFunctions::FLAT_OPACITY;
     flat[5] = vtkVolumeFunctions::FLAT_OPACITY;
     ramp.Set(flat.data(), static_cast<unsigned int>(flat.size()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSMScalarVolumeRepresentationProxy.h"
 
+#include "vtkEstimatedOpacity.h"
 #include "vtkIdColors.h"
 
 #include "vtkDataObject.h"
@@ -154,6 +155,10 @@ void vtkSMScalarVolumeRepresentationProxy::FollowDisplay(vtkSMPVRepresentationPr
       this->ColorCategories(display);
     }
   }
+  if (this->IsShown && isColored)
+  {
+    this->EstimateOpacity(display, isRestoring);
+  }
 }
 
 bool vtkSMScalarVolumeRepresentationProxy::ColorDisplay(vtkSMPVRepresentationProxy* display)
@@ -211,6 +216,21 @@ void vtkSMScalarVolumeRepresentationProxy::ColorCategories(vtkSMPVRepresentation
   this->PreparedIds = ids;
   vtkIdColors::Apply(
     colors, vtkSMPropertyHelper(display, "ScalarOpacityFunction").GetAsProxy(), ids);
+}
+
+void vtkSMScalarVolumeRepresentationProxy::EstimateOpacity(
+  vtkSMPVRepresentationProxy* display, bool isRestoring)
+{
+  vtkSMProxy* opacities = vtkSMPropertyHelper(display, "ScalarOpacityFunction").GetAsProxy();
+  if (!opacities || !this->GetHints()->FindNestedElementByName("EstimatedOpacity") ||
+    this->PreparedOpacities.count(opacities->GetGlobalID()) > 0)
+  {
+    return;
+  }
+  if (isRestoring || vtkEstimatedOpacity::Apply(opacities, display))
+  {
+    this->PreparedOpacities.insert(opacities->GetGlobalID());
+  }
 }
 
 void vtkSMScalarVolumeRepresentationProxy::PrintSelf(ostream& os, vtkIndent indent)

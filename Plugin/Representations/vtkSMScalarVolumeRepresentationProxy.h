@@ -5,6 +5,7 @@
 #include "InterlumeRepresentationsModule.h" // for the export macro
 #include "vtkSMDisplayedVolumeRepresentationProxy.h"
 
+#include <set>    // for a member
 #include <string> // for the array
 
 /**
@@ -20,6 +21,9 @@
  *   proxy tries again after the next change.
  * - If the array is listed in the XML hint Categories (ids 0, 1, ...), each id gets its own color,
  *   and all ids get the same opacity. Modified color and opacity functions remain unchanged.
+ * - If there is an XML hint EstimatedOpacity, and the opacity function of another array is
+ *   ParaView's default, a ramp from 0 to 1, it is estimated from the data once (see
+ *   OpacityEstimate). Functions from a state file remain unchanged.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkSMScalarVolumeRepresentationProxy
   : public vtkSMDisplayedVolumeRepresentationProxy
@@ -44,6 +48,8 @@ private:
   bool ColorDisplay(vtkSMPVRepresentationProxy* display);
   /// Sets separate colors for ids if the array is in the hint Categories.
   void ColorCategories(vtkSMPVRepresentationProxy* display);
+  /// Sets the opacities from the data, once for each function. Restored functions are not changed.
+  void EstimateOpacity(vtkSMPVRepresentationProxy* display, bool isRestoring);
 
   bool IsShown = false;
   bool NeedsArray = false;
@@ -52,6 +58,8 @@ private:
   std::string PreparedArray;
   vtkSMProxy* PreparedColors = nullptr;
   int PreparedIds = 0;
+  /// Global ids of the opacity functions that EstimateOpacity has set or left unchanged.
+  std::set<vtkTypeUInt32> PreparedOpacities;
 };
 
 #endif

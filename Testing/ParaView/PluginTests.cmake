@@ -103,6 +103,7 @@ plugin_test(TestPluginSceneShadows "paraview;image"
 plugin_test(TestPluginShadowedSlicesPieces "paraview;mpi;image"
   ${ranks} ${batch} "${script}/TestPluginShadowedSlices.py" "${CMAKE_CURRENT_BINARY_DIR}" distributed)
 set_tests_properties(TestPluginShadowedSlicesPieces PROPERTIES RUN_SERIAL ON)
+plugin_pieces_test(TestPluginOneOpacity TestPluginOpacity image)
 plugin_pieces_test(TestPluginOnePieceShadows TestPluginPieceShadows image)
 plugin_pieces_test(TestPluginOnePieceBlends TestPluginPieceBlends image)
 plugin_test(TestPluginRepresentationPieces "paraview;mpi;image"

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkEstimatedOpacity_h
+#define vtkEstimatedOpacity_h
+
+class vtkSMPVRepresentationProxy;
+class vtkSMProxy;
+
+/**
+ * @class   vtkEstimatedOpacity
+ * @brief   replaces ParaView's default opacity by one that is estimated from the data
+ *
+ * ParaView's default is a ramp from 0 to 1 over the range of the data, with which background and
+ * noise hide the data. See OpacityEstimate for the estimate.
+ */
+namespace vtkEstimatedOpacity
+{
+/// Returns true if the opacities are ParaView's default ramp.
+bool IsDefault(vtkSMProxy* opacities);
+/// Sets the opacities for the display's color array if they are ParaView's default. Returns false
+/// if the range of the array is not known yet.
+bool Apply(vtkSMProxy* opacities, vtkSMPVRepresentationProxy* display);
+}
+
+#endif
