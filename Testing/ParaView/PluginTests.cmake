@@ -151,10 +151,15 @@ function (plugin_example name data)
   plugin_test(ParaViewExample_${name} "paraview;image" ${batch} "${script}/TestPluginExample.py"
     "${PROJECT_SOURCE_DIR}/Examples/ParaView/${name}.py" ${data}
     "${CMAKE_CURRENT_BINARY_DIR}/${name}.png")
+  set_tests_properties(ParaViewExample_${name} PROPERTIES FIXTURES_SETUP examples)
 endfunction ()
 plugin_example(intervals_of_a_tooth tooth.vti)
 plugin_example(mug_over_time mug.ex2)
+plugin_example(shadows_of_a_bonsai bonsai.vti)
 plugin_example(stream_volume_around_a_disk disk_out_ref.vtu)
+plugin_test(TestPluginStates "paraview;image" ${batch} "${script}/TestPluginStates.py"
+  "${PROJECT_SOURCE_DIR}/Examples/ParaView/States" "${CMAKE_CURRENT_BINARY_DIR}")
+set_tests_properties(TestPluginStates PROPERTIES FIXTURES_REQUIRED examples)
 
 # Tests of the client as a new user operates it, one per session of newcomer_uses.py. To write new baselines,
 # run ctest -R TestNewcomer with INTERLUME_WRITE_BASELINES in the environment.
@@ -168,4 +173,11 @@ add_custom_target(guide-pictures
           "${script}/newcomer_guide.py" "${PROJECT_SOURCE_DIR}/Documentation/pictures/guide"
   DEPENDS Interlume
   COMMENT "Rendering the images of the guide in the client"
+  VERBATIM)
+add_custom_target(paraview-states
+  COMMAND "${CMAKE_COMMAND}" -E env ${plugin_environment} "${Python3_EXECUTABLE}"
+          "${script}/paraview_states.py" "${PROJECT_SOURCE_DIR}/Examples/ParaView/States"
+          "${PROJECT_SOURCE_DIR}/Documentation/pictures"
+  DEPENDS Interlume
+  COMMENT "Writing ParaView's state files and screenshots"
   VERBATIM)

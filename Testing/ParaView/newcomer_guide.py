@@ -14,7 +14,6 @@ from newcomer_client import play, python
 from newcomer_uses import applied, drawn_as, opened
 
 SECONDS = 400
-SHOT = "import -window root -resize 800x +dither -colors 64 -strip"
 
 
 def seen_from(position, up):
@@ -26,7 +25,7 @@ def seen_from(position, up):
 
 def shot(path):
     """Saves an image of the full window, which the test player has already rendered."""
-    return python(f"import os; os.system({SHOT + ' PNG8:' + path!r})")
+    return python(f"import os; os.system({'import -window root -strip PNG24:' + path!r})")
 
 
 def pictures():
