@@ -10,8 +10,10 @@ from interlume import (
     vtkTerminationPlane, vtkTimeWeightedTetrahedraMapper)
 from stage import dot
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    VTK_TRIANGLE, vtkCellArray, vtkDataObject, vtkPiecewiseFunction, vtkUnstructuredGrid)
+    VTK_TRIANGLE, vtkCellArray, vtkDataObject, vtkPiecewiseFunction, vtkPolyData,
+    vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkGradientFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
@@ -167,6 +169,34 @@ def make_surface(cells, feature_angle=50.0):
     normals.SetFeatureAngle(feature_angle)
     normals.ConsistencyOff()
     return run(normals)
+
+
+def shade_by_field(surface, evaluate):
+    """Returns the triangles of a level surface near the zeros of evaluate(x), with the normals of the
+    field. Sides along x and y, where the surface is cut off, keep their own normals."""
+    points = vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
+    ids = vtk_to_numpy(surface.GetPolys().GetConnectivityArray())
+    bounds = np.reshape(surface.GetBounds(), (3, 2))
+    values = np.array([evaluate(point) for point in points])
+    steps = np.where(values > 0.0, 1e-4, -1e-4)
+    normals = np.stack([
+        [evaluate(point + step * axis) for point, step in zip(points, steps)] - values
+        for axis in np.eye(3)], axis=1)
+    normals = (normals / np.linalg.norm(normals, axis=1)[:, None])[ids].reshape(-1, 3, 3)
+    corners = points[ids].reshape(-1, 3, 3)
+    for side in (3, 2, 1, 0):
+        axis, end = divmod(side, 2)
+        flat = np.all(np.abs(corners[:, :, axis] - bounds[axis, end]) < 1e-4, axis=1)
+        normals[flat] = (2.0 * end - 1.0) * np.eye(3)[axis]
+    shaded = vtkPolyData()
+    shaded.SetPoints(vtkPoints())
+    shaded.GetPoints().SetData(numpy_to_vtk(corners.reshape(-1, 3).astype(np.float32), deep=True))
+    shaded.SetPolys(vtkCellArray())
+    shaded.GetPolys().SetData(3, numpy_to_vtk(np.arange(len(ids), dtype=np.int64), deep=True))
+    array = numpy_to_vtk(normals.reshape(-1, 3).astype(np.float32), deep=True)
+    array.SetName("Normals")
+    shaded.GetPointData().SetNormals(array)
+    return shaded
 
 
 def make_actor(surface, color):

@@ -30,6 +30,7 @@ class Panel:
     def __init__(self, caption):
         self.caption = caption
         self.box = None
+        self.ambient_occlusion = True
         self.renderer = make_renderer()
         self.camera = vtkCamera()
         self.camera.SetViewAngle(22.0)
@@ -72,7 +73,7 @@ class Panel:
     def draw(self, width, height):
         bounds = [0.0] * 6
         self.renderer.ComputeVisiblePropBounds(bounds)
-        self.renderer.SetPass(make_passes(self.renderer, vtkBoundingBox(bounds)))
+        self.renderer.SetPass(make_passes(self.renderer, vtkBoundingBox(bounds), self.ambient_occlusion))
         self.renderer.ResetCameraClippingRange(bounds)
         return draw_window(self.renderer, width, height)
 
@@ -238,10 +239,10 @@ def make_renderer():
     return renderer
 
 
-def make_passes(renderer, box):
-    """Returns passes that draw surfaces with ambient occlusion, then volumes."""
+def make_passes(renderer, box, ambient_occlusion):
+    """Returns passes that draw surfaces, with ambient occlusion if it is on, then volumes."""
     surfaces = vtkOpaquePass()
-    if any(prop.IsA("vtkActor") for prop in renderer.GetViewProps()):
+    if ambient_occlusion and any(prop.IsA("vtkActor") for prop in renderer.GetViewProps()):
         inner = vtkCameraPass()
         inner.SetDelegatePass(surfaces)
         surfaces = vtkSSAOPass()

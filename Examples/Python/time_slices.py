@@ -5,13 +5,13 @@ python3 time_slices.py IMAGE.png
 """
 
 from interlume import vtkAnalyticFieldSource, vtkSimplexTimeSlice, vtkTimeVaryingIntervalVolume
-from props import COLORS, make_actor, make_surface, run
+from props import COLORS, make_actor, make_surface, run, shade_by_field
 from stage import Stage
 
 wave = vtkAnalyticFieldSource()
 wave.SetFieldToWave()
-wave.SetDimensions(44, 55, 27)
-wave.SetBounds(-1.0, 1.0, -1.25, 1.25, -0.6, 0.6)
+wave.SetDimensions(320, 12, 8)
+wave.SetBounds(-3.4, 3.4, -0.65, 0.65, -0.7, 0.7)
 wave.SetTimeRange(0.0, 0.5)
 wave.SetNumberOfTimeSteps(2)
 sheet = vtkTimeVaryingIntervalVolume()
@@ -20,17 +20,18 @@ sheet.SetInterval(0, -0.15, 0.15)
 sheet.GenerateTetrahedraOff()
 sheet.GenerateSimplicesOn()
 
-stage = Stage()
+stage = Stage(columns=1)
 times = {0.0: "time step 0", 0.25: "between, at 0.25", 0.5: "time step 0.5"}
 for time, caption in times.items():
     cut = vtkSimplexTimeSlice()
     cut.SetInputConnection(sheet.GetOutputPort(2))
     cut.SetTime(time)
     panel = stage.add_panel(caption)
-    color = COLORS[len(stage.panels)]
-    panel.add(make_actor(make_surface(run(cut), feature_angle=80.0), color))
+    panel.ambient_occlusion = False
+    surface = shade_by_field(make_surface(run(cut)), lambda x: wave.Evaluate(x, time))
+    panel.add(make_actor(surface, COLORS[len(stage.panels)]))
     if len(stage.panels) > 1:
         panel.look_as(stage.panels[0])
     else:
-        panel.look_from((0.55, -1.0, 1.0))
+        panel.look_from((0.08, -1.0, 0.65))
 stage.save()

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A wave between two time steps, colored by time (figure 3.20).
+"""A wave over five time steps, colored by time (figure 3.20).
 
 python3 wave_in_time.py IMAGE.png
 """
@@ -11,17 +11,17 @@ from stage import DARK, Stage
 
 wave = vtkAnalyticFieldSource()
 wave.SetFieldToWave()
-wave.SetDimensions(40, 20, 20)
+wave.SetDimensions(144, 20, 8)
 wave.SetBounds(-2.0, 2.0, -1.0, 1.0, -1.0, 1.0)
 wave.SetTimeRange(0.0, 1.0)
-wave.SetNumberOfTimeSteps(2)
+wave.SetNumberOfTimeSteps(5)
 sheet = vtkTimeVaryingIntervalVolume()
 sheet.SetInputConnection(wave.GetOutputPort())
 sheet.SetInterval(0, -0.15, 0.15)
 
 colors = vtkTemporalColorTransferFunction()
-colors.SetTimes(2, [0.0, 1.0])
-extinction = make_opacities((0.0, 1.1))
+colors.SetTimes(5, [0.0, 0.25, 0.5, 0.75, 1.0])
+extinction = make_opacities((0.0, 1.6))
 volume = make_volume(run(sheet), "Time", colors, extinction)
 volume.GetMapper().SetBlendModeToAdditive()
 

@@ -36,6 +36,9 @@ class Project:
         (self.data / "page.in.md").write_text(page, encoding="utf-8")
         (self.data / "readme.in.md").write_text(readme, encoding="utf-8")
         (self.root / "Documentation" / "measurements.md").write_text("", encoding="utf-8")
+        guide = self.root / "Documentation" / "guide"
+        guide.mkdir(exist_ok=True)
+        (guide / "performance.md").write_text("<!-- ratios -->\nold\n<!-- /ratios -->\n", encoding="utf-8")
         (self.root / "README.md").write_text("A\n<!-- measured: x -->\nold\n<!-- /measured -->\nB\n", encoding="utf-8")
 
     def add(self, rows, version="9.1.0", suite="interval", claims=(), **conditions):
@@ -105,9 +108,11 @@ class TestPages(unittest.TestCase):
         folder.add(FAST, version="9.6.2")
         readme = folder.readme()
         self.assertIn("| ratio, VTK 9.1 | ratio, VTK 9.6 |", readme)
-        self.assertLess(readme.index("disk"), readme.index("wavelet"))
-        self.assertIn("| **0.5** / 4 | – |", readme)
-        self.assertIn("| 5 / 100 | 5 / 100 |", readme)
+        guide = (folder.root / "Documentation" / "guide" / "performance.md").read_text(encoding="utf-8")
+        self.assertIn("| image 97³ / disk | `vtkTableBasedClipDataSet` twice | 5 / **0.5** | – |", readme)
+        self.assertLess(guide.index("disk"), guide.index("wavelet"))
+        self.assertIn("| **0.5** / 4 | – |", guide)
+        self.assertIn("| 5 / 100 | 5 / 100 |", guide)
         self.assertTrue(readme.startswith("A\n") and readme.endswith("\nB\n"))
 
     def test_targets(self):
@@ -156,7 +161,7 @@ class TestPages(unittest.TestCase):
         folder.add(FAST)
         folder.run()
         self.assertEqual(folder.run("--check"), 0)
-        path = folder.root / "README.md"
+        path = folder.root / "Documentation" / "guide" / "performance.md"
         path.write_text(path.read_text(encoding="utf-8").replace("5 / 100", "6 / 100"), encoding="utf-8")
         self.assertEqual(folder.run("--check"), 1)
 
@@ -181,7 +186,7 @@ class TestPages(unittest.TestCase):
         guide = folder.root / "Documentation" / "guide"
         examples = folder.root / "Examples" / "Guide"
         for path in (guide, examples):
-            path.mkdir(parents=True)
+            path.mkdir(parents=True, exist_ok=True)
         page = guide / "intervals.md"
         page.write_text("<!-- value interval.second-images -->9<!-- / --> times\n", encoding="utf-8")
         self.assertEqual(folder.run("--check"), 1)

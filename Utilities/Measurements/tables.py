@@ -138,18 +138,12 @@ IMAGES = ("wavelet-97", "wavelet-41", "head-ct", "isabel")
 PROJECTED = {"peer": "projectedtetrahedra", "parameter": "composite", "error": None}
 VORTEX = {"case": "vortex-2", **WARM}
 HEXAHEDRON = {"case": "random-hexahedra", "method": "inverted"}
-HEAD = {"case": "head-ct", "method": "inverted"}
 MAPPING = {"method": "new-mapping", **ONE}
 VALUES = {
     "interval.memory": ("interval", "{peak_share}", {"method": "memory"}),
     "interval.second-images": ("interval", "{ratio}", {"case": IMAGES, **SECOND}),
-    "interval.second-fin": ("interval", "{ratio}", {"case": "blunt-fin", **SECOND}),
-    "interval.second-disk": ("interval", "{ratio}", {"case": "disk-out", **SECOND}),
-    "interval.inverted-tetrahedra": ("interval", "{inverted}", {"case": "random-tetrahedra", "method": "inverted"}),
     "interval.inverted-hexahedra": ("interval", "{share:%}", HEXAHEDRON),
     "interval.inverted-hexahedra-volume": ("interval", "{error:%}", HEXAHEDRON),
-    "interval.inverted-head": ("interval", "{inverted}", HEAD),
-    "interval.tetrahedra-head": ("interval", "{tetrahedra}", HEAD),
     "interval4d.vortex-simplices": ("interval4d", "{simplices}", VORTEX),
     "interval4d.vortex-tetrahedra": ("interval4d", "{tetrahedra}", VORTEX),
     "interval4d.vortex-warm": ("interval4d", TIME, VORTEX),
