@@ -9,6 +9,7 @@
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDataSetSurfaceFilter.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkGradientFilter.h"
 #include "vtkIdList.h"
@@ -30,9 +31,8 @@ namespace gallery
 namespace
 {
 const char* const GRADIENT = "Gradient";
+}
 
-/// Computes normals from the gradient of the field. The normals point out of the interval. On its
-/// lower boundary, they are opposite to the gradient.
 void SetGradientNormals(vtkPointData* pointData, int side)
 {
   vtkDataArray* vectors = pointData->GetArray(GRADIENT);
@@ -49,7 +49,6 @@ void SetGradientNormals(vtkPointData* pointData, int side)
     normals->SetTuple3(i, sign * normal[0], sign * normal[1], sign * normal[2]);
   }
   pointData->SetNormals(normals);
-}
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> SelectTriangles(
@@ -131,6 +130,8 @@ vtkSmartPointer<vtkDataSet> AddGradient(vtkDataSet* data, const std::string& arr
   gradient->SetInputScalars(vtkDataObject::FIELD_ASSOCIATION_POINTS, array.c_str());
   gradient->SetResultArrayName(GRADIENT);
   gradient->Update();
+  // VTK's filter does not pass field data of structured data.
+  gradient->GetOutput()->GetFieldData()->PassData(data->GetFieldData());
   return vtkDataSet::SafeDownCast(gradient->GetOutput());
 }
 

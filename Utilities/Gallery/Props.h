@@ -13,6 +13,7 @@
 #include <string>
 
 class vtkIntervalVolume;
+class vtkPointData;
 class vtkScalarsToColors;
 class vtkStructuredGrid;
 
@@ -27,6 +28,13 @@ namespace gallery
  */
 vtkSmartPointer<vtkUnstructuredGrid> SelectTriangles(
   vtkUnstructuredGrid* triangles, const std::string& array, int value);
+
+/**
+ * Computes point normals from the gradient that AddGradient() added to the input of an extraction.
+ * On the LOWER_SIDE (vtkIntervalVolume::BoundarySides) of an interval they point against the
+ * gradient.
+ */
+void SetGradientNormals(vtkPointData* pointData, int side);
 
 /**
  * Returns the boundary triangles of an extraction whose cell array `BoundarySide` equals \a side

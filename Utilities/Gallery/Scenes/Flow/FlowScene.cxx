@@ -14,14 +14,20 @@
 #include "vtkIdList.h"
 #include "vtkImplicitFlowField.h"
 #include "vtkInflowMapping.h"
+#include "vtkIntervalVolume.h"
 #include "vtkLineSource.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkSphereSource.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTerminationSurfaceSource.h"
 #include "vtkTexture.h"
 #include "vtkTimeWeightedTetrahedraMapper.h"
 #include "vtkTubeFilter.h"
+
+#include <cmath>
 
 namespace gallery
 {
@@ -50,6 +56,47 @@ vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowGri
   source->SetDimensions(dimensions[0], dimensions[1], dimensions[2]);
   source->SetBounds(grid.Bounds.data());
   return source;
+}
+
+std::array<double, 3> GetVortexAxis(vtkAnalyticFlowSource* vortex, double z)
+{
+  const double height = z / vortex->GetHeight() + 0.5;
+  std::array<double, 3> point = { { 0.0, 0.0, z } };
+  for (int i = 0; i < 2; ++i)
+  {
+    point[static_cast<std::size_t>(i)] = vortex->GetAxisTilt()[i] * (height - 0.5) +
+      vortex->GetAxisBend()[i] * std::sin(vtkMath::Pi() * height);
+  }
+  return point;
+}
+
+vtkSmartPointer<vtkStructuredGrid> MakeRings(vtkAnalyticFlowSource* vortex, const RingGrid& grid)
+{
+  const std::array<int, 3>& n = grid.Dimensions;
+  const auto interpolate = [](const std::array<double, 2>& ends, int i, int number)
+  { return ends[0] + (ends[1] - ends[0]) * i / (number - 1); };
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int k = 0; k < n[2]; ++k)
+  {
+    const double z = interpolate(grid.Heights, k, n[2]);
+    const std::array<double, 3> axis =
+      vortex ? GetVortexAxis(vortex, z) : std::array<double, 3>{ { 0.0, 0.0, z } };
+    for (int j = 0; j < n[1]; ++j)
+    {
+      const double angle = 2.0 * vtkMath::Pi() * interpolate(grid.Turns, j, n[1]);
+      for (int i = 0; i < n[0]; ++i)
+      {
+        const double radius = grid.Radius(i / (n[0] - 1.0), z);
+        points->InsertNextPoint(
+          axis[0] + radius * std::cos(angle), axis[1] + radius * std::sin(angle), z);
+      }
+    }
+  }
+  auto rings = vtkSmartPointer<vtkStructuredGrid>::New();
+  rings->SetDimensions(n[0], n[1], n[2]);
+  rings->SetPoints(points);
+  return rings;
 }
 
 vtkSmartPointer<vtkAnalyticFlowSource> MakeUprightHurricane()
@@ -116,6 +163,13 @@ vtkSmartPointer<vtkUnstructuredGrid> GetFlowSurface(vtkFlowVolume* filter, int p
 {
   return SelectTriangles(vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(port)),
     port == STREAM_SURFACES ? "StreamSurfaceId" : "TimeSurfaceId", id);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> GetSmoothFlowSurface(vtkFlowVolume* filter, int port, int id)
+{
+  vtkSmartPointer<vtkUnstructuredGrid> surface = GetFlowSurface(filter, port, id);
+  SetGradientNormals(surface->GetPointData(), vtkIntervalVolume::LOWER_SIDE);
+  return surface;
 }
 
 vtkSmartPointer<vtkActor> MakeFlowActor(vtkUnstructuredGrid* surface, const vtkColor3d& color)

@@ -11,12 +11,14 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
 class vtkAlgorithm;
 class vtkFlowVolume;
+class vtkStructuredGrid;
 class vtkTerminationSurface;
 class vtkTexture;
 class vtkVolume;
@@ -39,6 +41,32 @@ struct FlowGrid
  * Returns a field of vtkAnalyticFlowSource on a grid.
  */
 vtkSmartPointer<vtkAnalyticFlowSource> MakeAnalyticFlow(int field, const FlowGrid& grid);
+
+/**
+ * Rings of points around the axis of a vortex.
+ */
+struct RingGrid
+{
+  /// Number of points outward, around and upward.
+  std::array<int, 3> Dimensions;
+  /// z of the lowest and the highest ring.
+  std::array<double, 2> Heights;
+  /// Angles of the first and the last point of a ring, counterclockwise from x, in turns.
+  std::array<double, 2> Turns;
+  /// Radius of a ring. \a outward is 0 for the innermost ring and 1 for the outermost ring.
+  std::function<double(double outward, double z)> Radius;
+};
+
+/**
+ * Returns a point on the axis of a hurricane or tornado.
+ */
+std::array<double, 3> GetVortexAxis(vtkAnalyticFlowSource* vortex, double z);
+
+/**
+ * Returns rings around the axis of a hurricane or tornado, or around the z axis if it is null. They
+ * follow the flow better than a regular grid, and the boundary of the samples is smooth.
+ */
+vtkSmartPointer<vtkStructuredGrid> MakeRings(vtkAnalyticFlowSource* vortex, const RingGrid& grid);
 
 /**
  * Returns a hurricane around the z axis. It is as high as its grid.
@@ -81,6 +109,13 @@ constexpr int TIME_SURFACES = 2;
  * Returns the stream surface or time surface of \a filter with this id. \a port selects the type.
  */
 vtkSmartPointer<vtkUnstructuredGrid> GetFlowSurface(vtkFlowVolume* filter, int port, int id);
+
+/**
+ * As above, with normals from the gradient that AddGradient() added to the input of \a filter.
+ * These are smoother than the normals of \a filter, but do not take termination surfaces into
+ * account.
+ */
+vtkSmartPointer<vtkUnstructuredGrid> GetSmoothFlowSurface(vtkFlowVolume* filter, int port, int id);
 
 /**
  * Returns an opaque actor of one color. It uses the point normals of \a surface.

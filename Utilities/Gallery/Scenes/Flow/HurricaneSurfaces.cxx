@@ -11,6 +11,7 @@
 #include "vtkFlowVolume.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTerminationCylinder.h"
 
 #include <vector>
@@ -25,7 +26,9 @@ void Build(gallery::Stage& stage)
   rim->SetPoint1(0.0, 0.0, -0.5);
   rim->SetPoint2(0.0, 0.0, 0.5);
   rim->SetRadius(1.25);
-  const gallery::FlowGrid samples = { { 65, 33, 53 }, { -0.85, 0.85, 0.0, 0.85, -0.49, 0.49 } };
+  const vtkSmartPointer<vtkStructuredGrid> samples = gallery::MakeRings(hurricane,
+    { { 33, 65, 53 }, { -0.49, 0.49 }, { 0.0, 0.5 },
+      [](double outward, double) { return 0.06 + 0.84 * outward; } });
   const vtkSmartPointer<vtkDataSet> inflow =
     gallery::MapInflow(gallery::MakeImplicitFlow(hurricane, { rim }, samples, 12.0), "v");
 

@@ -2,6 +2,7 @@
 // A flow volume between two time surfaces, on which a grid shows how the flow deforms them.
 
 #include "Gallery/Look.h"
+#include "Gallery/Props.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Flow/FlowScene.h"
 #include "Gallery/Scenes/Flow/FlowTextures.h"
@@ -26,16 +27,18 @@ void Build(gallery::Stage& stage)
   filter->SetInterval(0, 0.0, 0.22);
   filter->SetTimeRange(0.08, 0.33);
   filter->GenerateTimeSurfacesOn();
-  filter->GenerateNormalsOn();
   filter->ParametersAsTextureCoordinatesOn();
-  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra =
+    stage.Extract(filter, gallery::AddGradient(inflow, "AdvectionTime"));
 
   gallery::Panel& panel = stage.AddPanel("", { 1.0, -0.5, 0.35 });
+  panel.SetAmbientOcclusion(0.0);
   panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 1.5 } }));
   for (int id = 0; id < 2; ++id)
   {
-    panel.Add(gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id),
-      gallery::MakeGridTexture(24, 24, gallery::IntervalColor(1 + id), gallery::Ink())));
+    panel.Add(
+      gallery::MakeFlowActor(gallery::GetSmoothFlowSurface(filter, gallery::TIME_SURFACES, id),
+        gallery::MakeGridTexture(24, 24, gallery::IntervalColor(1 + id), gallery::Ink())));
   }
 }
 
