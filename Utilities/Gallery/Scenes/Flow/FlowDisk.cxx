@@ -11,12 +11,15 @@
 #include "Gallery/Volumes.h"
 #include "Support/Inputs/DataFiles.h"
 
+#include "vtkClipPolyData.h"
 #include "vtkMapper.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkProbeFilter.h"
 #include "vtkProperty.h"
+#include "vtkStructuredGrid.h"
 #include "vtkTrivialProducer.h"
 
 namespace
@@ -33,8 +36,10 @@ constexpr double TIME = 7.0;
 constexpr double COLD = 293.0;
 constexpr double HOT = 913.0;
 
-/// Traces only half of the vessel, so that the cut shows the nested surfaces. The inflow value is
-/// the distance from the axis.
+/// Inflow value of the innermost surface.
+constexpr double INNERMOST = 0.25;
+
+/// Traces rings around the axis. The inflow value is the distance from the axis.
 gallery::MappedFlow MakeFlow(vtkDataSet* disk)
 {
   disk->GetPointData()->SetActiveVectors("V");
@@ -42,7 +47,9 @@ gallery::MappedFlow MakeFlow(vtkDataSet* disk)
   field->SetOutput(disk);
   const vtkSmartPointer<vtkTerminationPlane> lid =
     gallery::MakeInflowPlane({ 0.0, 0.0, TOP }, { RADIUS, 0.0, 0.0 }, { 0.0, RADIUS, 0.0 });
-  const gallery::FlowGrid samples = { { 65, 33, 77 }, { -5.7, 5.7, 0.0, 5.7, -3.5, TOP } };
+  const vtkSmartPointer<vtkStructuredGrid> samples = gallery::MakeRings(nullptr,
+    { { 25, 73, 73 }, { -3.5, TOP }, { 0.25, 1.25 },
+      [](double outward, double) { return 0.3 + 5.4 * outward; } });
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputData(gallery::MakeImplicitFlow(field, { lid }, samples, 1.1 * TIME));
   mapping->SetFormula(vtkInflowMapping::ALL, "2 * sqrt((u - 0.5)^2 + (v - 0.5)^2)");
@@ -50,24 +57,36 @@ gallery::MappedFlow MakeFlow(vtkDataSet* disk)
   return { vtkDataSet::SafeDownCast(mapping->GetOutputDataObject(0)), mapping, lid, 1.0 };
 }
 
-/// Returns the stream surface that starts on a circle whose radius is \a inflow times RADIUS. It
-/// shows streamlines and is colored by temperature.
-vtkSmartPointer<vtkActor> MakeSurface(
-  gallery::MappedFlow flow, double inflow, vtkDataSet* disk, vtkColorTransferFunction* colors)
+/// Returns the stream surface that starts on a circle whose radius is \a inflow times RADIUS, where
+/// \a kept is positive. It shows streamlines and is colored by temperature.
+vtkSmartPointer<vtkActor> MakeSurface(gallery::MappedFlow flow, double inflow,
+  vtkImplicitFunction* kept, vtkDataSet* disk, vtkColorTransferFunction* colors)
 {
-  flow.Length = 2.0 * vtkMath::Pi() * inflow * RADIUS;
-  const vtkSmartPointer<vtkPolyData> surface =
-    gallery::MakeTexturedSurface(flow, inflow, 0.05, TIME, 1.0);
+  // Streamlines have equal distances at the lid, 16 of them on the innermost surface.
+  constexpr int lines = 16;
+  flow.Length = 2.0 * vtkMath::Pi() * INNERMOST * RADIUS;
+  // The texture starts behind the innermost surface, and where the others are cut away.
+  flow.StartPoints = { { { 0.0, inflow == INNERMOST ? RADIUS : -RADIUS, TOP } } };
+  vtkNew<vtkClipPolyData> cut;
+  cut->SetInputData(gallery::MakeTexturedSurface(flow, inflow, 0.05, TIME, 1.0));
+  cut->SetClipFunction(kept);
+  cut->Update();
+  vtkPolyData* surface = cut->GetOutput();
   vtkNew<vtkProbeFilter> probe;
   probe->SetInputData(surface);
   probe->SetSourceData(disk);
   probe->Update();
   surface->GetPointData()->AddArray(probe->GetOutput()->GetPointData()->GetArray("Temp"));
   vtkSmartPointer<vtkActor> actor = gallery::MakeColoredActor(surface, "Temp", colors);
+  // Bright enough inside the folds.
+  actor->GetProperty()->SetAmbient(0.5);
+  actor->GetProperty()->SetDiffuse(0.55);
   // The texture can only be multiplied by vertex colors.
   actor->GetMapper()->InterpolateScalarsBeforeMappingOff();
-  const vtkSmartPointer<vtkStreamlineTexture> lines = gallery::MakeStreamlines(48, gallery::Ink());
-  vtkStreamlineTexture::AddTo(actor, lines, nullptr);
+  const vtkSmartPointer<vtkStreamlineTexture> texture =
+    gallery::MakeStreamlines(24, gallery::Ink(), lines);
+  texture->SetLineWidth(0.2);
+  vtkStreamlineTexture::AddTo(actor, texture, nullptr);
   return actor;
 }
 
@@ -75,28 +94,34 @@ void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkDataSet> disk = interlume::ReadData("disk_out_ref.vtu");
   const gallery::MappedFlow flow = MakeFlow(disk);
-  // Excludes the darkest colors, on which lines are not visible.
+  // Excludes the darkest colors, since they would hide the lines.
   const vtkSmartPointer<vtkColorTransferFunction> colors =
-    gallery::MakeColorMap(gallery::Map::Inferno, 100.0, HOT);
-  gallery::Panel& panel = stage.AddPanel("", { 0.35, -1.0, 0.3 }, { 1.0, 0.0, 0.0 });
-  for (const double inflow : { 0.3, 0.5, 0.7 })
-  {
-    panel.Add(MakeSurface(flow, inflow, disk, colors));
-  }
+    gallery::MakeColorMap(gallery::Map::Inferno, -100.0, HOT);
+  gallery::Panel& panel = stage.AddPanel("", { 0.4, -1.0, -0.4 }, { 1.0, 0.0, 0.0 });
+  panel.SetAmbientOcclusion(0.0);
+  // The innermost surface ends at the disk. The others are cut in half.
+  vtkNew<vtkPlane> above;
+  above->SetNormal(0.0, 0.0, 1.0);
+  vtkNew<vtkPlane> back;
+  back->SetNormal(0.0, 1.0, 0.0);
+  panel.Add(MakeSurface(flow, INNERMOST, above, disk, colors));
+  panel.Add(MakeSurface(flow, 0.5, back, disk, colors));
+  panel.Add(MakeSurface(flow, 0.75, back, disk, colors));
   vtkColor3d hot;
   colors->GetColor(HOT, hot.GetData());
   const vtkSmartPointer<vtkActor> plate = gallery::MakePillar(DISK_RADIUS, -1.0, -0.05, hot);
-  plate->GetProperty()->SetAmbient(0.5);
-  plate->GetProperty()->SetDiffuse(0.5);
+  plate->GetProperty()->SetAmbient(0.75);
+  plate->GetProperty()->SetDiffuse(0.25);
   panel.Add(plate);
   stage.SetColorBar("temperature, K", colors, COLD, HOT);
 }
 
-const gallery::SceneRegistration registration({ "flow-disk", "4.7",
-  "Streamlines as a texture on gas above a hot spinning disk",
-  "Computed flow in a reactor, laid on its side and cut in half. Cold gas enters through the lid, "
-  "on the left. Hot gas that rises from the disk spreads it, and it leaves around the rim, where "
-  "the rotation drags it along. Three nested stream surfaces start on circles at the lid. The "
-  "lines are streamlines at equal distances along these circles; the color is the temperature.",
-  { "disk_out_ref.vtu" }, &Build });
+const gallery::SceneRegistration registration(
+  { "flow-disk", "4.7", "Streamlines as a texture on gas above a hot spinning disk",
+    "Computed flow in a reactor, laid on its side. Cold gas enters through the lid, on the left. "
+    "Hot gas that rises from the disk spreads it, and it leaves around the rim, where the rotation "
+    "drags it along. Three nested stream surfaces start on circles at the lid; the outer two are "
+    "cut in half, and the innermost one ends at the disk. The lines are streamlines at equal "
+    "distances along these circles; the color is the temperature.",
+    { "disk_out_ref.vtu" }, &Build });
 }

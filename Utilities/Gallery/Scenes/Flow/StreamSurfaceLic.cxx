@@ -4,6 +4,7 @@
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
 #include "Gallery/Scene.h"
+#include "Gallery/Scenes/Flow/FlowScene.h"
 #include "Gallery/Scenes/Flow/TexturedSurface.h"
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
@@ -60,21 +61,25 @@ void Build(gallery::Stage& stage)
   lic->SetStepLength(0.011);
   lic->Update();
   vtkNew<vtkColorTransferFunction> colors;
-  colors->AddRGBPoint(0.0, 0.25, 0.1, 0.02);
-  colors->AddRGBPoint(0.5, 0.8, 0.5, 0.2);
-  colors->AddRGBPoint(1.0, 1.0, 0.95, 0.8);
+  colors->AddRGBPoint(0.0, 0.02, 0.12, 0.30);
+  colors->AddRGBPoint(0.5, 0.20, 0.48, 0.72);
+  colors->AddRGBPoint(1.0, 0.92, 0.98, 1.0);
 
   gallery::Panel& panel = stage.AddPanel("", { -0.55, -1.0, 0.45 });
-  panel.Add(gallery::MakeColoredActor(
-    vtkPolyData::SafeDownCast(lic->GetOutputDataObject(0)), "LIC", colors));
+  const vtkSmartPointer<vtkActor> surface = gallery::MakeColoredActor(
+    vtkPolyData::SafeDownCast(lic->GetOutputDataObject(0)), "LIC", colors);
+  gallery::CutOpen(surface, { 0.0, 0.8, -0.6 });
+  panel.Add(surface);
+  panel.Add(gallery::MakeSphere({ 0.0, 0.0, 0.0 }, Radius, gallery::IntervalColor(2)));
   panel.Add(gallery::MakeVolumeOfIntervals(
-    gallery::MakeStreamVolume(flow, 0.3, 0.6, 0.05, 3.5), { { gallery::IntervalColor(0), 0.7 } }));
+    gallery::MakeStreamVolume(flow, 0.3, 0.6, 0.05, 3.5), { { gallery::IntervalColor(0), 0.3 } }));
 }
 
 const gallery::SceneRegistration registration(
   { "stream-surface-lic", "4.6", "A stream surface with line integral convolution",
     "Flow around a sphere, from the left. The stream surface starts on a circle and passes close "
-    "to the sphere. A convolution of 3D noise along streamlines colors its points. The streaks "
+    "to the sphere. It is cut open. A convolution of 3D noise along streamlines colors its points. "
+    "The streaks "
     "show the flow direction without any parameters of the surface. The flow volume of streamlines "
     "farther from the axis surrounds it.",
     {}, &Build });

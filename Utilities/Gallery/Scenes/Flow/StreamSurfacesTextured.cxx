@@ -5,9 +5,21 @@
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Flow/TexturedSurface.h"
 #include "Gallery/Stage.h"
+#include "Gallery/Volumes.h"
 
 namespace
 {
+/// Inflow values of the surfaces.
+constexpr double INNER = 0.05;
+constexpr double OUTER = 0.13;
+
+/// Advection time at the lower edge of the surfaces, and time of LINES timelines.
+constexpr double START = 0.45;
+constexpr double PERIOD = 8.0;
+
+/// This number of lines fits everywhere on the surfaces, so that none ends.
+constexpr int LINES = 32;
+
 void Build(gallery::Stage& stage)
 {
   const gallery::MappedFlow flow = gallery::MakeTornado(7.0);
@@ -16,17 +28,21 @@ void Build(gallery::Stage& stage)
   gallery::Panel& nested = stage.AddPanel("two nested surfaces", from);
 
   const vtkSmartPointer<vtkPolyData> outer =
-    gallery::MakeTexturedSurface(flow, 0.13, 0.45, 3.9, 16.0);
+    gallery::MakeTexturedSurface(flow, OUTER, START, 3.9, PERIOD);
   one.Add(gallery::MakeLinedActor(outer, gallery::IntervalColor(0),
-    gallery::MakeStreamlines(64, gallery::Ink()),
-    gallery::MakeTimelines(72, vtkColor3d(1.0, 1.0, 1.0))));
+    gallery::MakeStreamlines(16, gallery::Ink(), LINES),
+    gallery::MakeTimelines(16, vtkColor3d(1.0, 1.0, 1.0), LINES)));
 
   const vtkSmartPointer<vtkActor> open = gallery::MakeLinedActor(
-    outer, gallery::IntervalColor(0), gallery::MakeStreamlines(48, gallery::Ink()), nullptr);
+    outer, gallery::IntervalColor(0), gallery::MakeStreamlines(16, gallery::Ink(), LINES), nullptr);
   gallery::CutOpen(open, { -0.4, 1.0, 0.0 });
   nested.Add(open);
-  nested.Add(gallery::MakeLinedActor(gallery::MakeTexturedSurface(flow, 0.05, 0.45, 5.5, 16.0),
-    gallery::IntervalColor(1), nullptr, gallery::MakeTimelines(48, gallery::Ink())));
+  nested.Add(gallery::MakeLinedActor(gallery::MakeTexturedSurface(flow, INNER, START, 5.5, PERIOD),
+    gallery::IntervalColor(1), nullptr, gallery::MakeTimelines(16, gallery::Ink(), LINES)));
+  // The volume between the surfaces shows where the outer one is cut away.
+  nested.Add(gallery::MakeVolumeOfIntervals(
+    gallery::MakeStreamVolume(flow.Samples, INNER, OUTER, START, 3.9),
+    { { gallery::IntervalColor(0), 1.2 } }));
 }
 
 const gallery::SceneRegistration registration(
@@ -34,7 +50,8 @@ const gallery::SceneRegistration registration(
     "Stream surfaces of a tornado, each of the air that enters at one height. Left: dark "
     "streamlines, and white timelines, which air reaches at the same time. Right: the same "
     "surface, cut open, with streamlines only, and inside it, with timelines, the surface of air "
-    "that enters closer to the ground. The lines are a texture. The arc length along the inflow "
+    "that enters closer to the ground. The haze is the air between them. The lines are a texture. "
+    "The arc length along the inflow "
     "circle and the advection time are the texture coordinates.",
     {}, &Build });
 }

@@ -3,12 +3,56 @@
 // camera approaches.
 
 #include "Gallery/Look.h"
+#include "Gallery/Props.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Flow/TexturedSurface.h"
 #include "Gallery/Stage.h"
 
+#include "vtkContourFilter.h"
+#include "vtkDoubleArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStripper.h"
+#include "vtkTubeFilter.h"
+
+#include <cmath>
+
 namespace
 {
+/// Radius of the marked line as a fraction of the size of the view.
+constexpr double LINE_RADIUS = 0.016;
+
+/// Returns the line of constant arc length that is nearest to \a point among the lines of all
+/// levels of the texture down to eight lines.
+vtkSmartPointer<vtkPolyData> FindLine(vtkPolyData* surface, double point[3])
+{
+  vtkDataArray* coordinates = surface->GetPointData()->GetTCoords();
+  vtkNew<vtkDoubleArray> arcLength;
+  arcLength->SetName("ArcLength");
+  arcLength->SetNumberOfTuples(coordinates->GetNumberOfTuples());
+  arcLength->CopyComponent(0, coordinates, 0);
+  vtkNew<vtkPolyData> scalars;
+  scalars->CopyStructure(surface);
+  scalars->GetPointData()->SetScalars(arcLength);
+  vtkNew<vtkContourFilter> line;
+  line->SetInputData(scalars);
+  line->SetValue(0, std::round(8.0 * arcLength->GetValue(scalars->FindPoint(point))) / 8.0);
+  vtkNew<vtkStripper> stripper;
+  stripper->SetInputConnection(line->GetOutputPort());
+  stripper->Update();
+  return stripper->GetOutput();
+}
+
+vtkSmartPointer<vtkActor> MakeTube(vtkPolyData* line, double radius)
+{
+  vtkNew<vtkTubeFilter> tube;
+  tube->SetInputData(line);
+  tube->SetRadius(radius);
+  tube->SetNumberOfSides(16);
+  tube->Update();
+  return gallery::MakeActor(tube->GetOutput(), { 1.0, 0.84, 0.3 });
+}
+
 void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkPolyData> surface =
@@ -23,13 +67,19 @@ void Build(gallery::Stage& stage)
     { "nine times nearer", 1.0 / 9.0 } };
   double bounds[6];
   surface->GetBounds(bounds);
-  // A point on the part of the surface that faces the camera.
-  const double center[3] = { 0.0, -0.47, -0.3 };
+  // The closer views are centered on the marked line, on the part that faces the camera.
+  double front[3] = { 0.0, -0.47, -0.3 };
+  const vtkSmartPointer<vtkPolyData> line = FindLine(surface, front);
+  double center[3];
+  line->GetPoint(line->FindPoint(front), center);
   for (const auto& view : views)
   {
     gallery::Panel& panel = stage.AddPanel(view.Caption);
     panel.LookFrom({ 0.4, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+    // Its noise would show in the closer views.
+    panel.SetAmbientOcclusion(0.0);
     panel.Add(gallery::MakeLinedActor(surface, gallery::IntervalColor(0), lines, nullptr));
+    panel.Add(MakeTube(line, LINE_RADIUS * view.Size));
     if (view.Size < 1.0)
     {
       // Frames the bounds of the surface, scaled by Size around the center.
@@ -43,11 +93,12 @@ void Build(gallery::Stage& stage)
   }
 }
 
-const gallery::SceneRegistration registration(
-  { "streamline-zoom", "4.8", "More streamlines at closer distances",
-    "A stream surface of a tornado from three distances, with the same texture: a mipmap pyramid "
-    "whose levels have fewer and fewer lines of constant width in texels. No level is the average "
-    "of another. New lines fade in between existing ones, so that their distance on screen is "
-    "about the same at any distance of the camera.",
-    {}, &Build });
+const gallery::SceneRegistration registration({ "streamline-zoom", "4.8",
+  "More streamlines at closer distances",
+  "A stream surface of a tornado from three distances, with the same texture. The yellow line is "
+  "the same streamline in all three panels: more and more lines appear next to it. The texture is "
+  "a mipmap pyramid whose levels have fewer and fewer lines of constant width in texels. No "
+  "level is the average of another. New lines fade in between existing ones, so that their "
+  "distance on screen is about the same at any distance of the camera.",
+  {}, &Build });
 }

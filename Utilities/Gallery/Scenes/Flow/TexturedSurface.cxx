@@ -11,7 +11,6 @@
 #include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
-#include "vtkPoints.h"
 #include "vtkStreamSurfaceParameters.h"
 #include "vtkStructuredGrid.h"
 #include "vtkTerminationCylinder.h"
@@ -20,43 +19,6 @@
 
 namespace gallery
 {
-namespace
-{
-/// Returns points in rings around the bent axis of the tornado.
-vtkSmartPointer<vtkStructuredGrid> MakeRings(vtkAnalyticFlowSource* tornado)
-{
-  constexpr int outward = 37;
-  constexpr int around = 73;
-  constexpr int upward = 41;
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (int k = 0; k < upward; ++k)
-  {
-    const double height = 0.01 + 0.98 * k / (upward - 1);
-    double axis[2];
-    for (int i = 0; i < 2; ++i)
-    {
-      axis[i] = tornado->GetAxisTilt()[i] * (height - 0.5) +
-        tornado->GetAxisBend()[i] * std::sin(vtkMath::Pi() * height);
-    }
-    for (int j = 0; j < around; ++j)
-    {
-      const double angle = 2.0 * vtkMath::Pi() * (j % (around - 1)) / (around - 1);
-      for (int i = 0; i < outward; ++i)
-      {
-        const double radius = 0.06 * std::pow(1.02 / 0.06, static_cast<double>(i) / (outward - 1));
-        points->InsertNextPoint(axis[0] + radius * std::cos(angle),
-          axis[1] + radius * std::sin(angle), 2.0 * height - 1.0);
-      }
-    }
-  }
-  auto rings = vtkSmartPointer<vtkStructuredGrid>::New();
-  rings->SetDimensions(outward, around, upward);
-  rings->SetPoints(points);
-  return rings;
-}
-}
-
 MappedFlow MakeTornado(double time)
 {
   vtkNew<vtkAnalyticFlowSource> tornado;
@@ -72,7 +34,10 @@ MappedFlow MakeTornado(double time)
   flow->SetInputConnection(tornado->GetOutputPort());
   flow->AddTerminationSurface(cylinder);
   flow->SetSampleMode(vtkImplicitFlowField::SAMPLES_OF_INPUT);
-  flow->SetSampleData(MakeRings(tornado));
+  flow->SetSampleData(
+    MakeRings(tornado, { { 37, 73, 41 }, { -0.98, 0.98 }, { 0.0, 1.0 }, [](double outward, double) {
+                          return 0.06 * std::pow(17.0, outward);
+                        } }));
   flow->SetMaximumTime(time);
   vtkNew<vtkInflowMapping> mapping;
   mapping->SetInputConnection(flow->GetOutputPort());
@@ -104,6 +69,10 @@ vtkSmartPointer<vtkPolyData> MakeTexturedSurface(
   parameters->SetInputData(MakeStreamSurface(flow.Samples, inflow, start, end));
   parameters->SetMapping(flow.Mapping);
   parameters->AddTerminationSurface(flow.Surface, 0);
+  for (const std::array<double, 3>& start : flow.StartPoints)
+  {
+    parameters->AddStartPoint(start[0], start[1], start[2]);
+  }
   parameters->SetLengthScale(1.0 / flow.Length);
   parameters->SetTimeScale(1.0 / period);
   parameters->Update();
@@ -121,18 +90,19 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeStreamVolume(
   return vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(0));
 }
 
-vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(int texels, const vtkColor3d& color)
+vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(
+  int texels, const vtkColor3d& color, int lines)
 {
   auto texture = vtkSmartPointer<vtkStreamlineTexture>::New();
-  texture->SetNumberOfLines(128);
+  texture->SetNumberOfLines(lines);
   texture->SetTexelsPerLine(texels);
   texture->SetLineColor(color[0], color[1], color[2]);
   return texture;
 }
 
-vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(int texels, const vtkColor3d& color)
+vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(int texels, const vtkColor3d& color, int lines)
 {
-  vtkSmartPointer<vtkStreamlineTexture> texture = MakeStreamlines(texels, color);
+  vtkSmartPointer<vtkStreamlineTexture> texture = MakeStreamlines(texels, color, lines);
   texture->SetDirection(vtkStreamlineTexture::T);
   texture->SetBackgroundColor(1.0, 1.0, 1.0, 0.0);
   return texture;

@@ -13,6 +13,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <array>
+#include <vector>
 
 /**
  * Stream surfaces with streamlines and timelines, in the flow of a tornado.
@@ -29,6 +30,8 @@ struct MappedFlow
   vtkSmartPointer<vtkTerminationSurface> Surface;
   /// Circumference of the surface.
   double Length;
+  /// Points nearest to which the arc length starts. Without them the start is arbitrary.
+  std::vector<std::array<double, 3>> StartPoints = {};
 };
 
 /**
@@ -58,10 +61,13 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeStreamVolume(
 
 /**
  * Return textures of streamlines (lines of constant arc length) and of timelines (lines of constant
- * time). \a texels is the distance between lines in pixels of the supersampled image.
+ * time). \a texels is the smallest distance between lines in pixels of the supersampled image.
+ * \a lines, a power of two, is the largest number of lines in a unit of the texture coordinate.
  */
-vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(int texels, const vtkColor3d& color);
-vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(int texels, const vtkColor3d& color);
+vtkSmartPointer<vtkStreamlineTexture> MakeStreamlines(
+  int texels, const vtkColor3d& color, int lines = 128);
+vtkSmartPointer<vtkStreamlineTexture> MakeTimelines(
+  int texels, const vtkColor3d& color, int lines = 128);
 
 /**
  * Returns an actor of one color with streamlines, timelines, or both. One of the two textures may
