@@ -130,11 +130,11 @@ void Build(gallery::Stage& stage)
 /// Returns the paint of disks in rows, each row of one color.
 gallery::Paint Disks(double u, double v)
 {
-  const double across = 8.0 * u;
-  const double up = 6.0 * v;
+  const double across = 6.0 * u;
+  const double up = 4.0 * v;
   const double r = std::hypot(across - std::floor(across) - 0.5, up - std::floor(up) - 0.5);
-  const int row = static_cast<int>(std::min(up, 5.0));
-  return { gallery::IntervalColor(row % 4), r < 0.34 ? 0.5 : 0.0 };
+  const int row = static_cast<int>(std::min(up, 3.0));
+  return { gallery::IntervalColor(row % 4), r < 0.36 ? 0.5 : 0.0 };
 }
 
 /// Returns a time gate through the given points (time, opacity).
@@ -155,7 +155,7 @@ void BuildInflow(gallery::Stage& stage)
   // Time in which the liquid passes through the displayed region, and number of pulses in that
   // time.
   constexpr double duration = 4.2;
-  constexpr int pulses = 4;
+  constexpr int pulses = 3;
   constexpr double stillFraction = 0.7;
   const vtkSmartPointer<vtkTerminationPlane> plane = MakeInflow(WIDTH);
   const vtkSmartPointer<vtkDataSet> flow = gallery::MakeImplicitFlow(
@@ -165,13 +165,14 @@ void BuildInflow(gallery::Stage& stage)
   for (int i = 0; i < 2; ++i)
   {
     gallery::Panel& panel =
-      stage.AddPanel(i == 0 ? "time grows" : "dye in pulses", { -0.55, -1.0, 0.6 });
+      stage.AddPanel(i == 0 ? "time grows" : "dye in pulses", { -0.8, -1.0, 1.1 });
     const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(flow, discs, 0.15);
     mappers[i] = gallery::GetInflowMapper(volume);
     panel.Add(volume);
     panel.Add(gallery::MakeTerminationActor(
       plane, gallery::MakeInflowTexture(discs, { 0.97, 0.97, 0.97 })));
     AddPost(panel);
+    panel.Frame(vtkBoundingBox(-2.5, 2.6, -1.6, 1.5, 0.2, 2.7));
   }
   mappers[0]->SetTimeGate(MakeGate({ { { -0.01, 0.0 } }, { { 0.01, 1.0 } } }));
   mappers[0]->TimeGateRepeatOff();

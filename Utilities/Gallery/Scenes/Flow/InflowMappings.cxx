@@ -115,6 +115,7 @@ void Build(gallery::Stage& stage)
 
     gallery::Panel& panel =
       stage.AddPanel(isPainted ? "a painted image" : "a function", { -0.3, -1.0, 0.75 });
+    panel.SetBackground(gallery::DarkBackground());
     vtkNew<vtkPiecewiseFunction> extinction;
     extinction->AddPoint(0.3, 1.5);
     extinction->AddPoint(1.0, 7.0);

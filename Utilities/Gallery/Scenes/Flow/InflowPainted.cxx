@@ -1,78 +1,129 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Text that is painted on the inflow and advected through the volume.
+// Text and images on the inflow, advected through the volume.
 
 #include "Gallery/Look.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Flow/FlowScene.h"
 #include "Gallery/Scenes/Flow/InflowPaint.h"
 #include "Gallery/Stage.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkImplicitFlowVolumeMapper.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkTerminationSphere.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
 {
 /// Returns the flow of air that rises from a square, rotates and converges.
-vtkSmartPointer<vtkDataSet> MakeUpdraft(vtkTerminationPlane* plane, int n)
+vtkSmartPointer<vtkDataSet> MakeUpdraft(
+  vtkTerminationPlane* plane, const gallery::FlowGrid& samples)
 {
   const vtkSmartPointer<vtkAnalyticFlowSource> updraft = gallery::MakeAnalyticFlow(
-    vtkAnalyticFlowSource::NODE, { { 9, 9, 9 }, { -1.1, 1.1, -1.1, 1.1, 0.3, 2.0 } });
+    vtkAnalyticFlowSource::NODE, { { 9, 9, 9 }, { -1.1, 1.1, -1.1, 1.1, 0.3, 2.2 } });
   updraft->SetNodeRates(-0.15, -0.15, 0.3);
   updraft->SetSwirl(0.32);
-  return gallery::MakeImplicitFlow(
-    updraft, { plane }, { { n, n, n }, { -0.85, 0.85, -0.85, 0.85, 0.4, 1.8 } });
+  return gallery::MakeImplicitFlow(updraft, { plane }, samples);
 }
 
-vtkSmartPointer<vtkTerminationPlane> MakePlane()
+/// Returns a rectangle at the bottom of the updraft. The arguments are half its size.
+vtkSmartPointer<vtkTerminationPlane> MakePlane(double width, double depth)
 {
-  return gallery::MakeInflowPlane({ 0.0, 0.0, 0.4 }, { 0.85, 0.0, 0.0 }, { 0.0, 0.85, 0.0 });
+  return gallery::MakeInflowPlane({ 0.0, 0.0, 0.4 }, { width, 0.0, 0.0 }, { 0.0, depth, 0.0 });
 }
 
-void Show(gallery::Stage& stage, vtkImageData* image, const vtkColor3d& ground)
+/// Returns a time gate with a pulse at the start of each period. \a half is half its length in
+/// periods, and \a low the opacity between pulses.
+vtkSmartPointer<vtkPiecewiseFunction> MakePulses(double half, double low)
 {
-  const vtkSmartPointer<vtkTerminationPlane> plane = MakePlane();
-  gallery::Panel& panel = stage.AddPanel("", { -0.12, -1.0, 0.75 });
-  panel.Add(gallery::MakeInflowVolume(MakeUpdraft(plane, 65), image, 0.05));
-  panel.Add(gallery::MakeTerminationActor(plane, gallery::MakeInflowTexture(image, ground)));
+  auto gate = vtkSmartPointer<vtkPiecewiseFunction>::New();
+  gate->AddPoint(0.0, low);
+  gate->AddPoint(half, 1.0);
+  gate->AddPoint(2.0 * half, low);
+  gate->AddPoint(1.0, low);
+  return gate;
 }
 
-/// Paints letters with thin strokes on the inflow.
+/// Paints a word on the inflow. Pulses of dense dye carry copies of it upward.
 void BuildPainted(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkImageData> image =
-    gallery::MakePaint(512, 512, [](double, double) { return gallery::Paint{}; });
-  gallery::WriteText(image, "vis", gallery::IntervalColor(0), 0.3, 0.36, 0.68);
-  gallery::WriteText(image, "2004", gallery::IntervalColor(1), 0.3, 0.32, 0.32);
-  Show(stage, image, { 0.97, 0.97, 0.97 });
+    gallery::MakePaint(768, 384, [](double, double) { return gallery::Paint{}; });
+  gallery::WriteText(image, "flow", gallery::IntervalColor(0), 0.9, 0.75);
+  const vtkSmartPointer<vtkTerminationPlane> plane = MakePlane(0.9, 0.45);
+  gallery::Panel& panel = stage.AddPanel("", { -0.1, -1.0, 0.8 });
+  const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(
+    MakeUpdraft(plane, { { 97, 65, 57 }, { -0.9, 0.9, -0.6, 0.6, 0.4, 1.4 } }), image, 0.05);
+  vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
+  mapper->SetTimeGate(MakePulses(0.12, 0.04));
+  mapper->SetTimePeriod(1.3);
+  mapper->SetTimePhase(0.12);
+  panel.Add(volume);
+  panel.Add(
+    gallery::MakeTerminationActor(plane, gallery::MakeInflowTexture(image, { 0.97, 0.97, 0.97 })));
 }
 
-/// Returns the paint of a sign with rings and rays.
-gallery::Paint Sign(double u, double v)
+/// Returns the land of a map of the Earth as paint. Water is transparent.
+vtkSmartPointer<vtkImageData> MakeLand(vtkImageData* earth)
 {
-  const double r = 2.0 * std::hypot(u - 0.5, v - 0.5);
-  const double turns = std::atan2(v - 0.5, u - 0.5) / 6.283185307179586;
-  const double ray = 12.0 * turns - std::floor(12.0 * turns);
-  if (r < 0.2)
-  {
-    return { gallery::IntervalColor(1), 0.35 };
-  }
-  if (r > 0.32 && r < 0.58)
-  {
-    return { ray < 0.5 ? gallery::IntervalColor(2) : gallery::IntervalColor(0),
-      ray < 0.5 ? 0.12 : 0.04 };
-  }
-  if (r > 0.72 && r < 0.8)
-  {
-    return { gallery::IntervalColor(3), 0.25 };
-  }
-  return {};
+  int size[3];
+  earth->GetDimensions(size);
+  return gallery::MakePaint(size[0], size[1],
+    [earth, &size](double u, double v)
+    {
+      const int x = static_cast<int>(u * (size[0] - 1) + 0.5);
+      const int y = static_cast<int>(v * (size[1] - 1) + 0.5);
+      double color[3];
+      for (int c = 0; c < 3; ++c)
+      {
+        // Brightened, since the dye is thin.
+        color[c] = std::min(1.0, earth->GetScalarComponentAsDouble(x, y, 0, c) / 170.0);
+      }
+      return gallery::Paint{ vtkColor3d(color), color[0] > 0.9 * color[2] ? 0.9 : 0.0 };
+    });
 }
 
+/// Carries the land of a globe outward.
 void BuildImage(gallery::Stage& stage)
 {
-  Show(stage, gallery::MakePaint(512, 512, &Sign), { 0.97, 0.97, 0.97 });
+  constexpr double time = 1.5;
+  constexpr double radius = 0.5;
+  const vtkSmartPointer<vtkImageData> earth =
+    vtkImageData::SafeDownCast(interlume::ReadData("earth.vti"));
+  const double axis[3] = { 0.39, 0.0, 0.92 };
+  const vtkSmartPointer<vtkAnalyticFlowSource> wind = gallery::MakeAnalyticFlow(
+    vtkAnalyticFlowSource::NODE, { { 9, 9, 9 }, { -1.3, 1.3, -1.3, 1.3, -1.3, 1.3 } });
+  wind->SetNodeRates(0.5, 0.5, 0.5);
+  wind->SetAxis(axis[0], axis[1], axis[2]);
+  wind->SetSwirl(0.7);
+  vtkNew<vtkTerminationSphere> globe;
+  globe->SetRadius(radius);
+  globe->SetAxis(axis[0], axis[1], axis[2]);
+  // Only the air behind the globe is sampled.
+  const vtkSmartPointer<vtkDataSet> flow = gallery::MakeImplicitFlow(
+    wind, { globe }, { { 97, 37, 73 }, { -1.2, 1.2, 0.0, 0.9, -0.9, 0.9 } }, 1.1 * time);
+  vtkNew<vtkPiecewiseFunction> fading;
+  fading->AddPoint(0.0, 0.0);
+  fading->AddPoint(0.6, 0.3);
+  fading->AddPoint(1.0, 1.0);
+
+  gallery::Panel& panel = stage.AddPanel("", { 0.0, -1.0, 0.2 });
+  panel.SetBackground(gallery::DarkBackground());
+  const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(flow, MakeLand(earth), 0.05);
+  vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
+  mapper->SetTimeGate(fading);
+  mapper->TimeGateRepeatOff();
+  mapper->SetTimePeriod(time);
+  mapper->SetTimePhase(1.0);
+  panel.Add(volume);
+  vtkNew<vtkTexture> map;
+  map->SetInputData(earth);
+  map->InterpolateOn();
+  panel.Add(gallery::MakeTerminationActor(globe, map));
+  panel.Frame(vtkBoundingBox(-1.1, 1.1, -0.1, 0.1, -0.68, 0.68));
 }
 
 /// Paints colored blobs, small dots released in pulses, and both combined.
@@ -92,26 +143,22 @@ void BuildDual(gallery::Stage& stage)
         paint.Color[c] =
           fraction * gallery::IntervalColor(0)[c] + (1.0 - fraction) * gallery::IntervalColor(1)[c];
       }
-      paint.Opacity = 0.08 * std::max(one, two);
+      paint.Opacity = 0.25 * std::max(one, two);
       return paint;
     });
   const vtkSmartPointer<vtkImageData> dots = gallery::MakePaint(512, 512,
     [](double u, double v)
     {
-      const double x = 14.0 * u - std::floor(14.0 * u) - 0.5;
-      const double y = 14.0 * v - std::floor(14.0 * v) - 0.5;
+      const double x = 10.0 * u - std::floor(10.0 * u) - 0.5;
+      const double y = 10.0 * v - std::floor(10.0 * v) - 0.5;
       const double r = std::hypot(u - 0.5, v - 0.5);
       return gallery::Paint{ gallery::Ink(), r < 0.45 && std::hypot(x, y) < 0.22 ? 0.5 : 0.0 };
     });
   const vtkSmartPointer<vtkImageData> transparent =
     gallery::MakePaint(2, 2, [](double, double) { return gallery::Paint{}; });
-  const vtkSmartPointer<vtkTerminationPlane> plane = MakePlane();
-  const vtkSmartPointer<vtkDataSet> flow = MakeUpdraft(plane, 65);
-  vtkNew<vtkPiecewiseFunction> gate;
-  gate->AddPoint(0.0, 0.0);
-  gate->AddPoint(0.25, 1.0);
-  gate->AddPoint(0.5, 0.0);
-  gate->AddPoint(1.0, 0.0);
+  const vtkSmartPointer<vtkTerminationPlane> plane = MakePlane(0.45, 0.45);
+  const vtkSmartPointer<vtkDataSet> flow =
+    MakeUpdraft(plane, { { 49, 49, 93 }, { -0.45, 0.45, -0.45, 0.45, 0.4, 2.1 } });
   const char* captions[] = { "inflow", "detail", "both" };
   for (int i = 0; i < 3; ++i)
   {
@@ -123,7 +170,7 @@ void BuildDual(gallery::Stage& stage)
       vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
       mapper->SetDetailTexture(dots);
       mapper->SetDetailModeToOver();
-      mapper->SetTimeGate(gate);
+      mapper->SetTimeGate(MakePulses(0.25, 0.0));
       mapper->SetTimeGateTargetToDetail();
       mapper->SetTimePeriod(0.8);
     }
@@ -135,16 +182,18 @@ void BuildDual(gallery::Stage& stage)
 
 const gallery::SceneRegistration painted(
   { "inflow-painted", "4.15", "Painted text, advected through the volume",
-    "Air rises from a square, rotates and converges. Text is painted on the square. Each point of "
-    "the volume has the color at the inflow point of its streamline.",
+    "Air rises from a rectangle, rotates and converges. A word is painted on the rectangle. Each "
+    "point of the volume has the color at the inflow point of its streamline. The dye is dense in "
+    "pulses, which show how the flow turns and narrows the word.",
     {}, &BuildPainted });
 const gallery::SceneRegistration image({ "inflow-image", "4.16", "An image as inflow texture",
-  "The same flow with a sign as color and opacity of the inflow. The dissertation shows the logo "
-  "of a conference.",
-  {}, &BuildImage });
+  "Air flows outward from a globe and turns around its axis. The inflow has the colors of an "
+  "imported map of the Earth, with transparent water. Only the half behind the globe is drawn. "
+  "The dissertation shows the logo of a conference.",
+  { "earth.vti" }, &BuildImage });
 const gallery::SceneRegistration dual(
   { "inflow-dual", "4.18", "Two inflow textures, the second in pulses",
-    "A broad inflow texture, small dots that are released in pulses of the advection time, and "
-    "both combined.",
+    "Air rises from a square. A broad inflow texture, small dots that are released in pulses of "
+    "the advection time, and both combined.",
     {}, &BuildDual });
 }
