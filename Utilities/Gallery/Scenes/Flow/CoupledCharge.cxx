@@ -13,6 +13,7 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkTerminationSphere.h"
 
+#include <algorithm>
 #include <vector>
 
 namespace
@@ -36,7 +37,7 @@ void Build(gallery::Stage& stage)
 
   vtkNew<vtkFlowVolume> filter;
   filter->SetInterval(0, 0.0, 0.42);
-  const std::vector<double> values = { 0.06, 0.13, 0.22, 0.32 };
+  std::vector<double> values = { 0.06, 0.13, 0.22, 0.32 };
   for (int i = 0; i < 4; ++i)
   {
     filter->SetStreamSurface(i, values[static_cast<std::size_t>(i)]);
@@ -45,10 +46,18 @@ void Build(gallery::Stage& stage)
   filter->GenerateNormalsOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
+  // The surfaces have the colors of the volume.
+  const vtkSmartPointer<vtkColorTransferFunction> map =
+    gallery::MakeColorMap(gallery::Map::Viridis, 0.58, 0.0);
+  values.push_back(0.0);
+  values.push_back(0.42);
+  std::sort(values.begin(), values.end());
   std::vector<vtkColor3d> colors;
-  for (int i = 0; i < 6; ++i)
+  for (const double value : values)
   {
-    colors.push_back(gallery::IntervalColor(i));
+    vtkColor3d color;
+    map->GetColor(value, color.GetData());
+    colors.push_back(color);
   }
   vtkUnstructuredGrid* surfaces =
     vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(gallery::STREAM_SURFACES));
@@ -56,10 +65,9 @@ void Build(gallery::Stage& stage)
 
   gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.5 });
   vtkNew<vtkPiecewiseFunction> extinction;
-  extinction->AddPoint(0.0, 1.0);
-  vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(
-    tetrahedra, "Inflow", gallery::MakeColorMap(gallery::Map::Viridis, 0.0, 0.42), extinction);
-  gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colors, 0.85));
+  extinction->AddPoint(0.0, 0.5);
+  vtkSmartPointer<vtkVolume> volume = gallery::MakeVolume(tetrahedra, "Inflow", map, extinction);
+  gallery::SetTexturedBoundary(volume, surfaces, gallery::MakeStreamlineTexture(colors, 0.95));
   panel.Add(volume);
   panel.Add(
     gallery::MakeSphere({ -HALF_SEPARATION, 0.0, 0.0 }, SPHERE_RADIUS, gallery::IntervalColor(3)));

@@ -36,6 +36,7 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
   gallery::Panel& panel = stage.AddPanel("", { 0.9, -1.0, 0.5 });
+  panel.SetAmbientOcclusion(0.0);
   panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 0.8 } }));
   for (int id = 0; id < 3; ++id)
   {
@@ -43,7 +44,7 @@ void Build(gallery::Stage& stage)
       gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id + 1),
         gallery::MakeGridTexture(32, 32, gallery::IntervalColor(1 + id), gallery::Ink())));
   }
-  panel.Add(gallery::MakeSphere({ 0.0, 0.0, 0.0 }, 1.02 * RADIUS, gallery::Pencil()));
+  panel.Add(gallery::MakeSphere({ 0.0, 0.0, 0.0 }, 1.02 * RADIUS, { 0.8, 0.81, 0.83 }));
 }
 
 const gallery::SceneRegistration registration(

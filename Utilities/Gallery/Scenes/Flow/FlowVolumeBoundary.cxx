@@ -2,11 +2,13 @@
 // A flow volume with one of its two boundary surfaces highlighted.
 
 #include "Gallery/Look.h"
+#include "Gallery/Props.h"
 #include "Gallery/Scene.h"
 #include "Gallery/Scenes/Flow/FlowScene.h"
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
+#include "vtkCubeSource.h"
 #include "vtkFlowVolume.h"
 #include "vtkNew.h"
 
@@ -33,15 +35,19 @@ void Build(gallery::Stage& stage)
 
   gallery::Panel& panel = stage.AddPanel("", { 0.45, -1.0, 0.4 });
   vtkSmartPointer<vtkVolume> volume =
-    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 1.2 } });
+    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 1.6 } });
   gallery::SetBoundary(volume, gallery::GetFlowSurface(filter, gallery::STREAM_SURFACES, 0),
-    gallery::IntervalColor(2), 1.0);
+    { 0.80, 0.90, 0.98 }, 1.0);
   panel.Add(volume);
+  vtkNew<vtkCubeSource> floor;
+  floor->SetBounds(-1.3, 1.3, -0.9, 0.9, -0.06, 0.0);
+  floor->Update();
+  panel.Add(gallery::MakeActor(floor->GetOutput(), gallery::Pencil()));
 }
 
 const gallery::SceneRegistration registration(
   { "flow-volume-boundary", "4.5", "A flow volume with one boundary surface",
-    "A jet that flows down onto a floor, which is not shown. It spreads more to the left and right "
+    "A jet that flows down onto a floor. It spreads more to the left and right "
     "than to the front and back: a saddle with velocity (0.65 x, 0.35 y, -z). The stream volume "
     "starts on a ring at the top. Its inner boundary, opaque and glossy, is a stream surface that "
     "the same pass extracts.",

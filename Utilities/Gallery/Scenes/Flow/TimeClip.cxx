@@ -30,6 +30,8 @@ gallery::Panel& Show(gallery::Stage& stage, vtkFlowVolume* filter, vtkDataSet* i
   filter->ParametersAsTextureCoordinatesOn();
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
   gallery::Panel& panel = stage.AddPanel(caption);
+  panel.LookFrom({ 0.5, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
+  panel.SetAmbientOcclusion(0.0);
   panel.Add(gallery::MakeSphere({ 0.0, 0.0, -0.5 }, 0.14, gallery::IntervalColor(3)));
   panel.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { VOLUME, 2.0 } }));
   for (int id = first; id <= last; ++id)
@@ -55,7 +57,6 @@ void Build(gallery::Stage& stage)
   vtkNew<vtkFlowVolume> clipped;
   clipped->SetTimeRange(0.015, 0.06);
   gallery::Panel& left = Show(stage, clipped, inflow, "(a) clipped to a range of time", 0, 1);
-  left.LookFrom({ 0.5, -1.0, 0.45 }, { 0.0, 0.0, 1.0 });
   left.Add(gallery::MakeFlowActor(
     gallery::GetFlowSurface(clipped, gallery::STREAM_SURFACES, OUTER_SURFACE),
     gallery::MakeGridTexture(24, 1, gallery::IntervalColor(1), gallery::Ink())));
@@ -68,7 +69,6 @@ void Build(gallery::Stage& stage)
   }
   gallery::Panel& right =
     Show(stage, full, inflow, "(b) three time surfaces, one stream surface", 1, 3);
-  right.LookAs(left);
   right.Add(gallery::MakeFlowActor(gallery::GetFlowSurface(full, gallery::STREAM_SURFACES, 1),
     gallery::MakeGridTexture(24, 1, gallery::IntervalColor(1), gallery::Ink())));
 }
