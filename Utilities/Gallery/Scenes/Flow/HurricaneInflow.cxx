@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A textured cylinder around the eye of a hurricane, above a map.
+// A textured tube around the eye of a hurricane, above a map.
 
 #include "Gallery/Look.h"
 #include "Gallery/Props.h"
@@ -7,65 +7,111 @@
 #include "Gallery/Scenes/Flow/FlowScene.h"
 #include "Gallery/Scenes/Flow/InflowPaint.h"
 #include "Gallery/Stage.h"
+#include "Support/Inputs/DataFiles.h"
 
 #include "vtkImplicitFlowVolumeMapper.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlaneSource.h"
-#include "vtkTerminationCylinder.h"
+#include "vtkTerminationTube.h"
+#include "vtkTransform.h"
+#include "vtkTransformPolyDataFilter.h"
+#include "vtkTriangleFilter.h"
+#include "vtkVortexAxis.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
 {
-constexpr double EYE = 0.32;
-constexpr double TIME = 3.0;
+constexpr double EYE = 0.21;
+constexpr double TIME = 4.2;
 
-/// Returns the paint of spokes of four colors, crossed by bands that are nearly opaque.
+/// Height of the sea, and degrees per unit of length.
+constexpr double SEA = -0.5;
+constexpr double DEGREES_EAST = 8.75;
+constexpr double DEGREES_NORTH = 7.35;
+
+/// Longitude and latitude of the center, in degrees.
+constexpr double CENTER[2] = { -70.75, 30.5 };
+
+/// Bounds of the land in the file, in degrees.
+constexpr double WEST = -91.5;
+constexpr double EAST = -53.5;
+constexpr double SOUTH = 16.7;
+constexpr double NORTH = 48.7;
+
+/// Returns the paint of eight spokes in four colors with soft edges, on the upper half of the tube,
+/// where air leaves it.
 gallery::Paint Spokes(double u, double v)
 {
-  const double band = 6.0 * v - std::floor(6.0 * v);
-  const double spoke = 8.0 * u - std::floor(8.0 * u);
-  if (v < 0.06 || v > 0.94 || spoke > 0.6)
-  {
-    return {};
-  }
-  return { gallery::IntervalColor(static_cast<int>(8.0 * u) % 4), band < 0.45 ? 0.8 : 0.25 };
+  const double spoke = 8.0 * u - std::floor(8.0 * u) - 0.5;
+  const double along = std::max(0.0, std::min({ 1.0, 4.0 * (v - 0.55), 8.0 * (1.0 - v) }));
+  return { gallery::IntervalColor(static_cast<int>(8.0 * u) % 4),
+    along * std::pow(std::cos(vtkMath::Pi() * spoke), 2.0) };
 }
 
-/// Returns a map with land and sea, from a few sine waves.
-vtkSmartPointer<vtkImageData> MakeMap()
+/// Returns a tube around the eye, which vtkVortexAxis finds.
+vtkSmartPointer<vtkTerminationTube> FindEye(vtkAlgorithm* hurricane)
 {
-  return gallery::MakePaint(256, 256,
-    [](double u, double v)
-    {
-      const double coast = 0.42 + 0.13 * std::sin(5.0 * u + 0.4) + 0.05 * std::sin(17.0 * u) +
-        0.02 * std::sin(41.0 * u + 1.0);
-      const bool isLand = v > coast;
-      return gallery::Paint{ isLand ? vtkColor3d(0.56, 0.68, 0.46) : vtkColor3d(0.25, 0.38, 0.55),
-        1.0 };
-    });
+  vtkNew<vtkVortexAxis> axis;
+  axis->SetInputConnection(hurricane->GetOutputPort());
+  axis->Update();
+  auto eye = vtkSmartPointer<vtkTerminationTube>::New();
+  eye->SetLine(axis->GetOutput());
+  eye->SetRadius(EYE);
+  return eye;
+}
+
+/// Returns a surface whose points are in degrees as part of the map.
+vtkSmartPointer<vtkActor> MakeMapActor(vtkAlgorithm* surface, double z, const vtkColor3d& color)
+{
+  vtkNew<vtkTransform> toMap;
+  toMap->Translate(0.0, 0.0, z);
+  toMap->Scale(1.0 / DEGREES_EAST, 1.0 / DEGREES_NORTH, 1.0);
+  toMap->Translate(-CENTER[0], -CENTER[1], 0.0);
+  vtkNew<vtkTransformPolyDataFilter> placed;
+  placed->SetInputConnection(surface->GetOutputPort());
+  placed->SetTransform(toMap);
+  placed->Update();
+  return gallery::MakeActor(placed->GetOutput(), color);
+}
+
+void AddMap(gallery::Panel& panel)
+{
+  vtkNew<vtkPlaneSource> sea;
+  sea->SetOrigin(WEST, SOUTH, 0.0);
+  sea->SetPoint1(EAST, SOUTH, 0.0);
+  sea->SetPoint2(WEST, NORTH, 0.0);
+  panel.Add(MakeMapActor(sea, SEA - 0.01, { 0.26, 0.42, 0.58 }));
+  vtkNew<vtkTriangleFilter> land;
+  land->SetInputData(interlume::ReadData("coast.vtp"));
+  panel.Add(MakeMapActor(land, SEA, { 0.60, 0.66, 0.50 }));
 }
 
 void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkAnalyticFlowSource> hurricane = gallery::MakeUprightHurricane();
-  vtkNew<vtkTerminationCylinder> eye;
-  eye->SetPoint1(0.0, 0.0, -0.5);
-  eye->SetPoint2(0.0, 0.0, 0.5);
-  eye->SetRadius(EYE);
-  const gallery::FlowGrid samples = { { 85, 85, 49 }, { -1.25, 1.25, -1.25, 1.25, -0.48, 0.48 } };
+  hurricane->SetAxisTilt(0.2, 0.1);
+  hurricane->SetAxisBend(0.06, -0.04);
+  const vtkSmartPointer<vtkTerminationTube> eye = FindEye(hurricane);
+  // Only air in the upper half has passed the tube.
+  const gallery::FlowGrid samples = { { 93, 93, 37 }, { -1.25, 1.25, -1.25, 1.25, -0.08, 0.48 } };
   const vtkSmartPointer<vtkDataSet> flow =
-    gallery::MakeImplicitFlow(hurricane, { eye }, samples, 12.0);
+    gallery::MakeImplicitFlow(hurricane, { eye }, samples, 1.1 * TIME);
   const vtkSmartPointer<vtkImageData> spokes = gallery::MakePaint(512, 256, &Spokes);
   // The dye is released for a limited time and fades at its front. The front is round and remains
-  // within the samples, whose boundary is square.
+  // within the samples, whose boundary is square. At the tube, cells with both sides of it are only
+  // accurate to their size, so the dye begins a little later.
   vtkNew<vtkPiecewiseFunction> front;
   front->AddPoint(0.0, 0.0);
-  front->AddPoint(0.25, 1.0);
-  front->AddPoint(1.0, 1.0);
+  front->AddPoint(0.35, 1.0);
+  front->AddPoint(0.97, 1.0);
+  front->AddPoint(1.0, 0.0);
 
-  gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.85 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.05, -0.6, 1.0 });
+  panel.SetAmbientOcclusion(0.0);
   const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(flow, spokes, 0.05);
   vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
   mapper->SetTimeGate(front);
@@ -75,20 +121,14 @@ void Build(gallery::Stage& stage)
   panel.Add(volume);
   panel.Add(
     gallery::MakeTerminationActor(eye, gallery::MakeInflowTexture(spokes, { 0.97, 0.97, 0.97 })));
-  vtkNew<vtkPlaneSource> ground;
-  ground->SetOrigin(-1.2, -1.2, -0.52);
-  ground->SetPoint1(1.2, -1.2, -0.52);
-  ground->SetPoint2(-1.2, 1.2, -0.52);
-  ground->Update();
-  const vtkSmartPointer<vtkActor> map = gallery::MakeActor(ground->GetOutput(), { 1.0, 1.0, 1.0 });
-  map->SetTexture(gallery::MakeInflowTexture(MakeMap(), { 1.0, 1.0, 1.0 }));
-  panel.Add(map);
+  AddMap(panel);
+  panel.Frame(vtkBoundingBox(-1.06, 1.06, -0.85, 0.85, SEA, 0.3));
 }
 
 const gallery::SceneRegistration registration(
   { "hurricane-inflow", "4.17", "A painted cylinder around the eye of a hurricane",
-    "An analytic model of a hurricane. A cylinder around its eye is painted with spokes and bands. "
-    "Each point of the volume has the color at the inflow point of its streamline, if the air "
-    "passed the cylinder recently. The map below, with green land and blue sea, is synthetic.",
-    {}, &Build });
+    "An analytic model of a hurricane off the east coast of the United States. Its eye is found in "
+    "the wind; a tube around it is painted with spokes. Each point of the volume has the color at "
+    "the inflow point of its streamline, if the air passed the tube recently. Map: Natural Earth.",
+    { "coast.vtp" }, &Build });
 }
