@@ -65,8 +65,11 @@ vtkSmartPointer<vtkActor> MakeSurface(gallery::MappedFlow flow, double inflow,
   // Streamlines have equal distances at the lid, 16 of them on the innermost surface.
   constexpr int lines = 16;
   flow.Length = 2.0 * vtkMath::Pi() * INNERMOST * RADIUS;
-  // The texture starts behind the innermost surface, and where the others are cut away.
-  flow.StartPoints = { { { 0.0, inflow == INNERMOST ? RADIUS : -RADIUS, TOP } } };
+  // The texture starts at the outline of the innermost surface, and where the others are cut away.
+  const bool isInnermost = inflow == INNERMOST;
+  flow.StartPoints = {
+    { { isInnermost ? RADIUS : 0.0, isInnermost ? 0.5 * RADIUS : -RADIUS, TOP } }
+  };
   vtkNew<vtkClipPolyData> cut;
   cut->SetInputData(gallery::MakeTexturedSurface(flow, inflow, 0.05, TIME, 1.0));
   cut->SetClipFunction(kept);
