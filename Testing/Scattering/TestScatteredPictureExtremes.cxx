@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Extreme settings of ScatteringMode of vtkShadowedSliceMapper: albedo, anisotropy, depths, sizes,
 // light positions, non-finite values. No setting creates light.
+#include "Support/Checks/LargestError.h"
 #include "Support/Pages/StabilityCase.h"
 #include "Support/Images/ShadowCases.h"
 #include "Support/Drawing/ShadowImage.h"
@@ -237,6 +238,66 @@ void TestLights(Table& table)
   draw("lights-16", "sixteen lights on all sides", many);
 }
 
+/// Replaces the lights by lights from all directions with total intensity 1. They illuminate each
+/// face of a cube like uniform light, of which a quarter reaches the face.
+void SetUniformLight(ShadowScene& scene)
+{
+  scene.Lights.clear();
+  for (unsigned corner = 0; corner < 8; ++corner)
+  {
+    scene.Lights.push_back(MakeDirectionalLight(
+      { { corner & 1u ? 1.0 : -1.0, corner & 2u ? 1.0 : -1.0, corner & 4u ? 1.0 : -1.0 } }));
+    scene.Lights.back()->SetIntensity(0.683013 / 8.0);
+  }
+  for (std::size_t side = 0; side < 6; ++side)
+  {
+    Double3 direction{};
+    direction[side / 2] = side % 2 == 0 ? 1.0 : -1.0;
+    scene.Lights.push_back(MakeDirectionalLight(direction));
+    scene.Lights.back()->SetIntensity(0.316987 / 6.0);
+  }
+}
+
+/// Opaque cubes without absorption in light from all directions reflect all of it: each pixel has
+/// the value 1 for any optical depth of a cell of the scattering grid.
+void TestThickCubes(Table& table)
+{
+  vtkNew<Mapper> mapper;
+  mapper->SetLightBufferSize(32);
+  SetMode(mapper, Mapper::FULL_SCATTERING, 0.0);
+  SetAlbedo(mapper, 1.0);
+  for (const int cells : { 4, 8, 16 })
+  {
+    mapper->SetScatteringGridSize(cells);
+    double brightest = 0.0;
+    double largestLoss = 0.0;
+    for (const double depth : { 1e1, 1e2, 1e3, 1e4 })
+    {
+      auto scene = MakeHomogeneousScene(cells, 1.0);
+      scene.Property->SetScalarOpacityUnitDistance(1.0 / (depth * cells));
+      SetUniformLight(scene);
+      const RgbaImage image = table.DrawScene(mapper, scene);
+      for (int p = 0; p < 24 * 24; ++p)
+      {
+        const auto pixel = image.At(p % 24, p / 24);
+        for (int color = 0; color < 3 && pixel[3] > 0.9999; ++color)
+        {
+          KeepLargest(brightest, static_cast<double>(pixel[color]));
+          KeepLargest(largestLoss, 1.0 - pixel[color]);
+        }
+      }
+    }
+    const std::string name = "thick-cube-" + std::to_string(cells);
+    const std::string extreme =
+      "depths of 1e1 to 1e4 in each of " + std::to_string(cells) + " cells along the edges";
+    // Cells at the edges of thick media are brighter than cells at the faces.
+    table.Catalogue.Measure(name, extreme, "largest pixel relative to the surrounding light",
+      brightest > 0.0 ? brightest : std::nan(""), 1.25);
+    table.Catalogue.Measure(name + "-dark", extreme,
+      "surrounding light minus the smallest opaque pixel", largestLoss, 0.17);
+  }
+}
+
 /// Light from all directions, with total intensity 1: for random settings, no pixel is brighter
 /// than 1, and no image is brighter on average than its opacity.
 void TestRandomSettings(Table& table, int settings, bool isThin)
@@ -253,26 +314,13 @@ void TestRandomSettings(Table& table, int settings, bool isThin)
     ShadowScene scene = i % 2 == 0 ? MakeHomogeneousScene(8, 1.0) : MakeSmallScene(8, 0.9);
     scene.Property->SetScalarOpacityUnitDistance(
       std::pow(10.0, uniform(isThin ? -1.0 : -3.0, 2.0)));
-    scene.Lights.clear();
-    // The lights from all directions illuminate each face of a cube like uniform light, of which a
-    // quarter reaches the face.
-    for (unsigned corner = 0; corner < 8; ++corner)
-    {
-      scene.Lights.push_back(MakeDirectionalLight(
-        { { corner & 1u ? 1.0 : -1.0, corner & 2u ? 1.0 : -1.0, corner & 4u ? 1.0 : -1.0 } }));
-      scene.Lights.back()->SetIntensity(0.683013 / 8.0);
-    }
-    for (std::size_t side = 0; side < 6; ++side)
-    {
-      Double3 direction{};
-      direction[side / 2] = side % 2 == 0 ? 1.0 : -1.0;
-      scene.Lights.push_back(MakeDirectionalLight(direction));
-      scene.Lights.back()->SetIntensity(0.316987 / 6.0);
-    }
-    scene.Camera =
-      LookAt(scene.Image, { { uniform(-1.0, 1.0), uniform(-1.0, 1.0), -1.0 } }, random() % 2 == 0);
+    SetUniformLight(scene);
+    // One draw in each statement: compilers evaluate arguments in different orders.
+    const Double3 position{ { uniform(-1.0, 1.0), uniform(-1.0, 1.0), -1.0 } };
+    scene.Camera = LookAt(scene.Image, position, random() % 2 == 0);
+    const int mode = 1 + static_cast<int>(random() % 3);
     // Phase functions narrower than the angle between lights would resolve single lights.
-    SetMode(mapper, 1 + static_cast<int>(random() % 3), uniform(-0.3, 0.3));
+    SetMode(mapper, mode, uniform(-0.3, 0.3));
     SetAlbedo(mapper, random() % 2 == 0 ? 1.0 : uniform(0.0, 1.0));
     mapper->SetForwardSpread(random() % 2 == 0 ? 0.0 : uniform(0.0, 1.0));
     mapper->SetScatteringGridSize(random() % 2 == 0 ? 0 : 4 + static_cast<int>(random() % 5));
@@ -320,6 +368,7 @@ int TestScatteredPictureExtremes(int argc, char* argv[])
   Table table(argc, argv);
   TestMedia(table);
   TestLights(table);
+  TestThickCubes(table);
   TestRandomSettings(table, 60, true);
   TestRandomSettings(table, 60, false);
   return table.Catalogue.GetExitCode();

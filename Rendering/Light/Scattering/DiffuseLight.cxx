@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace interlume
 {
@@ -47,7 +49,9 @@ public:
   bool HasSameEquations(const ColorEquations& other) const
   {
     return this->Extinction == other.Extinction && this->Source == other.Source &&
-      this->Current == other.Current;
+      this->Current == other.Current &&
+      std::all_of(this->Medium.Albedo.begin(), this->Medium.Albedo.end(),
+        [&](const glm::vec3& albedo) { return albedo[this->Color] == albedo[other.Color]; });
   }
   double GetTotal() const { return this->Total; }
 
@@ -393,25 +397,24 @@ DiffuseLight::Output DiffuseLight::Solve(const SanitizedMedium& medium, const In
   output.Drop.assign(input.BackwardLayers > 0 ? cells : 0, 0.0f);
   std::vector<glm::dvec3> flux(cells, glm::dvec3(0.0));
   std::vector<double> fluence(cells, 0.0);
-  std::vector<ColorEquations> equations;
-  equations.reserve(3);
+  // The equations that fluence solves. Channels with the same equations share them, since Solve
+  // computes a part of them.
+  std::unique_ptr<ColorEquations> equations;
   for (int color = 0; color < 3; ++color)
   {
-    equations.emplace_back(medium, input, color);
-    const ColorEquations* before =
-      color > 0 ? &equations[static_cast<std::size_t>(color - 1)] : nullptr;
-    if (!before || !equations.back().HasSameEquations(*before))
+    auto own = std::make_unique<ColorEquations>(medium, input, color);
+    if (!equations || !own->HasSameEquations(*equations))
     {
       // If the previous channel differs by a factor, its scaled solution is a good initial guess.
       const double factor =
-        before && before->GetTotal() > 0.0 ? equations.back().GetTotal() / before->GetTotal() : 0.0;
+        equations && equations->GetTotal() > 0.0 ? own->GetTotal() / equations->GetTotal() : 0.0;
       for (double& value : fluence)
       {
         value *= factor;
       }
+      equations = std::move(own);
       int cycles = 0;
-      output.Residual =
-        std::max(output.Residual, equations.back().Solve(fluence, output.Drop, cycles));
+      output.Residual = std::max(output.Residual, equations->Solve(fluence, output.Drop, cycles));
       output.Cycles += cycles;
     }
     glm::ivec3 cell(0);
@@ -426,8 +429,8 @@ DiffuseLight::Output DiffuseLight::Solve(const SanitizedMedium& medium, const In
           if (!medium.Box.IsBlocked(at))
           {
             output.Fluence[at][color] =
-              static_cast<float>(std::max(equations.back().GetSeen(cell, fluence), 0.0));
-            flux[at] += equations.back().GetFlux(cell, fluence);
+              static_cast<float>(std::max(equations->GetSeen(cell, fluence), 0.0));
+            flux[at] += equations->GetFlux(cell, fluence);
           }
         }
       }

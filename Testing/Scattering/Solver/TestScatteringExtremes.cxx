@@ -128,6 +128,63 @@ void TestMedia(SolverTable& table)
     "fluence minus albedo / (1 - albedo)", closed.Field.Fluence[0].x - 9.0, 0.01);
 }
 
+/// Returns the largest difference of a channel from the solution in which all three channels have
+/// its albedo and light, relative to the largest fluence.
+double CompareChannels(const ScatteringMedium& medium, const glm::vec3& color)
+{
+  const auto solve = [](const ScatteringMedium& own, const glm::vec3& light)
+  {
+    std::vector<ScatteringLight> lights;
+    for (const double side : { -1.0, 1.0 })
+    {
+      lights.push_back(MakeLight(own, side * Oblique));
+      lights.back().Fill(own, light);
+    }
+    ScatteringSettings settings;
+    settings.Tolerance = 1e-8;
+    return Solve(own, lights, ScatteringMode::Full, settings).Field;
+  };
+  const ScatteredLight together = solve(medium, color);
+  double worst = 0.0;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    ScatteringMedium single = medium;
+    for (glm::vec3& albedo : single.Albedo)
+    {
+      albedo = glm::vec3(albedo[channel]);
+    }
+    const ScatteredLight alone = solve(single, glm::vec3(color[channel]));
+    double largest = 0.0;
+    double difference = 0.0;
+    for (std::size_t i = 0; i < alone.Fluence.size(); ++i)
+    {
+      const double expected = alone.Fluence[i].x;
+      reference::KeepLargest(largest, expected);
+      reference::KeepLargest(difference, std::abs(together.Fluence[i][channel] - expected));
+    }
+    reference::KeepLargest(worst, largest > 0.0 ? difference / largest : std::nan(""));
+  }
+  return worst;
+}
+
+void TestChannels(SolverTable& table)
+{
+  const std::string expected = "largest difference from a solution with equal channels";
+  for (const double depth : { 1e1, 1e3, 1e5 })
+  {
+    std::ostringstream name;
+    name << "channels-" << depth;
+    table.Measure(name.str(), "the same light and albedo in all channels", expected,
+      CompareChannels(MakeMedium(glm::ivec3(6), depth, glm::vec3(1.0f), 0.0), glm::vec3(1.0f)),
+      1e-5);
+  }
+  // The sources of the scattered light are equal, but not the absorption.
+  table.Measure("channels-source", "the same product of light and albedo in all channels", expected,
+    CompareChannels(MakeMedium(glm::ivec3(6), 60.0, glm::vec3(1.0f, 0.5f, 0.25f), 0.0),
+      glm::vec3(0.25f, 0.5f, 1.0f)),
+    1e-5);
+}
+
 void TestCells(SolverTable& table)
 {
   const ScatteringMedium clean = MakeCloud(Size, 20.0, glm::vec3(0.9f), 0.8);
@@ -229,6 +286,7 @@ int TestScatteringExtremes(int argc, char* argv[])
 {
   SolverTable table(argc, argv);
   TestMedia(table);
+  TestChannels(table);
   TestCells(table);
   TestLights(table);
   return table.GetExitCode();
