@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# Runs a command of Utilities/ in a minimal Debian system that is installed in a directory. Needs
-# common.sh and packages.sh.
+# Runs a command of Utilities/, or a script of Utilities/trial, in a minimal Debian system that is
+# installed in a directory. Needs common.sh and packages.sh.
 
 suites_dir=${INTERLUME_SUITES:-$build_root/suites}
 suites_known='bookworm trixie sid'
@@ -58,6 +58,42 @@ enter_suite()
     exec env -i HOME=/root LANG=C.UTF-8 PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin \
       DEBIAN_FRONTEND=noninteractive http_proxy="${http_proxy:-}" https_proxy="${https_proxy:-}" \
       chroot "$root" bash -c "cd \"\$1\" && shift && exec \"\$@\"" bash "$folder" "$@"' bash "$@"
+}
+
+# Prints the name of the current system's suite.
+current_suite()
+{
+  # In unstable, os-release contains the name of the next stable release.
+  case $(cat /etc/debian_version) in
+    */sid) echo sid ;;
+    *) (. /etc/os-release && echo "$VERSION_CODENAME") ;;
+  esac
+}
+
+# try_in_suite SUITE NAME SCRIPT FILE...: runs a script of Utilities/trial in a copy of a minimal
+# system of the suite. In the copy, Utilities/trial is /trial, and the files are in /packages. Only
+# root can do this; for other users, prints a message.
+try_in_suite()
+{
+  local suite=$1 name=$2 script=$3 base=$suites_dir/$1.fresh root=$suites_dir/try-$2
+  shift 3
+  if [ "$(id -u)" -ne 0 ]; then
+    say "Skipped: the test in a minimal system, $name, because this user is not root"
+    return
+  fi
+  make_suite "$suite" "$base"
+  # This makes dpkg faster, but a crash of the machine may damage the system, which must then be
+  # created again.
+  printf 'force-unsafe-io\n' >"$base/etc/dpkg/dpkg.cfg.d/unsafe-io"
+  rm -rf --one-file-system "$root"
+  cp -a "$base" "$root"
+  cp -a "$source_dir/Utilities/trial" "$root/trial"
+  mkdir "$root/packages"
+  cp "$@" "$root/packages/"
+  say "Testing in a minimal system: $name"
+  run_logged "try-$name" enter_suite "$root" / "/trial/$script"
+  sed -n '/ tetrahedra /s/^/  /p' "$log_dir/try-$name.log"
+  rm -rf --one-file-system "$root"
 }
 
 # Prints the Debian mirror that the current system uses. Prints nothing if there is none;
