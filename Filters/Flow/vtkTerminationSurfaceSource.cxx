@@ -70,7 +70,7 @@ int vtkTerminationSurfaceSource::RequestData(
   if (const interlume::Error error =
         this->Surface ? this->Surface->Update() : "it is null; call SetSurface")
   {
-    vtkErrorMacro("The termination surface cannot be drawn: " << error << ".");
+    vtkErrorMacro("The termination surface cannot be triangulated: " << error << ".");
     return 1;
   }
   vtkNew<vtkPoints> points;

@@ -54,7 +54,8 @@ struct MeshingJob;
  * - cells with too few points or with point ids that do not exist
  * - open or self-intersecting surfaces
  * - polygons that intersect themselves or have no area
- * - cells that have no volume, whose faces are not closed, or that cannot be decomposed
+ * - cells that have no volume, whose faces do not form a closed surface, or that cannot be
+ *   decomposed
  * - global ids that are not one integer per point
  * - failures of TetGen
  *

@@ -81,8 +81,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the number of texels from line to line in every level. It is also the approximate
-   * distance of lines on screen, in pixels. Default 16. Valid: 2 to 256; clamped.
+   * Set/Get the distance between lines in texels, the same on every mipmap level. It is also the
+   * approximate distance between lines on screen, in pixels. Default 16. Valid: 2 to 256; clamped.
    */
   vtkSetClampMacro(TexelsPerLine, int, 2, 256);
   vtkGetMacro(TexelsPerLine, int);

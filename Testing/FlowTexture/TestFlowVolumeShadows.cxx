@@ -58,7 +58,8 @@ double ExtinctionOf(ColorFunction color, const Position3& x)
   return -std::log(1.0 - color(x[1] + 0.5, x[2] + 0.5)[3]) / UnitDistance;
 }
 
-/// Returns the transmittance from a point to a light at a position, or far away along a direction.
+/// Returns the transmittance from \a x to a light. \a light is its position or, for a directional
+/// light, the direction to it.
 double GetTransmittance(
   ColorFunction color, const Position3& x, const Position3& light, bool isPositional)
 {

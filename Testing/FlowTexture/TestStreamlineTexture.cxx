@@ -236,7 +236,7 @@ void TestDistances(StabilityCatalogue& catalogue, int direction)
     const double distance = 2.0 * half / static_cast<double>(lines.Positions.size());
     const auto seen = static_cast<double>(lines.Positions.size()) * pixels / (2.0 * half);
     catalogue.Measure(name.str(), extreme,
-      "logarithm to base 2 of the distance of lines over 16 pixels", std::log2(distance / 16.0),
+      "base-2 logarithm of the distance between lines over 16 pixels", std::log2(distance / 16.0),
       std::log2(1.5));
     bool isOrdered = seen >= before;
     for (const auto& farther : all)

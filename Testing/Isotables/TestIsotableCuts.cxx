@@ -53,8 +53,8 @@ bool TestOrders(vtkIsotable::Kinds kind, vtkIsotable::Shapes shape, std::mt19937
 }
 
 // Returns the triangles of a case on a facet of the cell. Each slot is given by its kind and its
-// two vertices. Cells that share a facet with the same digits and order must produce the same
-// triangles.
+// two vertices. Cells that share a facet must produce the same triangles there if its vertices have
+// the same digits and the same order in both cells.
 std::set<std::vector<std::array<int, 3>>> GetFacesOn(const vtkIsotable& table, int key,
   const vtkIsotable::RankArray& ranks, const std::set<int>& facet)
 {

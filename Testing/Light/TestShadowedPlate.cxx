@@ -188,8 +188,8 @@ void TestPlate(Check& check, const Case& plate)
   if (plate.Kind == CROPPED)
   {
     mapper->CroppingOn();
-    // The mapper treats cropping to a box as a smaller volume. Therefore one corner outside the
-    // image is cropped, too.
+    // If the visible regions form a box, the mapper treats it as a smaller volume. Therefore a
+    // corner region outside the image is visible, too.
     mapper->SetCroppingRegionPlanes(-40.0, 40.0, -40.0, 40.0, -LAYERS, 0.3);
     mapper->SetCroppingRegionFlags(0x7ffff);
   }

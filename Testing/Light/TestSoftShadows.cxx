@@ -112,8 +112,8 @@ void TestHalfPlane(Check& check)
       const auto profile = GetVisibleFraction(ratio, width, set, report);
       const double error = GetRampWidth(profile) / width - 1.0;
       const double fit = FitRampWidth(profile) / width - 1.0;
-      // The edge is at the position of the hard shadow. The profile is compared relative to this
-      // position.
+      // The edge must coincide with that of the hard shadow. The profile is compared with a ramp
+      // shifted to the profile's own edge.
       const double shift = GetShift(profile, width);
       const double hardShift = GetShift(GetVisibleFraction(ratio, 0.0, set, nullptr), 0.0);
       double largest = 0.0;

@@ -44,7 +44,7 @@ public:
     this->What.Property = MakeRamp(0.1, 1.0, 0.25);
     this->What.Camera = LookAt(this->What.Grid, Slanted, parallel);
     this->Drawer->SetRenderPath(path);
-    // The level of detail would depend on time.
+    // Otherwise, the level of detail would depend on the rendering time.
     this->Drawer->AutoAdjustLevelOfDetailOff();
   }
 

@@ -88,8 +88,8 @@ public:
   Part Interpolate(const ExtractionPoint* points, std::size_t number, const Part::Index* corners,
     std::size_t numberOfCorners) const;
 
-  /// Writes the corners of a part, starting at index \a first. Threads may write different parts
-  /// concurrently.
+  /// Writes one point for each corner in a part, starting at index \a first. Threads may write
+  /// different parts concurrently.
   void Write(const Part& part, vtkIdType first);
 
   const vtkSmartPointer<vtkPoints>& GetPoints() const { return this->Points; }

@@ -165,10 +165,10 @@ Error CellShell::Orient()
   {
     if (edge.second.size() != 2)
     {
-      return "its faces are not closed: the edge from point " +
+      return "its faces do not form a closed surface: the edge from point " +
         std::to_string(this->PointIds[edge.first[0]]) + " to point " +
         std::to_string(this->PointIds[edge.first[1]]) + " belongs to " +
-        std::to_string(edge.second.size()) + " triangles of its faces, not to 2";
+        std::to_string(edge.second.size()) + " triangles of its faces instead of 2";
     }
   }
   // Flip triangles so that each is consistent with its predecessor.

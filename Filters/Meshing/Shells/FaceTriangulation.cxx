@@ -26,13 +26,13 @@ double SquaredLength(const PlanarPoint& a, const PlanarPoint& b)
 
 /// An area below this fraction of the squared longest edge counts as rounding error.
 constexpr double Flatness = 1e-12;
-/// The fan is used if the shape of its worst triangle is at least this fraction of the best
+/// The fan is used if the shape quality of its worst triangle is at least this fraction of the best
 /// possible value.
 constexpr double FanTolerance = 0.1;
 /// Polygons with more points are split by ear clipping, which is faster.
 constexpr std::size_t MaximumPointsForOptimum = 128;
 
-/// Returns the shape of a triangle: larger is better, 0 for no area, negative if inverted.
+/// Returns the shape quality of a triangle: larger is better, 0 for no area, negative if inverted.
 double Shape(const PlanarPoint& a, const PlanarPoint& b, const PlanarPoint& c)
 {
   const double longest =

@@ -12,7 +12,7 @@ namespace interlume
 namespace BentAxis
 {
 /**
- * Returns the squared distance from a point to the axis, to first order in the axis's curvature.
+ * Returns the squared distance from a point to the axis, approximated by its tangent at the same s.
  * \a offset is the vector from the axis to the point in the plane s = const. \a slope is the
  * derivative of the axis with respect to s.
  */

@@ -34,8 +34,8 @@ std::array<double, 2> GetWidths(const LightSource& source, const SlicePlan::Shad
   const double distance = source.IsPositional ? last - apex : glm::dot(source.Direction, normal);
   const glm::dmat4& view = light.BufferFromUnit;
   const auto getRow = [&view](int row) { return UnitVector::GetRow(view, row); };
-  // In perspective, the width depends on the position: use a position on the buffer's axis. In
-  // parallel projection, it does not.
+  // In a perspective projection, the width depends on the position; a position on the buffer's axis
+  // is used. In a parallel projection, the width is the same everywhere.
   const bool isPerspective = getRow(3) != glm::dvec3(0.0);
   const glm::dvec3 position = isPerspective
     ? source.Position + getRow(3) * ((height - apex) / glm::dot(getRow(3), normal))

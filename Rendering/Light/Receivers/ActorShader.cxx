@@ -148,7 +148,7 @@ bool ActorShader::Clear()
   return had;
 }
 
-void ActorShader::SetSurfaces(
+void ActorShader::SetSurfaceTextures(
   const LightTransmittance& transmittance, vtkTextureObject* depth, bool isOnScreen)
 {
   this->Transmittance = &transmittance;

@@ -43,7 +43,7 @@ public:
   /// Sets the textures for the surfaces drawn next: their \a depth, and the \a transmittance of
   /// volumes at them. The surfaces are drawn in the renderer's viewport or, if \a isOnScreen is
   /// false, in a framebuffer of its size.
-  void SetSurfaces(
+  void SetSurfaceTextures(
     const LightTransmittance& transmittance, vtkTextureObject* depth, bool isOnScreen);
   /// Removes all sources. Returns true if there were any.
   bool Clear();

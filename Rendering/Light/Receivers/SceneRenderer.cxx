@@ -369,7 +369,7 @@ void SceneRenderer::ShadeLayer(vtkRenderer* renderer, std::size_t layer)
   this->Activate();
   this->LayerLight.GetTexture()->Activate();
   depth->Activate();
-  this->Shader.SetSurfaces(this->LayerLight, depth, false);
+  this->Shader.SetSurfaceTextures(this->LayerLight, depth, false);
   this->Layers.Shade(window, layer, this->Layering,
     [&]()
     {
@@ -428,7 +428,7 @@ Error SceneRenderer::DrawSegments(vtkRenderer* renderer, const std::function<voi
     this->Scene.Show = [this, window]() { this->Layers.Show(window); };
     this->Layering.Begin(LayerShader::HIDE);
   }
-  this->Shader.SetSurfaces(this->Transmittance, this->CameraDepth.GetTexture(), true);
+  this->Shader.SetSurfaceTextures(this->Transmittance, this->CameraDepth.GetTexture(), true);
   return {};
 }
 
@@ -484,7 +484,7 @@ void SceneRenderer::UpdateShader(vtkRenderer* renderer, bool isShadowed)
     ? this->Shader.Update(renderer, this->Lights, this->Maps, this->Transmittance,
         this->TranslucentMaps, this->Screens, this->Fields)
     : this->Shader.Clear();
-  this->Shader.SetSurfaces(this->Transmittance, this->CameraDepth.GetTexture(), true);
+  this->Shader.SetSurfaceTextures(this->Transmittance, this->CameraDepth.GetTexture(), true);
   if (isNew)
   {
     this->ShaderTime.Modified();

@@ -162,7 +162,7 @@ void DiffusionGrid::Prepare()
   }
 }
 
-double DiffusionGrid::Neighbors(
+double DiffusionGrid::SumOverNeighbors(
   const Level& level, const std::vector<double>& x, int i, int j, int k)
 {
   const glm::ivec3& cells = level.Cells;
@@ -190,8 +190,8 @@ void DiffusionGrid::Smooth(Level& level, int color)
         for (int i = (j + k + color) % 2; i < cells.x; i += 2)
         {
           const std::size_t at = Index(cells, i, j, k);
-          level.Solution[at] =
-            level.Inverse[at] * (level.Source[at] + Neighbors(level, level.Solution, i, j, k));
+          level.Solution[at] = level.Inverse[at] *
+            (level.Source[at] + SumOverNeighbors(level, level.Solution, i, j, k));
         }
       }
     });
@@ -209,8 +209,9 @@ void DiffusionGrid::Multiply(
         for (int i = 0; i < cells.x; ++i)
         {
           const std::size_t at = Index(cells, i, j, k);
-          y[at] = level.Inverse[at] > 0.0 ? x[at] / level.Inverse[at] - Neighbors(level, x, i, j, k)
-                                          : 0.0;
+          y[at] = level.Inverse[at] > 0.0
+            ? x[at] / level.Inverse[at] - SumOverNeighbors(level, x, i, j, k)
+            : 0.0;
         }
       }
     });
@@ -251,7 +252,8 @@ void DiffusionGrid::Cycle(std::size_t number)
             if ((i + j + k) % 2 == 0 && level.Inverse[at] > 0.0)
             {
               coarse.Source[Index(coarse.Cells, i / 2, j / 2, kk)] += level.Source[at] -
-                level.Solution[at] / level.Inverse[at] + Neighbors(level, level.Solution, i, j, k);
+                level.Solution[at] / level.Inverse[at] +
+                SumOverNeighbors(level, level.Solution, i, j, k);
             }
           }
         }

@@ -55,7 +55,8 @@ private:
 
   static void Allocate(Level& level, const glm::ivec3& cells);
   static void Coarsen(const Level& fine, Level& coarse);
-  static double Neighbors(const Level& level, const std::vector<double>& x, int i, int j, int k);
+  static double SumOverNeighbors(
+    const Level& level, const std::vector<double>& x, int i, int j, int k);
   static void Smooth(Level& level, int color);
   static void Multiply(const Level& level, const std::vector<double>& x, std::vector<double>& y);
   void Cycle(std::size_t level);

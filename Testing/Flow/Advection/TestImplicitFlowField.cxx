@@ -283,7 +283,7 @@ void TestCriticalPoints(Check& check)
     "without a sphere they stagnate");
 }
 
-/// Tests explicit ids, ids of parts, and unused ids.
+/// Tests explicit, automatic and unused ids, and execution after a surface is modified.
 void TestIds(Check& check)
 {
   auto image = MakeFlowImage(5, [](const Vector&) { return Vector{ { 1.0, 0.0, 0.0 } }; });

@@ -228,7 +228,7 @@ void TestRotation(Check& check)
             highest = std::max(highest, std::abs(x[1]) < 1e-9 ? 0.0 : x[1]);
             right = std::max(right, x[0]);
           }
-          // A cell that ends at the boundary edge touches the surface.
+          // A cell that only reaches the edge of the half plane, at x = 0, still touches it.
           return right > -1e-9 &&
             (isForward ? lowest <= 0.0 && highest > 0.0 : lowest < 0.0 && highest >= 0.0);
         });

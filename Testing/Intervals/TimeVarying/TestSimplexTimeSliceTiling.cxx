@@ -97,7 +97,7 @@ void CheckRegion(const KuhnOptions& options, const std::vector<double>& times, C
   }
 }
 
-/// Returns the faces of 4-simplices at a time, without duplicates, as positive tetrahedra.
+/// Returns the faces of 4-simplices at time \a t, without duplicates, as positive tetrahedra.
 vtkSmartPointer<vtkUnstructuredGrid> FacesAt(vtkUnstructuredGrid* grid, double t)
 {
   std::set<Tetrahedron> faces;

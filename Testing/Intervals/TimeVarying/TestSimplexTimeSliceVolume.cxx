@@ -119,8 +119,8 @@ Position PickPoint(const SimplexEvents& simplex, double t, std::mt19937& random)
   return picked;
 }
 
-/// Checks the slices at a time. Adds the keys of the cases that occur. Bit i of a key is set if the
-/// time of vertex i is above \a t.
+/// Checks the slices at time \a t. Adds the keys of the cases that occur. Bit i of a key is set if
+/// the time of vertex i is at least \a t.
 void CheckSlices(vtkUnstructuredGrid* simplices, double t, std::set<int>& cases, Check& check)
 {
   check.SetContext("t = " + std::to_string(t));

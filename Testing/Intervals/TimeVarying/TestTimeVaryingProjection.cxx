@@ -173,8 +173,8 @@ std::vector<std::array<Position, 4>> TetrahedraOf(
 }
 
 /// Returns the length of the intersection of the 4-simplex with the line through \a x along the
-/// time axis. Barycentric coordinates on the line are b + s lambda and must be nonnegative. Time is
-/// proportional to s, scaled by the moment.
+/// time axis. On the line, the barycentric coordinates are b + s lambda, nonnegative inside the
+/// simplex, and time changes by the moment per unit of s.
 Real ExactDuration(const ExactProperties& exact, const Points& p, const Position& x)
 {
   // b comes from the tetrahedron without the point with the largest lambda.

@@ -76,7 +76,8 @@ void CheckTiling(const TimeSteps& steps, const std::vector<Interval>& intervals,
   }
 }
 
-/// Compares slices with interval volumes of a grid at a time. \a at returns the grid.
+/// Compares the slice at each of several times with the interval volumes of the grid at that time.
+/// \a at returns the grid at the given times.
 template <typename At>
 void CheckBetween(const std::vector<Interval>& intervals, At&& at, Check& check)
 {

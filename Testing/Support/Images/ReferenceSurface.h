@@ -29,7 +29,7 @@ namespace reference
 class ReferenceSurface
 {
 public:
-  using Hit = TriangleTree::Meeting;
+  using Hit = TriangleTree::Hit;
 
   /// Throws std::invalid_argument for textures, scalar coloring and physically based shading, which
   /// are not supported.

@@ -32,7 +32,7 @@ public:
     this->Y = (this->Z + 2) % 3;
   }
 
-  bool Intersect(const TriangleTree::Triangle& triangle, TriangleTree::Meeting& meeting) const
+  bool Intersect(const TriangleTree::Triangle& triangle, TriangleTree::Hit& meeting) const
   {
     const glm::dvec3 a = this->Shear(triangle[0]);
     const glm::dvec3 b = this->Shear(triangle[1]);
@@ -142,7 +142,7 @@ void TriangleTree::BuildNode(int node, int first, int last)
 }
 
 void TriangleTree::Visit(const glm::dvec3& origin, const glm::dvec3& direction, double begin,
-  double end, const std::function<bool(const Meeting&)>& visit) const
+  double end, const std::function<bool(const Hit&)>& visit) const
 {
   const ShearedRay sheared(origin, direction);
   // Twice the depth of a tree with the largest number of items that an int can represent.
@@ -166,7 +166,7 @@ void TriangleTree::Visit(const glm::dvec3& origin, const glm::dvec3& direction, 
     }
     for (int i = 0; i < node.NumberOfItems; ++i)
     {
-      Meeting meeting{};
+      Hit meeting{};
       meeting.Triangle = this->Items[node.First + i];
       if (sheared.Intersect(this->Triangles[meeting.Triangle], meeting) &&
         meeting.Distance > begin && meeting.Distance < end && !visit(meeting))

@@ -24,7 +24,7 @@ class TriangleTree
 public:
   using Triangle = std::array<glm::dvec3, 3>;
 
-  struct Meeting
+  struct Hit
   {
     double Distance;
     int Triangle;
@@ -40,7 +40,7 @@ public:
   /// Calls \a visit for all hits at distances in (begin, end), in any order, until it returns
   /// false.
   void Visit(const glm::dvec3& origin, const glm::dvec3& direction, double begin, double end,
-    const std::function<bool(const Meeting&)>& visit) const;
+    const std::function<bool(const Hit&)>& visit) const;
 
 private:
   struct Node

@@ -35,7 +35,8 @@ struct ReferencePenumbra
   double GetLightFraction(const glm::dvec3& point) const
   {
     const double rise = this->Height - point.z;
-    // x at the height of the half-plane, times the height of y above the point.
+    // The x-coordinate where the line from the point to y crosses z = Height, multiplied by the
+    // height of y above the point.
     const auto pass = [&](const glm::dvec3& toLight)
     { return point.x * toLight.z + toLight.x * rise; };
     const double midpoint = pass(this->IsPositional ? this->Center - point : this->Center);

@@ -40,7 +40,7 @@ void AddModeRow(reference::VolumeStage& stage, const Published& slab, const std:
   SlabDrawing drawing(stage, slab.Medium, mode, across);
   const double reflected = drawing.GetFlux(true);
   const double transmitted = drawing.GetFlux(false);
-  BenchRow row = rows.Make(slab.Name, mode, drawing.GetAcross());
+  BenchRow row = rows.Make(slab.Name, mode, drawing.GetCellsAcross());
   row.SetError(Norm, std::abs(reflected - slab.Reflected) / slab.Reflected);
   row.Set({ { "reflected", reflected }, { "published_reflected", slab.Reflected },
     { "transmitted", transmitted } });
@@ -78,7 +78,7 @@ void AddSlabRows(const BenchOptions& options, BenchRows& rows)
       {
         // Wide boxes reach the maximum number of cells, so several requests result in the same
         // grid.
-        const int found = SlabDrawing::GetAcross(slab.Medium, across);
+        const int found = SlabDrawing::GetCellsAcross(slab.Medium, across);
         if (found > last)
         {
           AddModeRow(stage, slab, mode, across, options, rows);

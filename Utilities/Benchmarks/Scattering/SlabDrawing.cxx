@@ -92,7 +92,7 @@ SlabDrawing::SlabDrawing(
       }));
 }
 
-int SlabDrawing::GetAcross(const Slab& slab, int across)
+int SlabDrawing::GetCellsAcross(const Slab& slab, int across)
 {
   return std::max(std::min(across * GetWidth(slab), MaximumCells) / GetWidth(slab), 1);
 }

@@ -41,9 +41,9 @@ public:
   /// Returns work that moves the light and renders a frame.
   BenchWork GetLitFrame(int threads);
   /// Returns the number of cells across the slab.
-  int GetAcross() const { return GetAcross(this->Medium, this->Across); }
+  int GetCellsAcross() const { return GetCellsAcross(this->Medium, this->Across); }
   /// Returns the number of cells across \a slab if \a across cells are requested.
-  static int GetAcross(const Slab& slab, int across);
+  static int GetCellsAcross(const Slab& slab, int across);
 
 private:
   Slab Medium;

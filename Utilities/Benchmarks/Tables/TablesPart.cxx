@@ -21,7 +21,8 @@ struct TableCase
 {
   const char* Name;
   Polytope Cell;
-  // Numbers in the dissertation, which prints two decimals, or 0 if it has no such row.
+  // Numbers in Table 3.2 of C. Zhang's dissertation, to two decimals, or 0 if the table has no row
+  // for the cell.
   double StatedMean;
   int StatedMaximum;
 };
