@@ -22,7 +22,9 @@ PIECES_TOLERANCE = 0.03  # pieces share samples at their borders
 
 
 def images():
-    return [name for name in manifest_arrays() if name.endswith(".vti") or name == "ironProt.vtk"]
+    """Returns the files with images in three dimensions; earth.vti is a map."""
+    return [name for name in manifest_arrays()
+            if name != "earth.vti" and (name.endswith(".vti") or name == "ironProt.vtk")]
 
 
 def show(source, array=None):
