@@ -193,6 +193,8 @@ VALUES = {
        for name, number in (("coarse", 1e-3), ("default", 1e-6), ("fine", 1e-9))},
     "flow-texture.rgba": ("flow-texture", "{slower}", {"method": "textures", "peer": "gpu-rgba"}),
     "flow-texture.components": ("flow-texture", "{ratio}", {"method": "textures", "peer": "gpu"}),
+    "commands.scene": ("commands", "{minutes:2} minutes", {"case": "Utilities/demo --scene bonsai"}),
+    "commands.gallery": ("commands", "{minutes:2} minutes", {"case": "Utilities/demo"}),
     "mixed.budget": ("mixed", "{over_budget}", {"method": "scene-pass", "peer": "volume + 2 actors"}),
 }
 
