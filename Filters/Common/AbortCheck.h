@@ -15,7 +15,7 @@ namespace interlume
 namespace AbortCheck
 {
 /// Marks the outputs as not generated, so that the next update executes again. Returns 1, the
-/// result for RequestData.
+/// value for RequestData to return.
 inline int Leave(vtkInformationVector* outputs)
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)

@@ -19,7 +19,7 @@ namespace interlume
 
 /**
  * Checks arrays. An error message states the array's name, its actual shape and the required shape.
- * It is a clause; MakeSentence turns it into a sentence.
+ * The message is a clause; MakeSentence turns it into a sentence.
  */
 namespace ArrayCheck
 {
@@ -120,7 +120,7 @@ inline Error FindAssociationError(vtkAbstractArray* array, int association)
 }
 
 ///@{
-/// Return a non-empty clause as a sentence, with a capital letter and a period.
+/// Capitalizes the first letter of a non-empty clause and appends a period.
 inline std::string MakeSentence(std::string part)
 {
   part[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(part[0])));

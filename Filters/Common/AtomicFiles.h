@@ -54,8 +54,8 @@ inline void Remove(const std::string& fileName)
   std::filesystem::remove(GetPath(fileName), ignored);
 }
 
-/// Renames the temporary file to \a fileName, or removes it if it was not written. Returns whether
-/// the file was replaced.
+/// Renames the temporary file to \a fileName, or removes it if \a isWritten is false. Returns
+/// whether the file was replaced.
 inline bool Finish(const std::string& fileName, bool isWritten)
 {
   const std::string temporary = GetTemporaryName(fileName);

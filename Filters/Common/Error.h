@@ -17,7 +17,7 @@ enum class ErrorCode
   OutOfMemory,  ///< Not enough main or GPU memory.
   OpenGL,       ///< The OpenGL implementation does not support a feature or failed.
   File,         ///< A file cannot be read or written.
-  Process       ///< A separate program, such as TetGen's, failed.
+  Process       ///< A separate program, such as TetGen, failed.
 };
 
 /**
@@ -26,8 +26,8 @@ enum class ErrorCode
  *
  * Like std::error_code, an Error converts to true if there is an error:
  * `if (Error error = this->ReadArrays(input)) { return error; }`.
- * A function returns a message, with a code unless the code is InvalidInput. An empty message means
- * no error.
+ * To report an error, a function returns a message, and a code unless the code is InvalidInput. An
+ * empty message means no error.
  */
 class [[nodiscard]] Error
 {

@@ -65,10 +65,10 @@ public:
   /**
    * Name of the point array TerminationSide (signed char). Its sign is the side of the termination
    * surface on which the sample lies, that is, the sign of the surface's distance. Its absolute
-   * value is one of TerminationDirections. It is set for samples that reached a surface and are a
-   * corner of a cell that this surface crosses. It is 0 for all other samples, for samples past the
-   * boundary edge of the surface or on the surface, and for domain faces. If several surfaces have
-   * the same id, the nearest one counts.
+   * value is one of TerminationDirections. It is set for samples that reached a surface and are
+   * corners of a cell that this surface crosses. It is 0 for all other samples, for samples past
+   * the boundary edge of the surface or on the surface, and for domain faces. If several surfaces
+   * have the same id, the nearest one counts.
    */
   static const char* SideArray() { return "TerminationSide"; }
 

@@ -257,7 +257,7 @@ public:
   ///@{
   /**
    * Distance within which a streamline that ends at the boundary of the field has reached a
-   * surface, in units of the cell width there. Without it, rounding would decide whether
+   * surface, in units of the cell width there. Without a tolerance, rounding would decide whether
    * streamlines reach a surface on the boundary of the field. The deviation of the boundary face
    * from a plane and the rounding error of single-precision coordinates are added to it. It is
    * reduced for surfaces that cross the face. 0: streamlines must cross the surface. Default: 0.01.

@@ -21,9 +21,9 @@ struct AxialFrame;
  * et al., "Building an orthonormal basis, revisited", JCGT 6(1), 2017. The distance is measured
  * from the wall extended to infinity, and is negative inside.
  *
- * With Capped, parts 1 and 2 are the disks at Point1 and Point2, and the distance refers to the
- * closed cylinder. On a disk, u = (x / Radius + 1) / 2 and v = (y / Radius + 1) / 2, with x toward
- * u = 0 of the wall and y toward u = 1/4; neither is periodic. Normals point outward.
+ * With Capped, parts 1 and 2 are the disks at Point1 and Point2, and the distance is measured
+ * from the closed cylinder. On a disk, u = (x / Radius + 1) / 2 and v = (y / Radius + 1) / 2, with
+ * x toward u = 0 of the wall and y toward u = 1/4; neither is periodic. Normals point outward.
  *
  * Update reports points that are not finite or that coincide, and a radius that is not above 0.
  */

@@ -9,16 +9,16 @@
  * @brief   rectangle where the flow enters the field, placed automatically
  *
  * The rectangle is perpendicular to the coordinate axis with the largest flow through a plane, and
- * close to the position where that flow enters the field. Of the planes with at least 40 % of the
- * largest flow, it is the first along the flow. For FORWARD streamlines it lies where the flow
+ * close to the position where that flow enters the field. It lies in the first plane, in flow
+ * direction, with at least 40 % of the largest flow. For FORWARD streamlines it lies where the flow
  * leaves the field, so that streamlines end on it. With Size 1 it covers all cells in its plane
  * that this flow crosses.
  *
  * The parameters u and v run along the next two axes in cyclic order: y and z for a normal along x.
  * The normal points along the positive axis, regardless of the flow direction.
  *
- * vtkImplicitFlowField calls InitializeFromField, which sets Origin, Point1 and Point2. It reports
- * a field without flow.
+ * vtkImplicitFlowField calls InitializeFromField, which sets Origin, Point1 and Point2, or returns
+ * an error if the field has no flow.
  */
 class INTERLUMEFLOW_EXPORT vtkTerminationInflow : public vtkTerminationPlane
 {

@@ -72,8 +72,8 @@ public:
   virtual bool IsPlacedByVectors() const { return false; }
 
   /**
-   * Prepare the data for the Evaluate functions. Return an error message ("the radius is not above
-   * 0"), or an empty string on success.
+   * Prepare the data for the Evaluate functions. Return an error message, such as "the radius is
+   * not above 0", or an empty string on success.
    */
   virtual std::string Update() { return {}; }
 
@@ -115,7 +115,7 @@ public:
 
   /**
    * Return the distance from \a x to the nearest surface point, including points on the boundary,
-   * less the rounding error of the surface's own data. Default: the distance to the point with the
+   * minus the rounding error of the surface's own data. Default: the distance to the point with the
    * parameters from EvaluateParameters.
    */
   virtual double EvaluateGap(const double x[3]) const;

@@ -21,7 +21,7 @@ class TubeAxis;
  * @brief   tube around a polyline, such as a vortex axis, as a termination surface
  *
  * The tube is the set of points at distance Radius from a polyline. The signed distance is the
- * distance from the line less the radius, negative inside.
+ * distance from the line minus the radius, negative inside.
  *
  * Part 0 is the tube. The parameter u is the periodic angle around the line in turns,
  * counterclockwise about the line's direction, in a rotation-minimizing frame. At the start of the

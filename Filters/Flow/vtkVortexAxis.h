@@ -105,7 +105,7 @@ public:
   /**
    * Return the report of the last execution:
    * - Planes: planes perpendicular to Axis,
-   * - CrossFlowZeros: points in the planes where the velocity across Axis is 0,
+   * - CrossFlowZeros: points where the velocity in the plane is 0,
    * - PointsOnAxis: points of the output,
    * - NonFiniteCells: cells skipped because vectors are not finite,
    * - FillValueCells: cells skipped because a point has fill values.

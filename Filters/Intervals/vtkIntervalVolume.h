@@ -163,10 +163,10 @@ public:
   ///@{
   /**
    * If true, reuse large blocks of released memory (working memory and former outputs) in the next
-   * execution, since clearing new pages is a large part of each update. Useful while a user drags
-   * an interval. The setting does not change the result. An output remains valid as long as it is
-   * referenced. Blocks that two successive executions did not use are freed. All blocks are freed
-   * when the filter executes with this setting off or is deleted. Default off.
+   * execution, since clearing new pages takes a large part of the time of each update. Useful while
+   * a user drags an interval. The setting does not change the result. An output remains valid as
+   * long as it is referenced. Blocks that two successive executions did not use are freed. All
+   * blocks are freed when the filter executes with this setting off or is deleted. Default off.
    */
   vtkSetMacro(ReuseMemory, bool);
   vtkGetMacro(ReuseMemory, bool);

@@ -49,9 +49,9 @@ class ExtractionRun;
  * Errors and per-dataset warnings are the same as in vtkIntervalVolume. An empty output causes a
  * warning, see WarnOnEmptyOutput.
  *
- * Alternatives: for a surface of image data without interval volumes, vtkFlyingEdges3D is faster.
- * vtkContour3DLinearGrid handles linear cells. This filter accepts all grids, interpolates all
- * arrays, and produces the exact boundary surfaces of the intervals of vtkIntervalVolume.
+ * Alternatives: for image data, vtkFlyingEdges3D is faster. vtkContour3DLinearGrid handles linear
+ * cells. This filter accepts all grids, interpolates all arrays, and produces the exact boundary
+ * surfaces of the intervals of vtkIntervalVolume.
  *
  * @sa vtkIntervalVolume vtkIsotable
  */

@@ -58,7 +58,7 @@ std::string WriteOut(const double* numbers, int number)
   return text.str();
 }
 
-/// Sets the slab number. The extraction of a single slab numbers it 0.
+/// Sets the slab number, because the extraction of a single slab always sets it to 0.
 void SetSlabNumber(vtkUnstructuredGrid* grid, std::size_t slab)
 {
   if (auto* numbers = vtkIntArray::SafeDownCast(grid->GetCellData()->GetArray("TimeSlab")))

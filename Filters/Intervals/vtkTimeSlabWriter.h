@@ -19,12 +19,12 @@ class Fingerprint;
  * @class   vtkTimeSlabWriter
  * @brief   write a time-varying interval volume slab by slab
  *
- * Writes the output of vtkTimeVaryingIntervalVolume for many time steps but holds only one slab in
- * memory, the space-time region between two time steps. Set the input and the settings as for that
- * filter and call Write(). All slabs together contain the tetrahedra, boundaries and 4-simplices of
- * a single extraction of all steps, with the same values of `TimeSlab`. Points at a step are stored
- * in both adjacent slabs. If values at a step equal a bound, boundaries and cells of `AtStep` at
- * that step are computed from each slab separately.
+ * Writes the output of vtkTimeVaryingIntervalVolume for many time steps but holds only one slab
+ * (the space-time region between two time steps) in memory. Set the input and the settings as for
+ * that filter and call Write(). All slabs together contain the tetrahedra, boundaries and
+ * 4-simplices of a single extraction of all steps, with the same values of `TimeSlab`. Points at a
+ * step are stored in both adjacent slabs. If values at a step equal a bound, boundaries and
+ * `AtStep` cells at that step are computed from each slab separately.
  *
  * Files, for FileName vortex.vtm: one file per slab in VTK's XML format, vortex/vortex_0.vtu,
  * vortex/vortex_1.vtu, ..., and the index vortex.vtm, a vtkMultiBlockDataSet whose blocks are named

@@ -186,7 +186,8 @@ protected:
   void ProcessStep(vtkInformation*, vtkInformationVector**, vtkInformationVector*,
     interlume::TimeVaryingReport& report);
 
-  /// Returns an error if there are fewer than two \a times, or if times decrease or are not finite.
+  /// Returns an error if \a times has fewer than two entries, or if they decrease or are not
+  /// finite.
   interlume::Error CheckTimes(const std::vector<double>& times) const;
   interlume::Error CheckDirection() const;
   int GetFirstStep() const;

@@ -80,11 +80,12 @@ public:
   ///@{
   /**
    * Set/Get the maximum ratio of a tetrahedron's circumradius to its shortest edge, for surfaces
-   * and point sets. Smaller values give better shapes; a regular tetrahedron has 0.612. 0 sets no
-   * bound and adds only points that the surface requires. The bound is reached if edges and faces
-   * of the surface form no angle below about 60 degrees, most reliably at 1.2 or more. Otherwise,
-   * a warning counts the tetrahedra that exceed it, or TetGen does not terminate (see TimeLimit).
-   * Default: 0. Valid: 0, or 1 to 1000; values between 0 and 1 become 1.
+   * and point sets. Smaller values give better-shaped tetrahedra; a regular tetrahedron has 0.612.
+   * 0 sets no bound and adds only points that the surface requires. TetGen meets the bound if edges
+   * and faces of the surface form no angle below about 60 degrees, most reliably with a bound of
+   * 1.2 or more. Otherwise, a warning reports the number of tetrahedra that exceed it, or TetGen
+   * does not terminate (see TimeLimit). Default: 0. Valid: 0, or 1 to 1000; values between 0 and 1
+   * become 1.
    */
   void SetQualityBound(double bound);
   vtkGetMacro(QualityBound, double);
@@ -149,7 +150,7 @@ public:
   ///@{
   /**
    * Turn on/off splitting of surface triangles that touch other triangles without common points or
-   * edges: parts that stand on each other, that cross along edges, or that share a wall with
+   * edges: parts that rest on each other, that cross along edges, or that share a wall with
    * different diagonals. The parts then share points and triangles at the contact, and each part
    * keeps its region. Triangles touch if their distance is within the rounding error of the
    * coordinates. GetReport() has the number of split triangles. If off, a contact is an error that
@@ -196,7 +197,8 @@ public:
    * - AddedPoints: number of output points that are not input points
    * - SkippedCells: number of ghost, hidden or lower-dimensional cells
    * - UnsupportedCells: number of cells of unsupported type
-   * - MergedPoints: number of points of a surface or point set merged with a coincident point
+   * - MergedPoints: number of points of a surface or point set that were merged with a coincident
+   *   point
    * - SplitTriangles: number of surface triangles split by SplitContacts
    * - TetrahedraAboveQualityBound, TetrahedraAboveMaximumVolume: number of tetrahedra that exceed a
    *   bound

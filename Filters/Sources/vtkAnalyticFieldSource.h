@@ -25,7 +25,7 @@ struct FieldSampler;
  * - SPHERE_DISTANCE: f = |x - Center - Velocity t| - (Radius + Growth t). The region l <= f <= u is
  *   a spherical shell.
  * - GYROID: f = sin X cos Y + sin Y cos Z + sin Z cos X, (X,Y,Z) = 2 pi (x - Center - Velocity t).
- *   It has period 1 in each direction, and f <= 0 in half of space.
+ *   It has period 1 in each direction, and f <= 0 in half of each unit cell.
  *
  * WAVE and VORTEX replace two data sets of C. Zhang's dissertation, Ohio State 2006, figures 3.20
  * and 3.23; see Documentation/methods/sources.md for their formulas and suitable bounds.

@@ -20,7 +20,7 @@
  *   Strength and cores of CoreRadius.
  * - COUPLED_CHARGE: the field of opposite charges at -Separation/2 and +Separation/2, with softened
  *   cores.
- * - SPHERE: potential flow around a sphere of Radius, with velocity Velocity far away.
+ * - SPHERE: potential flow around a sphere of Radius, with the far-field velocity Velocity.
  * - CYLINDER: potential flow around a cylinder of Radius along Axis, plus SpanwiseVelocity along
  *   the axis.
  * - ABC: v = (A sin kz + C cos ky, B sin kx + A cos kz, C sin ky + B cos kx), with (A, B, C) =
@@ -78,7 +78,8 @@ public:
   };
 
   ///@{
-  /// Returns the lowercase name of a field or inside mode, or null if the number is invalid.
+  /// Returns the lowercase name of a field or of an Insides value, or null if the number is
+  /// invalid.
   static const char* GetFieldName(int field);
   static const char* GetInsideName(int inside);
   ///@}
@@ -127,9 +128,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the axis of ROTATION and CYLINDER, of the swirl of NODE, and the normal of SHEAR. Its
-   * length is irrelevant. Default (0, 0, 1). Valid: finite and not 0; other values are an error and
-   * are ignored.
+   * Set/Get the axis of ROTATION, of CYLINDER and of the swirl of NODE, and the normal of SHEAR.
+   * Its length is irrelevant. Default (0, 0, 1). Valid: finite and not 0; other values are an error
+   * and are ignored.
    */
   void SetAxis(double x, double y, double z);
   vtkGetVector3Macro(Axis, double);
@@ -228,9 +229,9 @@ public:
 
   ///@{
   /**
-   * Set/Get the height of HURRICANE and TORNADO, the horizontal distance (x, y) from the lower to
-   * the upper end of their axis, and the deflection (x, y) of the axis at half the height. Default
-   * 2, (0.2, 0.1), (0.1, -0.05). Valid height: 1e-12 to 1e12; clamped.
+   * Set/Get the height of HURRICANE and TORNADO, the horizontal offset (x, y) from the lower to the
+   * upper end of their axis, and the deflection (x, y) of the axis at half the height. Default 2,
+   * (0.2, 0.1), (0.1, -0.05). Valid height: 1e-12 to 1e12; clamped.
    */
   void SetHeight(double value) { this->SetLength(this->Height, value); }
   vtkGetMacro(Height, double);

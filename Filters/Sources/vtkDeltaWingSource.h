@@ -43,7 +43,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the mean x of the breakdown, in wing lengths. Default 0.55. Valid: 0 to 2; clamped.
+   * Set/Get the mean x coordinate of the breakdown, in wing lengths. Default 0.55. Valid: 0 to 2;
+   * clamped.
    */
   void SetBreakdownPosition(double position);
   vtkGetMacro(BreakdownPosition, double);

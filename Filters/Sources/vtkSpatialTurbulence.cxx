@@ -81,7 +81,7 @@ void vtkSpatialTurbulence::SetSeed(int seed)
 void vtkSpatialTurbulence::MakeNoises()
 {
   // Difference between the seeds of the three directions. It is large, because users choose small
-  // seeds, and two turbulences with adjacent seeds must not share a noise function.
+  // seeds, and two turbulence objects with adjacent seeds must not share a noise function.
   constexpr int distance = INT_MAX / 3;
   this->Noises.clear();
   for (int i = 0; i < 3; ++i)

@@ -131,7 +131,7 @@ private:
   vtkSpatialTurbulence(const vtkSpatialTurbulence&) = delete;
   void operator=(const vtkSpatialTurbulence&) = delete;
 
-  /// Creates one noise per direction from the seed.
+  /// Creates one noise function per direction from the seed.
   void MakeNoises();
   double GetNoise(const interlume::GradientNoise& noise, const double x[3]) const;
   bool Displace(const double (*points)[3], int number, Sample* samples) const;

@@ -134,7 +134,8 @@ public:
 
   ///@{
   /**
-   * Set/Get the axis of the height: 0, 1, 2 for x, y, z. Default 2. Valid: 0 to 2; clamped.
+   * Set/Get the axis along which the height is measured: 0, 1, 2 for x, y, z. Default 2. Valid: 0
+   * to 2; clamped.
    */
   vtkSetClampMacro(VerticalAxis, int, 0, 2);
   vtkGetMacro(VerticalAxis, int);

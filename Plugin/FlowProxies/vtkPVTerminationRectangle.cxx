@@ -46,7 +46,7 @@ std::string vtkPVTerminationRectangle::InitializeFromField(vtkDataSet* field, vt
 
 void vtkPVTerminationRectangle::PlaceCorners()
 {
-  // Perpendiculars returns two vectors whose cross product, in this order, is the normal.
+  // vtkMath::Perpendiculars returns two vectors whose cross product, in this order, is the normal.
   double negativeV[3];
   double u[3];
   vtkMath::Perpendiculars(this->Normal, negativeV, u, vtkMath::RadiansFromDegrees(this->Angle));

@@ -8,7 +8,7 @@ class QGridLayout;
 
 /**
  * @class   pqAreaLightPropertyWidget
- * @brief   edits an area light with handles in the view and with numbers
+ * @brief   edits an area light with handles in the view and with input fields
  *
  * Use it for a group of properties with the functions WorldPosition, FocalPoint and ViewUp (three
  * elements), Width and Height (one element), and Shape (an enumeration). The widget has an input

@@ -19,22 +19,24 @@ constexpr int MAXIMUM_BINS = 1024;
 constexpr int MAXIMUM_LABELS = 16;
 constexpr double LABEL_OPACITY = 0.3;
 constexpr double LARGEST_OPACITY = 0.8;
-/// Fractions of the samples: at the end of a tail, shown at least, shown without a bend in the
-/// histogram, and shown at most.
+/// Fraction of the samples that is cut off at the end of a tail.
 constexpr double TAIL = 1e-3;
+/// Minimum fraction of the samples that is shown.
 constexpr double LEAST = 0.1;
+/// Fraction of the samples that is shown if the histogram has no bend.
 constexpr double RARE = 0.15;
+/// Maximum fraction of the samples that is shown.
 constexpr double MOST = 0.6;
 /// Fraction below which a bin counts as empty.
 constexpr double NEGLIGIBLE = 1e-5;
-/// Smallest depth of a bend, relative to the height of the line above it.
+/// Minimum depth of a bend below the straight line, relative to the height of that line.
 constexpr double SMALLEST_BEND = 0.1;
-/// Ratio of samples above which both sides of the background are shown.
+/// Both sides of the background are shown if the ratio of their samples is above this value.
 constexpr double SIMILAR = 0.2;
-/// Fraction of the samples of a side above which its last bin is padding.
+/// The last bin of a side is padding if it has more than this fraction of the side's samples.
 constexpr double PADDING = 0.9;
 
-/// Returns the means over about \a width bins.
+/// Returns the moving averages over about \a width bins.
 Counts Smooth(const Counts& counts, int width)
 {
   const int size = static_cast<int>(counts.size());
@@ -50,8 +52,8 @@ Counts Smooth(const Counts& counts, int width)
   return means;
 }
 
-/// Returns the highest bin. A wide window finds the peak with the most samples, and a narrow one
-/// its highest bin.
+/// Returns the highest bin of the peak with the most samples. A wide window finds the peak, and a
+/// narrow one its highest bin.
 int FindPeak(const Counts& counts, const Counts& smoothed)
 {
   const int size = static_cast<int>(counts.size());
@@ -83,7 +85,8 @@ struct Side
   {
     return static_cast<std::size_t>(distance) < this->Tail.size() ? this->Tail[distance] : 0.0;
   }
-  /// Returns true if there are few samples as far from the peak as those that \a other shows.
+  /// Returns true if this side has nothing to show, or far fewer samples than \a other at the
+  /// distances from the peak that both show.
   bool IsMinorTo(const Side& other) const
   {
     const int distance = std::max(this->Threshold, other.Threshold);
@@ -157,7 +160,7 @@ std::vector<Side::Step> Side::GetSteps(double least) const
   return steps;
 }
 
-/// Returns the points of labels; \a bins are those that have samples.
+/// Returns the points for a histogram of labels. \a bins are the bins with samples.
 Points FindLabelPoints(const ValueHistogram& histogram, const std::vector<int>& bins)
 {
   const auto background = std::max_element(bins.begin(), bins.end(),
@@ -246,7 +249,7 @@ std::vector<OpacityEstimate::Point> OpacityEstimate::Find(const ValueHistogram& 
       std::fill_n(counts.begin(), peak + upper.Threshold, 0.0);
       continue;
     }
-    // Of two sides, the same fraction of the samples is shown.
+    // If both sides are shown, show the same fraction of the samples on each.
     const double least =
       std::max({ LEAST, isLower ? lower.GetFraction() : 0.0, isUpper ? upper.GetFraction() : 0.0 });
     if (isLower)

@@ -35,8 +35,8 @@ struct ValueHistogram
  * - At least the rarest 10 % are shown. If more than 60 % are, the peak is padding or only a part
  *   of the background, and the next peak is removed too.
  * - Both sides of the background are shown if each has at least a fifth of the samples of the
- * other, as in the components of a velocity; otherwise only the side with more samples. A single
- * smallest value far below the background is padding and is not shown.
+ *   other, for example for a velocity component; otherwise only the side with more samples. A
+ *   single smallest value far below the background is padding and is not shown.
  * - The opacity rises with the number of samples, by a quarter for every quarter of the samples
  *   shown, up to 0.8 at the rarest 0.1 %.
  * - If there are at most 16 different values, they are labels. The most frequent label is

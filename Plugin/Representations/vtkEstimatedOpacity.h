@@ -9,8 +9,8 @@ class vtkSMProxy;
  * @class   vtkEstimatedOpacity
  * @brief   replaces ParaView's default opacity by one that is estimated from the data
  *
- * ParaView's default is a ramp from 0 to 1 over the range of the data, with which background and
- * noise hide the data. See OpacityEstimate for the estimate.
+ * ParaView's default is a ramp from 0 to 1 over the range of the data, so that background and noise
+ * hide everything else. See OpacityEstimate for the estimate.
  */
 namespace vtkEstimatedOpacity
 {

@@ -11,7 +11,7 @@ namespace
 {
 constexpr int NUMBER_OF_POINTS = 10000;
 
-/// Suppresses warnings, because the errors of a reader that fails in this test are irrelevant to
+/// Suppresses messages, because the errors of a reader that fails in this test are irrelevant to
 /// the user.
 class WarningSilencer
 {

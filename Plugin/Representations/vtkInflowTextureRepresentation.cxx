@@ -66,7 +66,7 @@ void vtkInflowTextureRepresentation::SetPulseLength(double fraction)
 {
   const double end = std::clamp(fraction, 0.0, 1.0);
   this->Gate->RemoveAllPoints();
-  // The sharpness of 1 makes the function piecewise constant.
+  // A sharpness of 1 makes the function piecewise constant.
   this->Gate->AddPoint(0.0, end > 0.0 ? 1.0 : 0.0, 0.0, 1.0);
   this->Gate->AddPoint(end, end > 0.0 ? 1.0 : 0.0, 0.0, 1.0);
   this->Gate->AddPoint(1.0, 0.0);

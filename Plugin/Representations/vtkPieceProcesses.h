@@ -14,7 +14,8 @@ namespace vtkPieceProcesses
 /**
  * Returns the controller if each of several processes renders its piece, or null if one process
  * renders everything. Only in the first case do all processes receive REQUEST_RENDER, so that they
- * may communicate during this request. Set \a isReduced if the view renders its level of detail.
+ * may communicate during this request. Set \a isReduced if the view renders at a reduced level of
+ * detail.
  */
 vtkMultiProcessController* Find(vtkView* view, bool isReduced);
 

@@ -21,9 +21,9 @@
  *   proxy tries again after the next change.
  * - If the array is listed in the XML hint Categories (ids 0, 1, ...), each id gets its own color,
  *   and all ids get the same opacity. Modified color and opacity functions remain unchanged.
- * - If there is an XML hint EstimatedOpacity, and the opacity function of another array is
- *   ParaView's default, a ramp from 0 to 1, it is estimated from the data once (see
- *   OpacityEstimate). Functions from a state file remain unchanged.
+ * - If there is an XML hint EstimatedOpacity, the array is not listed in Categories, and its
+ *   opacity function is ParaView's default, a ramp from 0 to 1, the function is estimated from the
+ *   data once (see OpacityEstimate). Functions from a state file remain unchanged.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkSMScalarVolumeRepresentationProxy
   : public vtkSMDisplayedVolumeRepresentationProxy

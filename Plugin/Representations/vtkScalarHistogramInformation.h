@@ -19,8 +19,8 @@ struct ValueHistogram;
  * @class   vtkScalarHistogramInformation
  * @brief   gathers the histogram of an array from all processes
  *
- * Gather it from a source. Of large arrays, about a million samples are counted in each
- * process and dataset, one at a varying position in each of as many parts of equal size.
+ * Gather it from a source. A large array is divided into about a million parts of equal size in
+ * each process and dataset, and one sample of each part is counted, at a varying position.
  */
 class INTERLUMEREPRESENTATIONS_EXPORT vtkScalarHistogramInformation : public vtkPVInformation
 {

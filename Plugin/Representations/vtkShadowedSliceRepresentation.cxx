@@ -56,8 +56,8 @@ void vtkShadowedSliceRepresentation::SetMapper(vtkPieceSliceMapper* mapper)
 void vtkShadowedSliceRepresentation::SetColor(vtkColorTransferFunction* color)
 {
   this->Functions->SetColor(color);
-  // The superclass reads the vector component from this function when it combines the opacity
-  // array, before the first rendering.
+  // The superclass reads the vector component from this function when it combines the color and
+  // opacity arrays, before the first rendering.
   this->Property->SetColor(color);
 }
 
@@ -234,7 +234,7 @@ int vtkShadowedSliceRepresentation::RequestData(
 int vtkShadowedSliceRepresentation::ShowImage(vtkImageData* image, vtkInformation* request,
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // The superclass requires that both arrays exist.
+  // The superclass requires both the color array and the opacity array.
   const bool hasOpacityArray = this->UseSeparateOpacityArray;
   this->UseSeparateOpacityArray = hasOpacityArray && this->CanCombineArrays(image);
   if (hasOpacityArray && !this->UseSeparateOpacityArray && image && this->FindColors(image))

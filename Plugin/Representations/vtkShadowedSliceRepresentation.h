@@ -158,7 +158,7 @@ private:
   vtkShadowedSliceRepresentation(const vtkShadowedSliceRepresentation&) = delete;
   void operator=(const vtkShadowedSliceRepresentation&) = delete;
 
-  /// Executes RequestData of the superclass for an image, or for a process without data if null.
+  /// Executes RequestData of the superclass for \a image, which is null in a process without data.
   int ShowImage(vtkImageData* image, vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector);
   /// Returns the color array, or null if the dataset lacks it.

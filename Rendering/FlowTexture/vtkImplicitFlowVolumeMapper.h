@@ -51,8 +51,8 @@ struct FlowVolumeRenderReport;
  *
  * **Shading.** If the property's Shade is on and ShadingArray is set, colors are lit by the
  * renderer's lights and the property's coefficients. With a one-component array, samples are shaded
- * as on isosurfaces whose normals point to lower values. With a three-component array, they are
- * shaded as on lines along the vectors. If the gradient or vector is zero, shading is isotropic.
+ * like isosurfaces whose normals point to lower values. With a three-component array, they are
+ * shaded like lines along the vectors. If the gradient or vector is zero, shading is isotropic.
  * Without Shadows, lights are directional or positional, without cones and attenuation.
  *
  * **Shadows.** With Shadows on, and a light with ShadowAttenuation above 0, the volume is drawn in
@@ -220,9 +220,9 @@ public:
   ///@{
   /**
    * Set/Get the number of columns and rows of each light buffer. 0, the default, uses twice the
-   * number of voxels across the volume as seen from the light, or only this number for a light in
-   * or near the volume. Use a larger size if a texture casts shadows that are finer than voxels.
-   * Valid: 0, or 16 to 8192, limited by the GPU; clamped.
+   * number of voxels across the volume as seen from the light, or just this number of voxels for a
+   * light in or near the volume. Use a larger size if a texture casts shadows that are finer than
+   * voxels. Valid: 0, or 16 to 8192, limited by the GPU; clamped.
    */
   void SetLightBufferSize(int size);
   vtkGetMacro(LightBufferSize, int);

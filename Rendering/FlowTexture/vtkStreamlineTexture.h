@@ -18,7 +18,7 @@ class vtkActor;
  * texture coordinates 0 to 1, with the same width in texels on every level. Farther away there are
  * fewer lines instead of gray. Levels are blended, so lines fade in as the surface gets closer. On
  * screen, lines are TexelsPerLine / sqrt(2) to sqrt(2) * TexelsPerLine pixels apart, in the screen
- * direction of their smallest distance. On closer surfaces, where this would require more than
+ * direction in which they are closest. On closer surfaces, where this would require more than
  * NumberOfLines lines, the distance and width of lines grow with the surface.
  *
  * Like other textures of an actor, the texture multiplies the surface's color after lighting. A

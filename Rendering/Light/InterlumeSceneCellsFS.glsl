@@ -5,7 +5,7 @@
 // Computes the fraction of a light that surfaces of the scene transmit to the cells of a grid, one
 // pixel per cell, averaged over eight positions.
 uniform mat4 unitFromCell;
-// Number of cells along x and y, and the columns and rows of the texture.
+// Number of cells along x and y, and number of columns and rows of the texture.
 uniform vec4 cellColumns;
 // VTK's quad helper reports an error if the shader does not use this.
 in vec2 texCoord;

@@ -14,7 +14,7 @@ vec4 occluderTexels4(sampler2D map, vec2 texel)
 }
 
 // Compares a surface with the four texels around a position. Returns 1 for each texel that does not
-// shade the surface, otherwise 0. Also returns the position between the texels (part), and the
+// shadow the surface, otherwise 0. Also returns the position between the texels (part), and the
 // depth gap between surface and occluder. The position is in normalized device coordinates of a
 // tile. tile contains the first column and row, the size, and the depth bias in units of
 // texelDepth. slope is the change of the surface's depth per unit of x and of y.

@@ -19,7 +19,7 @@ uniform vec3 emitterSides[3 * EMITTER_SIDES];
 // Per sample: offset from the light's position, or lateral offset per unit distance along the axis
 // of a directional light; scale and center of its window; its fraction of the light.
 uniform vec4 emitterSamples[3 * EMITTER_SAMPLES];
-// Columns of tiles, columns of a tile, and the bias in texels.
+// Number of tiles per row, number of columns per tile, and the bias in texels.
 uniform vec3 emitterTiles;
 
 // A position projected onto the map of a sample: tile, coordinates in the tile, slope, and the

@@ -37,7 +37,7 @@ uniform vec4 materials[ROWS];
 uniform vec3 ambient;
 #endif
 #if defined(SHADE) && !defined(CUSTOM_MEDIUM)
-// Per row, the change per voxel, in table columns, above which a sample is shaded as a surface.
+// Per table row, the change per voxel, in columns, above which a sample is shaded as a surface.
 uniform vec4 surfaceColumns;
 #endif
 #endif
@@ -85,7 +85,7 @@ vec3 samplePart = vec3(0.0);
 #endif
 
 #ifdef LIT
-// Per row: color, fraction of the extinction, normal, and surface weight from 0 to 1.
+// Per table row: color, fraction of the extinction, normal, and surface weight from 0 to 1.
 vec3 rowColors[ROWS];
 float rowFractions[ROWS];
 #if defined(SHADE) && defined(CUSTOM_MEDIUM)

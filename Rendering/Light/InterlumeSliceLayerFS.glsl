@@ -14,8 +14,8 @@ uniform sampler2D batch2;
 
 // Returns the mean of the layers, sharpened. Interpolating the layers and their mean blurs edges,
 // so that penumbras of a few texels would be too wide. Subtracting a fraction of the second
-// difference compensates for this, limited to the range of the neighbors. Small differences come
-// from the emitter's samples and are ignored.
+// difference compensates for this. The result is limited to the range of the neighbors. Small
+// differences come from the emitter's samples and are ignored.
 vec4 getSharpMean(vec2 at)
 {
   const float share = 0.5;

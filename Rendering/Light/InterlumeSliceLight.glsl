@@ -189,7 +189,7 @@ LIGHT getOutside_INDEX(vec3 l)
   getTexels_INDEX(buffer_INDEX, uv, texels, part);
   ivec2 corner = ivec2(floor(uv * vec2(textureSize(buffer_INDEX, 0)) - 0.5));
   // Rays that exit the volume before the slab keep their depth. Other depths scale with the path
-  // length, but by no more than the ratio of the rays' cosines with the normal.
+  // length, but by no more than the ratio of the cosines between the rays and the normal.
   float way = getDistanceToSlab_INDEX(l);
   float slope = max(dot(l, sliceNormal), 1e-6);
   for (int i = 0; i < 4; ++i)
@@ -206,8 +206,8 @@ LIGHT getOutside_INDEX(vec3 l)
 
 #endif
 #if defined(THICK) && !defined(WIDE_INDEX)
-// Returns the optical depth along l from the layer to x, in steps that grow away from x. Sets
-// isHard if extinction jumps in between.
+// Returns the optical depth along l from the layer to x, in steps that grow with the distance from
+// x. Sets isHard if extinction jumps in between.
 LIGHT getNearDepth_INDEX(vec3 x, vec3 l, inout bool isHard)
 {
   float whole =

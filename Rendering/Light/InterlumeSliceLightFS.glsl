@@ -3,8 +3,8 @@
 //INTERLUME::FEATURES
 
 // Computes a light's transmittance through one slab, which is multiplied into the buffer. For a
-// light inside or near the volume, the buffer accumulates optical depth times the ray's cosine with
-// the normal. This product varies smoothly along the slices, unlike the transmittance of
+// light inside or near the volume, the buffer accumulates optical depth times the cosine between
+// ray and normal. This product varies smoothly along the slices, unlike the transmittance of
 // increasingly long rays. place is in unit space or, for such a light, in its buffer, 0 to 1.
 in vec3 place;
 #ifdef WIDE

@@ -82,7 +82,7 @@ float lookUpBends(int first, int pieces, float share)
 #endif
 
 // A texel holds the values of its column and of the next column. If there are breakpoints between
-// these columns, it holds minus the position, and the size, of the list of breakpoints instead.
+// these columns, it holds the negated position and the size of the list of breakpoints instead.
 // With EDGES, two more components hold the factor and offset that map a fraction of the interval to
 // a fraction of its steep edge.
 float lookUp(sampler2D table, float column, int row)
@@ -146,7 +146,7 @@ vec2 lookUpSum(float column, int row)
 
 #if defined(TRANSMISSION) || defined(COLOR)
 // The fourth channel of a texel is the position of the list of breakpoints between its column and
-// the next one, the negative encoded ends of the edge there, or 0.
+// the next one, the negated encoded ends of the edge there, or 0.
 vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 {
   float column =
@@ -171,7 +171,7 @@ vec3 lookUpColor(sampler2D table, vec4 texel, int row)
 #endif
 #endif
 
-// Light has three channels with a transmission color, otherwise one. PART is the fraction of the
+// With a transmission color, light has three channels, otherwise one. PART is the fraction of the
 // extinction that affects each channel. It is 1 for a GRAY medium.
 #ifdef TRANSMISSION
 #define LIGHT vec3

@@ -18,8 +18,9 @@ void main()
 #else
   vec3 light = texel.CHANNELS;
 #ifdef DEPTH
-  // Optical depth along the octahedral map's direction times its cosine with the normal. The
-  // threshold is far above visible depths, so that interpolation keeps shadow edges in place.
+  // Optical depth along a direction of the octahedral map, times the cosine between that direction
+  // and the normal. The threshold is far above visible depths, so that interpolation keeps shadow
+  // edges in place.
   const float enough = 30.0;
   vec2 corner = texCoord * 2.0 - 1.0;
   vec2 across = vec2(corner.x + corner.y, corner.x - corner.y) * 0.5;

@@ -3,9 +3,9 @@
 //INTERLUME::FEATURES
 
 // Composites an image coarser than the viewport over the scene, as color times opacity. Each image
-// pixel ends at the surface visible at its center. Among the four pixels around a fragment, only
-// pixels that end near the fragment's own surface count. Otherwise, the volume behind a surface
-// would blend with the volume in front of it along the surface's edges.
+// pixel contains the volume up to the surface visible at its center. Of the four pixels around a
+// fragment, only those whose surface is near the fragment's own surface count. Otherwise, the
+// volume behind a surface would blend with the volume in front of it along the surface's edges.
 in vec2 texCoord;
 uniform sampler2D image;
 uniform vec2 imageSize;

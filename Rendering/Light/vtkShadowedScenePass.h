@@ -163,9 +163,9 @@ public:
   ///@{
   /**
    * Keys for vtkProp::SetPropertyKeys that control whether the prop's surfaces cast and receive
-   * shadows. The surfaces do if CASTS_SHADOWS and RECEIVES_SHADOWS are missing or not 0. Surfaces
-   * of an invisible prop cast shadows only if CASTS_SHADOWS_WHEN_INVISIBLE is not 0. Keys of an
-   * assembly or a level-of-detail prop apply to its parts.
+   * shadows. They do unless CASTS_SHADOWS or RECEIVES_SHADOWS, respectively, is 0. Surfaces of an
+   * invisible prop cast shadows only if CASTS_SHADOWS_WHEN_INVISIBLE is not 0. Keys of an assembly
+   * or a level-of-detail prop apply to its parts.
    */
   static vtkInformationIntegerKey* CASTS_SHADOWS();
   static vtkInformationIntegerKey* RECEIVES_SHADOWS();
@@ -174,8 +174,8 @@ public:
 
   ///@{
   /**
-   * Set or get the CASTS_SHADOWS and RECEIVES_SHADOWS keys of a prop. Default true, which removes
-   * the key. For a null prop, the getters return false.
+   * Set or get the CASTS_SHADOWS and RECEIVES_SHADOWS keys of a prop. Setting true, the default,
+   * removes the key. For a null prop, the getters return false.
    * - A prop that does not cast shadows is in no shadow map, so it shadows neither surfaces nor
    *   volumes.
    * - A prop that does not receive shadows gets the full light of each light source, including its
@@ -189,10 +189,10 @@ public:
 
   ///@{
   /**
-   * Set or get the CASTS_SHADOWS_WHEN_INVISIBLE key of an actor or assembly. Default false, which
-   * removes the key. An actor with this key and VisibilityOff() casts shadows on surfaces and in
-   * volumes without being drawn, for example a screen with holes that shapes beams of light. For a
-   * null prop, the getter returns false.
+   * Set or get the CASTS_SHADOWS_WHEN_INVISIBLE key of an actor or assembly. Setting false, the
+   * default, removes the key. An actor with this key and VisibilityOff() casts shadows on surfaces
+   * and in volumes without being drawn, for example a screen with holes that shapes beams of light.
+   * For a null prop, the getter returns false.
    */
   static void SetCastsShadowsWhenInvisible(vtkProp* prop, bool casts);
   static bool GetCastsShadowsWhenInvisible(vtkProp* prop);

@@ -39,8 +39,8 @@ public:
 
   /// Returns the GLSL source of the functions.
   virtual std::string GetSource() = 0;
-  /// Returns true if the medium reflects light by axes when the property's Shade is on. Otherwise
-  /// the medium scatters light isotropically.
+  /// Returns true if axisAt and reflectionOf define the reflection when the property's Shade is on.
+  /// Otherwise the medium scatters light isotropically.
   virtual bool HasReflection() = 0;
 
   ///@{

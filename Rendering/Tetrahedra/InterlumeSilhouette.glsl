@@ -5,7 +5,7 @@ uniform samplerBuffer points;
 uniform usamplerBuffer corners;
 uniform samplerBuffer volumes;
 // Rows of the matrix from mesh coordinates to pixel x, pixel y and eye z. Pixel x and y are not yet
-// multiplied by depth nor shifted by pixelOffset.
+// multiplied by depth or shifted by pixelOffset.
 uniform vec4 eyeRows[3];
 uniform vec2 pixelOffset;
 uniform vec2 viewport;

@@ -212,9 +212,9 @@ public:
   ///@{
   /**
    * Set/Get the name of the point array with the extent in time: one component, values >= 0, in the
-   * time unit of the extinction. Default null: use `DeltaT` if the input has this array, otherwise
-   * an extent of 1 everywhere. If the name is empty, the extent is 1 everywhere. Setting the name
-   * of a missing array is an error.
+   * same time unit as the extinction. Default null: use `DeltaT` if the input has this array,
+   * otherwise an extent of 1 everywhere. If the name is empty, the extent is 1 everywhere. Setting
+   * the name of a missing array is an error.
    */
   void SetDeltaTArrayName(const char* name);
   const char* GetDeltaTArrayName() const;

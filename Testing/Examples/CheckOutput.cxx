@@ -71,10 +71,10 @@ bool CheckMesh(int argc, char* argv[])
 constexpr int COLUMNS = 30;
 constexpr int ROWS = 20;
 
-/// Maximum difference of the mean colors of a block, of 255.
+/// Maximum difference of the mean colors of a block, from 0 to 255.
 constexpr double MAXIMUM_DIFFERENCE = 12.0;
 
-/// Returns the mean colors of the blocks, or null if the size of the image is not a multiple.
+/// Returns the mean colors of the blocks, or null if they do not divide the size of the image.
 vtkSmartPointer<vtkImageData> MeanOfBlocks(vtkImageData* image)
 {
   const int* size = image->GetDimensions();

@@ -146,7 +146,7 @@ double GetCoverage(int i, int period, double width)
   return static_cast<double>(covered) / parts;
 }
 
-/// Compares every level with the square wave.
+/// Compares every level with the exact coverage of its texels by lines.
 void TestLevels(Check& check, int lines, int texels, double width, int direction)
 {
   check.SetContext("levels of " + std::to_string(lines) + " lines of " + std::to_string(texels) +
@@ -341,7 +341,7 @@ void TestColors(Check& check)
   expect("half a background", { { 0.2, 0.4, 0.2 } }, { { 0.5, 0.45, 0.35 } });
 }
 
-/// A changed setting uploads the texture once, and drawing again does not. Resources can be
+/// A changed setting causes one upload of the texture. Drawing again causes none. Resources can be
 /// released.
 void TestUploads(Check& check)
 {

@@ -26,7 +26,7 @@ namespace
 
 namespace files = std::filesystem;
 
-/// A temporary directory of this process, removed at its end.
+/// A temporary directory of this process, removed when the process exits.
 class Folder
 {
 public:

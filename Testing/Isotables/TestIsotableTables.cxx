@@ -141,8 +141,8 @@ std::uint64_t Digest(const vtkIsotable& table)
   return digest;
 }
 
-// The tables equal the tables built from the hull of each case. The order of the output depends on
-// the order in the tables.
+// The tables equal the tables built from the hull of each case, including the order, which
+// determines the order of filter output.
 void TestDigests()
 {
   const struct

@@ -132,7 +132,7 @@ void CheckColumn(Check& check)
     batches.AreSeparated({ 0, 3 }, { 10, 10 }, 2), "seven slabs are not within two batches");
   const double thickness = 64.0 * sweep.Spacing;
   light.Center = glm::dvec4(0.0, 0.0, sweep.First - thickness, 1.0);
-  // By equation 2.14 of the dissertation, the total divergence is Divergence / (2 thickness).
+  // The total divergence is Divergence / (2 thickness) (C. Zhang, dissertation, equation 2.14).
   light.Divergence = 2.0 * 12.0 * thickness;
   batches.Build(sweep, light, { &polygons }, true);
   const auto getSeparation = [](int slab) { return 24.0 * slab / (64.0 + slab); };

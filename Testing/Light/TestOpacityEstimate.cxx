@@ -58,7 +58,7 @@ Values Round(Values values, double smallest, double largest)
   return values;
 }
 
-/// Estimates the opacity of values, of which those that are not finite do not affect the range.
+/// Estimates opacity from a histogram of values. Non-finite values do not affect its range.
 Points Estimate(const Values& values, bool areIntegers)
 {
   double range[2] = { std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest() };

@@ -38,8 +38,8 @@ struct Scene
   std::array<int, 2> Size{ { 0, 0 } };
 };
 
-// Creates a view along \a axis that shows a square of half size \a half around the center. The view
-// has perspective if \a distance is above 0.
+// Creates a view along \a axis that shows a square of edge length 2 * \a half around the center.
+// The view is perspective if \a distance is above 0, otherwise parallel.
 glm::dmat4 MakeView(Random& random, const glm::dvec3& axis, double half, double distance)
 {
   const glm::dvec3 across = Perpendicular(axis, GetDirection(random));
@@ -123,8 +123,8 @@ glm::dvec3 GetVertex(const interlume::PlaneTiles& tiles, std::size_t vertex)
   return { position[0], position[1], position[2] };
 }
 
-// Returns the number of rectangles of a slab that contain a pixel. The first and the third of six
-// vertices are opposite.
+// Returns the number of rectangles of a slab that contain a pixel. Each rectangle has six vertices;
+// the first and the third are opposite corners.
 int CountCover(
   const Scene& scene, const interlume::PlaneTiles& tiles, std::size_t slab, const glm::dvec2& pixel)
 {
@@ -199,7 +199,7 @@ void CheckPositions(Check& check, const Scene& scene, Random& random, int& seen)
   }
 }
 
-// Empty blocks have no tiles, and few tiles extend past visible blocks.
+// Empty blocks have no tiles, and the tiles of a single block extend little past it.
 void CheckAreas(Check& check)
 {
   check.SetContext("areas");

@@ -98,8 +98,8 @@ std::array<double, 4> Project(vtkMatrix4x4* matrix, const glm::dvec3& point)
   return to;
 }
 
-// Checks points of the screen and points on the rays through them. Rays start at the light's
-// position or are parallel to its axis.
+// Checks that points on a ray of the light are projected to the ray's point on the screen. Rays
+// start at the light's position or are parallel to its axis.
 void CheckMatrix(Check& check, vtkProjectiveLight* light, const glm::dvec3& position,
   const glm::dvec3& focalPoint, const glm::dvec3& up, double scale)
 {
@@ -152,7 +152,7 @@ void CheckMatrices(Check& check)
     light->SetViewUp(0.0, 0.0, 0.0);
     CheckMatrix(check, light, position, focalPoint, glm::dvec3(0.0, 1.0, 0.0), 1.0);
 
-    // A transform rotates z to x, and the up direction accordingly.
+    // The transform rotates the z-axis to the x-axis, and the up direction with it.
     vtkNew<vtkMatrix4x4> rotation;
     const double elements[16] = { 0, 0, 1, 10, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1 };
     rotation->DeepCopy(elements);

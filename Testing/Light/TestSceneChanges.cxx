@@ -43,7 +43,8 @@ struct State
   double Bias = 1.0;
 };
 
-// A scene that shows a state. It is either reused for many states or created for one state.
+// A scene that is rendered in a given state. It is either reused for many states or created for one
+// state.
 class Scene
 {
 public:

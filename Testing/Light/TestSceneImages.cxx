@@ -179,7 +179,7 @@ void TestShadow(Check& check)
 
 void TestEmitter(Check& check)
 {
-  // The two pixels have the mean color (1, 1/2, 0), relative to the brightest channel.
+  // The mean color of the two pixels is (1, 1/2, 0), scaled so that its brightest channel is 1.
   vtkNew<vtkImageData> image;
   image->SetDimensions(2, 1, 1);
   image->AllocateScalars(VTK_FLOAT, 3);

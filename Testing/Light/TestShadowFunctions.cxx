@@ -39,7 +39,7 @@ void ToShorts(vtkImageData* image)
   image->GetPointData()->SetScalars(shorts);
 }
 
-/// A sphere with values from 0 to 255 and a constant center.
+/// A sphere with values from 0 to 255, which are constant near the center.
 ShadowScene SphereScene(bool shade)
 {
   const Field sphere = MakeSphere(0.1, 0.45);

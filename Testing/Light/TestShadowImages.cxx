@@ -366,7 +366,7 @@ void TestTransforms(Check& check)
   ExpectReference(check, "matrix of the volume", scene, Cut);
 }
 
-/// The mapper's settings make frames finer or coarser, but otherwise do not change them.
+/// The mapper's settings change the accuracy of frames, but nothing else.
 void TestSettings(Check& check)
 {
   const auto scene = MakeScene(MakeImage(24, TwoBoxes), MakeSoftProperty(0.9, true));

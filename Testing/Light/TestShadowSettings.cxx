@@ -122,7 +122,8 @@ void TestTwoSidedLighting(Check& check)
 ReportCopy DrawAtRate(VolumeStage& stage, vtkShadowedSliceMapper* mapper, double rate)
 {
   stage.GetWindow()->SetDesiredUpdateRate(rate);
-  // The first frame at a new rate only measures the time, to which the second frame is adjusted.
+  // The first frame at a new rate only measures the rendering time; the second frame is adjusted to
+  // it.
   stage.GetWindow()->Render();
   stage.GetWindow()->Render();
   return CopyReport(mapper->GetReport());

@@ -36,7 +36,7 @@ void TestEdges(Check& check)
     const RgbaImage image = stage.Draw();
     const std::string name = "box, " + std::to_string(resolution);
     const double lit = std::sqrt(0.5);
-    // The shadow map covers the scene perpendicular to the light, 2 units along y.
+    // Perpendicular to the light, the shadow map covers 2 units along y.
     const double texel = 2.0 / resolution;
     const double pixel = 2.0 / 256.0;
     check.Near(stage.At(image, -0.6, 0.0), lit, 1e-4, name + ": lit");

@@ -367,7 +367,7 @@ void TestSelection(Check& check)
 
 void TestForeign(Check& check)
 {
-  // A custom shader with lights, but without VTK's light code.
+  // A custom shader that uses VTK's light uniforms, but not its lighting code.
   auto stage = MakeStage();
   vtkSmartPointer<vtkActor> sphere = MakeSphereActor({ { 0.0, 0.0, 0.8 } }, 0.2, 16);
   sphere->GetShaderProperty()->SetFragmentShaderCode("//VTK::System::Dec\n"

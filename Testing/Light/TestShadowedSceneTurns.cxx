@@ -22,7 +22,7 @@ using namespace reference;
 
 constexpr int STEPS = 90;
 
-// Checks second differences of the mean brightness, relative to the mean.
+// Checks that the mean brightness changes smoothly, by its second differences relative to the mean.
 void TestRotation(Check& check, bool isLightRotated)
 {
   SceneStage stage(64);

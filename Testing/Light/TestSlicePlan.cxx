@@ -66,7 +66,7 @@ Camera MakeParallel(const glm::dvec3& direction)
 }
 
 // Returns a perspective camera with a square frame. \a tangent is the tangent of half the view
-// angle. If it is 0, the matrix is not set.
+// angle. If \a tangent is 0, the matrix is not set.
 Camera MakePerspective(const glm::dvec3& position, const glm::dvec3& direction, double tangent)
 {
   Camera eye;
@@ -271,8 +271,8 @@ void CheckSweeps(Check& check, const interlume::SlicePlan& plan, const Camera& e
       }
       ++narrow[index];
       const std::vector<glm::dvec3> rays = GetRays(source, corners);
-      // A directional light has only one direction. A camera close to the volume restricts the
-      // normals further.
+      // Directional lights are never wide, so a camera close to the volume may reduce their cosine
+      // further.
       const double minimum = source.IsPositional ? interlume::SlicePlan::WideCosine - 1e-9 : 0.05;
       check.That(
         GetMinimum(rays, sweep.Normal) >= minimum, "minimum cosine of a light that is not wide");
@@ -583,7 +583,7 @@ void CheckHalves(Check& check)
   const interlume::SlicePlan plan = Plan(eye, { inside }, space);
   check.That(plan.IsOfFirstImage(0) && plan.IsOfFirstImage(1) && !plan.HasFurtherImages(),
     "a light inside: one image");
-  // The half on the camera's side of another light is shared.
+  // With two lights, the back-to-front sweep starts at the light farther from the camera.
   const interlume::LightSource far = MakePositional(glm::dvec3(0.0, 0.0, -0.2));
   check.That(count({ inside, far }) < 1.8 * full, "two lights inside: fewer than two sweeps");
   const interlume::SlicePlan two = Plan(eye, { inside, far }, space);
@@ -726,8 +726,8 @@ void CheckScreens(Check& check)
   }
 }
 
-// A camera that is too far away has no finite position. The view direction is used instead of rays
-// to vertices.
+// A camera that is extremely far away has no finite position. The view direction is used instead of
+// rays to vertices.
 void CheckEyeWithoutPosition(Check& check)
 {
   const interlume::UnitSpace space = MakeCube();

@@ -302,7 +302,7 @@ void CheckScene(Check& check, const Scene& scene, Random& random, bool hasTies)
     }
     for (std::size_t i = 0; i < triangles.size(); i += 7)
     {
-      // Test points on edges. Two triangles share most of the edges.
+      // Test points on edges. Most edges are shared by two triangles.
       for (std::size_t edge = 0; edge < 3; ++edge)
       {
         const Point& a = triangles[i][edge];

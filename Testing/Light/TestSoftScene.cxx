@@ -150,8 +150,8 @@ void TestReference(Check& check)
   TestCase(check, setting);
   setting.Name = "plate as wide as the smoke, far above a floor";
   setting.Actors = { MakeFloor(-2.0), MakeBox({ { -0.5, 0.5, -0.5, 0.5, 0.6, 0.65 } }) };
-  // For many points, the plate and the smoke block the same part of the light. The product of their
-  // means would have a mean error of 0.013.
+  // For many points, the plate and the smoke block the same part of the light. Multiplying their
+  // mean transmittances would cause a mean error of 0.013.
   setting.Bound = { 0.08, 0.005 };
   TestCase(check, setting);
   setting.Samples = { 16 };

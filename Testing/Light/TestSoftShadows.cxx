@@ -145,7 +145,7 @@ void TestHalfPlane(Check& check)
 }
 
 /// Errors of a half plane's penumbra: relative error of the width, root mean square error of the
-/// profile relative to its position, and signed relative error of the best-fitting ramp width.
+/// profile after aligning its edge, and signed relative error of the best-fitting ramp width.
 struct PenumbraError
 {
   double Width = 0.0;
@@ -263,8 +263,8 @@ void TestShapes(Check& check)
   }
 }
 
-/// With ACCUMULATED_CONVOLUTION, the published method, the spread grows only with the square root
-/// of the number of convolutions. Its penumbra is narrower than the exact penumbra, and narrows
+/// With ACCUMULATED_CONVOLUTION, the published method, the blur grows only with the square root of
+/// the number of convolutions. The penumbra is narrower than the exact penumbra, and narrows
 /// further with finer buffers.
 void TestConvolution(Check& check)
 {

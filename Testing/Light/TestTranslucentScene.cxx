@@ -150,7 +150,8 @@ void TestPositions(Check& check)
       const auto stage = MakeStage(one.Squares, lights[i], i != 1);
       const std::string name = std::string(names[i]) + ", " + one.Name;
       const double fraction = Compare(*stage, lights[i], name);
-      // Edges of smoke have errors without squares, too. The edges of a square add a row of pixels.
+      // Edges of smoke cause errors even without squares. Edges of a square cause errors in one
+      // more row of pixels.
       edges = one.Squares.empty() ? fraction : edges;
       check.Near(
         fraction, 0.0, edges + 0.02, name + ": fraction of pixels with an error above 0.002", 1.0);

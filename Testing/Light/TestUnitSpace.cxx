@@ -65,8 +65,8 @@ void CheckNear(Check& check, const glm::dvec3& found, const glm::dvec3& expected
   check.Near(interlume::Vectors::SafeLength(found - expected) / length, 0.0, tolerance, what, 1.0);
 }
 
-// Compares points with the points of the vtkImageData. \a far is the distance of the volume from
-// the origin, relative to its size.
+// Compares transformed points with the points of the vtkImageData. \a far is the distance of the
+// volume from the origin, relative to its size.
 void CheckPoints(Check& check, Scene& scene, Random& random, double far)
 {
   const interlume::UnitSpace& space = scene.Space;

@@ -288,7 +288,7 @@ void CheckErrors(Check& check)
 
 void CheckThreads(Check& check)
 {
-  // Zeros of both signs and masked voxels, in more than one block of work.
+  // Zeros of both signs and masked voxels, in a volume large enough for several threads.
   vtkNew<vtkDoubleArray> array;
   array->SetNumberOfComponents(2);
   array->SetNumberOfTuples(60 * 60 * 50);

@@ -187,7 +187,7 @@ void CheckExtreme(Check& check)
     {
       notFinite += !std::isfinite(values->GetComponent(p, 0));
     }
-    // Values at the point itself and at new points on adjacent triangles may be non-finite.
+    // Values at point 5 itself and at new points on adjacent triangles may be non-finite.
     check.That(notFinite <= (std::isfinite(bad) ? 0 : 100), "the other values remain finite");
   }
 }

@@ -100,8 +100,8 @@ void CheckConcave(Check& check)
       AddLinearField(mesh, Function);
       const auto report = CheckMesh(mesh, 4.0L * blocks[0] * blocks[1] * blocks[2], check);
       check.Equal(report->GetCount("Cells"), mesh->GetNumberOfCells(), "cells decomposed");
-      // The sides in x and in y have 2 x 6 x 4 squares each, top and bottom have 3 x 3 x 4 squares
-      // each. Each square has two triangles.
+      // The four sides perpendicular to x and y have 6 x 4 squares each, top and bottom 6 x 6
+      // squares each. Each square has two triangles.
       check.Equal(OuterFaces(mesh), 2 * (2 * (6 * 4) + 2 * (6 * 4) + 2 * 36), "outer faces");
       if (seed == 1)
       {
@@ -197,7 +197,7 @@ void CheckGhosts(Check& check)
 }
 
 /// Two blocks with different point orders split their common faces in the same way if they have
-/// global ids, of any type.
+/// global ids of any integer type.
 void CheckBlocks(Check& check)
 {
   std::vector<IdStorage> storages = AllIdStorages();

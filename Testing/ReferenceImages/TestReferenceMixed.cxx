@@ -229,7 +229,8 @@ double GetRoundFraction(double s)
   return 0.5 + (std::asin(x) + x * std::sqrt(1.0 - x * x)) / vtkMath::Pi();
 }
 
-/// A half plane between a light of size L and a plate casts a penumbra of width L dZ / Z.
+/// A half plane at height dz above a plate and at depth z below a light of size L casts a penumbra
+/// of width L dz / z.
 void TestPenumbra(Check& check)
 {
   const double size = 0.5;

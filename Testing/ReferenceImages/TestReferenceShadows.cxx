@@ -127,7 +127,8 @@ void TestCuts(Check& check)
   ExpectCenter(check, scene, Gray(along), alpha, "clipped");
 }
 
-/// The opacity at distance t along the light is s t. The optical depth integrates -ln(1 - s t).
+/// At distance t along the light, the opacity is s t, and the optical depth is the integral of
+/// -ln(1 - s t).
 void TestLinear(Check& check)
 {
   const double s = 0.9;

@@ -238,8 +238,8 @@ void TestLights(Table& table)
   draw("lights-16", "sixteen lights on all sides", many);
 }
 
-/// Replaces the lights by lights from all directions with total intensity 1. They illuminate each
-/// face of a cube like uniform light, of which a quarter reaches the face.
+/// Replaces the lights by lights from all directions with total intensity 1. Each face of a cube
+/// receives a quarter of this intensity, as from uniform light.
 void SetUniformLight(ShadowScene& scene)
 {
   scene.Lights.clear();
@@ -315,7 +315,7 @@ void TestRandomSettings(Table& table, int settings, bool isThin)
     scene.Property->SetScalarOpacityUnitDistance(
       std::pow(10.0, uniform(isThin ? -1.0 : -3.0, 2.0)));
     SetUniformLight(scene);
-    // One draw in each statement: compilers evaluate arguments in different orders.
+    // Draws random numbers in a fixed order: compilers evaluate arguments in different orders.
     const Double3 position{ { uniform(-1.0, 1.0), uniform(-1.0, 1.0), -1.0 } };
     scene.Camera = LookAt(scene.Image, position, random() % 2 == 0);
     const int mode = 1 + static_cast<int>(random() % 3);

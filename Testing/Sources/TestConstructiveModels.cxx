@@ -67,7 +67,7 @@ double CheckBox(int model, Check& check)
     sum += density;
     for (int axis = 0; axis < 3; ++axis)
     {
-      // The samples of a cell extend by another half of the spacing.
+      // The subsamples of a point extend half the spacing to each side.
       outside += density > 0.0 &&
         (x[axis] + 0.5 * spacing[axis] < box[2 * axis] ||
           x[axis] - 0.5 * spacing[axis] > box[2 * axis + 1]);

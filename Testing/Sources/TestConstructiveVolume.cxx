@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Arrays of every output mode compared with samples of the root, equation 2.7 of the dissertation,
-// subsamples, and colors next to objects. Also tests pieces, threads, progress, abort, the bounds
-// of a root, and errors.
+// Arrays of every output mode compared with samples of the root, equation 2.7 of C. Zhang's
+// dissertation, subsamples, and colors next to objects. Also tests pieces, threads, progress,
+// abort, the bounds of a root, and errors.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"

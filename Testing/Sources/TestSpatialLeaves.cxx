@@ -31,7 +31,7 @@ using Sample = vtkSpatialObject::Sample;
 void CheckImplicit(Check& check)
 {
   check.SetContext("implicit");
-  // The sphere x^2 + y^2 + z^2 - 1. Its values are not distances.
+  // The sphere x^2 + y^2 + z^2 - 1 = 0. The values of this function are not distances.
   vtkNew<vtkQuadric> sphere;
   sphere->SetCoefficients(1.0, 1.0, 1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -1.0);
   vtkNew<vtkSpatialPrimitive> object;
@@ -161,8 +161,8 @@ void CheckImage(Check& check)
   object->SetColorArrayName(nullptr);
   object->Evaluate(x, sample);
   check.Near(sample.Color[0], 1.0, 0.0, "red without an array");
-  // Between the last two points of a row. The second-to-last value is also 100, so half of it
-  // contributes.
+  // Between the last two points of a row, of which the last is NaN. The other value is 100, and
+  // half of it contributes.
   values->SetComponent(image->GetNumberOfPoints() - 2, 0, 100.0);
   values->SetComponent(image->GetNumberOfPoints() - 1, 0, std::nan(""));
   values->Modified();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Every shape compared with its definition, soft and hard, translated and rotated. Also tests
-// equation 2.7 of the dissertation, volumes whose error is proportional to the spacing, tiny and
-// huge sizes, and rejected sizes.
+// equation 2.7 of C. Zhang's dissertation, volumes whose error is proportional to the spacing, tiny
+// and huge sizes, and rejected sizes.
 #include "Support/Checks/ReferenceCheck.h"
 #include "Support/Checks/ReferenceMessages.h"
 #include "Support/Checks/ReferenceProgress.h"

@@ -77,7 +77,8 @@ vtkIdType ComparePart(vtkDataSet* part, vtkDataSet* whole, Check& check)
   return point;
 }
 
-// Modified() is necessary, because the pipeline would reuse the full output for every subextent.
+// Modified() is necessary, because otherwise the pipeline would reuse the full output for every
+// subextent.
 void CheckParts(const TemporalSource& source, vtkDataSet* whole, Check& check)
 {
   const Extent all = GetExtent(whole);

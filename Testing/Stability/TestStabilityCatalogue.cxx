@@ -44,7 +44,7 @@ void TestExitCodes()
 }
 
 /// Creates a program and the list of tests. Call this before writing reports, which must not be
-/// older.
+/// older than the program.
 void ListTests(const std::string& folder, const std::vector<std::string>& tests)
 {
   std::filesystem::create_directories(folder);

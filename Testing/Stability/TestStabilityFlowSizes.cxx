@@ -38,8 +38,8 @@ using namespace stability;
 constexpr double Lower = -2.1;
 constexpr double Width = 4.4;
 constexpr int Cells = 6;
-/// Powers of 2 close to 1e-160, 1e-100, 1e-12 and so on. They only change exponents. Therefore
-/// rounding cannot put a sample on the other side of a surface.
+/// Powers of 2 close to 1e-160, 1e-100, 1e-12 and so on. Scaling by them changes only exponents.
+/// Therefore rounding cannot put a sample on the other side of a surface.
 const double Sizes[] = { std::ldexp(1.0, -532), std::ldexp(1.0, -332), std::ldexp(1.0, -40),
   std::ldexp(1.0, 40), std::ldexp(1.0, 332), std::ldexp(1.0, 532) };
 
@@ -174,8 +174,8 @@ void SetFlow(vtkDataSet* field, double size, double speed)
     });
 }
 
-/// Returns the largest difference after division by \a scale, or NaN if sizes differ or a value is
-/// not finite. Surface parameters are compared as angles.
+/// Returns the largest difference after division by \a scale, or NaN if array sizes differ or a
+/// value is not finite. Surface parameters are compared as angles.
 double Compare(vtkFieldData* data, vtkFieldData* expected, const std::string& name, double scale,
   bool isPeriodic = false)
 {

@@ -148,8 +148,8 @@ void SetInput(vtkTimeSlabWriter* writer, double first, double last, int steps)
   writer->SetInterval(0, -0.5, 0.25);
 }
 
-/// Returns the hypervolume of the tetrahedra of all slabs, weighted by the extent in time. Returns
-/// NaN if a file is missing.
+/// Returns the sum of the volumes of the tetrahedra of all slabs, each multiplied by its mean
+/// DeltaT, or NaN if a file is missing.
 double MeasureSlabs(const files::path& folder, int slabs)
 {
   double sum = 0.0;

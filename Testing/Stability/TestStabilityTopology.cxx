@@ -48,8 +48,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeBarePoint()
   return grid;
 }
 
-/// Returns the distance between the critical point and its exact position, or NaN if there is not
-/// exactly one.
+/// Returns the distance between the critical point and its exact position, or NaN if not exactly
+/// one critical point is found.
 double ErrorOfPoint(vtkDataSet* data, const FlowMatrix& matrix, const FlowVector& center)
 {
   SetVelocity(data, LinearField(matrix, center));

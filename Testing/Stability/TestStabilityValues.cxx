@@ -60,7 +60,8 @@ double VolumeOf(vtkDataSet* mesh, const std::vector<Interval>& intervals)
   return static_cast<double>(MeasureTetrahedra(ExtractIntervals(mesh, intervals).Volume).Sum);
 }
 
-/// Returns NaN, which fails the case, if there is nothing to compare.
+/// Returns the error relative to the domain's volume, or NaN, which fails the case, if \a expected
+/// is 0.
 double RelativeError(double found, double expected)
 {
   return expected > 0 ? std::abs(found - expected) / DomainVolume : std::nan("");

@@ -311,8 +311,8 @@ std::array<double, 4> ExpectSlabs(const PixelSegment& segment, vtkVolume* volume
   return color;
 }
 
-/// Compares all pixels with the slabs of their segments, which \a clip may shorten. OpenGL may
-/// round an edge of a tetrahedron to the other side of a pixel's center.
+/// Compares all pixels with the composited slabs along their segments, which \a clip may shorten.
+/// OpenGL may round an edge of a tetrahedron to the other side of a pixel's center.
 void CompareSlabs(Check& check, Scene& scene, const RgbaImage& image, const std::string& name,
   const std::function<void(PixelSegment&)>& clip = {})
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests a plate of constant hypercubes projected along time. With the extent in time, the opacity
-// is 1 - exp(-tau * duration * length) for any view (figure 3.19 of the dissertation). Without it,
-// overlapping tetrahedra are visible (figure 3.14).
+// is 1 - exp(-tau * duration * length) for any view (figure 3.19 of C. Zhang's dissertation).
+// Without it, overlapping tetrahedra are visible (figure 3.14).
 #include "Support/Arrays/ReferenceIndices.h"
 #include "Support/Images/HypercubePlate.h"
 #include "Support/Drawing/ImageCases.h"
@@ -55,7 +55,7 @@ struct Opacity
   double Deviation = 0.0;
   /// Largest difference from 1 - exp(-depth), for color and opacity.
   double Error = 0.0;
-  /// Number of pixels with a larger error than OUTLIER, which mean and deviation exclude.
+  /// Number of pixels with an error above OUTLIER, which the mean and deviation exclude.
   int Outliers = 0;
 };
 

@@ -340,7 +340,8 @@ void TestSlab(Check& check, int path, bool parallel, const Point3& direction, do
   }
   std::cout << name << ": " << largest << " in " << inside << " pixels\n";
   check.That(inside > 300, name + ": the slab is visible");
-  // Thin remainders of tetrahedra at the near plane have the mapper's general error bound.
+  // Thin remainders of tetrahedra cut by the near plane have larger errors, up to the mapper's
+  // general bound.
   check.Near(largest, 0.0, cut < 0.0 ? 1e-4 : 1e-3, name, 1.0);
 }
 

@@ -48,7 +48,7 @@ void AddScalars(vtkUnstructuredGrid* grid, Random& random)
 
 /// Returns columns of triangular prisms along z, with three tetrahedra per prism, over a
 /// triangulated square with random points. The points of each layer are displaced by up to \a
-/// shift, so that columns nearly coincide along z, or exactly if \a shift is 0.
+/// shift, so that layers nearly coincide when seen along z, or exactly if \a shift is 0.
 vtkSmartPointer<vtkUnstructuredGrid> MakeColumns(
   int cells, const std::vector<double>& layers, double shift, Random& random)
 {

@@ -126,7 +126,7 @@ void CopyGrid(Scene& scene)
   scene.What.Grid = copy;
 }
 
-/// Replaces the grid by another shape that uses the same point array objects.
+/// Replaces the grid by a different one that uses the same point array objects.
 void ReplaceShape(Scene& scene, vtkSmartPointer<vtkUnstructuredGrid> grid)
 {
   for (const char* name : { "f", "extent" })
@@ -188,7 +188,7 @@ void ExpectOnlyValues(Check& check, vtkInterlumeReport* report, const std::strin
   check.Equal(report->GetCount("UploadedOrderBytes"), 0, what + ": no order is uploaded");
 }
 
-/// Tests all methods of changing only the values.
+/// Tests all ways of changing only the values.
 void TestValues(Check& check, int path)
 {
   Scene scene(path, Blend::Composite);

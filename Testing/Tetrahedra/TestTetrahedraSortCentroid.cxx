@@ -67,7 +67,7 @@ void CheckFloatKeys(Check& check)
 }
 
 // Returns a measure of each tetrahedron, from the sum of its corners minus four times the eye
-// position: the square of this vector, or its component along the view direction.
+// position: the squared length of this vector, or its component along the view direction.
 std::vector<double> Measure(const interlume::TetrahedraMesh& mesh, const interlume::Viewpoint& view)
 {
   std::vector<double> measures;

@@ -17,8 +17,8 @@ namespace
 using namespace reference;
 using Point = std::array<double, 3>;
 
-// Returns a long tetrahedron from a point on a circle to the point a third of the circle further,
-// sinking from z = 0.1 to z = -0.1. Each of the three rests on the previous one.
+// Returns a long tetrahedron from a point on a circle to the point 120 degrees further, descending
+// from z = 0.1 to z = -0.1. Each of the three tetrahedra rests on the previous one.
 std::array<Point, 4> MakeStick(int third)
 {
   const double pi = std::acos(-1.0);

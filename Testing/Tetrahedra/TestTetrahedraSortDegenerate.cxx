@@ -158,7 +158,7 @@ void CheckInvalid(Check& check)
   meshes.emplace_back("folded", mesh);
 
   mesh = cubes;
-  // Flat: a point is moved to its neighbor.
+  // Flat: a point is moved to the position of its neighbor.
   std::copy_n(&mesh.Points[3 * 63], 3, &mesh.Points[3 * 62]);
   meshes.emplace_back("flat", mesh);
 

@@ -25,7 +25,7 @@ namespace
 {
 using Suites = std::vector<BenchSuite>;
 
-/// Command-line arguments: the common options of the suites, and others.
+/// Command-line arguments: the common options of the suites and the options of this program.
 struct Arguments
 {
   BenchOptions Options;

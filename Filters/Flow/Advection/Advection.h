@@ -448,8 +448,8 @@ private:
     {
       return false;
     }
-    // Alternating between two cells would never end. It results from rounding, or from velocities
-    // that point toward the face on both sides.
+    // Prevent endless alternation between two cells, caused by rounding or by velocities that point
+    // toward the face on both sides.
     this->Crossings =
       this->Field.GetCell() == this->CellBefore ? MaximumCrossings : this->Crossings + 1;
     this->CellBefore = from;

@@ -14,11 +14,11 @@ namespace interlume
  * @class   DormandPrinceStep
  * @brief   one step of the Dormand-Prince method of order 5(4), with dense output of order 4
  *
- * J. R. Dormand and P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comp. Appl. Math.
- * 6 (1980). For the dense output and the stiffness test see E. Hairer, S. P. Norsett and G. Wanner,
- * "Solving Ordinary Differential Equations I", section II.6, and volume II, section IV.2. The rate
- * at the end of a step is the first rate of the next one. \a Number is double, or a SimdPack for
- * several streamlines.
+ * See J. R. Dormand and P. J. Prince, "A family of embedded Runge-Kutta formulae", J. Comp. Appl.
+ * Math. 6 (1980). For the dense output and the stiffness test see E. Hairer, S. P. Norsett and G.
+ * Wanner, "Solving Ordinary Differential Equations I", section II.6, and volume II, section IV.2.
+ * The rate at the end of a step is the first rate of the next one. \a Number is double, or a
+ * SimdPack for several streamlines.
  */
 template <typename Number>
 class DormandPrinceStep

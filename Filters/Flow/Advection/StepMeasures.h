@@ -38,7 +38,7 @@ public:
    *
    * In a direction in which errors decay as exp(-t / d), the errors e of all steps of time h
    * accumulate to e / (1 - exp(-h / d)) instead of e t / h. With 1 - exp(-z) ~ z / (1 + z), and
-   * limited to the time t, the sum is (h + d) / (t + d) times e t / h. \a time is t: the time to
+   * over a finite time t, the sum is (h + d) / (t + d) times e t / h. \a time is t: the time to
    * cross the cell, or the time since the start if shorter.
    */
   template <typename Walker, typename Method>

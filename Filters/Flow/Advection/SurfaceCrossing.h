@@ -95,8 +95,8 @@ public:
   }
 
   /**
-   * Finds the crossing again on a shorter step, which overshoots it by Margin. Returns None if
-   * there is no crossing.
+   * Finds the crossing on the repeated, shorter step, which overshoots it by Margin. Returns None
+   * if there is no crossing.
    */
   template <typename GetPositionAt>
   double Refine(GetPositionAt& getPosition, int surface)

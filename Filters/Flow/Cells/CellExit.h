@@ -166,8 +166,8 @@ private:
     return first;
   }
 
-  /// Finds the theta at which the distance falls below -slack, and returns it moved back to where
-  /// the distance is 0.
+  /// Finds the theta at which the distance falls below -slack, moves back to the zero of the
+  /// distance, and returns its theta.
   static double FindCrossing(double* b, int degree, double slack)
   {
     for (int i = 0; i <= degree; ++i)

@@ -43,9 +43,9 @@ public:
 
   /**
    * Calls visit(cell) for a superset of the cells that contain \a x, namely all cells of the leaves
-   * whose boxes contain \a x, in a fixed order, until a call returns true. Returns whether this
-   * happened. The boxes are inflated by more than in InterpolatedCell::IsInBox. Therefore the
-   * assignment of cells to leaves does not affect the result.
+   * whose boxes contain \a x, in a fixed order, until a call returns true. Returns whether a
+   * call returned true. The boxes are inflated by more than in InterpolatedCell::IsInBox. Therefore
+   * the assignment of cells to leaves does not affect the result.
    */
   template <typename Visitor>
   bool Visit(const double x[3], Visitor&& visit) const;

@@ -30,7 +30,7 @@ void InterpolatedCell::EvaluateSecondDerivatives(
   const Trilinear& polynomial, const double p[3], double second[3][3][3]) const
 {
   double mixed[3][4];
-  // Second derivatives of x y / (1 - z), the only nonlinear term of a pyramid, as factors of its
+  // Second derivatives of x y / (1 - z), the only nonlinear term of a pyramid, without its
   // coefficient.
   double factors[3][3] = {};
   const bool isPyramid = this->Shape == CellShape::PYRAMID;

@@ -17,7 +17,7 @@ namespace interlume
  * @class   ArcWalk
  * @brief   traces a streamline by arc length, with fixed steps of the classical Runge-Kutta method
  *
- * It solves dx/ds = +-v / |v| in world space. Tracing stops if a step would leave the field, if the
+ * Solves dx/ds = +-v / |v| in world space. Tracing stops if a step would leave the field, if the
  * velocity is not finite or not faster than MinimumSpeed, or if the direction changes by more than
  * 90 degrees in a step, for example at a sink.
  */

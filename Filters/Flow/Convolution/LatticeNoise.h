@@ -14,8 +14,8 @@ namespace interlume
  *
  * Independent uniform values at the points of an integer lattice are interpolated along each axis
  * with the weight 6 t^5 - 15 t^4 + 10 t^3. A lattice value is a hash of the three indices and the
- * seed. The finalizer of SplitMix64 mixes the hash after adding the seed and after adding each
- * index (Steele, Lea and Flood, OOPSLA 2014). The noise is identical on all machines.
+ * seed. The finalizer of SplitMix64 mixes the hash after the seed and after each index is
+ * added (Steele, Lea and Flood, OOPSLA 2014). The noise is identical on all machines.
  */
 class LatticeNoise
 {

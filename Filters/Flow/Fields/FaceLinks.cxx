@@ -22,8 +22,8 @@ using FillBlock = FaceLinks::FillBlock;
 using CellPoints = FaceLinks::CellPoints;
 using SetLink = FaceLinks::SetLink;
 
-// A face, its rotation relative to canonical order, and the points that follow the first in that
-// order.
+// A face, its rotation relative to canonical order, and its points in that order, without the
+// first one.
 template <typename Id>
 struct Entry
 {
@@ -121,8 +121,8 @@ void Match(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
 /// Location of a face.
 struct FaceLocation
 {
-  /// Position along a line that is not aligned with typical grids. Coincident faces are adjacent in
-  /// this order.
+  /// Position along a line that is not aligned with typical grids. Sorted by this position,
+  /// coincident faces are adjacent.
   double Along;
   double Center[3];
   double Width;

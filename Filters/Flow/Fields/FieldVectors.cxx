@@ -24,7 +24,7 @@ namespace interlume
 
 namespace
 {
-// Describes the point arrays that could be used.
+// Describes the point arrays that could be used as vectors.
 std::string DescribeVectors(vtkDataSet* data)
 {
   std::string names;

@@ -27,7 +27,7 @@ namespace interlume
  * A field is constant after it is built, and any number of threads may read it. Subclasses for the
  * dataset types add the geometry and `Error Build(dataset, vectors, arrays, progress)`, which
  * returns an error if the field is invalid. An abort is not an error, but the field must not be
- * used afterward. Arrays may have any type and live as long as the field.
+ * used afterward. Arrays may have any type. The field keeps them alive.
  *
  * Cells that are hidden or refined, or that have a hidden point, are excluded. Duplicate cells,
  * whose originals are in another piece, are included.
@@ -50,7 +50,7 @@ public:
   void GetVector(vtkIdType point, double vector[3]) const { this->Vectors.Get<3>(point, vector); }
   const ArrayRows& GetVectorRows() const { return this->Vectors; }
   void PrefetchVector(vtkIdType point) const { this->Vectors.Prefetch<3>(point); }
-  /// Returns the value at a point of the array with index \a array.
+  /// Returns the value of the array with index \a array at a point.
   double GetValue(int array, vtkIdType point) const
   {
     double value;

@@ -37,8 +37,8 @@ Error ImageFlowField::Build(vtkImageData* image, vtkDataArray* vectors,
       this->Origin[i] += this->Axes[i][j] * extent[2 * j];
     }
   }
-  // The inverse is computed from cross products of the columns. Scaling the columns to about 1
-  // avoids overflow for any spacing.
+  // The inverse is computed from cross products of the columns. Scaling the columns to a
+  // length of about 1 avoids overflow for any spacing.
   double scales[3];
   for (int j = 0; j < 3; ++j)
   {

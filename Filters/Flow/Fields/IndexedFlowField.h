@@ -165,8 +165,8 @@ protected:
   /// Counts the speeds at the points of the cells for whose indices \a isCounted returns true.
   SpeedCount CountHeldSpeeds(const std::function<bool(const int index[3])>& isCounted) const;
 
-  /// Finds the cell as FindIndex() does. If that cell is excluded, finds an included cell with the
-  /// same position on its boundary.
+  /// Finds the cell as FindIndex() does. If that cell is excluded, finds an included cell with that
+  /// position on its boundary.
   bool Find(const double q[3], const double slack[3], CellLocation& location, double p[3]) const;
 
   /// Calls visit(point) for the corners of the neighbor across a face that are not on the face.

@@ -92,7 +92,7 @@ struct PointKey
 };
 
 /// Assigns merged ids: points with equal coordinates get the id of the first. Returns the number of
-/// merged points.
+/// ids.
 vtkIdType NumberPoints(std::vector<Part>& parts)
 {
   std::vector<PointKey> keys;

@@ -95,8 +95,8 @@ protected:
     FaceLinks::Link Link;
   };
 
-  /// Builds a tree of the cells for which \a isCounted returns true, or of all cells if it is
-  /// empty.
+  /// Builds a tree of the cells for which \a isCounted returns true, or of all cells if \a
+  /// isCounted is empty.
   void BuildTree(const std::function<bool(const CellLocation&)>& isCounted = {},
     const CellTree::Unite& unite = {});
   /// Returns the outer faces of the cells with indices from \a first to \a last, in ascending

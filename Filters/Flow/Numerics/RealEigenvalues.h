@@ -11,7 +11,7 @@ namespace interlume
 namespace RealEigenvalues
 {
 /**
- * Computes three complex numbers (real part, imaginary part), sorted by descending real part. In a
+ * Computes the eigenvalues as (real part, imaginary part), sorted by descending real part. In a
  * conjugate pair, the eigenvalue with positive imaginary part is first. Eigen's QR algorithm is
  * applied to the balanced matrix, with an error of a few times the rounding error of the matrix
  * norm. The results are NaN if the matrix is not finite.

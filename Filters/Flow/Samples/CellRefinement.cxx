@@ -179,7 +179,7 @@ private:
     return found;
   }
 
-  // Calls visit(cell, loaded cell) in order for the cells that FindCells has marked.
+  // Loads each cell that FindCells has marked and calls visit(id, cell), in ascending order of ids.
   template <typename Visit>
   void ForEachCell(const std::vector<unsigned char>& found, Visit&& visit)
   {

@@ -22,7 +22,7 @@ namespace interlume
  * each of its quadrilaterals with a marked edge gets a point at the face center. Such a
  * quadrilateral becomes four triangles and, with the cell's center, four tetrahedra. Other faces
  * form a pyramid or a tetrahedron with the center. The tetrahedra are then cut at their marked
- * edges. Therefore cells conform face to face where they did before.
+ * edges. Therefore neighbors that conformed face to face still do.
  *
  * New points on edges come first, then points on quadrilaterals, both in the order of their corner
  * ids, then points in cells. Point arrays are interpolated; the ghost type of a new point has the

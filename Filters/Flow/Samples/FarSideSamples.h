@@ -25,7 +25,7 @@ class ImplicitFlowArrays;
  *
  * The values are stored in the field arrays described at vtkFlowStatus::FarSidePrefix. If a surface
  * crosses a cell, they allow interpolation in each of two parts: above the surface, where the
- * distance is positive, and below.
+ * distance is positive, and below it.
  *
  * A sample may have one row for a surface and one row for the boundary of the reached region. If
  * all corners of a cell have rows for a surface, the surface cuts the cell; otherwise the boundary

@@ -23,8 +23,8 @@ constexpr int MaximumSteps = 100;
 constexpr double MaximumDistance = 4.0;
 constexpr double StartBehind = 1e-4;
 
-/// Adds the path to the surface, and the short path through it, to the result \a on of the path on
-/// its far side.
+/// Prepends two parts of the path to the result \a on of its far side: \a to, which leads to the
+/// surface in time \a before, and the short way through the surface, of length \a way.
 void Append(const AdvectionResult& to, double way, double before, AdvectionResult& on)
 {
   const double after = on.Time;

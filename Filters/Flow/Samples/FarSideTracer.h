@@ -55,8 +55,8 @@ private:
   /// Negates a velocity if streamlines run backward. Returns true if its position is in the field
   /// and it is finite and faster than MinimumSpeed.
   bool OrientVelocity(Streamlines::Velocity& velocity) const;
-  /// Computes the side and the normal of a corner from its velocity, and adds its row to \a back or
-  /// \a on if its streamline must be traced back to the surface or on through it.
+  /// Computes the side and the normal of a corner from its velocity, and adds its row to \a back
+  /// if its streamline must be traced back to the surface, or to \a on if it continues through it.
   void Describe(const Corners& corners, std::size_t row, Streamlines::Velocity velocity,
     SampleResult& sampleResult, Rows& back, Rows& on) const;
   bool IsHit(const AdvectionResult& result, const FarSideCorners::Corner& corner) const;

@@ -31,8 +31,8 @@ class Streamlines;
 class ImplicitFlowRun
 {
 public:
-  /// An error, speed, time or number of steps of 0 in the options is replaced by its automatic
-  /// value.
+  /// If MaximumError, MinimumSpeed, MaximumTime or MaximumNumberOfSteps is 0 in the options, an
+  /// automatic value replaces it.
   ImplicitFlowRun(
     vtkAlgorithm* owner, const AdvectionOptions& options, vtkDataSet* field, vtkDataArray* vectors);
 

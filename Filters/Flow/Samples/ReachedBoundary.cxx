@@ -145,8 +145,8 @@ void ReachedBoundary::SetDistances(SampleResults& sampleResults) const
       log = std::min(log, std::log(fraction * length));
     }
   }
-  // Least-squares fit of the logarithms of the distance ratios, relaxing samples that reach the
-  // surface and other samples in turn.
+  // Least-squares fit of the logarithms of the distance ratios, alternately relaxing the samples
+  // that reach the surface and the other samples.
   std::vector<double> sums(sampleResults.size());
   std::vector<int> numbers(sampleResults.size());
   for (int pass = 0; pass < Passes; ++pass)

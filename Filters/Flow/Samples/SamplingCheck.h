@@ -27,8 +27,8 @@ struct StageContext;
 class SamplingCheck
 {
 public:
-  /// Advects the number of cell centers set in the options, and adds the report and the arrays of
-  /// vtkFlowStatus. Returns false if the execution was aborted.
+  /// Advects as many cell centers as the options request. Stores the errors in the report and in
+  /// the field arrays of vtkFlowStatus. Returns false if the execution was aborted.
   static bool Run(StageContext& context, vtkDataSet* samples);
 
 private:
@@ -41,7 +41,7 @@ private:
   void Set(vtkIdType i, const AdvectionResult& result);
   /// Returns the report. Call it after Set for all centers.
   SamplingReport GetReport() const;
-  /// Adds the arrays of vtkFlowStatus for a report.
+  /// Adds the field arrays SamplingChecks and SamplingErrors of vtkFlowStatus.
   static void AddArrays(const SamplingReport& report, vtkFieldData* data);
 
   static constexpr int MaximumCorners = 8;

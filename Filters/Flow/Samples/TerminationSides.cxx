@@ -23,7 +23,7 @@ namespace interlume
 namespace
 {
 constexpr float None = std::numeric_limits<float>::quiet_NaN();
-// Rounding error of distances, which are stored as floats.
+// Factor that allows for the rounding error of distances, which are stored as floats.
 constexpr double Rounding = 1.0 + 1e-6;
 
 double GetDiagonal(vtkDataSet* data, vtkIdList* corners)

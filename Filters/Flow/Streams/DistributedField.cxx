@@ -278,8 +278,8 @@ Error DistributedField::MakeImage(vtkDataSet* data)
   full->SetDirectionMatrix(image->GetDirectionMatrix());
   full->SetExtent(this->WholeExtent.data());
   this->FullGrid = full;
-  // A value is the same in all processes if its maximum and the maximum of its negative have the
-  // same magnitude.
+  // A value is the same in all processes if its maximum and the maximum of its negated values have
+  // the same magnitude.
   std::vector<double> numbers(image->GetOrigin(), image->GetOrigin() + 3);
   numbers.insert(numbers.end(), image->GetSpacing(), image->GetSpacing() + 3);
   const double* directions = image->GetDirectionMatrix()->GetData();

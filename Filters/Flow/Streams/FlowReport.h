@@ -101,7 +101,7 @@ struct FlowReport
   /// partitioned or there is only one process.
   std::string WholeFieldReason;
   /// Number of streamlines that were read from a checkpoint, and number of checkpoints written. All
-  /// other values include the streamlines read.
+  /// other values include the resumed streamlines.
   vtkIdType ResumedStreamlines = 0;
   vtkIdType Checkpoints = 0;
   /// Maximum error and minimum speed in use, including automatic values.

@@ -69,8 +69,8 @@ public:
   const std::vector<OutsideFace>& GetAll() const { return this->Faces; }
   /// Returns the links of all faces. Only the links of this process's faces are valid.
   const std::vector<FaceLinks::Link>& GetLinks() const { return this->Links; }
-  /// Returns the joins of this process's faces. Each pair of faces is counted once over all
-  /// processes, at the face with the lower number.
+  /// Returns how many faces of this process match at different positions, and by how much. Each
+  /// pair is counted only in the process that owns the face with the lower number.
   FaceLinks::Joins GetJoins() const;
 
 private:

@@ -52,7 +52,7 @@ public:
   /// Returns the nonconforming interfaces of the whole grid, and whether one is between two
   /// processes.
   const PartitionedInterfaces& GetInterfaces() const { return this->Interfaces; }
-  /// Returns the joins whose first face belongs to this process.
+  /// Returns the result of PartitionBoundaryFaces::GetJoins() for this process.
   const FaceLinks::Joins& GetJoins() const { return this->Joins; }
 
   /// Calls visit(rank) for each process whose cells may contain x.

@@ -28,7 +28,7 @@ void RunRange(vtkIdType first, vtkIdType all, Work&& work)
   constexpr vtkIdType part = 8;
   std::atomic<vtkIdType> taken(first);
   // In VTK 9.6 the estimated number of threads remains at the lowest value used so far. Therefore
-  // more calls than threads may be made. Surplus calls find no items left and return immediately.
+  // make at least one call per processor. Surplus calls find no items left and return immediately.
   const int streams = std::max(vtkSMPTools::GetEstimatedNumberOfThreads(),
     static_cast<int>(std::thread::hardware_concurrency()));
   vtkSMPTools::For(0, streams, 1,

@@ -16,7 +16,7 @@ class FlowField;
 
 /**
  * @class   Streamlines
- * @brief   interface to trace many streamlines of one field
+ * @brief   interface for tracing many streamlines of one field
  *
  * If several processes hold partitions of the field, all processes must call each member in the
  * same order. Each process passes its own streamlines or positions. Follow returns the same value

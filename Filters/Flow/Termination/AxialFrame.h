@@ -17,7 +17,7 @@ struct AxialFrame
   glm::dvec3 Y{ 0.0, 1.0, 0.0 };
   glm::dvec3 Axis{ 0.0, 0.0, 1.0 };
 
-  /// Sets an axis of any length above 0. X and Y are computed as in T. Duff et al., "Building an
+  /// Sets an axis of any nonzero length. X and Y are computed as in T. Duff et al., "Building an
   /// orthonormal basis, revisited", JCGT 6(1), 2017. For the axis z, they are x and y.
   void SetAxis(const glm::dvec3& axis);
 

@@ -11,7 +11,7 @@ namespace interlume
  * @class   ClosestTrianglePoint
  * @brief   point of a triangle nearest to a given point, and the feature on which it lies
  *
- * C. Ericson, "Real-Time Collision Detection", 2005, section 5.1.5.
+ * See C. Ericson, "Real-Time Collision Detection", 2005, section 5.1.5.
  */
 struct ClosestTrianglePoint
 {

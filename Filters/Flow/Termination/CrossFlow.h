@@ -13,15 +13,15 @@ namespace interlume
 
 /**
  * @class   CrossFlow
- * @brief   finds where the velocity across an axis is 0, on planes perpendicular to the axis
+ * @brief   finds where the in-plane velocity is 0, on planes perpendicular to an axis
  *
- * Each plane is a system of three equations: the two in-plane components of the velocity and the
- * distance from the plane are 0.
+ * Each plane defines a system of three equations: the two in-plane components of the velocity and
+ * the distance from the plane are 0.
  */
 class CrossFlow : public ZeroSearch::Systems
 {
 public:
-  /// Sets an axis of any length above 0, and a frame velocity to subtract.
+  /// Sets an axis of any nonzero length, and a frame velocity to subtract.
   CrossFlow(const double axis[3], const double frameVelocity[3]);
 
   /// Places \a number planes, or the default planes of vtkVortexAxis if \a number is 0.

@@ -30,8 +30,8 @@ public:
   /// Returns the position of the plane along the axis.
   double GetPosition() const { return this->Position; }
   /**
-   * Return the center and half the width of the cells with flow through the plane, along the two
-   * axes after GetAxis() in cyclic order.
+   * Return the center and the half-widths of the bounds of the cells with flow through the plane,
+   * along the two axes after GetAxis() in cyclic order.
    */
   const double* GetCenter() const { return this->Center; }
   const double* GetHalfWidth() const { return this->HalfWidth; }

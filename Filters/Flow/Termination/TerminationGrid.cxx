@@ -103,7 +103,7 @@ void TerminationGrid::AddTriangle(vtkIdType a, vtkIdType b, vtkIdType c)
   glm::dvec3 sides[3] = { Vectors::Difference(second.Position, first.Position),
     Vectors::Difference(third.Position, first.Position),
     Vectors::Difference(third.Position, second.Position) };
-  // Scale to about 1 so that squared areas do not overflow.
+  // Scale to a length of about 1 so that squared areas do not overflow.
   const double scale = MultilinearCell::GetScale(
     std::max(Vectors::InfinityNorm(sides[0]), Vectors::InfinityNorm(sides[1])));
   double longest = 0.0;

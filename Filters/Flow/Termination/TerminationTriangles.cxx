@@ -47,7 +47,7 @@ std::string Name(const char* what, vtkIdType id)
   return std::string(what) + " " + std::to_string(id) + " of the mesh";
 }
 
-// Scales the polygon to about 1, because VTK's triangulation multiplies squared lengths.
+// Scales the polygon to a size of about 1, because VTK's triangulation multiplies squared lengths.
 void ScaleToUnitSize(vtkPolygon* polygon)
 {
   double bounds[6];

@@ -17,7 +17,7 @@ namespace interlume
  * @brief   signed distance from oriented triangles
  *
  * The sign is determined by the normal of the face, edge or vertex of the nearest point. Edge and
- * vertex normals are the angle-weighted sums of their face normals: J. A. Baerentzen and H. Aanaes,
+ * vertex normals are angle-weighted sums of adjacent face normals: J. A. Baerentzen and H. Aanaes,
  * "Signed distance computation using the angle weighted pseudonormal", IEEE TVCG 11(3), 2005.
  */
 class TriangleDistance

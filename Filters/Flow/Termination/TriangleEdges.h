@@ -25,10 +25,10 @@ public:
   void Connect(const TerminationTriangles& mesh);
 
   /**
-   * Flips triangles so that the two triangles at each edge with exactly two are consistently
-   * oriented. A part without borders is oriented outward. A part with borders keeps the orientation
-   * of the majority of its triangles, or of its first triangle in case of a tie. Returns an error
-   * if a part is one-sided, like a Moebius strip.
+   * Flips triangles so that the two triangles at an edge are consistently oriented. Ignores edges
+   * with more than two triangles. A connected part is oriented outward if all its edges have two
+   * triangles. Any other part keeps the orientation of the majority of its triangles, or of its
+   * first triangle in case of a tie. Returns an error if a part is one-sided, like a Moebius strip.
    */
   Error Orient(TerminationTriangles& mesh);
 

@@ -192,8 +192,8 @@ void TubeAxis::GetParameters(const glm::dvec3& x, double uv[2]) const
   }
   const Segment& segment = this->Segments[index];
   const double distanceBetween = start + end;
-  // If the tube's radius exceeds the radius of the bend, the planes intersect and the distance may
-  // be 0 or negative.
+  // If the tube's radius exceeds the radius of the bend, the planes intersect and the distance
+  // between them may be 0 or negative.
   const double part =
     distanceBetween > 0.0 ? std::max(0.0, std::min(start / distanceBetween, 1.0)) : 0.5;
   uv[1] = std::min(1.0, (segment.Distance + part * segment.Length) / this->Length);

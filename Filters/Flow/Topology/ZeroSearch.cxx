@@ -206,7 +206,7 @@ private:
 
 void ZeroSearch::Merge(const std::vector<unsigned char>& marks)
 {
-  // Indices of the merged zeros of each system around each cell point.
+  // Indices of the merged zeros, by system and by each of the points that they list.
   std::map<std::pair<int, vtkIdType>, std::vector<std::size_t>> known;
   std::vector<Zero> merged;
   for (const Zero& zero : this->Zeros)

@@ -33,8 +33,8 @@ struct FlowVolumeReport
   vtkIdType CellsAroundPoles = 0;
   /// Number of points added for cells across seams.
   vtkIdType PointsOnSeams = 0;
-  /// Number of times all cells were classified, cells were extracted by Inflow and by time, and
-  /// stream surfaces were cut by time; 0 if a step was not required or its result was reused.
+  /// How often all cells were classified, cells were extracted by Inflow and by time, and stream
+  /// surfaces were cut by time; 0 if a step was not required or its result was reused.
   int Preparations = 0;
   int InflowPasses = 0;
   int TimePasses = 0;

@@ -30,7 +30,7 @@ constexpr double PreparationEnd = 0.1;
 constexpr double InflowEnd = 0.5;
 constexpr double TimeEnd = 0.85;
 
-// Forwards the progress of an inner filter to its owner, and an abort to the filter.
+// Forwards progress from an inner filter to its owner, and an abort from the owner to the filter.
 struct Progress
 {
   vtkAlgorithm* Owner;

@@ -39,7 +39,7 @@ public:
   static void SetBlanking(vtkDataSet* data, Blanking& blanking);
 
   /// Returns whether a value equals an isovalue, or is not finite, at a corner of a ghost cell.
-  /// Extraction from structured grids determines this itself.
+  /// Extractions from structured grids check this themselves.
   static bool AreTied(const ExtractionContext& context);
 
   /// Same as AreTied(), but for all cells outside a window of a structured grid, including hidden

@@ -43,8 +43,8 @@ template <typename T>
 vtkIdType Count(const ExtractionContext& context, const ExtractionMesh& mesh, const T* points)
 {
   const SimplexList& cells = mesh.Simplices;
-  // Only faces with at least three points in tetrahedra qualify. If values equal a bound, only one
-  // triangle of a face may be covered by a tetrahedron.
+  // Consider only faces with at least three points that tetrahedra use. If values equal a bound, a
+  // tetrahedron may cover only one of the two triangles of a face.
   ExtractionBuffer<std::atomic<unsigned char>> isCut;
   isCut.AllocateZeros(mesh.Points.GetSize());
   cells.Visit(

@@ -30,7 +30,7 @@ bool AreFinite(const float* values, std::int64_t number);
 bool AreFinite(const double* values, std::int64_t number);
 ///@}
 
-/// Computes a mark per code, for codes less than 256: 1 plus the sum of steps[k] for all \a k less
+/// Computes a mark per code, for codes less than 256: 1 plus the sum of steps[k] for all k less
 /// than the code. \a count is the number of steps, three or five.
 void FillMarks(const Code* codes, std::int64_t number, const std::uint8_t* steps, int count,
   std::uint8_t* marks);

@@ -178,7 +178,7 @@ private:
         points.push_back(above);
       }
       // In a tetrahedron or pyramid, all base points have the same neighbor, the apex. Keep it
-      // once.
+      // only once.
       points.resize(pattern.Points);
       return points;
     }

@@ -39,7 +39,7 @@ public:
 
   /// Indices of the points owned by each grid point, relative to the first point of the row. Starts
   /// holds the index of the grid point itself. Adding Offsets[0], [1] or [2] yields the index of
-  /// its edge along i, j or k.
+  /// the first point on its edge along i, j or k.
   struct Owners
   {
     vtkIdType Row = -1;

@@ -22,7 +22,7 @@ namespace interlume
  * @brief   writes the output of rows of cells to a mesh with allocated arrays
  *
  * Each call writes at a position and advances it. Threads may write different rows at the same
- * time. If requested, the output points in use are marked.
+ * time. If requested, marks the points that simplices use.
  */
 class RowWriter
 {

@@ -67,7 +67,7 @@ public:
   double GetThickness() const { return this->Thickness; }
 
   /// Returns the weights of the points. The weighted sum of the point values is the mean of the
-  /// value over the thickness at the thick point.
+  /// value across the simplex at the thick point.
   const std::array<double, NumberOfPoints>& GetWeights() const { return this->Weights; }
 
   /// Returns the signs of all lambda_i. They determine the tetrahedra.

@@ -11,15 +11,15 @@ namespace interlume
 
 /**
  * @class   SimplexSlicer
- * @brief   contour of one value in a grid of 4-simplices, as tetrahedra
+ * @brief   tetrahedral contour of a grid of 4-simplices at one value
  *
  * The cells are processed in chunks, which are first counted and then written. A vertex at the
  * slice value counts as above, and an edge crossing at such a vertex is the vertex itself. Thus the
  * slice is the limit of the slices just below the value, without collapsed tetrahedra. This limit
  * misses a 4-simplex that has four vertices at the value and one above. The tetrahedron of the four
- * vertices is added, unless a 4-simplex of the same interval that ends there already contributes
- * it. The cell array AtStep marks 4-simplices that contribute no tetrahedra at a step, and cells
- * that are tetrahedra at a step and are added too.
+ * vertices is added, unless a 4-simplex of the same interval that ends at the value already
+ * contributes it. The cell array AtStep marks 4-simplices that contribute no tetrahedra at a step,
+ * and cells that are themselves tetrahedra at a step, which are added as well.
  *
  * Points are numbered as in UnstructuredExtraction, so the output depends only on the grid.
  */

@@ -80,7 +80,7 @@ public:
     }
   }
 
-  /// Returns true if sorting took an odd number of exchanges.
+  /// Returns true if sorting took an odd number of swaps.
   bool IsInverted() const { return this->IsOdd; }
 
   /// Returns the vertices whose code is at least \a first, as a bit mask.

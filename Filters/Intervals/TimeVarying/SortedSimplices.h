@@ -26,7 +26,7 @@ struct SortedSimplices
   Key Vertices[NumberOfVertices][Size];
   /// Bit mask of the sorted vertices that are above the value.
   Key Above[Size];
-  /// 1 if sorting the vertices took an odd number of exchanges, otherwise 0.
+  /// 1 if sorting the vertices took an odd number of swaps, otherwise 0.
   Key IsOdd[Size];
   /// 0 if all vertices are distinct.
   Key HasEqual[Size];

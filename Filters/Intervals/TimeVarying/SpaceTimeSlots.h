@@ -16,7 +16,7 @@ namespace interlume
  *
  * Cell corners are numbered as in vtkIsotable. With n corners, corner v is vertex v of the table at
  * the first step and vertex v + n at the second step. A slot is above a corner, edge or face of the
- * cell if its position in space lies in that corner, edge or face.
+ * cell if its spatial position lies on that corner, edge or face.
  */
 class SpaceTimeSlots
 {

@@ -18,8 +18,8 @@ namespace interlume
  *
  * The table lifts a cell by one dimension. The lifted cell is convex, so it lies on one side of
  * each of its facets. Therefore a tetrahedron whose points are all lower crossings, or all at the
- * first step, is on the boundary and belongs to one 4-simplex. The triangles are faces of the
- * tetrahedra at the first or last step.
+ * first step, is on the boundary and belongs to one 4-simplex. The boundary triangles are faces of
+ * the tetrahedra at the first or last step.
  */
 class TimeVaryingBoundary
 {

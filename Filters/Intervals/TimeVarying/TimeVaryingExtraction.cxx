@@ -36,7 +36,7 @@ using Slot = SpaceTimeTable::Slot;
 using Simplex = SpaceTimeTable::Simplex;
 using Tables = SlotTables<SpaceTimeTable>;
 
-// Chunks are small to balance the load of the threads, because cells with output lie in clusters.
+// Chunks are small to balance the load of the threads, because cells with output tend to cluster.
 constexpr vtkIdType ChunkSize = 512;
 constexpr int MaximumNumberOfVertices = SpaceTimeTable::MaximumNumberOfVertices;
 constexpr int MaximumNumberOfSlots = SpaceTimeTable::MaximumNumberOfSlots;

@@ -129,8 +129,8 @@ public:
   /**
    * Decides which boundary cells to keep where values equal a bound. Call this after all slabs were
    * added. Pairs with the same points and opposite orientation are removed. Of the remaining cells,
-   * tetrahedra in time are kept if they are faces of 4-simplices, counted with orientation, and
-   * triangles are kept if they are faces of the volume at their step.
+   * tetrahedra in time are kept if they are faces of 4-simplices (counted with their orientation),
+   * and triangles are kept if they are faces of the volume at their step.
    */
   void SettleTiedBoundary();
 

@@ -46,8 +46,8 @@ public:
 
   /**
    * Transforms a point in (x,y,z,t) to the axes of the projection: the axes x, y, z, t rotated by
-   * the smallest rotation that takes t to the direction. The last coordinate is along the
-   * projection.
+   * the smallest rotation that takes t to the projection direction. The last coordinate is along
+   * the projection.
    */
   void Project(double x[4]) const
   {

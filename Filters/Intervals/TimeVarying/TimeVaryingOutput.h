@@ -22,7 +22,7 @@ class TimeVaryingOutput
 {
 public:
   /// Creates the tetrahedra of all projections. The output has the points of the mesh, followed by
-  /// one thick point per 4-simplex. Returns false if the user aborted.
+  /// one thick point (where DeltaT is stored) per 4-simplex. Returns false if the user aborted.
   static bool FillTetrahedra(const ExtractionContext& context, const TimeVaryingMesh& mesh,
     vtkUnstructuredGrid* output, TimeVaryingReport& report);
   /// Creates the boundary cells, with the points of the mesh.

@@ -223,8 +223,8 @@ private:
   }
 
   // Reads the point ids of a cell. If the ids are not in ascending order, rotates or reflects the
-  // cell so that its first ids are. Returns true if the cell was reordered. IsAscending is then
-  // false, even if all ids of the reordered cell ascend.
+  // cell so that at least its first ids ascend. Returns true if the cell was reordered. IsAscending
+  // is then false, even if all ids of the reordered cell ascend.
   bool ReadCorners(vtkIdType id, Cell& cell) const
   {
     const CellCorners& corners = this->Cells.GetCorners(id);

@@ -48,8 +48,8 @@ public:
   /// Returns the first cell that the previous pass copied uncut.
   vtkIdType GetFirstPassed() const { return this->Filter.GetFirstPassed(); }
 
-  /// Returns true if a cell with codes from \a minimum to \a maximum is passed through. Tetrahedra
-  /// are not, because cutting them yields the tetrahedron itself.
+  /// Returns true if a cell with codes from \a minimum to \a maximum is passed through. A
+  /// tetrahedron is not, because cutting it yields the tetrahedron itself.
   bool IsInside(vtkIdType cell, const Item& item, Code minimum, Code maximum) const
   {
     if (this->Filter.IsPart(cell))

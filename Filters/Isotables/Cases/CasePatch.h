@@ -23,7 +23,7 @@ namespace interlume
 class CasePatch
 {
 public:
-  /// Patch points, each the index of an edge of the cell.
+  /// Patch points, given as indices of cell edges.
   using PointList = std::vector<int>;
   using Point = ConvexHull::Point;
   using Normal = ConvexHull::Normal;
@@ -37,8 +37,8 @@ public:
     Normal Outward;
   };
 
-  /// Returns which vertices are positive in the case of a vtkIsotable key. For an interval, the
-  /// vertices are those of the lifted cell.
+  /// Returns which vertices are positive in the case with the vtkIsotable key \a key. For an
+  /// interval, the vertices are those of the lifted cell.
   static std::vector<bool> GetSigns(int numberOfVertices, bool isInterval, std::uint32_t key);
 
   /// Computes the patch. \a positive has one entry per vertex of \a cell.

@@ -87,9 +87,9 @@ private:
   }
 
   // The solid is orthogonal to both normals. The determinant of three vectors of the solid and both
-  // normals is a sum of products of complementary minors. These are proportional, so one product
-  // has the sign of the sum. In a simplex whose last point is a point of the piece outside the
-  // solid, that point is on the side opposite to the neighbor's normal.
+  // normals is a sum of products of complementary minors. The minors are proportional, so one
+  // product has the sign of the sum. In a simplex whose last point is a point of the piece outside
+  // the solid, that point is on the side opposite to the neighbor's normal.
   static Projection Project(const Normal& outward, const Normal& neighbor)
   {
     for (int k = 0;; ++k)

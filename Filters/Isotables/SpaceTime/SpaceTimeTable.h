@@ -28,7 +28,7 @@ namespace interlume
  * first thread that requests a case computes it for all threads. A reference to a case remains
  * valid as long as the table exists. Cases that are equal up to a symmetry of the cell share their
  * convex pieces, so a convex hull is computed only once per symmetry class. The 384 symmetries of
- * the cube leave a few hundred classes.
+ * the cube reduce the cases to a few hundred classes.
  *
  * Keys and slots are as in vtkIsotable: keys in base 3, slots for vertices, lower and upper edge
  * points. Convex pieces are triangulated by pulling in the order of vtkIsotable. Case::Simplices is

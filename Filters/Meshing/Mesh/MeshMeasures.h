@@ -16,7 +16,7 @@ namespace interlume
 {
 
 /**
- * Sizes and shapes of tetrahedra, compared with two bounds. A bound of 0 is not applied.
+ * Sizes and quality of tetrahedra, compared with two bounds. A bound of 0 is not applied.
  */
 struct MeshMeasures
 {
@@ -26,7 +26,7 @@ struct MeshMeasures
   vtkIdType AboveQualityBound = 0;
   vtkIdType AboveMaximumVolume = 0;
   /// Amount by which tetrahedra exceed the bounds. For each bound that it exceeds, a tetrahedron
-  /// adds its volume times the logarithm of the ratio between its value and the bound.
+  /// adds its volume times the logarithm of the ratio between its measured value and the bound.
   double Excess = 0.0;
   double LargestRadiusEdgeRatio = 0.0;
   double SmallestVolume = std::numeric_limits<double>::infinity();

@@ -28,7 +28,7 @@ struct MeshedPoint
 struct Tetrahedra
 {
   std::vector<double> Points; ///< three per point, in units of 2^UnitExponent
-  /// The unit of length is 2^UnitExponent, near the size of the model. This keeps bounds and
+  /// The unit of length is 2^UnitExponent, close to the size of the model. This keeps bounds and
   /// products of coordinates within the range of double for any size.
   int UnitExponent = 0;
   std::vector<MeshedPoint> Origins;

@@ -12,7 +12,7 @@ namespace TetrahedronMath
 {
 
 /// Returns the polar sine of the edges at a: six volumes divided by the product of the three edge
-/// lengths. It is a scale-invariant measure of shape with a magnitude of at most 1.
+/// lengths. It is a scale-invariant quality measure with a magnitude of at most 1.
 double PolarSine(const double* a, const double* b, const double* c, const double* d);
 
 /// Returns the circumradius divided by the shortest edge length, at least sqrt(6)/4 = 0.612.

@@ -83,7 +83,7 @@ Error CheckPatches(const ClosedSurface& surface, const TetGenSolution& solution)
   return {};
 }
 
-/// Returns an error that names intersecting input cells.
+/// If input cells intersect, returns an error that names them.
 Error CheckCrossings(const ClosedSurface& surface)
 {
   constexpr std::size_t maximumListed = 8;

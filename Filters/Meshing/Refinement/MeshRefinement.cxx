@@ -15,8 +15,8 @@ namespace
 /// Quality bound that TetGen reaches most reliably.
 constexpr double ReliableQualityBound = 2.0;
 /// A pass is rejected if a volume falls below this fraction of the first mesh's smallest volume or,
-/// if that is smaller, of the volume bound. It is also rejected if its minimum shape falls below
-/// MinimumShape and below that of the first mesh.
+/// if that is smaller, of the volume bound. It is also rejected if its minimum polar sine falls
+/// below MinimumShape and below that of the first mesh.
 constexpr double MinimumVolumeRatio = 1e-6;
 constexpr double MinimumShape = 1e-6;
 constexpr int MaximumNumberOfPasses = 12;

@@ -19,16 +19,16 @@ struct TetGenSolution;
  * of a tetrahedron that is too large. It moves to longer edges of adjacent tetrahedra until an edge
  * is the longest of all tetrahedra around it (M.-C. Rivara, "New longest-edge algorithms for the
  * refinement and/or improvement of unstructured triangulations", International Journal for
- * Numerical Methods in Engineering 40, 1997). Therefore shapes degrade only by a bounded factor. If
- * the boundary is preserved and all edges of a tetrahedron are on it, the tetrahedron is split at
- * its centroid.
+ * Numerical Methods in Engineering 40, 1997). Therefore quality degrades only by a bounded factor.
+ * If the boundary is preserved and all edges of a tetrahedron are on it, the tetrahedron is split
+ * at its centroid.
  */
 class VolumeBisection
 {
 public:
   VolumeBisection(const MeshingJob& job, TetGenSolution& mesh);
 
-  /// Splits tetrahedra until the bound is met or the mesh has \a maximumNumberOfPoints.
+  /// Splits tetrahedra until the bound is met or the mesh has \a maximumNumberOfPoints points.
   void Execute(int maximumNumberOfPoints);
 
 private:

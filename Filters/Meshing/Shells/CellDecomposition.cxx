@@ -184,9 +184,9 @@ double CellDecomposition::GetMinimumShape(const double* apex) const
 
 bool CellDecomposition::FindCenter(glm::dvec3& center) const
 {
-  // Start at the mean of the points. Move away from the nearest triangle, or the farthest triangle
-  // seen from outside, in decreasing steps: S. Agmon, "The relaxation method for linear
-  // inequalities", Canadian Journal of Mathematics 6, 1954.
+  // Start at the mean of the points. Move away from the nearest triangle or, if any triangles are
+  // seen from outside, from the farthest of these, in decreasing steps: S. Agmon, "The relaxation
+  // method for linear inequalities", Canadian Journal of Mathematics 6, 1954.
   const auto number = static_cast<double>(this->Shell.PointIds.size());
   center = glm::dvec3(0.0);
   for (std::size_t i = 0; i < this->Shell.Points.size(); ++i)

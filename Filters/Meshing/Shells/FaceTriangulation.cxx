@@ -73,7 +73,7 @@ std::vector<PlanarPoint> Project(const std::vector<glm::dvec3>& points)
 
 using Corners = std::array<std::size_t, 3>;
 
-/// Returns the minimum shape of the triangles of the fan from the first point.
+/// Returns the minimum shape quality of the triangles of the fan from the first point.
 double GetFanShape(const std::vector<PlanarPoint>& projected)
 {
   double minimum = 1.0;
@@ -85,10 +85,10 @@ double GetFanShape(const std::vector<PlanarPoint>& projected)
 }
 
 /**
- * Finds the triangulation with the largest minimum shape, by dynamic programming over sections of
- * the polygon between two points (G. T. Klincsek, "Minimal triangulations of polygonal domains",
- * Annals of Discrete Mathematics 9, 1980). Triangles that all have positive area cover a simple
- * polygon once, so diagonals need no check. Returns the minimum shape.
+ * Finds the triangulation with the largest minimum shape quality, by dynamic programming over
+ * sections of the polygon between two points (G. T. Klincsek, "Minimal triangulations of polygonal
+ * domains", Annals of Discrete Mathematics 9, 1980). Triangles that all have positive area cover a
+ * simple polygon once, so diagonals need no check. Returns the minimum quality.
  */
 double FindBest(const std::vector<PlanarPoint>& projected, std::vector<Corners>& triangles)
 {
@@ -133,7 +133,7 @@ double FindBest(const std::vector<PlanarPoint>& projected, std::vector<Corners>&
   return parts[n - 1].Shape;
 }
 
-/// Clips ears, the one with the best shape first. Returns the minimum shape.
+/// Clips ears, the one with the best shape quality first. Returns the minimum quality.
 double CutEars(const std::vector<PlanarPoint>& projected, std::vector<Corners>& ears)
 {
   double minimum = 1.0;

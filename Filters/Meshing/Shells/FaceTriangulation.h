@@ -21,11 +21,11 @@ namespace interlume
  * order of points. It does not depend on the start or the direction of the list. Therefore both
  * cells that share a face get the same triangles.
  *
- * Shapes are measured in the projection along the coordinate axis closest to the normal. The fan
- * from the first point in the strict order is used if its worst triangle is nearly as good as
- * possible. Otherwise, as for concave polygons and collinear points, the triangulation whose worst
- * triangle is best is used. (In a non-planar face, a needle between three nearly collinear points
- * could intersect the adjacent face.)
+ * Shape quality is measured in the projection along the coordinate axis closest to the normal. The
+ * fan from the first point in the strict order is used if its worst triangle is nearly as good as
+ * possible. Otherwise, for example for concave polygons or collinear points, the triangulation
+ * whose worst triangle is best is used. (In a non-planar face, a needle between three nearly
+ * collinear points could intersect the adjacent face.)
  */
 class FaceTriangulation
 {

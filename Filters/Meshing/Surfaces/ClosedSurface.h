@@ -42,7 +42,7 @@ public:
   ClosedSurface(const DistinctPoints& points, const std::vector<int>& triangles);
 
   /// Reads the polygons and splits them at contacts if \a splitContacts is true. Returns an error
-  /// that names the cell or point.
+  /// that names the offending cell or point.
   Error Take(vtkDataSet* input, bool splitContacts);
   /// Merges points: replaces each key of \a merged by its value. Removes triangles that collapse.
   void MergePoints(const std::map<int, int>& merged);

@@ -74,7 +74,7 @@ int PlanarTriangulation::Orientation(int a, int b, int c) const
 
 bool PlanarTriangulation::IsInCircle(int a, int b, int c, int d) const
 {
-  // The test need not be exact, since an unnecessary flip affects only the shape. The margin
+  // The test need not be exact, since an unnecessary flip affects only the quality. The margin
   // prevents flip cycles.
   std::array<std::array<long double, 3>, 3> rows;
   long double size = 0.0L;
@@ -109,7 +109,7 @@ int PlanarTriangulation::Locate(int point) const
     int next = t;
     for (int i = 0; i < 3 && next == t; ++i)
     {
-      // Start at another corner in each step so that the walk does not cycle.
+      // Start at a different corner in each step so that the walk does not cycle.
       const int k = (i + static_cast<int>(step)) % 3;
       if (this->Orientation(triangle.Points[(k + 1) % 3], triangle.Points[(k + 2) % 3], point) < 0)
       {
@@ -306,7 +306,7 @@ void PlanarTriangulation::AddSegment(const Edge& segment)
       }
       const int orientation = this->Orientation(a, b, apex);
       this->Good = orientation != 0;
-      // Continue with the edge from the apex to that end of the current edge that is on the other
+      // Continue with the edge from the apex to the end of the current edge that is on the other
       // side of the segment.
       t = u;
       i = orientation > 0 ? IndexOf(next.Points, edge[0] == right ? edge[1] : edge[0])

@@ -45,7 +45,8 @@ private:
   int Locate(int point) const;
   /// Flips the edge opposite corner \a i of triangle \a t.
   void Flip(int t, int i);
-  /// Flips edges opposite \a point, starting in \a changed, until circumcircles are empty.
+  /// Flips edges opposite \a point, starting with the triangles \a changed, until circumcircles are
+  /// empty.
   void Legalize(std::vector<int> changed, int point);
   void Replace(int t, int old, int now);
   int Orientation(int a, int b, int c) const;

@@ -70,7 +70,8 @@ SurfaceRegions::SurfaceRegions(const TetGenSolution& solution,
 {
   const Walls walls(solution);
   std::vector<Region> regions;
-  // A region, a tetrahedron on the other side of a facet, and the layers of the facet.
+  // A region, a tetrahedron on the other side of a facet of the region, and the facet's number of
+  // layers.
   std::vector<std::array<int, 3>> crossings;
   std::vector<int> stack;
   std::queue<int> outermost;

@@ -39,7 +39,7 @@ struct MeshingJob : vtkMeshingSettings
   Tetrahedra Mesh;
   TetrahedralMesherReport Report;
 
-  /// Sets the unit of length in which TetGen gets the points, see Tetrahedra::UnitExponent, and
+  /// Sets the unit of length in which TetGen receives the points, see Tetrahedra::UnitExponent, and
   /// converts the volume bound to it.
   void SetUnit(int exponent);
   /// Returns whether a bound is set.

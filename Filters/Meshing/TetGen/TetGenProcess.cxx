@@ -23,7 +23,7 @@ namespace interlume
 
 namespace
 {
-/// Number of bytes at the end of TetGen's output that a message quotes.
+/// Number of bytes from the end of TetGen's output that an error message quotes.
 constexpr long OutputTail = 400;
 /// Code of a solution for which TetGen ran out of memory.
 constexpr int MemoryCode = 1;

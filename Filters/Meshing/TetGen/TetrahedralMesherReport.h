@@ -19,8 +19,8 @@ struct TetrahedralMesherReport
 {
   /// Number of decomposed three-dimensional cells.
   vtkIdType Cells = 0;
-  /// Number of cells decomposed by TetGen, and from a new point inside. All other cells needed no
-  /// new point.
+  /// Number of cells decomposed by TetGen, and of cells decomposed around a new interior point. All
+  /// other cells needed no new point.
   vtkIdType CellsByTetGen = 0;
   vtkIdType CellsConed = 0;
   /// Number of skipped cells: ghost cells, hidden cells, and lower-dimensional cells next to
@@ -30,9 +30,10 @@ struct TetrahedralMesherReport
   vtkIdType UnsupportedCells = 0;
   /// Number of triangles of the input surface.
   vtkIdType SurfaceTriangles = 0;
-  /// Number of triangles of the input surface split because they touch others, see SplitContacts.
+  /// Number of triangles of the input surface that were split because they touch others, see
+  /// SplitContacts.
   vtkIdType SplitTriangles = 0;
-  /// Number of points of a surface or point set merged with a coincident point.
+  /// Number of points of a surface or point set that were merged with a coincident point.
   vtkIdType MergedPoints = 0;
   /// Number of output points that are not input points.
   vtkIdType AddedPoints = 0;

@@ -186,7 +186,7 @@ unsigned short FlowGrid::FindKind(const std::array<vtkIdType, 8>& corners) const
   for (const vtkIdType corner : corners)
   {
     isUniform = isUniform && this->Groups[corner] / NumberOfSides == label;
-    // Corners differ in their side if the surface separates them. A corner on the surface has no
+    // Corners are on different sides if the surface separates them. A corner on the surface has no
     // side.
     isSplitBySides = isSplitBySides ||
       this->Groups[corner] % NumberOfSides != this->Groups[corners[0]] % NumberOfSides;

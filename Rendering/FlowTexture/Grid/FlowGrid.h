@@ -26,7 +26,7 @@ namespace interlume
  * - SEAM plus a label: all corners have this label and lie on both sides of a seam;
  * - SPLIT: the corners have several labels;
  * - SPLIT_BY_SIDES: streamlines return to a surface that passes through the cell. Corners with the
- *   same label then have two kinds of times and coordinates (vtkFlowStatus::AWAY);
+ *   same label then form two groups with different times and coordinates (vtkFlowStatus::AWAY);
  * - EMPTY plus a distance: no corner has a label, and all cells at a smaller distance (in the
  *   maximum norm) are empty too.
  */
@@ -68,7 +68,7 @@ public:
   /// code is odd if the kind of the cell and of all its neighbors is the same label. Along each
   /// axis, there is one fewer cell than voxels.
   std::vector<unsigned short> Cells;
-  /// Returns the smallest even code of a slope, the length of a gradient in voxel coordinates. A
+  /// Returns the smallest even code for a slope (the length of a gradient in voxel coordinates). A
   /// code represents slopes up to 2^(code / 256 - 128); codes 0 and 1 represent 0.
   static unsigned short GetSlopeCode(float slope);
   /// For each voxel, its label times NumberOfSides plus its side; empty if no cell is split.

@@ -71,7 +71,7 @@ private:
   vtkIdType Bytes = 0;
   /// The last slab that has begun, or -1.
   int Slab = -1;
-  /// For each axis, the position along the normal of the last convolution, and the part of the
+  /// For each axis, the position of the last convolution along the normal, and the part of the
   /// penumbra's width, in texels, that has not been applied yet.
   std::array<double, 2> Last{};
   std::array<double, 2> Remainder{};

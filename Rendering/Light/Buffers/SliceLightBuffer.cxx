@@ -72,8 +72,8 @@ Error SliceLightBuffer::Prepare(vtkOpenGLRenderWindow* window, const ImageState&
   {
     this->Framebuffer->ActivateDrawBuffer(0);
   }
-  // Resize before clearing: OpenGL clears and draws only inside all attachments, and the depth
-  // attachment of the last image may be smaller.
+  // Resize before clearing: OpenGL clears and draws only in the area common to all attachments, and
+  // the depth attachment of the last image may be smaller.
   this->Bytes += this->Occlusion.Prepare(window, this->Framebuffer, this->Size, this->Size, false);
   SliceOcclusion::Clear(window);
   // The buffer of a wide light contains optical depth.

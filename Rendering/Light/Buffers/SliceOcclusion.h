@@ -28,8 +28,8 @@ namespace interlume
 class SliceOcclusion
 {
 public:
-  /// Number of slabs between two updates. The second value applies if slabs have thick fragments or
-  /// a dense medium and therefore cost more to draw.
+  /// Number of slabs between two updates. ThickInterval applies if slabs have thick fragments or a
+  /// dense medium and therefore cost more to draw.
   static constexpr int Interval = 16;
   static constexpr int ThickInterval = 4;
 
@@ -40,7 +40,8 @@ public:
     OPACITY,
     /// Transmittance: a light buffer.
     TRANSMITTANCE,
-    /// Optical depth times the cosine with the normal, in a half space: a wide light's buffer.
+    /// Optical depth times the cosine between ray and normal, in a half space: a wide light's
+    /// buffer.
     DEPTH
   };
 

@@ -37,11 +37,10 @@ public:
     vtkOpenGLBufferObject* vertices, bool isMarked = false);
   vtkShaderProgram* GetProgram() const { return this->Program; }
 
-  /// Draws the triangles of a slab into the bound framebuffer. The slab begins at the position
-  /// \a entrance along the normal. \a starts
-  /// contains the first vertex of each slab, followed by the number of vertices. \a number is the
-  /// index of this volume among the \a volumes that draw each slab in turn. It determines the depth
-  /// of marked slices.
+  /// Draws the triangles of a slab into the bound framebuffer. The slab begins at \a entrance along
+  /// the normal. \a starts contains the first vertex of each slab, followed by the number of
+  /// vertices. \a number is the index of this volume among the \a volumes that draw each slab in
+  /// turn. It determines the depth of marked slices.
   void Draw(vtkOpenGLRenderWindow* window, const std::vector<std::size_t>& starts, int slab,
     double entrance, int number = 0, int volumes = 1);
 

@@ -248,8 +248,8 @@ Error ScatteringUpdater::MakeField(vtkOpenGLRenderWindow* window, VolumeRenderSt
         direct[i].Direct[cell] *= transmitted[i][cell];
       }
     }
-    // Block cells only now: shadow maps resolve direct light better than blocked cells do, so these
-    // must stop only scattered light.
+    // Block cells only now, so that they stop only scattered light: shadow maps resolve direct
+    // light better than blocked cells do.
     SurfaceOcclusionGrid::Block(*frame.Image->Scene, frame.Space.GetWorldFromUnit(), grid);
   }
   ScatteringSettings solverSettings;

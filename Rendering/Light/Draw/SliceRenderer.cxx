@@ -59,7 +59,7 @@ SlicePlan::Camera FindCamera(vtkRenderer* renderer, const UnitSpace& space)
   const glm::dmat4 inverse = glm::inverse(eye.ClipFromUnit);
 
   eye.IsParallel = camera->GetParallelProjection() != 0;
-  // The camera is the intersection of all view rays, even in sheared stereo views.
+  // The camera position is the intersection of all view rays, even in sheared stereo views.
   const glm::dvec4 apex = inverse * glm::dvec4(0.0, 0.0, -1.0, 0.0);
   const glm::dvec4 near = inverse * glm::dvec4(0.0, 0.0, -1.0, 1.0);
   const glm::dvec4 far = inverse * glm::dvec4(0.0, 0.0, 1.0, 1.0);

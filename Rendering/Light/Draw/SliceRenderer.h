@@ -46,8 +46,8 @@ public:
 
   /**
    * Renders \a volumes, whose requests are set, and sets their results. If \a scene is not null,
-   * they are a part of it. Volumes with errors are skipped. Returns an error if the remaining
-   * volumes cannot be rendered together; the last image is then retained.
+   * the volumes are a part of it. Volumes with errors are skipped. Returns an error if the
+   * remaining volumes cannot be rendered together; the last image is then retained.
    */
   Error Draw(vtkRenderer* renderer, const Volumes& volumes, SliceScene* scene);
 

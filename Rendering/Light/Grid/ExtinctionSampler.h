@@ -17,7 +17,7 @@ namespace interlume
  * @brief   evaluates the medium of a volume at a position on the CPU, as the slices' shader does
  *
  * Transfer functions are interpolated linearly between the columns of their tables. Breakpoints
- * inside a column are ignored.
+ * between columns are ignored.
  */
 class ExtinctionSampler
 {

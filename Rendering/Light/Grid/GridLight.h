@@ -15,7 +15,7 @@ class ExtinctionGrid;
  * @brief   unscattered light of one source in the cells of a grid
  *
  * The attenuated light is averaged over each cell by CellLight, which traces rays through the
- * cells. Shadows therefore have the resolution of the cells, also for lights inside the volume. The
+ * cells. Shadows therefore have the resolution of the cells, even for lights inside the volume. The
  * cone, attenuation and screen are evaluated at the centers of a cell's eight octants. An area
  * light is the mean of its samples. The result is multiplied by the strength of the light's
  * shadows.

@@ -21,7 +21,7 @@ double GetBrightness(const glm::dvec3& color)
 }
 
 // Finds the cell where the prefix sums reach \a fraction of their total. Replaces \a fraction by
-// the position in the unit interval.
+// the corresponding position in the unit interval.
 std::size_t Find(const std::vector<double>& sums, double& fraction)
 {
   const double sum = fraction * sums.back();

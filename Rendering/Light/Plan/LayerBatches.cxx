@@ -21,9 +21,9 @@ constexpr double Border = 4.0;
 constexpr int LongestBatch = 64;
 
 // Limits for the divergence between the shadows cast by light from the emitter's edge and from its
-// center within a batch, in texels of the light buffer. A small light diverges little over the
-// entire volume. It gets at least MinimumBatches batches, unless the divergence within a batch
-// would then be less than DivergenceResolution.
+// center within a batch, in texels of the light buffer. The shadows of a small light diverge little
+// over the entire volume. Such a light gets at least MinimumBatches batches, unless the divergence
+// within a batch would then be less than DivergenceResolution.
 constexpr double DivergenceBound = 2.0;
 constexpr double DivergenceResolution = 0.25;
 constexpr double MinimumBatches = 20.0;

@@ -25,7 +25,7 @@ struct ClosestPoint
   std::vector<glm::dvec3> Corners;
 };
 
-// Projects the origin to the plane, line or point through all vertices. Returns false if the
+// Projects the origin onto the plane, line or point through all vertices. Returns false if the
 // projection is not inside the simplex.
 bool Project(const std::vector<glm::dvec3>& corners, glm::dvec3& point)
 {

@@ -57,7 +57,7 @@ int FindSweep(
   return -1;
 }
 
-// Adds a wide light to the sweeps along and against a normal, chosen to need the fewest new sweeps.
+// Adds a wide light to the sweeps along and against the normal that requires the fewest new sweeps.
 void AddWide(const ViewRange& view, const LightSource& source, int index, const BoxCorners& corners,
   std::size_t maximum, const LightBufferProjection& projection,
   std::vector<SlicePlan::Sweep>& sweeps)

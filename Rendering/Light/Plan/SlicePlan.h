@@ -70,7 +70,7 @@ public:
   /// A sample of an area light's emitter, with its layer of transmittance.
   struct SampleView
   {
-    /// Matrix like ShadowedLight::BufferFromUnit, for a light at the sample.
+    /// Same as ShadowedLight::BufferFromUnit, for a light at the sample.
     glm::dmat4 LayerFromUnit{ 0.0 };
     /// Fraction of the light, averaged over the three channels.
     double Weight = 0.0;
@@ -118,7 +118,7 @@ public:
     bool IsFrontToBack = true;
     /// If true, the slabs are behind all slabs of the previous sweep, in the same image.
     bool IsBehind = false;
-    /// Slab i contains the points x whose product x.Normal is between First + i * Spacing and
+    /// Slab i contains the points x whose dot product x.Normal is between First + i * Spacing and
     /// First + (i + 1) * Spacing.
     double First = 0.0;
     double Spacing = 0.0;

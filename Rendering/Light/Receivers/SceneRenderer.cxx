@@ -188,7 +188,7 @@ bool SceneRenderer::Begin(vtkRenderer* renderer, const Request& request, int vol
     renderer->GetUseDepthPeeling() != 0 && renderer->GetUseDepthPeelingForVolumes();
   this->IsLayered =
     !this->Translucent.empty() && volumes > 0 && !isPeeled && (!this->Opaque.empty() || !hasOthers);
-  // Without translucent props in view, translucent occluders are invisible ones.
+  // If no translucent prop is in view, any translucent occluders are invisible props.
   const bool hasTranslucent = !this->Translucent.empty() || !this->TranslucentOccluders.empty();
   const bool hasOccluders = !this->Opaque.empty() || !this->Occluders.empty() ||
     (this->Translucent.empty() && hasTranslucent);

@@ -16,7 +16,7 @@ namespace interlume
 
 namespace
 {
-// Returns the source for one volume, in which FIELD still stands for the volume's index.
+// Returns the GLSL source for one volume, with FIELD as a placeholder for the volume's index.
 std::string GetFieldSource(const ScatteredLightTexture& field)
 {
   std::string source = InterlumeSceneField;

@@ -70,7 +70,7 @@ public:
     glm::dvec3 position;
     for (int axis = 0; axis < 3; ++axis)
     {
-      // The fraction that remains up to the next cell boundary.
+      // The fraction of the cell that remains up to the next cell boundary.
       const double along = this->Direction[axis];
       const double remaining =
         along != 0.0 ? (this->Next[axis] - distance) / this->Step[axis] : 1.0 - this->Within[axis];

@@ -397,15 +397,16 @@ DiffuseLight::Output DiffuseLight::Solve(const SanitizedMedium& medium, const In
   output.Drop.assign(input.BackwardLayers > 0 ? cells : 0, 0.0f);
   std::vector<glm::dvec3> flux(cells, glm::dvec3(0.0));
   std::vector<double> fluence(cells, 0.0);
-  // The equations that fluence solves. Channels with the same equations share them, since Solve
-  // computes a part of them.
+  // The equations that fluence solves. Channels with the same equations share this object, because
+  // Solve computes some of its members.
   std::unique_ptr<ColorEquations> equations;
   for (int color = 0; color < 3; ++color)
   {
     auto own = std::make_unique<ColorEquations>(medium, input, color);
     if (!equations || !own->HasSameEquations(*equations))
     {
-      // If the previous channel differs by a factor, its scaled solution is a good initial guess.
+      // If the previous channel differs only by a factor, its scaled solution is a good initial
+      // guess.
       const double factor =
         equations && equations->GetTotal() > 0.0 ? own->GetTotal() / equations->GetTotal() : 0.0;
       for (double& value : fluence)

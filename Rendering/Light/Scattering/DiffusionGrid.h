@@ -34,7 +34,7 @@ public:
   void Prepare();
 
   /**
-   * Improves \a x until the residual is at most \a tolerance times b in the Euclidean norm, or for
+   * Improves \a x until the residual is at most \a tolerance times the Euclidean norm of b, or for
    * at most \a maximumCycles cycles. Returns the relative residual and sets \a cycles to the number
    * of cycles done.
    */

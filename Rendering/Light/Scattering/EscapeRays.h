@@ -52,9 +52,9 @@ public:
     void Scale(const glm::dvec3& factor);
     /// Scales all parts by one factor so that their sum is \a sent.
     void ScaleTo(const glm::dvec3& sent);
-    /// Scales by \a medium, the ratio of the optical depth present to that sampled by the rays. The
-    /// larger the escaping fraction, the more of this correction applies: light escapes from thick
-    /// media only near the surface.
+    /// Scales by \a medium, the ratio of the medium's optical depth to the optical depth that the
+    /// rays sample. The larger the escaping fraction, the more of this correction applies: light
+    /// escapes from thick media only near the surface.
     void ScaleOut(double medium);
   };
 

@@ -11,7 +11,7 @@ namespace interlume
 
 /**
  * @class   ScatteredLight
- * @brief   previously scattered light in the cells of a medium
+ * @brief   scattered light in the cells of a medium
  *
  * The light last scattered at position x into direction w is
  *

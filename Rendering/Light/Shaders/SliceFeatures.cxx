@@ -70,7 +70,7 @@ const std::vector<SliceFeatures::Choice>& SliceFeatures::GetTable()
     { "mask", "MASK", EVERY, "", "CUSTOM_MEDIUM" },
     { "cropping", "CROPPING", EVERY },
     { "clipping", "CLIPPING_PLANES=2", EVERY },
-    // Numbers, since programs with equal source are shared, including their uniforms.
+    // Different numbers give different sources. Programs with equal source share their uniforms.
     { "volume", "VOLUME_NUMBER=1", EVERY },
     { "light", "LIGHT_NUMBER=1", LIGHT | RECEIVER },
     // Transmission colors.

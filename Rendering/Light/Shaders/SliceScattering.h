@@ -22,8 +22,8 @@ namespace interlume
  * @brief   the scattering of a volume toward the camera
  *
  * Multiple scattering is stored at the nodes of a grid, in maps of four floats per node, stacked
- * along z in one texture. The first two maps are Fluence and NetFlux of ScatteredLight, with
- * NetFlux along the axes of unit space. The maps of Forward follow, one per light.
+ * along z in one texture. The first two maps are Fluence and NetFlux of ScatteredLight, the latter
+ * in unit space. The maps of Forward follow, one per light.
  */
 struct SliceScattering
 {

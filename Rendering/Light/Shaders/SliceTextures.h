@@ -49,10 +49,11 @@ public:
   Error Upload(vtkOpenGLRenderWindow* window, const SliceScattering& scattering);
   ///@}
 
-  /// Sets a custom medium, whose textures are bound together with these, or null.
+  /// Sets a custom medium, or null. Its textures are bound together with those of this object.
   void SetMedium(vtkSliceMedium* medium) { this->Medium = medium; }
 
-  /// Returns the texture of multiple scattering. It has no handle if there is no such light.
+  /// Returns the texture of multiple scattering. It has no handle if there is no multiple
+  /// scattering.
   vtkTextureObject* GetScattered() const { return this->Scattered; }
 
   /// Returns the images of projective lights.

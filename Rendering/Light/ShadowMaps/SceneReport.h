@@ -56,8 +56,7 @@ struct SceneReport
   /// Number of passes that rendered the camera's depth, 0 or 1. Only volumes require it.
   int CameraDepthPasses = 0;
   /// Number of pixels with a surface in front of a volume's slices, inside them and behind them, in
-  /// the direction of light: regions 1, 2 and 3 in table 2.1 of the dissertation, summed over
-  /// sweeps and volumes.
+  /// the direction of light, summed over sweeps and volumes.
   vtkIdType PixelsInFrontOfVolumes = 0;
   vtkIdType PixelsInsideVolumes = 0;
   vtkIdType PixelsBehindVolumes = 0;

@@ -36,7 +36,7 @@ inline glm::dvec3 Normalize(const glm::dvec3& a, const glm::dvec3& otherwise)
   return length > 0.0 ? a / length : otherwise;
 }
 
-/// Returns a unit vector perpendicular to \a a, toward \a up unless \a up is parallel to \a a.
+/// Returns a unit vector perpendicular to \a a, as close to \a up as possible.
 inline glm::dvec3 Perpendicular(const glm::dvec3& a, const glm::dvec3& up)
 {
   const glm::dvec3 across = up - glm::dot(up, a) * a;

@@ -29,8 +29,8 @@ public:
   ImageUpsampler();
   ~ImageUpsampler();
 
-  /// Sets the depths at which the next image ends and begins, as large as the viewport. \a front is
-  /// null if the image begins at the camera. Both are null if there are no surfaces.
+  /// Sets the depths at which the next image ends and begins, in textures of the viewport's size.
+  /// \a front is null if the image begins at the camera. Both are null if there are no surfaces.
   void SetDepths(
     vtkTextureObject* surfaces, vtkTextureObject* front, const glm::dmat4& unitFromClip);
 

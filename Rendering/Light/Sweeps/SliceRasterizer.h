@@ -75,7 +75,8 @@ public:
   /// that contain the volume for it.
   void Show(vtkRenderer* renderer);
 
-  /// Implements vtkShadowedSliceMapper::ReadLightBuffer for the last image, which was in \a space.
+  /// Implements vtkShadowedSliceMapper::ReadLightBuffer for the last image, which was drawn in \a
+  /// space.
   bool ReadLightBuffer(vtkOpenGLRenderWindow* window, const ImageState& state,
     const UnitSpace& space, vtkLight* light, vtkImageData* image);
 

@@ -255,7 +255,7 @@ int SliceReceivers::Draw(vtkOpenGLRenderWindow* window, int slab, std::size_t vo
   }
   vtkOpenGLState* state = window->GetState();
   state->vtkglBlendFunc(GL_ZERO, GL_SRC_COLOR);
-  // Lines and points of actors change the point size.
+  // Actors drawn as lines or points may have changed the point size.
   state->vtkglPointSize(1.0F);
   glEnable(GL_DEPTH_CLAMP);
   for (const Light& light : this->Lights[volume])

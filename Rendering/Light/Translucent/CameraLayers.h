@@ -37,7 +37,7 @@ public:
   /// Calls \a draw, which composites over the bound framebuffer, with the image as the framebuffer.
   void Composite(vtkOpenGLRenderWindow* window, const std::function<void()>& draw);
 
-  /// Composites the image over the viewport, only once after each Clear.
+  /// Composites the image over the viewport. Call it only once after each Clear.
   void Show(vtkOpenGLRenderWindow* window);
 
   vtkIdType GetBytes() const;

@@ -32,12 +32,11 @@ class VolumeSamples;
  * components.
  *
  * **Gradient opacity** depends on the same magnitude as in vtkGPUVolumeRayCastMapper. It is the
- * length of the central-difference gradient per unit length of the image, times the mean of the
- * three spacings s:
+ * length of the central-difference gradient times the mean of the three spacings s:
  *   m = (sx + sy + sz) / 3 |((f(x + 1) - f(x - 1)) / (2 sx), ... y, ... z)|,
- * where x counts voxels and f is the opacity's component. m is in units of the scalar. For cubic
- * voxels, it is the change from one voxel to the next. m is clamped to a quarter of the component's
- * range.
+ * where x counts voxels and f is the component that defines the opacity. m is in units of the
+ * scalar. For cubic voxels, it is the change from one voxel to the next. m is clamped to a quarter
+ * of the component's range.
  */
 class MaterialTable
 {

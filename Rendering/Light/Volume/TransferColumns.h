@@ -33,7 +33,7 @@ namespace interlume
 struct TransferColumns
 {
   static constexpr int Columns = 4096;
-  /// Resolution of edges: their ends are multiples of one over this number.
+  /// Resolution of edges: their ends are multiples of 1 / EdgePositions.
   static constexpr int EdgePositions = 4095;
   using Range = TransferNodes::Range;
   using Value = TransferNodes::Value;

@@ -33,8 +33,8 @@ double GetSize(const Value& value)
   return GetDistance(value, Value{});
 }
 
-/// Returns a position outside all nodes: below the first node \a x if \a sign is -1, above the last
-/// node \a x if it is 1.
+/// Returns a position below \a x, the first node, if \a sign is -1, or above \a x, the last node,
+/// if it is 1.
 double GetOutside(double x, double sign)
 {
   return x + sign * std::max(std::abs(x), 1.0);

@@ -133,7 +133,7 @@ void WriteTexels(Array* array, vtkIdType begin, vtkIdType end,
 }
 
 /// Returns 0 if the smallest magnitude is at most the width of the range, otherwise the center of
-/// the range. The difference between a float and such a center fits into a float, so it is exact.
+/// the range. The difference between a float and such a center is exactly representable as a float.
 double FindOffset(const std::array<double, 2>& range)
 {
   const double smallest = std::max({ range[0], -range[1], 0.0 });

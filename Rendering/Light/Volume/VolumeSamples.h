@@ -39,8 +39,8 @@ public:
 
   /**
    * Converts \a array with \a size values along x, y, z, in parallel. If \a widens is true, 8-bit
-   * values are stored in 16 bits, for software renderers that interpolate bytes with the precision
-   * of bytes. The texels do not depend on the number of threads. Returns an error, and leaves no
+   * values are stored in 16 bits, for software renderers that interpolate bytes with 8-bit
+   * precision. The texels do not depend on the number of threads. Returns an error, and leaves no
    * samples, if there are too few values, 0 or more than 4 components, or too little memory.
    */
   Error Build(vtkDataArray* array, const std::array<int, 3>& size, bool widens);

@@ -55,8 +55,8 @@ struct TetrahedraReport
   /// layers.
   int Passes = 0;
   int Layers = 0;
-  /// Number of tetrahedra in visibility cycles, and of relations across gaps, where a view ray
-  /// exits the mesh and enters it again. Both are counted only with MPVONC_SORT.
+  /// Number of tetrahedra in visibility cycles, and of ordering relations across gaps, where a view
+  /// ray exits the mesh and enters it again. Both are counted only with MPVONC_SORT.
   vtkIdType Cycles = 0;
   vtkIdType Gaps = 0;
   /// Sorted is true if tetrahedra were sorted for this image, HasAdjacency if face adjacency is

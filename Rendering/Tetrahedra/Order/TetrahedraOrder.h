@@ -31,7 +31,7 @@ public:
   };
 
   /**
-   * Clears all cached data, for a different mesh.
+   * Clears all cached data. Call it when the mesh changes.
    */
   void Reset();
 

@@ -129,7 +129,7 @@ public:
   /// Returns the matrix from mesh to eye coordinates, as three rows of four.
   const std::array<double, 12>& GetEyeFromMesh() const { return this->EyeFromMesh; }
   /// Returns the matrix from mesh coordinates to pixel x, pixel y and eye z, as three rows of four.
-  /// Pixel x and y are not yet multiplied by depth nor shifted by GetPixelOffset().
+  /// Pixel x and y are not yet multiplied by depth or shifted by GetPixelOffset().
   std::array<double, 12> GetPixelsFromMesh() const;
   glm::dvec2 GetPixelOffset() const { return { this->OffsetX, this->OffsetY }; }
   /// Returns eye x and y of the point on a pixel's view ray where z is -1 in perspective and 0 in

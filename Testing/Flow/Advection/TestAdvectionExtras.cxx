@@ -34,7 +34,7 @@ KeepingOptions ExtraOptions(const std::vector<vtkSmartPointer<FormulaSurface>>& 
   return options;
 }
 
-/// Array 0 is x, array 1 is y^2 + 3.
+/// Adds two arrays to a flow: x and y^2 + 3.
 Flow WithArrays(Flow flow)
 {
   flow.Array = [](int array, const double* x) { return array == 0 ? x[0] : x[1] * x[1] + 3.0; };

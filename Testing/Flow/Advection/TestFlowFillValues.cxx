@@ -309,7 +309,7 @@ void TestNonFinite(Check& check)
   }
 }
 
-/// Land does not change convolution, critical points and vortex axes.
+/// Land does not change convolution, critical points or vortex axes.
 void TestOtherFilters(Check& check)
 {
   // A vortex around the line (1.3, 1.3) along z.
@@ -401,7 +401,7 @@ void TestField(Check& check)
   check.That(WarningsOf(flow.Filter).empty(), "no warning without automatic settings");
 }
 
-/// A surface positioned by the flow is not attracted by a fill value.
+/// A fill value does not displace a surface that is positioned by the flow.
 void TestInflow(Check& check)
 {
   auto image = MakeFlowImage(17,

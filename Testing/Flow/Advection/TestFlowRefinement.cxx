@@ -321,7 +321,7 @@ void TestRotation(Check& check)
   volume->SetInputConnection(field->GetOutputPort());
   volume->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   volume->SetTimeRange(0.0, 0.9 * FullTurn);
-  // Streamlines within the disk never leave.
+  // Streamlines that start inside the disk never leave it.
   const double exact = 0.2 * 0.9 * 0.5 * FullTurn * 1.1 * 1.1;
   double before = 0.0;
   for (int levels = 0; levels <= 4; ++levels)
@@ -372,7 +372,7 @@ void TestThreads(Check& check)
     check);
 }
 
-/// Samples of other datasets, pieces, and samples that are not refined.
+/// Tests samples on other datasets, pieces, and samples that are not refined.
 void TestSamples(Check& check)
 {
   check.SetContext("image of samples");
@@ -489,7 +489,7 @@ void TestOtherCells(Check& check)
   }
 }
 
-/// Hidden cells are not refined, duplicate cells are. A new point has the ghost flags that all
+/// Hidden cells are not refined, but duplicate cells are. A new point has the ghost flags that all
 /// points of its cell have.
 void TestGhosts(Check& check)
 {
@@ -500,7 +500,7 @@ void TestGhosts(Check& check)
   cells->SetName("vtkGhostType");
   cells->SetNumberOfValues(samples->GetNumberOfCells());
   cells->Fill(0);
-  // Two distant cells in the layer with mixed results.
+  // Two distant cells in the layer that is refined.
   const vtkIdType hidden = 0 + 5 * 2 + 25 * 0;
   const vtkIdType duplicate = 4 + 5 * 2 + 25 * 4;
   cells->SetValue(hidden, vtkDataSetAttributes::HIDDENCELL);

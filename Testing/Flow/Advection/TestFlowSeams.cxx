@@ -121,8 +121,8 @@ vtkSmartPointer<vtkImplicitFlowField> MakeFilter(vtkDataObject* field, int numbe
   return filter;
 }
 
-/// \a gap is the distance between the points of a seam, and the number of joined faces must be from
-/// \a minimum to \a maximum.
+/// \a gap is the distance between the points of a seam. \a minimum and \a maximum bound the number
+/// of faces joined within the tolerance.
 void CheckClosed(const std::string& name, vtkDataObject* field, int number, double gap, int minimum,
   int maximum, Check& check)
 {
@@ -235,7 +235,7 @@ void TestOpen(Check& check)
     "number of open faces");
   check.That(filter->GetReport()->GetNumber("Statuses", vtkFlowStatus::LEFT_DOMAIN) > 100,
     "some streamlines end there");
-  // Cells around an axis have collapsed faces, across which other cells lie.
+  // Cells at an axis have collapsed faces, which cause no warning.
   auto wedges = MakePart(0, Around);
   MovePoints(wedges,
     [](const Vector& x)

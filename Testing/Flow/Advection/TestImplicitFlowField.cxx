@@ -247,8 +247,8 @@ void TestDomainFaces(Check& check)
   }
 }
 
-/// With CriticalPointSpheres, a flow source is enclosed in a sphere. Without it, streamlines
-/// stagnate there.
+/// With CriticalPointSpheres, a flow source is enclosed in a sphere. Without this setting,
+/// streamlines stagnate there.
 void TestCriticalPoints(Check& check)
 {
   const auto field = [](const Vector& x) {
@@ -260,7 +260,7 @@ void TestCriticalPoints(Check& check)
   filter->CriticalPointSpheresOn();
   filter->SetCriticalPointRadius(0.5);
   filter->Update();
-  // One sample is inside the sphere.
+  // One of 729 samples is inside the sphere.
   check.Equal(filter->GetReport()->GetCount("SurfaceIds"), 2000, "the sphere's id");
   check.Equal(
     filter->GetReport()->GetCount("SamplesBySurface"), 728, "all samples reach the sphere");

@@ -189,8 +189,8 @@ vtkSmartPointer<vtkImageData> MakeAnalytic(int field, int points)
   return source->GetOutput();
 }
 
-/// Fields of vtkAnalyticFlowSource in both directions, with and without surfaces, at several
-/// tolerances.
+/// Traces fields of vtkAnalyticFlowSource forward and backward, with and without surfaces, at
+/// several tolerances.
 void TestFields(Seen& seen, Check& check)
 {
   vtkNew<vtkTerminationSphere> sphere;

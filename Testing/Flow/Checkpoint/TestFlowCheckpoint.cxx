@@ -282,7 +282,7 @@ void TestAborts(const std::string& name, Check& check)
   }
 }
 
-/// A checkpoint is written only if there is a file name, which does not change the result.
+/// Checkpoints are written only if there is a file name, and do not change the result.
 void TestOnRequest(const std::string& name, Check& check)
 {
   check.SetContext("checkpoints on request");

@@ -290,7 +290,7 @@ void CheckErrors(Check& check)
   check.That(find(empty).find("the field has no three-dimensional cells. ") == 0, find(empty));
 }
 
-// Returns the positions of lines through a mesh whose field is built in parallel.
+// Returns positions, cells and times along lines through a mesh whose field is built in parallel.
 std::vector<double> WalkAll(vtkUnstructuredGrid* mesh, vtkDataArray* vectors, Check& check)
 {
   std::vector<double> all;

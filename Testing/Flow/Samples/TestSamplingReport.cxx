@@ -71,7 +71,7 @@ vtkSmartPointer<vtkImplicitFlowField> NewFilter(vtkDataSet* field, vtkTerminatio
   return filter;
 }
 
-/// Values that the report contains about interpolation between samples.
+/// The report's values for the interpolation between samples.
 struct Sampling
 {
   struct Error

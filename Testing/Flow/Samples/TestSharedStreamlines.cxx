@@ -227,8 +227,8 @@ void TestRejections(Check& check)
       found.Shared.size() > 0.1 * static_cast<double>(all), "other samples are interpolated");
   }
   check.SetContext("");
-  // A streamline passes the boundary edge of its surface between two samples. Interpolation extends
-  // across the edge.
+  // The boundary edge of the surface lies between the ends of adjacent streamlines. Interpolation
+  // extends across the edge.
   const auto edge = [&](double i, double j, double)
   {
     const double distance = 0.03 * i + 1e-5 * j * j;
@@ -257,7 +257,7 @@ vtkSmartPointer<vtkImplicitFlowField> NewFilter(int field, double error, bool is
   source->SetDimensions(17, 17, 17);
   if (field == vtkAnalyticFlowSource::ROTATION)
   {
-    // Every circle leaves the field.
+    // Every circular streamline leaves the field.
     source->SetCenter(-1.2, -1.2, 0.0);
   }
   auto filter = vtkSmartPointer<vtkImplicitFlowField>::New();

@@ -76,8 +76,8 @@ void TestUniform(Check& check)
   }
 }
 
-/// A jet through a part of the inlet, a flow whose rate increases downstream, and the size of the
-/// rectangle.
+/// A jet through a part of the inlet, a smaller rectangle, and a flow whose rate increases
+/// downstream.
 void TestParts(Check& check)
 {
   check.SetContext("jet");

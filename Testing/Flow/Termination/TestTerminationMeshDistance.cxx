@@ -115,7 +115,7 @@ void CheckNormalsOfMesh(Check& check)
   }
 }
 
-// With refined meshes, the distance converges to the sphere's distance with second order.
+// With refined meshes, the distance converges to the distance from the sphere with second order.
 void CheckConvergence(Check& check)
 {
   check.SetContext("convergence");

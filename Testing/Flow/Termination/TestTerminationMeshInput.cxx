@@ -32,7 +32,7 @@ Vector OnSphere(double u, double v)
     -0.7 * std::cos(Pi * v) } };
 }
 
-// Checks that distances equal the distances of the original mesh.
+// Checks that distances equal the distances from the original mesh.
 void CheckSame(const TexturedMesh& changed, const TexturedMesh& mesh, const std::string& name,
   Check& check, int degenerate = 0)
 {
@@ -168,7 +168,7 @@ void CheckDegenerate(Check& check)
   const TexturedMesh star = MakeStar();
   TexturedMesh degenerate = star;
   const int first = static_cast<int>(star.Points.size());
-  // Three points on a line, a triangle of one point, and a repeated point.
+  // Three degenerate triangles: collinear points, a single point, and a repeated point.
   for (double along : { -2.0, 0.0, 1.0 })
   {
     degenerate.Points.push_back({ { 0.01 * along, 0.02 * along, 0.03 * along } });

@@ -25,7 +25,7 @@ Vector OnCylinder(double u, double v)
   return { { 0.5 * std::cos(2.0 * Pi * u), 0.5 * std::sin(2.0 * Pi * u), v - 0.5 } };
 }
 
-// Offset of u, in turns, so that u = 0 lies inside triangles instead of at points.
+// Offset of u, as a fraction of a turn, so that u = 0 lies inside triangles instead of at points.
 const double Shift = 0.02;
 
 // Removes the grid's points at u = 1, so that triangles at the seam use the points at u = 0. Adds

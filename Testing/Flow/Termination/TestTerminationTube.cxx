@@ -160,7 +160,7 @@ void CheckTube(const std::vector<Vector>& unit, double radius, const SurfaceScal
   CheckNormals(tube, scale, name + " with ends", check);
   CheckSamples(tube, scale, 80, 0.1 * scale.Size, name + " with ends", check);
   check.That(!tube->IsPeriodic(0, 1) && !tube->IsPeriodic(0, 2), "ends are not periodic");
-  // The boundary of an end equals the boundary of the tube. Its center is the tip.
+  // The boundary of an end cap equals the boundary of the tube. The center of the cap is its tip.
   for (int end = 0; end < 2; ++end)
   {
     const double center[2] = { 0.5, 0.5 };

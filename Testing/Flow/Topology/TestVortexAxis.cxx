@@ -442,7 +442,7 @@ void CheckBreaks(Check& check)
   output->GetLines()->GetCellAtId(0, ids);
   check.Equal(ids->GetNumberOfIds(), 7, "points of the lower line");
 
-  // The swirl determines the rotation, even if the divergence is larger.
+  // The swirl determines the sense of rotation, even if the divergence is larger.
   check.SetContext("senses");
   SetVelocity(image,
     [&](const FlowVector& x)

@@ -229,8 +229,7 @@ void TestOblique(Check& check)
   }
 }
 
-/// Rotating flow: time increases from 0 on one side of the half-plane to a full rotation on the
-/// other.
+/// Rotating flow: time increases from 0 on one side of the half-plane to the period on the other.
 void TestReturning(Check& check)
 {
   check.SetContext("returning");

@@ -134,7 +134,7 @@ private:
   std::vector<bool> IsHidden;
 };
 
-/// Returns the volume between two positions along x from which lines reach the plane. Uses one
+/// Returns the volume, with x from \a low to \a high, from which lines reach the plane. Uses one
 /// random position in each of many boxes.
 double MeasureLines(const Case& one, double low = -1.0, double high = 1.0)
 {

@@ -265,7 +265,7 @@ void TestRotation(Check& check)
   }
 }
 
-/// A mesh instead of a plane, with triangles and a boundary edge, and no other surface in between.
+/// A mesh yields the same sides as a plane. Positions past its boundary edge have no side.
 void TestMesh(Check& check)
 {
   check.SetContext("mesh");

@@ -287,7 +287,7 @@ void CheckPlane(Check& check)
         for (int c = 0; c < 3; ++c)
         {
           const double v = corners[c].X[2];
-          // The last contour ends before v = 0, the first before v = 1.
+          // Contour 0 reaches only up to v = 0.6, and contour 2 only down to v = 0.4.
           const double first = corners[c].Contour == 0 ? 0.6 : 1.0;
           const double last = corners[c].Contour == 2 ? 0.4 : 0.0;
           check.Near(corners[c].S, std::sqrt(1.25) * (end == 0.0 ? v - last : first - v), 1e-6,

@@ -104,7 +104,7 @@ void CheckAll(const std::string& name, Check& check)
     check.That(found == message, name + ", " + what + ": \"" + found + "\"");
   };
   expect("whole", {}, "");
-  // Cell 4 is the third tetrahedron, with the entries 11 to 15 of the 6,664 point ids.
+  // Cell 4 is the third tetrahedron, with the entries 11 to 14 of the 6,664 point ids.
   const std::string tetra = "cell 4 (vtkTetra) has ";
   for (const vtkIdType id : { vtkIdType(-1), Points, most, -most })
   {

@@ -394,7 +394,7 @@ void CheckShortArrays(Check& check)
   }
 }
 
-/// Pedigree ids are not passed, but may be the scalar of polyhedra that are split into tetrahedra.
+/// Pedigree ids are not passed, but may be the scalars of polyhedra that are split into tetrahedra.
 void CheckPedigreeIds(Check& check)
 {
   check.SetContext("pedigree ids");

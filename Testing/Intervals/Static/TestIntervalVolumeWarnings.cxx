@@ -292,7 +292,7 @@ void CheckAxes(Check& check)
     AddLinearField(grid, { 0.0, { 1.0, 0.0, 0.0 } });
     return grid;
   };
-  // A row of cells perpendicular to the axis has 3 x 2 cells.
+  // A layer of cells perpendicular to the y axis has 3 x 2 cells.
   ExpectFolded(make({ 0, 1, 3 }), 0, "", "ascending coordinates", check);
   ExpectFolded(make({ 3, 1, 0 }), 0, "", "descending coordinates", check);
   ExpectFolded(make({ 0, 2, 1, 3 }), 6,

@@ -197,8 +197,8 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePiece(
   return piece;
 }
 
-/// A region with the tetrahedra of a time level as additional cells. Some faces at the level have
-/// the same tetrahedra, and AtStep disables the other faces.
+/// Adds the tetrahedra at a time level as cells. AtStep enables only some faces at the level, which
+/// duplicate some of these tetrahedra.
 void CheckAtStep(Check& check)
 {
   using Filter = vtkTimeVaryingIntervalVolume;

@@ -208,7 +208,7 @@ int TestTimeVaryingBoundaries(int, char*[])
       CheckEnd(steps, moved, 0, check);
       CheckEnd(steps, moved, 1, check);
     }
-    // A range of steps has a separate start and end.
+    // The boundaries in time are at the first and last step of the range.
     check.SetContext(grid.Name + ", the last two steps");
     TimeVaryingSettings settings = { Intervals };
     settings.Steps = { 1, 2 };

@@ -41,7 +41,7 @@ Point RandomPoint(std::mt19937& random)
   return p;
 }
 
-/// Returns a mean of points, weighted in quarters, with a random time.
+/// Returns a mean of points, weighted by multiples of 1/4, with a random time.
 Point Mean(const std::vector<std::pair<Point, int>>& parts, std::mt19937& random)
 {
   Point mean = RandomPoint(random);
@@ -272,9 +272,9 @@ struct Errors
   long long Count = 0;
 };
 
-/// Checks properties that hold for every 4-simplex, even if its class is ambiguous. The error of
-/// the hypervolume is relative, plus terms for rounding errors of the thick point's coordinates and
-/// of a sum of times that cancel.
+/// Checks properties that hold for every 4-simplex, even if its class is ambiguous. The error bound
+/// of the hypervolume is relative, plus terms for rounding errors of the thick point's coordinates
+/// and of a sum of times that cancel.
 void CheckMeasures(const Points& p, Errors& errors, Check& check)
 {
   const ExactProperties exact = MakeTruth(p);

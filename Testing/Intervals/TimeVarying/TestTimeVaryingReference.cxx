@@ -67,7 +67,7 @@ void CheckExact(Check& check)
 double BoxIntegral(const std::array<double, 3>& size, const LinearFunction& function, double rate,
   double value, double begin, double end)
 {
-  // The volume is piecewise cubic in time. With many intervals the error is negligible.
+  // The volume is piecewise cubic in time. With many pieces the quadrature error is negligible.
   constexpr int pieces = 20000;
   const double step = (end - begin) / pieces;
   const double node = 0.5 / std::sqrt(3.0);

@@ -15,9 +15,10 @@ namespace reference
  * @class   SeenLight
  * @brief   radiance that leaves a box of medium, sampled by random view rays
  *
- * Rays correspond to rendering with very thin slices. The single scattering is computed from the
- * transmittance along a ray to each light. The solver's field is interpolated between cell centers.
- * Only the first color channel is computed, with lights of color 1. Mirrors are not supported.
+ * The result corresponds to rendering with very thin slices. The single scattering is computed from
+ * the transmittance along a ray to each light. The solver's field is interpolated between cell
+ * centers. Only the first color channel is computed, with lights of color 1. Mirrors are not
+ * supported.
  */
 class SeenLight
 {

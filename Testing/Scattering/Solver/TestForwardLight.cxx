@@ -147,8 +147,8 @@ void CheckOblique(Check& check)
   }
 }
 
-/// A far point light is equivalent to a directional light, and a light inside the medium is
-/// symmetric.
+/// A distant point light is equivalent to a directional light, and a light inside the medium causes
+/// symmetric scattering.
 void CheckLocations(Check& check)
 {
   const ScatteringMedium medium = MakeCloud(20, 6.0, glm::vec3(1.0f), 0.7);

@@ -15,8 +15,8 @@ using interlume::PhaseFunction;
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// Integrates p times a power of the cosine over the sphere. Steps are denser near both ends of the
-/// interval.
+/// Integrates p times a power of the cosine over the sphere. Steps are smaller near both ends of
+/// the interval.
 double Integrate(const PhaseFunction& phase, int power, double lower = -1.0)
 {
   constexpr int steps = 40000;

@@ -63,7 +63,7 @@ double MeasureArea(vtkUnstructuredGrid* triangles, const char* array = nullptr, 
 /// Returns the total volume of tetrahedra, selected as in MeasureArea().
 double MeasureVolume(vtkUnstructuredGrid* tetrahedra, const char* array = nullptr, int value = 0);
 
-/// Returns the flux of a vector field through the triangles whose cell array has the given value.
+/// Returns the flux of a vector field through the triangles with the given value of the cell array.
 /// Uses the field at the edge midpoints.
 double MeasureFlux(vtkUnstructuredGrid* triangles,
   const std::function<std::array<double, 3>(const double* x)>& field, const char* array, int value);

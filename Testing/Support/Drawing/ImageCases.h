@@ -21,12 +21,12 @@ namespace reference
 /// precision. The active scalars are `f` = 0.1 + 0.5 x + 0.3 y + 0.1 z, from 0.1 to 1.
 vtkSmartPointer<vtkUnstructuredGrid> MakeCube(int cells);
 
-/// Returns the unit cube, divided into the given numbers of boxes of six tetrahedra, with the
-/// scalars `f` of MakeCube().
+/// Returns the unit cube with the given number of boxes along each axis, each split into six
+/// tetrahedra. The scalars are `f` of MakeCube().
 vtkSmartPointer<vtkUnstructuredGrid> MakeBox(const std::array<int, 3>& cells);
 
-/// Returns a mesh over the unit square with one layer between each two consecutive values of \a z.
-/// Each layer has cells^2 boxes of five tetrahedra. The scalars are `f` of MakeCube().
+/// Returns a mesh over the unit square with one layer between consecutive values of \a z. Each
+/// layer has cells^2 boxes of five tetrahedra. The scalars are `f` of MakeCube().
 vtkSmartPointer<vtkUnstructuredGrid> MakeLayers(int cells, const std::vector<double>& z);
 
 /// Moves every point p to origin + scale * p * stretch, component by component.

@@ -59,8 +59,8 @@ vtkSmartPointer<vtkStructuredGrid> MakeStructuredGrid(const std::array<int, 3>& 
 /// the axis. The points of the seam are duplicated.
 vtkSmartPointer<vtkStructuredGrid> MakeRing(const std::array<int, 3>& cells);
 
-/// Returns the kinds for which MakeFlowMesh() returns only tetrahedra, voxels, hexahedra, wedges
-/// and pyramids.
+/// Returns the mesh kinds for which MakeFlowMesh() returns only tetrahedra, voxels, hexahedra,
+/// wedges and pyramids.
 const std::vector<MeshKind>& FlowMeshKinds();
 /// Returns the mesh of MakeMesh() with its polyhedra converted to wedges and voxels, or hexahedra
 /// if \a hasVoxels is false.
@@ -88,8 +88,8 @@ struct CellSample
   /// Entry 3 i + j is dv_i/dx_j.
   std::array<double, 9> Gradient;
 };
-/// Returns a random sample at least a hundredth of the cell away from its faces. The gradient is 0
-/// unless \a hasGradient is true.
+/// Returns a random sample in a cell, at least a hundredth of its size away from its faces. The
+/// gradient is 0 unless \a hasGradient is true.
 CellSample SampleCell(vtkDataSet* data, vtkDataArray* vectors, vtkIdType cell, Random& random,
   bool hasGradient = false);
 

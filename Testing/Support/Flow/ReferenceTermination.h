@@ -54,8 +54,8 @@ void CheckDistance(const vtkTerminationSurface* surface, const SurfaceScale& sca
   const std::function<double(const Vector&)>& expected, const std::string& name, Check& check);
 
 /// Samples each part of the surface at about \a samples^2 points and compares the absolute distance
-/// with the distance from the nearest sample. No surface point may be further than \a spacing from
-/// a sample.
+/// with the distance from the nearest sample. Every surface point must be within \a spacing of a
+/// sample.
 void CheckSamples(const vtkTerminationSurface* surface, const SurfaceScale& scale, int samples,
   double spacing, const std::string& name, Check& check);
 

@@ -16,7 +16,7 @@ namespace reference
 
 /**
  * @class   SpaceWalker
- * @brief   flow in a single cell that is all of space or a box; p = x
+ * @brief   flow in a single cell that is all of space or a box; local coordinates p = x
  */
 class SpaceWalker : public interlume::CellWalker
 {
@@ -106,7 +106,7 @@ struct BoxGrid
 
 /**
  * @class   BoxWalker
- * @brief   flow on a regular grid; p is from 0 to 1 in each box
+ * @brief   flow on a regular grid; local coordinates p are from 0 to 1 in each box
  */
 class BoxWalker : public interlume::CellWalker
 {

@@ -40,8 +40,8 @@ struct FunctionNode
 vtkSmartPointer<vtkVolumeProperty> MakeProperty(
   const std::vector<FunctionNode>& nodes, double unitDistance = 1.0);
 
-/// Returns a color ramp from blue at 0 to yellow at 1, with an opacity that rises from \a low to \a
-/// high.
+/// Returns a property with a color ramp from blue at 0 to yellow at 1 and an opacity that rises
+/// from \a low to \a high.
 vtkSmartPointer<vtkVolumeProperty> MakeRamp(double low, double high, double unitDistance = 1.0);
 
 }

@@ -17,7 +17,7 @@ namespace reference
 /// and a positional vtkAreaLight above. The sheet and the receiver are two voxels thick. The camera
 /// looks up from below. The exact penumbra is \a width wide, at most 0.2. \a ratio is the
 /// receiver's distance from the sheet divided by the light's distance from the sheet, dZ / Z in
-/// equation 2.14.
+/// equation 2.14 of C. Zhang's dissertation.
 ShadowScene MakeHalfPlane(double ratio, double width);
 
 /// Returns the width that a pixel of MakeHalfPlane()'s image has on the receiver.

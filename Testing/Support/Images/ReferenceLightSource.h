@@ -34,7 +34,8 @@ struct LightPoint
  * direction are used, so the renderer must have updated headlights and camera lights.
  *
  * Sample points affect only the shadow, which is the mean of the shadows cast by the points
- * (equation 2.13 of the dissertation). The illumination is the light of a point at the center.
+ * (equation 2.13 of C. Zhang's dissertation). The illumination is the light of a point at the
+ * center.
  */
 class ReferenceLightSource
 {

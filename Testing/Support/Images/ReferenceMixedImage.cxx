@@ -173,7 +173,7 @@ private:
     return arrivals;
   }
 
-  /// Equations 2.6 and 2.9 of the dissertation.
+  /// Shades by equations 2.6 and 2.9 of C. Zhang's dissertation.
   Double3 Shade(const Part& part, const ReferenceMedium::Reflection& reflect,
     const std::vector<Arrival>& arrivals, const Double3& direction) const
   {
@@ -358,7 +358,8 @@ private:
       }
     }
     std::sort(bounds.begin(), bounds.end());
-    // Bounds of neighboring voxels differ by rounding errors. These tiny intervals are skipped.
+    // Bounds of neighboring voxels differ by rounding errors. The resulting tiny intervals are
+    // skipped.
     constexpr double rounding = 1e-13;
     std::vector<MediumInterval> here;
     for (std::size_t i = 0; i + 1 < bounds.size() && state.Depth < Opaque; ++i)

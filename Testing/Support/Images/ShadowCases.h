@@ -24,8 +24,8 @@ vtkSmartPointer<vtkImageData> MakeImage(
 vtkSmartPointer<vtkImageData> MakeImage(
   const std::array<int, 3>& cells, const Double3& spacing, const Field& field);
 
-/// Returns the density of equation 2.7 of the dissertation: 1 within the radius \a inner of the
-/// center, 0 outside \a outer.
+/// Returns the density of equation 2.7 of C. Zhang's dissertation: 1 within the radius \a inner of
+/// the center, 0 outside \a outer.
 Field MakeSphere(double inner, double outer);
 /// Returns the density of two boxes whose density rises from 0 at their faces to 1 inside. With
 /// light along (1, -1, -1), one box shades the other.
@@ -42,8 +42,8 @@ vtkSmartPointer<vtkLight> MakePositionalLight(const Double3& position);
 vtkSmartPointer<vtkCamera> LookAt(
   vtkImageData* image, const Double3& direction, bool parallel, vtkMatrix4x4* matrix = nullptr);
 
-/// Returns a property with two colors for one component from 0 to 1. The opacity per tenth of a
-/// unit rises to \a opacity. The ambient, diffuse and specular coefficients are 0.15, 0.8 and 0.3.
+/// Returns a property for scalars from 0 to 1, with a color ramp. The opacity per tenth of a unit
+/// rises to \a opacity. The ambient, diffuse and specular coefficients are 0.15, 0.8 and 0.3.
 vtkSmartPointer<vtkVolumeProperty> MakeSoftProperty(double opacity, bool shade);
 
 /// Returns a scene of an image with light along (1, -1, -1) and a perspective view along (-0.3,

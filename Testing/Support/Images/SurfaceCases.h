@@ -24,7 +24,8 @@ struct SurfaceCase
   PixelFunction Expected;
 };
 
-/// Returns an opaque white cube. The brightness depends on the angles of its faces.
+/// Returns an opaque white cube. The brightness of a face depends on its angles to the light and
+/// the view.
 SurfaceCase MakeOpaqueCube(int cells);
 
 /// Returns a white plate through a cube of cells^3 voxels. Its opacity jumps from 0 to 1 between

@@ -45,8 +45,8 @@ struct ReferencePenumbra
   }
 
   /// Returns the penumbra of a square directional light: a ramp from 0 to 1 across \a width, which
-  /// is L dZ / Z for an edge length L. x is the distance from the shadow edge that the light's
-  /// center would cast.
+  /// is L dZ / Z for edge length L of the light at distance Z and a receiver at distance dZ from
+  /// the half-plane. x is the distance from the shadow edge that the light's center would cast.
   static double GetRamp(double x, double width)
   {
     return std::min(std::max(x / width + 0.5, 0.0), 1.0);

@@ -93,8 +93,8 @@ private:
 
   void AddHalvedPyramid(int face, vtkIdType apex)
   {
-    // Splits the base along the same diagonal as the wedges and Tetrahedra6. It starts at corner 0
-    // or 6 of the box.
+    // Splits the base along the same diagonal as the wedges and Tetrahedra6. The diagonal starts at
+    // corner 0 or 6 of the box.
     Ids base = this->Pick(BoxFaces[face]);
     int first = 0;
     while (BoxFaces[face][first] != 0 && BoxFaces[face][first] != 6)

@@ -42,8 +42,8 @@ std::string GetName(MeshKind kind);
 
 /**
  * Returns a mesh of \a kind with cells[0] x cells[1] x cells[2] boxes, which fill the block [0,
- * cells[0]] x [0, cells[1]] x [0, cells[2]]. For Honeycomb and Kelvin, \a cells counts cells. Only
- * the mixed mesh uses \a seed.
+ * cells[0]] x [0, cells[1]] x [0, cells[2]]. For Honeycomb and Kelvin, \a cells is the number of
+ * cells. Only the mixed mesh uses \a seed.
  */
 vtkSmartPointer<vtkUnstructuredGrid> MakeMesh(
   MeshKind kind, const std::array<int, 3>& cells, unsigned int seed = 1);

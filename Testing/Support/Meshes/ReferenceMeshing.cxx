@@ -194,7 +194,7 @@ public:
     this->Builder.AddPolyhedron(faces);
   }
 
-  /// Returns the number of added cells.
+  /// Fills the fourth box and returns the number of added cells.
   int AddOther()
   {
     const std::vector<vtkIdType> c = { this->At(1, 1, 0), this->At(2, 1, 0), this->At(2, 2, 0),

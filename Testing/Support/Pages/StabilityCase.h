@@ -61,8 +61,8 @@ std::vector<StabilityCount> CountByClass(const std::vector<StabilityCase>& cases
  * Every case prints one line. All cases of the test are written to the file
  * `<test>.stability.json`. The environment variable INTERLUME_STABILITY_DIR or else the argument
  * after `-T` gives its directory. Without either, no file is written. The file is rewritten after
- * every case, so a crash preserves the previous cases, and records whether the test ran to its end.
- * `interlume-bench report` reads the files.
+ * every case, so that a crash preserves the previous cases. It records whether the test ran to its
+ * end. `interlume-bench report` reads the files.
  */
 class StabilityCatalogue
 {

@@ -62,7 +62,8 @@ struct WeightedTetrahedron
 std::vector<WeightedTetrahedron> WeightedTetrahedraOf(
   vtkUnstructuredGrid* grid, int interval = Any, int slab = Any);
 
-/// Groups consecutive tetrahedra of port 0 with equal Thick. Each group belongs to one 4-simplex.
+/// Groups consecutive tetrahedra of port 0 that have the same value of Thick. Each group belongs to
+/// one 4-simplex.
 std::vector<std::vector<WeightedTetrahedron>> GroupByThickPoint(
   const std::vector<WeightedTetrahedron>& tetrahedra);
 

@@ -53,7 +53,7 @@ void AddIntegerTimeField(
 void AddDriftingField(
   const TimeSteps& steps, double rate, unsigned int seed, const char* name = "f");
 
-/// Moves every point of a step, which must be a vtkPointSet.
+/// A motion of points. MovePoints() applies it to all steps, whose data must be vtkPointSet.
 using Motion = std::function<void(std::array<double, 3>& x, double time)>;
 void MovePoints(const TimeSteps& steps, const Motion& motion);
 

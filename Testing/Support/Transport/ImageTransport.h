@@ -41,7 +41,7 @@ struct ImageTransportSettings
 
 /**
  * Mean over paths and its standard error for each channel. Colors are premultiplied by alpha, the
- * opacity of the medium. They exclude surroundings that are visible through the medium.
+ * opacity of the medium. They exclude the surroundings that are visible through the medium.
  */
 struct TransportImage
 {

@@ -43,7 +43,7 @@ private:
   double SampleTable(double cumulative) const;
 
   double MeanCosine = 0.0;
-  /// Nodes of the table, p times 2 pi and the cumulative distribution at the nodes. Empty if there
+  /// The table: cosines of the nodes, p times 2 pi, and the cumulative distribution. Empty if there
   /// is no table.
   std::vector<double> Cosines;
   std::vector<double> Values;

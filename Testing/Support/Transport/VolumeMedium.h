@@ -32,7 +32,7 @@ public:
   glm::dvec3 GetAlbedo(const glm::dvec3& position) const override;
 
 private:
-  /// Returns the interpolated scalar in table columns.
+  /// Returns the interpolated scalar as a position in the table, in columns.
   double GetColumn(const glm::dvec3& position) const;
   std::vector<ExtinctionRange> GetBlockRanges(const std::array<int, 3>& blocks) const;
 

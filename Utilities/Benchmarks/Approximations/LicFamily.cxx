@@ -30,7 +30,7 @@ constexpr double Length = 10.0 * Scale;
 /// Step length in units of the noise scale.
 constexpr double DefaultStep = 0.25;
 
-/// Returns a rotation about the z-axis, which trilinear interpolation reproduces exactly.
+/// Returns a rotational flow about the z-axis, which trilinear interpolation reproduces exactly.
 vtkSmartPointer<vtkImageData> MakeRotation()
 {
   auto image = vtkSmartPointer<vtkImageData>::New();

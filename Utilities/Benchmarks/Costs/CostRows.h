@@ -35,8 +35,8 @@ extern const char* const AllScenes;
 std::vector<BenchRow> Summarize(const std::vector<BenchRow>& rows);
 
 /// Returns two claims: no feature leaves resources in any scene after it is switched off, and the
-/// times that remain are within the noise. Their cases are the rows that miss the target, and the
-/// number of rows that meet it.
+/// extra times that remain are within the noise. Their cases are the rows that miss the target, and
+/// the number of rows that meet it.
 std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows);
 }
 

@@ -15,8 +15,8 @@
 class vtkRTAnalyticSource;
 
 /**
- * A dataset with one point array, the scalars, and the interval to extract. The lower bound is also
- * the isovalue of contours.
+ * A dataset whose only point array is the scalars, and the interval to extract. The lower bound is
+ * also the isovalue of contours.
  */
 struct BenchData
 {

@@ -139,8 +139,8 @@ private:
   {
     settings.Search =
       this->What.IsBoxGrid ? CellSearch::CLOSEST_POINT : CellSearch::STATIC_CELL_LOCATOR;
-    // A run with one streamline shows the preprocessing time, such as for face matching and
-    // locators.
+    // A run with one streamline shows the time for preprocessing, such as matching faces and
+    // building locators.
     Case one = this->What;
     one.Seeds = MakeSeeds(1, 0.01, this->Options.Seed);
     if (!this->What.IsBoxGrid)

@@ -42,7 +42,7 @@ struct Tube
 /**
  * Returns tubes on images with \a points points along each axis: `contraction`, in the field (x,
  * -y/2, -z/2), which interpolation reproduces exactly; `beside` and `around`, in potential flow of
- * speed 1 around a sphere of radius 1. The tube passes next to the sphere or surrounds it.
+ * speed 1 around a sphere of radius 1, where the tube passes next to the sphere or surrounds it.
  */
 std::vector<Tube> MakeTubes(int points);
 }

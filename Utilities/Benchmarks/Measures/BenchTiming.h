@@ -34,8 +34,8 @@ BenchSeconds TimeOnce(const BenchWork& work);
 std::vector<BenchSeconds> MeasureAlternately(const std::vector<BenchWork>& works, int repeats);
 
 /**
- * Returns \a work, preceded by setting the number of threads of vtkSMPTools to \a threads. The
- * number remains set afterward.
+ * Returns work that sets the number of threads of vtkSMPTools to \a threads and then runs \a work.
+ * The number remains set afterward.
  */
 BenchWork WithThreads(int threads, const BenchWork& work);
 

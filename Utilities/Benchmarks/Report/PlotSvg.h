@@ -15,8 +15,8 @@ constexpr std::size_t NumberOfMarks = 14;
 /// Returns the SVG attributes of the mark of a series: path and fill.
 std::string MarkOf(std::size_t series);
 
-/// Returns the color of a series, #rrggbb. The first five colors also differ in brightness, for
-/// bars.
+/// Returns the color of a series, #rrggbb. The first five colors also differ in brightness, so that
+/// bars can be distinguished without colors.
 std::string ColorOf(std::size_t series);
 
 /**

@@ -29,7 +29,7 @@ struct BenchPlot
   enum Kinds
   {
     LINES,
-    /// One group of bars for each of BarLabels. The Y values of a series are in the order of
+    /// One group of bars for each entry of BarLabels. The Y values of a series are in the order of
     /// BarLabels.
     BARS
   };
@@ -83,7 +83,7 @@ struct BenchPlot
   void SetNoChoice(const std::string& label);
 
   /// Marks the last point of the series \a label, or its point named \a name, as the default. Marks
-  /// no point if it does not exist.
+  /// no point if there is no such point.
   void SetDefault(const std::string& label, const std::string& name = std::string());
 };
 

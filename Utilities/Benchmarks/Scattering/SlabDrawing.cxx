@@ -102,8 +102,8 @@ double SlabDrawing::GetFlux(bool isReflected)
   double sum = 0.0;
   for (std::size_t i = 0; i < Nodes.size(); ++i)
   {
-    // View directions are dense near the normal. A phase function of g = 0.9 seen through a thin
-    // slab is then integrated with an error below 0.5 %.
+    // View directions are dense near the normal. A Henyey-Greenstein phase function with g = 0.9 in
+    // a thin slab is then integrated with an error below 0.5 %.
     const double rest = 1.0 - Nodes[i];
     const double cosine = 1.0 - rest * rest * rest;
     this->Scene.Camera->DeepCopy(MakeCamera(cosine, isReflected, GetWidth(this->Medium)));

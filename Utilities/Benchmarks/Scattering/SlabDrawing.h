@@ -24,10 +24,10 @@ struct Slab
  * @brief   flux reflected and transmitted by a slab, integrated from rendered images
  *
  * The slab is a box of thickness 1. It is wide enough for its center to behave like an infinite
- * slab: in optically thin slabs, light that travels sideways leaves through the faces only after
- * many thicknesses, in thick slabs after few. The slice spacing and the light buffer resolve the
- * mean free path of light rays and view rays. The scattering grid has \a across cells across the
- * slab, but at most 128 cells along the box.
+ * slab: in optically thin slabs, light travels sideways by many thicknesses before it leaves; in
+ * thick slabs, by only a few. The slice spacing and the light buffer resolve the mean free path of
+ * light rays and view rays. The scattering grid has \a across cells across the slab, but at most
+ * 128 cells along the box.
  */
 class SlabDrawing
 {

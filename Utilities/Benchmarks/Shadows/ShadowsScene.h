@@ -19,7 +19,7 @@ struct Case
   reference::ShadowScene Scene;
 };
 
-/// Returns the cases, changed to be rendered with \a pixels pixels along both edges.
+/// Returns the cases with an image size of \a pixels x \a pixels.
 std::vector<Case> WithPixels(std::vector<Case> cases, int pixels);
 
 /**
@@ -44,7 +44,7 @@ Case MakeRings(int points);
 
 /**
  * Returns the case `smoke-<points>`: a sphere of thin smoke with holes, the displaced sphere of
- * figure 2.12 of the dissertation, on points^3 points.
+ * figure 2.12 of C. Zhang's dissertation, on points^3 points.
  */
 Case MakeSmoke(int points);
 
@@ -55,9 +55,9 @@ Case MakeSmoke(int points);
 Case MakeBox(int points);
 
 /**
- * Returns the case \a from with isotropic single scattering: C = c kd I T, without ambient light.
- * vtkShadowedSliceMapper renders it with Shade off. The volumetric shadows of
- * vtkGPUVolumeRayCastMapper require Shade on.
+ * Returns the case \a from with isotropic single scattering: color times diffuse coefficient times
+ * light intensity times transmittance, without ambient light. vtkShadowedSliceMapper renders it
+ * with Shade off. The volumetric shadows of vtkGPUVolumeRayCastMapper require Shade on.
  */
 Case MakeScattering(const Case& from);
 

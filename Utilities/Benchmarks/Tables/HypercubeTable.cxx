@@ -307,8 +307,8 @@ private:
     std::vector<int> order(orbit.Points.size());
     for (const Symmetry& symmetry : this->Symmetries)
     {
-      // Cutting the image of the facet in the fixed order equals cutting the facet in the preimage
-      // of the order.
+      // Cutting the image of the facet in the fixed order is equivalent to cutting the facet in the
+      // preimage of the order.
       for (std::size_t e = 0; e < ranks.size(); ++e)
       {
         ranks[e] = rule.Ranks[symmetry.Edge[e]];

@@ -40,7 +40,7 @@ std::vector<TableCase> GetCases()
 const char* const HypercubeName = "hexahedron-time";
 const char* const AllCases = "all cases";
 
-// Returns the order of points in the dissertation, which is the order of the cell's edges.
+// Returns the order of points in C. Zhang's dissertation, which is the order of the cell's edges.
 std::vector<int> GetSourceRanks(const Polytope& cell)
 {
   std::vector<int> ranks(cell.Prism().Edges.size());
@@ -168,7 +168,7 @@ std::vector<BenchClaim> CheckClaims(const std::vector<BenchRow>& rows)
     const bool hasAllCases = !row.Parameter.is_string() || row.Parameter == AllCases;
     if (row.Method == "source-order" && row.Counts.contains("stated_mean") && hasAllCases)
     {
-      // The dissertation truncates some numbers and rounds others.
+      // C. Zhang's dissertation truncates some numbers and rounds others.
       const double mean = row.Counts["mean"].get<double>();
       const bool met = std::abs(mean - row.Counts["stated_mean"].get<double>()) < 0.01 &&
         row.Counts["max"] == row.Counts["stated_max"];

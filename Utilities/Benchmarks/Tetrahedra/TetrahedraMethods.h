@@ -21,7 +21,7 @@ extern const char* const Baseline;
 
 struct RenderPath
 {
-  /// Method of a row.
+  /// Name, used as the method of rows.
   const char* Name;
   int Path;
 };
@@ -29,7 +29,7 @@ const std::vector<RenderPath>& AllRenderPaths();
 
 struct RenderMode
 {
-  /// Parameter of a row.
+  /// Name, used as the parameter of rows.
   const char* Name;
   int Blend;
   int Sort;
