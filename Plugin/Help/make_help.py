@@ -73,6 +73,10 @@ def main():
         file.write(text)
     for name in os.listdir(pictures):
         shutil.copyfile(os.path.join(pictures, name), os.path.join(pages, name))
+    # The guide also shows pictures of the parent directory.
+    for name in re.findall(r'src="([^"]+)"', text):
+        if not os.path.exists(os.path.join(pages, name)):
+            shutil.copyfile(os.path.join(os.path.dirname(pictures), name), os.path.join(pages, name))
 
 
 if __name__ == "__main__":

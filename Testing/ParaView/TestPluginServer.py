@@ -75,6 +75,9 @@ def shots(source, representation, renderers):
     display.SetRepresentationType(representation)
     if representation == "Interval Volume":
         color_by(display, None)
+    if representation == "Shadowed Slices":
+        # A transparent medium. With the estimated opacity, coarse shadows between pieces would dominate.
+        simple.GetOpacityTransferFunction("RTData").Points = [37.0, 0.0, 0.5, 0.0, 277.0, 0.99, 0.5, 0.0]
     for name in AUTOMATIC:
         if name in display.ListProperties():
             setattr(display, name, False)
