@@ -25,12 +25,12 @@ void Build(gallery::Stage& stage)
   const vtkColor3d ice(0.80, 0.93, 0.97);
   const vtkColor3d slate(0.36, 0.36, 0.38);
   vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(gallery::Unite({ MakeRing({ 0.0, 0.0, 1.36 }), gallery::MakeFloor(slate) }),
-      vtkBoundingBox(-1.3, 1.1, -1.35, 0.95, -0.06, 1.48), 125);
+    gallery::Sample(gallery::Unite({ MakeRing({ 0.0, 0.0, 1.23 }), gallery::MakeFloor(slate) }),
+      vtkBoundingBox(-1.3, 1.1, -1.35, 0.95, -0.06, 1.36), 125);
   vtkSmartPointer<vtkSpatialPrimitive> box =
     gallery::MakeBox({ -0.64, -0.5, 0.0 }, { 0.64, 0.5, 1.12 }, ice);
-  // With such soft edges and the large surface gradient below, the box is not shaded as a surface.
-  box->SetEdgeWidth(0.16);
+  // With the large surface gradient below, the box is not shaded as a surface.
+  box->SetEdgeWidth(0.04);
   gallery::AddSmoke(image, box, 0.2, ice);
   vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeSolidMediumInSmoke(image, 0.013);
   medium->SetAmbient(0.05);
@@ -39,7 +39,7 @@ void Build(gallery::Stage& stage)
   gallery::SoftPair pair =
     gallery::AddSoftPair(stage, image, medium, lights, 0.45, 10.0 * gallery::SMOKE_GRADIENT, 512);
   pair.UseBackdrop({ 0.20, 0.23, 0.27 }, { 0.05, 0.06, 0.08 });
-  pair.Look({ 0.3, -1.0, 0.36 }, vtkBoundingBox(-0.84, 0.84, -0.1, 0.1, -0.3, 1.46));
+  pair.Look({ 0.3, -1.0, 0.36 }, vtkBoundingBox(-0.84, 0.84, -0.1, 0.1, -0.3, 1.36));
 }
 
 const gallery::SceneRegistration registration(

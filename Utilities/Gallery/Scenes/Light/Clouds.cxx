@@ -44,8 +44,8 @@ void BuildFull(gallery::Stage& stage)
 const gallery::SceneRegistration singleRegistration(
   { "clouds-single", "2.50", "Clouds with single scattering",
     "Cumulus clouds, with the sun behind them on the left. Only single scattering: edges through "
-    "which light passes are bright, all other parts are dark. The lights are the same as in "
-    "clouds-forward and clouds-full.",
+    "which light passes are bright, all other parts are dark. The lights and the "
+    "exposure are the same as in clouds-forward and clouds-full.",
     {}, &BuildSingle });
 
 const gallery::SceneRegistration forwardRegistration(
