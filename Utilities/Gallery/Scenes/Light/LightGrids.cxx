@@ -24,7 +24,7 @@ void BuildSphere(gallery::Stage& stage)
         { -2.4, -2.2, 3.4 }, { 0.0, 0.0, 0.0 }, 3.2, 3.2, 1.9, gallery::MakeGridPattern(32, 0.14)),
       gallery::MakeFillLight({ 1.0, -1.0, 0.4 }, 0.25) });
   gallery::UseBackdrop(panel, { 0.66, 0.72, 0.78 }, { 0.18, 0.22, 0.30 });
-  panel.Frame(vtkBoundingBox(-1.0, 1.2, -0.3, 0.3, -0.85, 0.76));
+  panel.Frame(vtkBoundingBox(-1.0, 1.2, -0.3, 0.3, -1.05, 0.76));
   panel.LookFrom({ 0.2, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
 }
 
