@@ -9,6 +9,7 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataSet.h"
+#include "vtkImageGaussianSmooth.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkShadowedSliceMapper.h"
@@ -46,8 +47,13 @@ vtkSmartPointer<vtkVolumeProperty> MakeMedium()
 
 void Build(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkDataSet> scan = interlume::ReadData("tooth.vti");
-  auto* image = vtkImageData::SafeDownCast(scan);
+  // Without smoothing, the rings of the scan would be visible.
+  vtkNew<vtkImageGaussianSmooth> smooth;
+  smooth->SetInputDataObject(interlume::ReadData("tooth.vti"));
+  smooth->SetStandardDeviations(1.2, 1.2, 2.5);
+  smooth->SetRadiusFactor(2.0);
+  smooth->Update();
+  vtkImageData* image = smooth->GetOutput();
   gallery::Panel& without = stage.AddPanel("light that is reflected");
   gallery::Panel& with = stage.AddPanel("light that is scattered inside");
   for (gallery::Panel* panel : { &without, &with })
@@ -63,14 +69,13 @@ void Build(gallery::Stage& stage)
       gallery::MakeParallelLight({ 1.0, 0.55, 0.5 }, panel == &with ? 0.6 : 1.4);
     lamp->SetDiffuseColor(1.0, 0.95, 0.85);
     panel->SetLights(
-      { lamp, gallery::MakeParallelLight({ -0.7, -1.0, 0.6 }, panel == &with ? 0.2 : 0.45) });
+      { lamp, gallery::MakeParallelLight({ -0.7, -1.0, 0.6 }, panel == &with ? 0.2 : 1.3) });
     panel->SetBackground({ 0.20, 0.23, 0.28 });
   }
-  // Frames the tooth without the holder in which it was scanned.
   const double* bounds = image->GetBounds();
   const vtkVector3d size(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
   const vtkBoundingBox frame(bounds[0] + 0.16 * size[0], bounds[0] + 0.84 * size[0],
-    bounds[2] + 0.45 * size[1], bounds[2] + 0.55 * size[1], bounds[4] + 0.2 * size[2], bounds[5]);
+    bounds[2] + 0.45 * size[1], bounds[2] + 0.55 * size[1], bounds[4] + 0.12 * size[2], bounds[5]);
   without.Frame(frame);
   with.Frame(frame);
   without.LookFrom({ 0.25, -1.0, 0.25 }, { 0.0, 0.0, 1.0 });
@@ -81,6 +86,6 @@ const gallery::SceneRegistration registration({ "tooth-scattering", "2.53",
   "A scanned tooth without and with scattering inside",
   "A light is behind a tooth on the right. In the first image, light is reflected where it reaches "
   "the medium. In the second image, it is scattered inside until it leaves, so that shadows are "
-  "soft and the far side glows. The lights of the second image are about half as strong.",
+  "soft and the far side glows. The lights of the second image are weaker.",
   { "tooth.vti" }, &Build });
 }
