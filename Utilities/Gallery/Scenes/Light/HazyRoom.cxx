@@ -74,7 +74,7 @@ Panel& AddHazyRoom(Stage& stage, const Lights& lights)
 {
   const vtkBoundingBox inside(-1.0, 1.0, -1.0, 1.0, 0.0, 1.3);
   Panel& panel = AddHazyPanel(stage, SampleRoom(), inside, 0.003, lights);
-  panel.Frame(vtkBoundingBox(-1.0, 1.0, -0.8, 1.0, 0.05, 1.24));
+  panel.Frame(vtkBoundingBox(-1.0, 1.0, -1.0, 1.0, 0.0, 1.24));
   panel.LookFrom({ 0.45, -1.0, 0.33 }, { 0.0, 0.0, 1.0 });
   return panel;
 }

@@ -57,7 +57,6 @@ constexpr double RADIUS = 0.25;
 vtkSmartPointer<vtkImageData> MakeSlide()
 {
   const Word word("INTERLUME");
-  const vtkColor3d paper(1.0, 0.95, 0.84);
   const vtkColor3d ink(0.08, 0.16, 0.30);
   return gallery::MakePattern(1024, static_cast<int>(1024 / ASPECT),
     [&](double u, double v)
@@ -69,12 +68,14 @@ vtkSmartPointer<vtkImageData> MakeSlide()
       const double height = width / word.GetAspect();
       const double fraction = word.GetCoverage(x / width + 0.5, (y - 0.29) / height + 0.5);
       const double radius = std::hypot(x, y + 0.12);
+      // The paper is warm on the left and cool on the right.
+      const vtkColor3d paper(1.0 - 0.65 * u, 0.80, 0.40 + 0.60 * u);
       vtkColor3d color = paper;
       if (radius < RADIUS)
       {
         // The emblem is a disk cut into slices.
         const double slice = std::fmod((y + 0.12 + RADIUS) / (2.0 * RADIUS) * 6.0, 1.0);
-        color = slice < 0.72 ? vtkColor3d(0.98, 0.55, 0.12) : paper;
+        color = slice < 0.72 ? vtkColor3d(0.90, 0.20, 0.10) : paper;
       }
       if (std::max(std::abs(x) / (0.5 * ASPECT - 0.04), std::abs(y) / 0.46) > 1.0)
       {
@@ -92,8 +93,8 @@ void Build(gallery::Stage& stage)
 {
   constexpr double height = 0.86;
   vtkSmartPointer<vtkProjectiveLight> projector = gallery::MakeProjector(
-    { 0.3, -2.8, 1.15 }, { 0.14, 1.0, 0.80 }, ASPECT * height, height, 2.4, MakeSlide());
-  gallery::AddHazyRoom(stage, { projector, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.55) });
+    { 0.3, -2.8, 1.15 }, { 0.14, 1.0, 0.80 }, ASPECT * height, height, 1.9, MakeSlide());
+  gallery::AddHazyRoom(stage, { projector, gallery::MakeFillLight({ 0.5, -1.0, 0.6 }, 0.45) });
 }
 
 const gallery::SceneRegistration registration(
