@@ -12,25 +12,25 @@ vtkSmartPointer<vtkImageData> SampleBonsai()
 {
   vtkSmartPointer<vtkSpatialObject> all =
     gallery::Unite({ gallery::MakeBonsai(), gallery::MakeFloor({ 0.78, 0.70, 0.60 }) });
-  return gallery::Sample(all, vtkBoundingBox(-0.88, 0.88, -0.86, 0.84, -0.04, 1.08), 240, 0.5);
+  return gallery::Sample(all, vtkBoundingBox(-0.88, 1.05, -0.86, 0.84, -0.04, 1.08), 260, 0.5);
 }
 
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleBonsai();
   gallery::ShadowPair pair = gallery::AddShadowPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -1.1, -0.5, 3.3 }, 0.9));
+    gallery::MakeStudioLights({ -0.9, -0.7, 5.0 }, 0.9));
   pair.UseBackdrop({ 0.90, 0.90, 0.84 }, { 0.50, 0.60, 0.56 });
-  pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.54, 0.58, -0.1, 0.1, -0.17, 1.08));
+  pair.Look({ 0.1, -1.0, 0.4 }, vtkBoundingBox(-0.54, 0.74, -0.1, 0.1, -0.12, 1.08));
 }
 
 void BuildSoft(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleBonsai();
   gallery::SoftPair pair = gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -1.8, -1.0, 2.8 }, 0.85), 0.7);
+    gallery::MakeStudioLights({ -0.9, -0.8, 4.6 }, 0.85), 1.1, 0.0, 640);
   pair.UseBackdrop({ 0.92, 0.88, 0.80 }, { 0.56, 0.50, 0.46 });
-  pair.Look({ 0.1, -1.0, 0.5 }, vtkBoundingBox(-0.54, 0.62, -0.1, 0.1, -0.22, 1.08));
+  pair.Look({ 0.1, -1.0, 0.5 }, vtkBoundingBox(-0.54, 0.76, -0.1, 0.1, -0.06, 1.08));
 }
 
 const gallery::SceneRegistration registration(
