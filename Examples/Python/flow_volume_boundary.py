@@ -5,26 +5,31 @@ python3 flow_volume_boundary.py IMAGE.png
 """
 
 from interlume import vtkAnalyticFlowSource, vtkFlowVolume
-from props import COLORS, make_inflow, make_intervals, run, select_triangles, set_boundary
+from props import (
+    COLORS, PENCIL, make_actor, make_inflow, make_intervals, make_plane, run, select_triangles,
+    set_boundary)
 from stage import Stage
+from vtkmodules.vtkFiltersSources import vtkCubeSource
 
 jet = vtkAnalyticFlowSource()
 jet.SetField(jet.SADDLE)
 jet.SetDimensions(17, 17, 17)
 jet.SetBounds(-1.3, 1.3, -0.9, 0.9, 0.0, 1.0)
 jet.SetSaddleRates(0.65, 0.35, -1.0)
-nozzle = [(-0.5, -0.5, 1.0), (0.5, -0.5, 1.0), (-0.5, 0.5, 1.0)]
-inflow = make_inflow(jet, nozzle, (81, 65, 41), (-1.3, 1.3, -0.9, 0.9, 0.02, 1.0),
-                     "sqrt((u - 0.5)^2 + (v - 0.5)^2)")
+nozzle = make_plane((0.0, 0.0, 1.0), (0.5, 0.0, 0.0), (0.0, 0.5, 0.0))
+samples = ((81, 65, 41), (-1.3, 1.3, -0.9, 0.9, 0.02, 1.0))
+inflow = make_inflow(jet, nozzle, samples, "sqrt((u - 0.5)^2 + (v - 0.5)^2)")
 ring = vtkFlowVolume()
 ring.SetInterval(0, 0.16, 0.42)
 ring.GenerateStreamSurfacesOn()
 ring.GenerateNormalsOn()
-volume = make_intervals(run(ring, inflow), (COLORS[0], 1.2))
+volume = make_intervals(run(ring, inflow), (COLORS[0], 0.7))
 inner = select_triangles(ring.GetOutputDataObject(1), "StreamSurfaceId", 0)
 set_boundary(volume, inner, COLORS[2], 1.0)
+floor = vtkCubeSource()
+floor.SetBounds(-1.3, 1.3, -0.9, 0.9, -0.06, 0.0)
 
 stage = Stage()
-stage.add_panel().add(volume)
+stage.add_panel().add(volume, make_actor(run(floor), PENCIL))
 stage.panels[0].look_from((0.45, -1.0, 0.4))
 stage.save()

@@ -1,29 +1,32 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Objects of the examples: data, volumes of tetrahedra and of images, surfaces, lights."""
 
+import math
 import os
 from pathlib import Path
 
 import numpy as np
 from interlume import (
     vtkImplicitFlowField, vtkInflowMapping, vtkIntervalVolume, vtkShadowedSliceMapper,
-    vtkTerminationPlane, vtkTimeWeightedTetrahedraMapper)
-from stage import dot
+    vtkTerminationPlane, vtkTerminationSurfaceSource, vtkTimeWeightedTetrahedraMapper)
+from stage import dot, make_image
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     VTK_TRIANGLE, vtkCellArray, vtkDataObject, vtkPiecewiseFunction, vtkPolyData,
-    vtkUnstructuredGrid)
+    vtkStructuredGrid, vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkGradientFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
 from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkVolume, vtkVolumeProperty)
+    vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkTexture, vtkVolume,
+    vtkVolumeProperty)
 
 DATA = Path(os.environ.get("INTERLUME_DATA") or Path(__file__).parents[2] / "Data")
 
+PENCIL = (0.62, 0.64, 0.67)
 COLORS = [(0.220, 0.440, 0.720), (0.278, 0.655, 0.580), (0.929, 0.694, 0.263),
           (0.788, 0.286, 0.231), (0.494, 0.341, 0.600), (0.545, 0.565, 0.585)]
 
@@ -64,20 +67,57 @@ def add_gradient(data, array):
     return run(gradient, data)
 
 
-def make_inflow(field, corners, dimensions, bounds, formula):
-    """Traces the points of an image to a plane and evaluates a formula of u and v there."""
+def make_plane(center, u, v):
+    """Returns a termination plane. u and v are the vectors from its center to its edges."""
     plane = vtkTerminationPlane()
-    plane.SetOrigin(corners[0])
-    plane.SetPoint1(corners[1])
-    plane.SetPoint2(corners[2])
+    plane.SetOrigin([c - a - b for c, a, b in zip(center, u, v)])
+    plane.SetPoint1([c + a - b for c, a, b in zip(center, u, v)])
+    plane.SetPoint2([c - a + b for c, a, b in zip(center, u, v)])
+    return plane
+
+
+def make_inflow(field, plane, samples, formula):
+    """Traces samples to a plane and evaluates a formula of u and v there. The samples are a
+    dataset, or the dimensions and bounds of an image."""
     flow = vtkImplicitFlowField()
     flow.AddTerminationSurface(plane)
-    flow.SetSampleMode(flow.SAMPLES_OF_IMAGE)
-    flow.SetSampleDimensions(*dimensions)
-    flow.SetSampleBounds(bounds)
+    if isinstance(samples, tuple):
+        flow.SetSampleMode(flow.SAMPLES_OF_IMAGE)
+        flow.SetSampleDimensions(*samples[0])
+        flow.SetSampleBounds(samples[1])
+    else:
+        flow.SetSampleMode(flow.SAMPLES_OF_INPUT)
+        flow.SetSampleData(samples)
     mapping = vtkInflowMapping()
     mapping.SetFormula(mapping.ALL, formula)
     return run(mapping, run(flow, run(field)))
+
+
+def get_axis(vortex, z):
+    """Returns the point on the axis of a tornado at a height."""
+    height = z / vortex.GetHeight() + 0.5
+    return [tilt * (height - 0.5) + bend * math.sin(math.pi * height)
+            for tilt, bend in zip(vortex.GetAxisTilt(), vortex.GetAxisBend())] + [z]
+
+
+def make_rings(vortex, dimensions, heights, radius):
+    """Returns rings of points around the axis of a vortex. radius is a function of a number, 0 for
+    the innermost and 1 for the outermost ring, and of the height. Rings start and end along y."""
+    points = vtkPoints()
+    points.SetDataTypeToDouble()
+    outward, around, upward = dimensions
+    angles = [2.0 * math.pi * (0.25 + j / (around - 1)) for j in range(around)]
+    for k in range(upward):
+        z = heights[0] + (heights[1] - heights[0]) * k / (upward - 1)
+        x, y, _ = get_axis(vortex, z)
+        radii = [radius(i / (outward - 1), z) for i in range(outward)]
+        for angle in angles:
+            for r in radii:
+                points.InsertNextPoint(x + r * math.cos(angle), y + r * math.sin(angle), z)
+    rings = vtkStructuredGrid()
+    rings.SetDimensions(dimensions)
+    rings.SetPoints(points)
+    return rings
 
 
 def make_colors(*points):
@@ -135,18 +175,23 @@ def select_triangles(triangles, array, value):
     return selected
 
 
-def make_boundary(interval, side):
-    """Returns the boundary triangles of one side, with outward normals from the gradient."""
-    chosen = select_triangles(interval.GetOutputDataObject(1), "BoundarySide", side)
-    vectors = vtk_to_numpy(chosen.GetPointData().GetArray("Gradient")).astype(float)
+def set_gradient_normals(triangles, side):
+    """Sets the gradient as outward normals of one side of an interval, and returns the triangles."""
+    vectors = vtk_to_numpy(triangles.GetPointData().GetArray("Gradient")).astype(float)
     lengths = np.sqrt(dot(vectors, vectors.T))
     normals = vectors * (1.0 / np.where(lengths > 0.0, lengths, 1.0))[:, None]
     if side == vtkIntervalVolume.LOWER_SIDE:
         normals = -normals
     array = numpy_to_vtk(normals.astype(np.float32), deep=True)
     array.SetName("Normals")
-    chosen.GetPointData().SetNormals(array)
-    return chosen
+    triangles.GetPointData().SetNormals(array)
+    return triangles
+
+
+def make_boundary(interval, side):
+    """Returns the boundary triangles of one side, with outward normals from the gradient."""
+    return set_gradient_normals(
+        select_triangles(interval.GetOutputDataObject(1), "BoundarySide", side), side)
 
 
 def set_boundary(volume, triangles, color, opacity):
@@ -211,6 +256,31 @@ def make_actor(surface, color):
     look.SetSpecular(0.12)
     look.SetSpecularPower(20.0)
     return actor
+
+
+def make_painted_actor(plane, value, lower, upper, color, ground):
+    """Returns an actor of a termination plane. It has a color where the value at (u, v) is between
+    the bounds, and the color of the ground elsewhere."""
+    u, v = np.meshgrid(np.linspace(0.0, 1.0, 512), np.linspace(0.0, 1.0, 512))
+    values = value(u, v)
+    inside = (values > lower) & (values < upper)
+    pixels = np.where(inside[..., None], np.float32(color).astype(float), ground) * 255.0
+    texture = vtkTexture()
+    texture.SetInputData(make_image(pixels.astype(np.uint8)))
+    texture.InterpolateOn()
+    source = vtkTerminationSurfaceSource()
+    source.SetSurface(plane)
+    actor = make_actor(run(source), (1.0, 1.0, 1.0))
+    actor.SetTexture(texture)
+    return actor
+
+
+def make_smooth_surface(flow_volume, number, color):
+    """Returns an actor of a stream surface, with normals from the gradient."""
+    triangles = select_triangles(
+        flow_volume.GetOutputDataObject(1), "StreamSurfaceId", number)
+    set_gradient_normals(triangles, vtkIntervalVolume.LOWER_SIDE)
+    return make_actor(run(vtkDataSetSurfaceFilter(), triangles), color)
 
 
 def make_sliced_volume(image):

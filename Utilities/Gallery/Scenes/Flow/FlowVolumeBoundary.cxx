@@ -35,9 +35,9 @@ void Build(gallery::Stage& stage)
 
   gallery::Panel& panel = stage.AddPanel("", { 0.45, -1.0, 0.4 });
   vtkSmartPointer<vtkVolume> volume =
-    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 1.6 } });
+    gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 0.7 } });
   gallery::SetBoundary(volume, gallery::GetFlowSurface(filter, gallery::STREAM_SURFACES, 0),
-    { 0.80, 0.90, 0.98 }, 1.0);
+    gallery::IntervalColor(2), 1.0);
   panel.Add(volume);
   vtkNew<vtkCubeSource> floor;
   floor->SetBounds(-1.3, 1.3, -0.9, 0.9, -0.06, 0.0);

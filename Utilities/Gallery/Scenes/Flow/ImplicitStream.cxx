@@ -66,11 +66,11 @@ void Build(gallery::Stage& stage)
 
   const vtkVector3d from(0.25, -1.0, 0.5);
   const vtkSmartPointer<vtkTexture> star =
-    gallery::MakeInflowTexture(gallery::MakePaint(512, 512, &Star), { 0.97, 0.97, 0.97 });
+    gallery::MakeInflowTexture(gallery::MakePaint(512, 512, &Star), { 0.62, 0.66, 0.70 });
   gallery::Panel& surface = stage.AddPanel("the stream surface", from);
   gallery::Panel& volume = stage.AddPanel("the stream volume", from);
   surface.Add(gallery::MakeFlowActor(
-    gallery::GetSmoothFlowSurface(filter, gallery::STREAM_SURFACES, 1), gallery::IntervalColor(0)));
+    gallery::GetSmoothFlowSurface(filter, gallery::STREAM_SURFACES, 0), gallery::IntervalColor(0)));
   volume.Add(gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 5.0 } }));
   for (gallery::Panel* panel : { &surface, &volume })
   {

@@ -21,7 +21,7 @@ namespace
 {
 constexpr int SIZE = 256;
 
-/// Returns the strength, 0 to 1, of brush strokes: a spiral and three dots.
+/// Returns the strength, 0 to 1, of a brush stroke, a spiral.
 double Paint(double u, double v)
 {
   const double x = u - 0.5;
@@ -31,15 +31,10 @@ double Paint(double u, double v)
   for (int round = 0; round < 3; ++round)
   {
     const double angle = turns + round;
-    if (angle >= 0.35 && angle <= 2.1)
+    if (angle >= 0.35 && angle <= 1.55)
     {
-      nearest = std::min(nearest, std::abs(std::hypot(x, y) - 0.13 * angle));
+      nearest = std::min(nearest, std::abs(std::hypot(x, y) - 0.22 * angle));
     }
-  }
-  const double dots[3][2] = { { 0.38, 0.36 }, { -0.38, 0.36 }, { -0.38, -0.36 } };
-  for (const auto& dot : dots)
-  {
-    nearest = std::min(nearest, std::hypot(x - dot[0], y - dot[1]) - 0.03);
   }
   return 1.0 / (1.0 + std::exp((nearest - 0.03) / 0.006));
 }

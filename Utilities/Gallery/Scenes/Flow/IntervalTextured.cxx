@@ -7,21 +7,19 @@
 #include "Gallery/Stage.h"
 #include "Gallery/Volumes.h"
 
-#include "vtkBoundingBox.h"
-
 namespace
 {
+/// Advection time at which the flow is cut off, below the straight tube.
+constexpr double END = 5.0;
+
 void Build(gallery::Stage& stage)
 {
   const gallery::MappedFlow flow = gallery::MakeTornado(12.0);
   gallery::Panel& panel = stage.AddPanel("", { 0.4, -1.0, 0.35 });
-  panel.SetBackground({ 0.93, 0.90, 0.85 });
-  // The upper part, a straight tube, leaves the panel.
-  panel.Frame(vtkBoundingBox(-0.65, 0.65, -0.65, 0.65, -0.95, 0.1));
-  panel.Add(gallery::MakeLinedActor(gallery::MakeTexturedSurface(flow, 0.06, 0.45, 10.0, 16.0),
-    vtkColor3d(0.95, 0.93, 0.9), gallery::MakeStreamlines(48, gallery::Ink()), nullptr));
+  panel.Add(gallery::MakeLinedActor(gallery::MakeTexturedSurface(flow, 0.06, 0.45, END, 16.0),
+    vtkColor3d(0.95, 0.93, 0.9), gallery::MakeStreamlines(48, gallery::Ink(), 16), nullptr));
   panel.Add(
-    gallery::MakeVolumeOfIntervals(gallery::MakeStreamVolume(flow.Samples, 0.06, 0.16, 0.45, 10.0),
+    gallery::MakeVolumeOfIntervals(gallery::MakeStreamVolume(flow.Samples, 0.06, 0.16, 0.45, END),
       { { gallery::IntervalColor(0), 2.0 } }));
 }
 
