@@ -88,13 +88,14 @@ vtkSmartPointer<vtkTerminationPlane> MakeInflow(double width)
     { BEGIN, 0.0, 0.5 * HEIGHT }, { 0.0, width, 0.0 }, { 0.0, 0.0, 0.5 * HEIGHT });
 }
 
-void AddPost(gallery::Panel& panel)
+/// Adds the post and a plate, whose \a margin is the distance of its edges from the region.
+void AddPost(gallery::Panel& panel, double margin)
 {
   panel.Add(gallery::MakePillar(RADIUS, 0.0, 1.1 * HEIGHT, gallery::Pencil()));
   vtkNew<vtkPlaneSource> plate;
-  plate->SetOrigin(-2.9, -2.2, 0.0);
-  plate->SetPoint1(3.3, -2.2, 0.0);
-  plate->SetPoint2(-2.9, 2.2, 0.0);
+  plate->SetOrigin(BEGIN - margin, -WIDTH - margin, 0.0);
+  plate->SetPoint1(END + margin, -WIDTH - margin, 0.0);
+  plate->SetPoint2(BEGIN - margin, WIDTH + margin, 0.0);
   plate->Update();
   panel.Add(gallery::MakeActor(plate->GetOutput(), gallery::Pencil()));
 }
@@ -124,17 +125,17 @@ void Build(gallery::Stage& stage)
       gallery::MakeFlowActor(gallery::GetFlowSurface(filter, gallery::TIME_SURFACES, id + 1),
         gallery::MakeGridTexture(32, 16, gallery::IntervalColor(1 + id), gallery::Ink())));
   }
-  AddPost(panel);
+  AddPost(panel, 0.3);
 }
 
 /// Returns the paint of disks in rows, each row of one color.
 gallery::Paint Disks(double u, double v)
 {
-  const double across = 6.0 * u;
-  const double up = 4.0 * v;
+  const double across = 4.0 * u;
+  const double up = 3.0 * v;
   const double r = std::hypot(across - std::floor(across) - 0.5, up - std::floor(up) - 0.5);
-  const int row = static_cast<int>(std::min(up, 3.0));
-  return { gallery::IntervalColor(row % 4), r < 0.36 ? 0.5 : 0.0 };
+  const int row = static_cast<int>(std::min(up, 2.0));
+  return { gallery::IntervalColor(row), r < 0.36 ? 0.5 : 0.0 };
 }
 
 /// Returns a time gate through the given points (time, opacity).
@@ -155,7 +156,7 @@ void BuildInflow(gallery::Stage& stage)
   // Time in which the liquid passes through the displayed region, and number of pulses in that
   // time.
   constexpr double duration = 4.2;
-  constexpr int pulses = 3;
+  constexpr int pulses = 2;
   constexpr double stillFraction = 0.7;
   const vtkSmartPointer<vtkTerminationPlane> plane = MakeInflow(WIDTH);
   const vtkSmartPointer<vtkDataSet> flow = gallery::MakeImplicitFlow(
@@ -171,13 +172,14 @@ void BuildInflow(gallery::Stage& stage)
     panel.Add(volume);
     panel.Add(gallery::MakeTerminationActor(
       plane, gallery::MakeInflowTexture(discs, { 0.97, 0.97, 0.97 })));
-    AddPost(panel);
-    panel.Frame(vtkBoundingBox(-2.5, 2.6, -1.6, 1.5, 0.2, 2.7));
+    AddPost(panel, 0.0);
+    panel.Frame(vtkBoundingBox(-2.4, 3.1, -1.9, 1.9, 0.0, 2.7));
   }
   mappers[0]->SetTimeGate(MakeGate({ { { -0.01, 0.0 } }, { { 0.01, 1.0 } } }));
   mappers[0]->TimeGateRepeatOff();
-  mappers[1]->SetTimeGate(
-    MakeGate({ { { 0.0, 0.0 } }, { { 0.2, 1.0 } }, { { 0.4, 0.0 } }, { { 1.0, 0.0 } } }));
+  mappers[1]->SetTimeGate(MakeGate({ { { 0.0, 0.0 } }, { { 0.2, 1.0 } }, { { 0.4, 0.0 } },
+    { { 1.0, 0.0 } }, { { 1.2, 1.0 } }, { { 1.4, 0.0 } } }));
+  mappers[1]->TimeGateRepeatOff();
   mappers[1]->SetTimePeriod(duration / pulses);
   const auto setFraction = [mappers](double fraction)
   {

@@ -26,7 +26,7 @@
 namespace
 {
 constexpr double EYE = 0.21;
-constexpr double TIME = 4.2;
+constexpr double TIME = 3.4;
 
 /// Height of the sea, and degrees per unit of length.
 constexpr double SEA = -0.5;
@@ -42,14 +42,28 @@ constexpr double EAST = -53.5;
 constexpr double SOUTH = 16.7;
 constexpr double NORTH = 48.7;
 
-/// Returns the paint of eight spokes in four colors with soft edges, on the upper half of the tube,
-/// where air leaves it.
+/// Returns the paint of eight spokes in four colors with soft edges, and of thinner white between
+/// them.
 gallery::Paint Spokes(double u, double v)
 {
   const double spoke = 8.0 * u - std::floor(8.0 * u) - 0.5;
-  const double along = std::max(0.0, std::min({ 1.0, 4.0 * (v - 0.55), 8.0 * (1.0 - v) }));
-  return { gallery::IntervalColor(static_cast<int>(8.0 * u) % 4),
-    along * std::pow(std::cos(vtkMath::Pi() * spoke), 2.0) };
+  const double strength = std::pow(std::cos(vtkMath::Pi() * spoke), 2.0);
+  const vtkColor3d color = gallery::IntervalColor(static_cast<int>(8.0 * u) % 4);
+  gallery::Paint paint;
+  for (int c = 0; c < 3; ++c)
+  {
+    paint.Color[c] = strength * color[c] + (1.0 - strength);
+  }
+  paint.Opacity = 0.35 + 0.65 * strength;
+  return paint;
+}
+
+/// Returns the same paint on the upper half of the tube, where air leaves it.
+gallery::Paint UpperSpokes(double u, double v)
+{
+  gallery::Paint paint = Spokes(u, v);
+  paint.Opacity *= std::max(0.0, std::min({ 1.0, 4.0 * (v - 0.55), 8.0 * (1.0 - v) }));
+  return paint;
 }
 
 /// Returns a tube around the eye, which vtkVortexAxis finds.
@@ -93,14 +107,15 @@ void AddMap(gallery::Panel& panel)
 void Build(gallery::Stage& stage)
 {
   const vtkSmartPointer<vtkAnalyticFlowSource> hurricane = gallery::MakeUprightHurricane();
+  hurricane->SetMaximumWind(0.9);
   hurricane->SetAxisTilt(0.2, 0.1);
   hurricane->SetAxisBend(0.06, -0.04);
   const vtkSmartPointer<vtkTerminationTube> eye = FindEye(hurricane);
   // Only air in the upper half has passed the tube.
-  const gallery::FlowGrid samples = { { 93, 93, 37 }, { -1.25, 1.25, -1.25, 1.25, -0.08, 0.48 } };
+  const gallery::FlowGrid samples = { { 81, 81, 37 }, { -1.1, 1.1, -1.1, 1.1, -0.08, 0.48 } };
   const vtkSmartPointer<vtkDataSet> flow =
     gallery::MakeImplicitFlow(hurricane, { eye }, samples, 1.1 * TIME);
-  const vtkSmartPointer<vtkImageData> spokes = gallery::MakePaint(512, 256, &Spokes);
+  const vtkSmartPointer<vtkImageData> spokes = gallery::MakePaint(512, 256, &UpperSpokes);
   // The dye is released for a limited time and fades at its front. The front is round and remains
   // within the samples, whose boundary is square. At the tube, cells with both sides of it are only
   // accurate to their size, so the dye begins a little later.
@@ -110,7 +125,7 @@ void Build(gallery::Stage& stage)
   front->AddPoint(0.97, 1.0);
   front->AddPoint(1.0, 0.0);
 
-  gallery::Panel& panel = stage.AddPanel("", { 0.05, -0.6, 1.0 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.05, -0.7, 1.0 });
   panel.SetAmbientOcclusion(0.0);
   const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(flow, spokes, 0.05);
   vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
@@ -119,10 +134,10 @@ void Build(gallery::Stage& stage)
   mapper->SetTimePeriod(TIME);
   mapper->SetTimePhase(1.0);
   panel.Add(volume);
-  panel.Add(
-    gallery::MakeTerminationActor(eye, gallery::MakeInflowTexture(spokes, { 0.97, 0.97, 0.97 })));
+  panel.Add(gallery::MakeTerminationActor(
+    eye, gallery::MakeInflowTexture(gallery::MakePaint(512, 2, &Spokes), { 0.97, 0.97, 0.97 })));
   AddMap(panel);
-  panel.Frame(vtkBoundingBox(-1.06, 1.06, -0.85, 0.85, SEA, 0.3));
+  panel.Frame(vtkBoundingBox(-0.95, 0.95, -0.75, 0.95, -0.1, 0.3));
 }
 
 const gallery::SceneRegistration registration(

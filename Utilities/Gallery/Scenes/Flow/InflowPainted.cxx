@@ -54,20 +54,21 @@ void BuildPainted(gallery::Stage& stage)
     gallery::MakePaint(768, 384, [](double, double) { return gallery::Paint{}; });
   gallery::WriteText(image, "flow", gallery::IntervalColor(0), 0.9, 0.75);
   const vtkSmartPointer<vtkTerminationPlane> plane = MakePlane(0.9, 0.45);
-  gallery::Panel& panel = stage.AddPanel("", { -0.1, -1.0, 0.8 });
+  gallery::Panel& panel = stage.AddPanel("", { -0.1, -1.0, 1.0 });
   const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(
-    MakeUpdraft(plane, { { 97, 65, 57 }, { -0.9, 0.9, -0.6, 0.6, 0.4, 1.4 } }), image, 0.05);
+    MakeUpdraft(plane, { { 97, 65, 57 }, { -0.9, 0.9, -0.6, 0.6, 0.4, 1.2 } }), image, 0.05);
   vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
-  mapper->SetTimeGate(MakePulses(0.12, 0.04));
-  mapper->SetTimePeriod(1.3);
-  mapper->SetTimePhase(0.12);
+  mapper->SetTimeGate(MakePulses(0.07, 0.03));
+  mapper->SetTimePeriod(1.6);
+  mapper->SetTimePhase(0.07);
   panel.Add(volume);
   panel.Add(
     gallery::MakeTerminationActor(plane, gallery::MakeInflowTexture(image, { 0.97, 0.97, 0.97 })));
+  panel.Frame(vtkBoundingBox(-0.86, 0.86, -0.46, 0.46, 0.4, 1.15));
 }
 
-/// Returns the land of a map of the Earth as paint. Water is transparent.
-vtkSmartPointer<vtkImageData> MakeLand(vtkImageData* earth)
+/// Returns a map of the Earth as paint, in which land is denser than water.
+vtkSmartPointer<vtkImageData> MakeMapPaint(vtkImageData* earth)
 {
   int size[3];
   earth->GetDimensions(size);
@@ -79,40 +80,36 @@ vtkSmartPointer<vtkImageData> MakeLand(vtkImageData* earth)
       double color[3];
       for (int c = 0; c < 3; ++c)
       {
-        // Brightened, since the dye is thin.
-        color[c] = std::min(1.0, earth->GetScalarComponentAsDouble(x, y, 0, c) / 170.0);
+        color[c] = earth->GetScalarComponentAsDouble(x, y, 0, c) / 255.0;
       }
-      return gallery::Paint{ vtkColor3d(color), color[0] > 0.9 * color[2] ? 0.9 : 0.0 };
+      return gallery::Paint{ vtkColor3d(color), color[0] > 0.9 * color[2] ? 0.7 : 0.25 };
     });
 }
 
-/// Carries the land of a globe outward.
+/// Blows the colors of a globe away.
 void BuildImage(gallery::Stage& stage)
 {
-  constexpr double time = 1.5;
+  constexpr double time = 1.6;
   constexpr double radius = 0.5;
   const vtkSmartPointer<vtkImageData> earth =
     vtkImageData::SafeDownCast(interlume::ReadData("earth.vti"));
-  const double axis[3] = { 0.39, 0.0, 0.92 };
   const vtkSmartPointer<vtkAnalyticFlowSource> wind = gallery::MakeAnalyticFlow(
-    vtkAnalyticFlowSource::NODE, { { 9, 9, 9 }, { -1.3, 1.3, -1.3, 1.3, -1.3, 1.3 } });
-  wind->SetNodeRates(0.5, 0.5, 0.5);
-  wind->SetAxis(axis[0], axis[1], axis[2]);
-  wind->SetSwirl(0.7);
+    vtkAnalyticFlowSource::UNIFORM, { { 9, 9, 9 }, { -0.7, 2.3, -0.7, 0.7, -0.7, 0.7 } });
+  wind->SetVelocity(1.0, 0.0, 0.0);
   vtkNew<vtkTerminationSphere> globe;
   globe->SetRadius(radius);
-  globe->SetAxis(axis[0], axis[1], axis[2]);
-  // Only the air behind the globe is sampled.
+  globe->SetAxis(-0.2, -0.3, 0.93);
   const vtkSmartPointer<vtkDataSet> flow = gallery::MakeImplicitFlow(
-    wind, { globe }, { { 97, 37, 73 }, { -1.2, 1.2, 0.0, 0.9, -0.9, 0.9 } }, 1.1 * time);
+    wind, { globe }, { { 57, 73, 73 }, { -0.1, 2.2, -0.54, 0.54, -0.54, 0.54 } }, 1.1 * time);
   vtkNew<vtkPiecewiseFunction> fading;
   fading->AddPoint(0.0, 0.0);
-  fading->AddPoint(0.6, 0.3);
+  fading->AddPoint(0.5, 0.6);
   fading->AddPoint(1.0, 1.0);
 
-  gallery::Panel& panel = stage.AddPanel("", { 0.0, -1.0, 0.2 });
+  gallery::Panel& panel = stage.AddPanel("", { 0.1, -1.0, 0.2 });
   panel.SetBackground(gallery::DarkBackground());
-  const vtkSmartPointer<vtkVolume> volume = gallery::MakeInflowVolume(flow, MakeLand(earth), 0.05);
+  const vtkSmartPointer<vtkVolume> volume =
+    gallery::MakeInflowVolume(flow, MakeMapPaint(earth), 0.05);
   vtkImplicitFlowVolumeMapper* mapper = gallery::GetInflowMapper(volume);
   mapper->SetTimeGate(fading);
   mapper->TimeGateRepeatOff();
@@ -123,7 +120,7 @@ void BuildImage(gallery::Stage& stage)
   map->SetInputData(earth);
   map->InterpolateOn();
   panel.Add(gallery::MakeTerminationActor(globe, map));
-  panel.Frame(vtkBoundingBox(-1.1, 1.1, -0.1, 0.1, -0.68, 0.68));
+  panel.Frame(vtkBoundingBox(-0.52, 1.95, -0.1, 0.1, -0.55, 0.55));
 }
 
 /// Paints colored blobs, small dots released in pulses, and both combined.
@@ -149,8 +146,8 @@ void BuildDual(gallery::Stage& stage)
   const vtkSmartPointer<vtkImageData> dots = gallery::MakePaint(512, 512,
     [](double u, double v)
     {
-      const double x = 10.0 * u - std::floor(10.0 * u) - 0.5;
-      const double y = 10.0 * v - std::floor(10.0 * v) - 0.5;
+      const double x = 7.0 * u - std::floor(7.0 * u) - 0.5;
+      const double y = 7.0 * v - std::floor(7.0 * v) - 0.5;
       const double r = std::hypot(u - 0.5, v - 0.5);
       return gallery::Paint{ gallery::Ink(), r < 0.45 && std::hypot(x, y) < 0.22 ? 0.5 : 0.0 };
     });
@@ -158,7 +155,7 @@ void BuildDual(gallery::Stage& stage)
     gallery::MakePaint(2, 2, [](double, double) { return gallery::Paint{}; });
   const vtkSmartPointer<vtkTerminationPlane> plane = MakePlane(0.45, 0.45);
   const vtkSmartPointer<vtkDataSet> flow =
-    MakeUpdraft(plane, { { 49, 49, 93 }, { -0.45, 0.45, -0.45, 0.45, 0.4, 2.1 } });
+    MakeUpdraft(plane, { { 49, 49, 67 }, { -0.45, 0.45, -0.45, 0.45, 0.4, 1.6 } });
   const char* captions[] = { "inflow", "detail", "both" };
   for (int i = 0; i < 3; ++i)
   {
@@ -187,9 +184,9 @@ const gallery::SceneRegistration painted(
     "pulses, which show how the flow turns and narrows the word.",
     {}, &BuildPainted });
 const gallery::SceneRegistration image({ "inflow-image", "4.16", "An image as inflow texture",
-  "Air flows outward from a globe and turns around its axis. The inflow has the colors of an "
-  "imported map of the Earth, with transparent water. Only the half behind the globe is drawn. "
-  "The dissertation shows the logo of a conference.",
+  "Wind blows over a globe from the left. The inflow has the colors of an imported map of the "
+  "Earth, and the wake carries them away: streaks of land are dense, those of water thin. The "
+  "dissertation shows the logo of a conference.",
   { "earth.vti" }, &BuildImage });
 const gallery::SceneRegistration dual(
   { "inflow-dual", "4.18", "Two inflow textures, the second in pulses",
