@@ -61,7 +61,7 @@ void Build(gallery::Stage& stage)
   }
   vtkUnstructuredGrid* surfaces =
     vtkUnstructuredGrid::SafeDownCast(filter->GetOutputDataObject(gallery::STREAM_SURFACES));
-  gallery::SetStreamlineCoordinates(surfaces, 0, 24, 6);
+  gallery::SetStreamlineCoordinates(surfaces, 0, 12, 6);
 
   gallery::Panel& panel = stage.AddPanel("", { 0.25, -1.0, 0.5 });
   vtkNew<vtkPiecewiseFunction> extinction;

@@ -10,8 +10,11 @@
 
 #include "vtkContourFilter.h"
 #include "vtkDoubleArray.h"
+#include "vtkMapper.h"
 #include "vtkNew.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
+#include "vtkSmoothPolyDataFilter.h"
 #include "vtkStripper.h"
 #include "vtkTubeFilter.h"
 
@@ -21,6 +24,9 @@ namespace
 {
 /// Radius of the marked line as a fraction of the size of the view.
 constexpr double LINE_RADIUS = 0.016;
+
+/// Direction from which the camera looks.
+const vtkVector3d FROM(0.4, -1.0, 0.5);
 
 /// Returns the line of constant arc length that is nearest to \a point among the lines of all
 /// levels of the texture down to eight lines.
@@ -39,8 +45,13 @@ vtkSmartPointer<vtkPolyData> FindLine(vtkPolyData* surface, double point[3])
   line->SetValue(0, std::round(8.0 * arcLength->GetValue(scalars->FindPoint(point))) / 8.0);
   vtkNew<vtkStripper> stripper;
   stripper->SetInputConnection(line->GetOutputPort());
-  stripper->Update();
-  return stripper->GetOutput();
+  // The line has a corner at each edge of a triangle.
+  vtkNew<vtkSmoothPolyDataFilter> smooth;
+  smooth->SetInputConnection(stripper->GetOutputPort());
+  smooth->SetNumberOfIterations(40);
+  smooth->SetRelaxationFactor(0.2);
+  smooth->Update();
+  return smooth->GetOutput();
 }
 
 vtkSmartPointer<vtkActor> MakeTube(vtkPolyData* line, double radius)
@@ -51,6 +62,26 @@ vtkSmartPointer<vtkActor> MakeTube(vtkPolyData* line, double radius)
   tube->SetNumberOfSides(16);
   tube->Update();
   return gallery::MakeActor(tube->GetOutput(), { 1.0, 0.84, 0.3 });
+}
+
+/// Cuts the actor off at the left and right edges of the box as seen from FROM, so that adjacent
+/// panels do not run into each other.
+void CutSides(vtkActor* actor, const vtkBoundingBox& box)
+{
+  double center[3];
+  box.GetCenter(center);
+  const double length = std::hypot(FROM[0], FROM[1]);
+  const double right[2] = { -FROM[1] / length, FROM[0] / length };
+  const double half =
+    0.46 * (std::abs(right[0]) * box.GetLength(0) + std::abs(right[1]) * box.GetLength(1));
+  for (const double side : { -1.0, 1.0 })
+  {
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(
+      center[0] + side * half * right[0], center[1] + side * half * right[1], center[2]);
+    plane->SetNormal(-side * right[0], -side * right[1], 0.0);
+    actor->GetMapper()->AddClippingPlane(plane);
+  }
 }
 
 void Build(gallery::Stage& stage)
@@ -75,11 +106,16 @@ void Build(gallery::Stage& stage)
   for (const auto& view : views)
   {
     gallery::Panel& panel = stage.AddPanel(view.Caption);
-    panel.LookFrom({ 0.4, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
+    panel.LookFrom(FROM, { 0.0, 0.0, 1.0 });
     // Its noise would show in the closer views.
     panel.SetAmbientOcclusion(0.0);
-    panel.Add(gallery::MakeLinedActor(surface, gallery::IntervalColor(0), lines, nullptr));
-    panel.Add(MakeTube(line, LINE_RADIUS * view.Size));
+    const vtkSmartPointer<vtkActor> actors[] = { gallery::MakeLinedActor(surface,
+                                                   gallery::IntervalColor(0), lines, nullptr),
+      MakeTube(line, LINE_RADIUS * view.Size) };
+    for (vtkActor* actor : actors)
+    {
+      panel.Add(actor);
+    }
     if (view.Size < 1.0)
     {
       // Frames the bounds of the surface, scaled by Size around the center.
@@ -89,6 +125,10 @@ void Build(gallery::Stage& stage)
         part[i] = center[i / 2] + view.Size * (bounds[i] - center[i / 2]);
       }
       panel.Frame(vtkBoundingBox(part));
+      for (vtkActor* actor : actors)
+      {
+        CutSides(actor, vtkBoundingBox(part));
+      }
     }
   }
 }

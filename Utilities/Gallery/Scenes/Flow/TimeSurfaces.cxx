@@ -20,7 +20,7 @@ void Build(gallery::Stage& stage)
     vtkAnalyticFlowSource::ABC, { { 33, 33, 33 }, { -1.0, 1.0, -1.0, 1.0, -1.0, 1.0 } });
   const vtkSmartPointer<vtkTerminationPlane> plane =
     gallery::MakeInflowPlane({ 0.0, 0.0, -0.9 }, { 1.0, 0.0, 0.0 }, { 0.0, 1.0, 0.0 });
-  const gallery::FlowGrid samples = { { 57, 57, 57 }, { -1.0, 1.0, -1.0, 1.0, -0.9, 1.0 } };
+  const gallery::FlowGrid samples = { { 73, 73, 49 }, { -1.0, 1.0, -1.0, 1.0, -0.9, 1.0 } };
   const vtkSmartPointer<vtkDataSet> inflow = gallery::MapInflow(
     gallery::MakeImplicitFlow(abc, { plane }, samples), "sqrt((u - 0.5)^2 + (v - 0.72)^2)");
   vtkNew<vtkFlowVolume> filter;
