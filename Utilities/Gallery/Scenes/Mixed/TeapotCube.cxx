@@ -16,11 +16,11 @@ namespace
 void Build(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image =
-    gallery::Sample(gallery::MakeBox({ -0.9, -0.6, 0.0 }, { 0.9, 0.6, 1.3 }, { 0.50, 0.72, 0.78 }),
+    gallery::Sample(gallery::MakeBox({ -0.9, -0.6, 0.0 }, { 0.9, 0.6, 1.3 }, { 0.66, 0.86, 0.90 }),
       vtkBoundingBox(-1.0, 1.0, -0.7, 0.7, -0.1, 1.4), 120);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(255.0, 0.6);
+  opacity->AddPoint(255.0, 0.42);
   vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeColoredMedium(opacity, 1.0);
   medium->SetAmbient(0.15);
   medium->SetDiffuse(0.95);
@@ -32,7 +32,7 @@ void Build(gallery::Stage& stage)
     interlume::Move(interlume::MakeTeapot(), { { 0.0, 0.0, 0.005 } }, { { 0.0, 0.0, 12.0 } }));
   gallery::AddGround(panel, { { 0.0, 0.0, -0.02 } }, 2.4, 1.0, { { 0.86, 0.78, 0.68 } });
   gallery::UseSceneShadows(panel);
-  panel.SetLights({ gallery::MakePointLight({ -2.2, -0.9, 4.0 }, 1.0),
+  panel.SetLights({ gallery::MakePointLight({ -2.2, -0.9, 4.0 }, 1.08),
     gallery::MakeFillLight({ 1.0, -1.0, 0.5 }, 0.25) });
   gallery::UseBackdrop(panel, { 0.84, 0.80, 0.74 }, { 0.34, 0.34, 0.40 });
   panel.Frame(vtkBoundingBox(-1.15, 1.25, -0.1, 0.1, -0.45, 1.42));
