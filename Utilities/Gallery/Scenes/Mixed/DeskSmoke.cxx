@@ -69,8 +69,8 @@ vtkSmartPointer<vtkVolume> MakeSmoke()
     gallery::Sample(smoke, vtkBoundingBox(-1.23, 1.23, -1.1, 0.99, 0.01, 1.57), 130);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(70.0, 0.02);
-  opacity->AddPoint(255.0, 0.5);
+  opacity->AddPoint(70.0, 0.05);
+  opacity->AddPoint(255.0, 0.75);
   vtkSmartPointer<vtkVolumeProperty> medium = gallery::MakeColoredMedium(opacity, 1.0);
   medium->SetAmbient(0.05);
   medium->SetDiffuse(1.0);
@@ -90,11 +90,11 @@ void Build(gallery::Stage& stage)
   gallery::AddModel(panel, Move(MakeChair(), { { -0.42, -0.1, 0.0 } }, { { 0.0, 0.0, -38.0 } }));
   panel.Add(MakeSmoke());
   gallery::UseSceneShadows(panel);
-  vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.45, 1.0, 0.6 }, 7.5);
+  vtkSmartPointer<vtkLight> sun = gallery::MakeParallelLight({ -0.45, 1.0, 0.6 }, 6.0);
   sun->SetDiffuseColor(1.0, 0.87, 0.68);
   panel.SetLights({ sun, gallery::MakeFillLight({ 0.3, -1.0, 0.6 }, 0.5) });
   // The background is the sky, which is visible only through the window.
-  panel.SetBackground(vtkColor3d(0.93, 0.95, 1.0));
+  panel.SetBackground(vtkColor3d(0.74, 0.82, 0.92));
   panel.Frame(vtkBoundingBox(-1.08, 1.08, -1.0, -0.99, 0.1, 1.45));
 }
 
