@@ -19,10 +19,12 @@
 #include "vtkPlaneSource.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderer.h"
 #include "vtkShadowedScenePass.h"
 #include "vtkShadowedSliceMapper.h"
 #include "vtkSphere.h"
 #include "vtkVector.h"
+#include "vtkVolumeCollection.h"
 
 #include <array>
 #include <cmath>
@@ -195,20 +197,20 @@ void BuildBeamSoft(gallery::Stage& stage)
   const vtkColor3d white(1.0, 1.0, 1.0);
   vtkSmartPointer<vtkSpatialPrimitive> air =
     gallery::MakeBox({ -0.94, -0.5, -0.5 }, { 1.7, 0.5, 0.5 }, white);
-  air->SetDensity(0.16);
+  air->SetDensity(0.3);
   air->SetEdgeWidth(0.2);
   vtkSmartPointer<vtkSpatialPrimitive> solid = gallery::MakeBox(-0.5 * BOX, 0.5 * BOX, white);
   solid->SetEdgeWidth(0.04);
   vtkSmartPointer<vtkImageData> image =
     gallery::Sample(gallery::Unite({ gallery::Place(solid, POSITION, DEGREES), air }),
-      vtkBoundingBox(-0.94, 1.7, -0.5, 0.5, -0.5, 0.5), 130);
+      vtkBoundingBox(-0.94, 1.7, -0.5, 0.5, -0.5, 0.5), 110);
   vtkNew<vtkPiecewiseFunction> opacity;
   opacity->AddPoint(0.0, 0.0);
-  opacity->AddPoint(255.0, 0.76);
+  opacity->AddPoint(255.0, 0.55);
   vtkSmartPointer<vtkVolumeProperty> medium = MakeColoredMedium(opacity, 1.0);
   medium->SetAmbient(0.03);
   medium->SetSpecular(0.0);
-  vtkSmartPointer<vtkLight> lamp = gallery::MakePointLight({ -3.2, 0.0, 0.0 }, 14.0);
+  vtkSmartPointer<vtkLight> lamp = gallery::MakePointLight({ -3.2, 0.0, 0.0 }, 18.0);
   lamp->SetDiffuseColor(1.0, 0.86, 0.6);
   // With this surface gradient, scattering is isotropic everywhere and edges are not shaded.
   gallery::SoftPair pair = gallery::AddSoftPair(stage, image, medium, { lamp }, 0.4, 1.0, 192);
@@ -216,11 +218,17 @@ void BuildBeamSoft(gallery::Stage& stage)
   for (gallery::Panel* panel : { &pair.Hard, &pair.Soft })
   {
     panel->Add(MakeScreen());
-    gallery::UseSceneShadows(*panel, 32);
+    // With fewer samples, the edges of the holes leave streaks in the soft beams.
+    gallery::UseSceneShadows(*panel, panel == &pair.Soft ? 64 : 1);
     vtkSmartPointer<vtkActor> frame = MakeBoxFrame(BOX, DEGREES);
     frame->SetPosition(POSITION[0], POSITION[1], POSITION[2]);
     panel->Add(frame);
   }
+  // With thicker slices, the edges of the hard beams would show each slice.
+  vtkShadowedSliceMapper* hard = gallery::GetSlicedMapper(
+    vtkVolume::SafeDownCast(pair.Hard.GetRenderer()->GetVolumes()->GetItemAsObject(0)));
+  hard->SetSliceSpacing(0.2 * image->GetSpacing()[0]);
+  hard->SetLightBufferSize(384);
   pair.Look({ 0.25, -1.0, 0.25 }, vtkBoundingBox(-0.85, 1.5, -0.1, 0.1, -0.36, 0.36));
 }
 
