@@ -33,9 +33,9 @@ void BuildHypertextureSoft(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleSphere();
   gallery::SoftPair pair = gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -1.6, -1.6, 3.2 }), 1.0, 0.0, 640);
+    gallery::MakeStudioLights({ -1.1, -1.3, 4.6 }), 1.1, 0.0, 640);
   pair.UseBackdrop({ 0.86, 0.80, 0.74 }, { 0.36, 0.26, 0.28 });
-  pair.Look({ 0.15, -1.0, 0.55 }, vtkBoundingBox(-0.66, 0.84, -0.1, 0.1, -0.38, 1.3));
+  pair.Look({ 0.15, -1.0, 0.55 }, vtkBoundingBox(-0.66, 0.98, -0.1, 0.1, -0.3, 1.3));
 }
 
 const gallery::SceneRegistration hypertexture(
@@ -74,7 +74,7 @@ void BuildRobotSoft(gallery::Stage& stage)
 {
   vtkSmartPointer<vtkImageData> image = SampleRobot();
   gallery::SoftPair pair = gallery::AddSoftPair(stage, image, gallery::MakeSolidMedium(image),
-    gallery::MakeStudioLights({ -2.4, -1.8, 3.6 }), 0.8, 0.0, 640);
+    gallery::MakeStudioLights({ -1.6, -2.0, 4.6 }, 0.85), 0.7, 0.0, 640);
   pair.UseBackdrop({ 0.86, 0.88, 0.90 }, { 0.34, 0.38, 0.52 });
   pair.Look({ 0.15, -1.0, 0.6 }, vtkBoundingBox(-0.72, 0.78, -0.1, 0.1, -0.4, 1.25));
 }
