@@ -9,7 +9,7 @@ from props import COLORS, make_intervals, read, run
 from stage import Stage
 
 bounds = [30.0, 70.0, 120.0, 180.0, 255.0]
-extinctions = [0.12, 0.1, 0.15, 0.15]
+extinctions = [0.25, 0.2, 0.3, 0.4]
 intervals = vtkIntervalVolume()
 for i in range(4):
     intervals.SetInterval(i, bounds[i], bounds[i + 1])

@@ -10,7 +10,6 @@
 
 #include "vtkActor.h"
 #include "vtkAppendPolyData.h"
-#include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
@@ -112,10 +111,6 @@ vtkSmartPointer<vtkStructuredGrid> ReadBluntFin()
   return full;
 }
 
-/// The part of the flow to which cameras are fitted: the fin's leading edge and the shock around
-/// it.
-const vtkBoundingBox NEAR_FIN(-4.5, 9.5, -6.5, 6.5, 0.5, 6.4);
-
 /// Returns the fin: both sides (surface j = 0) and the top.
 vtkSmartPointer<vtkActor> MakeBluntFin(vtkStructuredGrid* flow, const vtkColor3d& color)
 {
@@ -154,7 +149,6 @@ void BuildIntervalLinear(gallery::Stage& stage)
   gallery::Panel& panel = stage.AddPanel("", { -1.0, 0.55, 0.5 });
   panel.SetBackground({ 0.86, 0.90, 0.95 });
   panel.SetAmbientOcclusion(0.015);
-  panel.Frame(NEAR_FIN);
   panel.Add(MakeBluntFinPlate(flow, { 0.80, 0.79, 0.77 }));
   panel.Add(MakeBluntFin(flow, { 0.80, 0.79, 0.77 }));
   panel.Add(gallery::MakeVolume(tetrahedra, "Density", colors, extinction));
@@ -171,7 +165,7 @@ const gallery::SceneRegistration intervalLinear({ "interval-linear", "3.3",
 
 void BuildIntervalTwoAttributes(gallery::Stage& stage)
 {
-  const double lower = 6.0;
+  const double lower = 8.0;
   const double upper = 24.0;
   vtkSmartPointer<vtkStructuredGrid> flow = ReadBluntFin();
   vtkNew<vtkIntervalVolume> interval;
@@ -182,14 +176,14 @@ void BuildIntervalTwoAttributes(gallery::Stage& stage)
   vtkSmartPointer<vtkColorTransferFunction> colors =
     gallery::MakeColorMap(gallery::Map::Inferno, lower, upper);
   vtkNew<vtkPiecewiseFunction> extinction;
+  // Faint at low energy, since the grid is too coarse for a smooth volume far from the fin.
   extinction->AddPoint(lower, 0.0);
-  extinction->AddPoint(12.0, 0.5);
+  extinction->AddPoint(13.0, 0.3);
   extinction->AddPoint(18.0, 1.6);
   extinction->AddPoint(upper, 5.0);
   gallery::Panel& panel = stage.AddPanel("", { -1.0, -0.5, 0.55 });
   panel.SetBackground({ 0.05, 0.06, 0.08 });
   panel.SetAmbientOcclusion(0.015);
-  panel.Frame(NEAR_FIN);
   panel.Add(MakeBluntFinPlate(flow, { 0.30, 0.32, 0.36 }));
   panel.Add(MakeBluntFin(flow, { 0.42, 0.44, 0.48 }));
   panel.Add(gallery::MakeVolume(tetrahedra, "StagnationEnergy", colors, extinction));

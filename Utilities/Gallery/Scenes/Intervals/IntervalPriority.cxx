@@ -21,7 +21,7 @@ void Build(gallery::Stage& stage)
   const std::array<double, 5> bounds = { { 30.0, 70.0, 120.0, 180.0, 255.0 } };
   const std::array<const char*, 4> labels = { { "30 to 70", "70 to 120", "120 to 180",
     "180 to 255" } };
-  const std::array<double, 4> extinctions = { { 0.12, 0.1, 0.15, 0.15 } };
+  const std::array<double, 4> extinctions = { { 0.25, 0.2, 0.3, 0.4 } };
   const int count = static_cast<int>(labels.size());
   vtkNew<vtkIntervalVolume> intervals;
   intervals->SetNumberOfIntervals(count);
