@@ -91,6 +91,8 @@ class Panel:
         for _ in range(12):
             offsets = points - focus
             depths = np.maximum(distance - dot(offsets, to_camera), 1e-3 * distance)
+            if camera.GetParallelProjection():
+                depths = np.full(len(points), distance)
             across = dot(offsets, right) / (depths * slope * aspect)
             along = dot(offsets, up) / (depths * slope)
             half = 0.5 * max(across.max() - across.min(), along.max() - along.min())

@@ -27,6 +27,7 @@ for time, caption in times.items():
     cut.SetInputConnection(sheet.GetOutputPort(2))
     cut.SetTime(time)
     panel = stage.add_panel(caption)
+    panel.frame(-3.4, 3.4, -0.7, 0.7, -0.62, 0.62)
     panel.ambient_occlusion = False
     surface = shade_by_field(make_surface(run(cut)), lambda x: wave.Evaluate(x, time))
     panel.add(make_actor(surface, COLORS[len(stage.panels)]))

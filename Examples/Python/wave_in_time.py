@@ -11,17 +11,22 @@ from stage import DARK, Stage
 
 wave = vtkAnalyticFieldSource()
 wave.SetFieldToWave()
-wave.SetDimensions(144, 20, 8)
-wave.SetBounds(-2.0, 2.0, -1.0, 1.0, -1.0, 1.0)
+wave.SetDimensions(90, 20, 8)
+wave.SetBounds(-1.25, 1.25, -1.0, 1.0, -1.0, 1.0)
 wave.SetTimeRange(0.0, 1.0)
 wave.SetNumberOfTimeSteps(5)
 sheet = vtkTimeVaryingIntervalVolume()
 sheet.SetInputConnection(wave.GetOutputPort())
 sheet.SetInterval(0, -0.15, 0.15)
-
 colors = vtkTemporalColorTransferFunction()
 colors.SetTimes(5, [0.0, 0.25, 0.5, 0.75, 1.0])
-extinction = make_opacities((0.0, 1.6))
+# Half of the green, so that the colors of all times add up to white.
+for i in range(colors.GetSize()):
+    node = [0.0] * 6
+    colors.GetNodeValue(i, node)
+    node[2] *= 0.5
+    colors.SetNodeValue(i, node)
+extinction = make_opacities((0.0, 1.1))
 volume = make_volume(run(sheet), "Time", colors, extinction)
 volume.GetMapper().SetBlendModeToAdditive()
 
@@ -29,6 +34,7 @@ stage = Stage()
 panel = stage.add_panel()
 panel.set_background(*DARK)
 panel.add(volume)
-panel.look_from((0.27, -1.0, 0.13))
+panel.camera.ParallelProjectionOn()
+panel.look_from((0.25, -1.0, 0.05))
 stage.set_color_bar("time", colors, 0.0, 1.0)
 stage.save()

@@ -6,6 +6,7 @@
 #include "Gallery/Volumes.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
@@ -23,6 +24,17 @@ std::vector<double> GetTimeSteps(vtkAlgorithm* source)
   return { times, times + information->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()) };
 }
 
+void BalanceColors(vtkColorTransferFunction* colors)
+{
+  for (int i = 0; i < colors->GetSize(); ++i)
+  {
+    double node[6];
+    colors->GetNodeValue(i, node);
+    node[2] *= 0.5;
+    colors->SetNodeValue(i, node);
+  }
+}
+
 Panel& AddPanelInTime(
   Stage& stage, vtkAlgorithm* source, double lower, double upper, double extinction)
 {
@@ -31,6 +43,7 @@ Panel& AddPanelInTime(
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, source);
   const std::vector<double> times = GetTimeSteps(source);
   vtkSmartPointer<vtkVolume> volume = MakeVolumeInTime(tetrahedra, times, extinction);
+  BalanceColors(volume->GetProperty()->GetRGBTransferFunction());
   GetMapper(volume)->SetBlendModeToAdditive();
 
   Panel& panel = stage.AddPanel("");

@@ -5,6 +5,7 @@
 #include <vector>
 
 class vtkAlgorithm;
+class vtkColorTransferFunction;
 
 namespace gallery
 {
@@ -17,9 +18,16 @@ class Stage;
 std::vector<double> GetTimeSteps(vtkAlgorithm* source);
 
 /**
+ * Halves the green of a vtkTemporalColorTransferFunction, so that the colors of all times add up to
+ * gray. Blue, green and red then have the same mean over time.
+ */
+void BalanceColors(vtkColorTransferFunction* colors);
+
+/**
  * Adds a dark panel that shows where the scalars of \a source are between \a lower and \a upper,
- * over all times from its first to its last step. Colors of different times are added.
- * \a extinction is per unit of length and time. Sets the color bar of the stage.
+ * over all times from its first to its last step. Colors of different times, balanced by
+ * BalanceColors(), are added. \a extinction is per unit of length and time. Sets the color bar of
+ * the stage.
  */
 Panel& AddPanelInTime(
   Stage& stage, vtkAlgorithm* source, double lower, double upper, double extinction);

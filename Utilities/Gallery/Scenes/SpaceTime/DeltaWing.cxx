@@ -88,7 +88,7 @@ void ShowDeltaWingBoundaries(Stage& stage, const std::vector<ShownBoundary>& bou
 
 void BuildTimeDelta(gallery::Stage& stage)
 {
-  gallery::Panel& panel = gallery::AddPanelInTime(stage, MakeDeltaWingVortices(6), 0.4, 1.1, 9.0);
+  gallery::Panel& panel = gallery::AddPanelInTime(stage, MakeDeltaWingVortices(6), 0.4, 1.1, 15.0);
   panel.SetBackground({ 0.02, 0.035, 0.08 });
   panel.Add(MakeDeltaWing({ 0.2, 0.23, 0.3 }));
   panel.LookFrom({ -0.6, -0.8, 0.9 }, { 0.0, 0.0, 1.0 });
@@ -98,7 +98,7 @@ const gallery::SceneRegistration timeDelta(
   { "time-delta", "3.22", "Vortices above a delta wing over six time steps",
     "The region where the pressure loss in two vortices, which break down to spirals, is above 0.4 "
     "at any time from the first to the last of six steps. Colors of all times are added: blue "
-    "exists only at the first step, red only at the last, white all the time. The spirals rotate, "
+    "is covered early, orange to red late, and white all the time. The spirals rotate, "
     "and both breakdowns end where they began. An analytic model replaces the data of the "
     "dissertation.",
     {}, &BuildTimeDelta });

@@ -26,11 +26,12 @@ using namespace gallery;
 constexpr double LOWER = 0.97;
 constexpr double UPPER = 0.994;
 
-/// Returns the wake of a tapered cylinder from time 0 to \a end.
-vtkSmartPointer<vtkTaperedCylinderSource> MakeCylinderWake(double end, int steps)
+/// Returns the wake of a tapered cylinder from time 0 to \a end, up to a distance from its axis.
+vtkSmartPointer<vtkTaperedCylinderSource> MakeCylinderWake(double end, int steps, double distance)
 {
   auto wake = vtkSmartPointer<vtkTaperedCylinderSource>::New();
   wake->SetDimensions(80, 80, 48);
+  wake->SetOuterRadius(distance);
   wake->SetNumberOfTimeSteps(steps);
   wake->SetTimeRange(0.0, end);
   return wake;
@@ -50,8 +51,8 @@ vtkSmartPointer<vtkActor> MakeCylinder(vtkTaperedCylinderSource* wake, const vtk
 
 void BuildTimeCylinder(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake(0.9, 6);
-  gallery::Panel& panel = gallery::AddPanelInTime(stage, wake, LOWER, UPPER, 1.2);
+  vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake(0.9, 6, 9.0);
+  gallery::Panel& panel = gallery::AddPanelInTime(stage, wake, LOWER, UPPER, 1.9);
   panel.SetBackground({ 0.03, 0.025, 0.05 });
   panel.Add(MakeCylinder(wake, { 0.3, 0.31, 0.33 }));
   LookAtWake(panel);
@@ -61,14 +62,14 @@ const gallery::SceneRegistration timeCylinder(
   { "time-cylinder", "3.24", "The wake of a tapered cylinder over six time steps",
     "Density below 0.994 in the vortices behind a tapered cylinder, which sheds faster where it is "
     "thin. All times from the first to the last of six steps are added: the vortices leave the "
-    "blue region and move to the red one; white is covered all the time. The vortex lines are "
-    "slanted and break where the frequency changes. An analytic model replaces the data of the "
-    "dissertation.",
+    "blue region and move to the orange one; white is covered most of the time. The vortex "
+    "lines are slanted and break where the frequency changes. An analytic model replaces the data "
+    "of the dissertation.",
     {}, &BuildTimeCylinder });
 
 void BuildTimePriority(gallery::Stage& stage)
 {
-  vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake(0.6, 2);
+  vtkSmartPointer<vtkTaperedCylinderSource> wake = MakeCylinderWake(0.6, 2, 12.0);
   vtkNew<vtkTimeVaryingIntervalVolume> interval;
   interval->SetInterval(0, LOWER, UPPER);
   interval->GenerateTetrahedraOff();

@@ -7,6 +7,7 @@
 #include "Gallery/Stage.h"
 
 #include "vtkAnalyticFieldSource.h"
+#include "vtkBoundingBox.h"
 #include "vtkCell.h"
 #include "vtkCellArray.h"
 #include "vtkFloatArray.h"
@@ -119,6 +120,7 @@ void Build(gallery::Stage& stage)
   for (std::size_t i = 0; i < times.size(); ++i)
   {
     gallery::Panel& panel = stage.AddPanel(captions[i], { 0.08, -1.0, 0.65 });
+    panel.Frame(vtkBoundingBox(-3.4, 3.4, -0.7, 0.7, -0.62, 0.62));
     panel.SetAmbientOcclusion(0.0);
     vtkNew<vtkSimplexTimeSlice> slice;
     slice->SetTime(times[i]);

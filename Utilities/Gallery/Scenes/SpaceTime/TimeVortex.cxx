@@ -15,27 +15,29 @@
 namespace
 {
 /// Adds a panel with the vortex tubes over the time steps \a times, which are evenly spaced.
-void Draw(gallery::Stage& stage, const std::vector<double>& times, double extinction,
+void Draw(gallery::Stage& stage, const std::vector<double>& times, double lower, double extinction,
   const vtkVector3d& from)
 {
   vtkNew<vtkAnalyticFieldSource> vortices;
   vortices->SetDimensions(96, 96, 96);
   vortices->SetTimeRange(times.front(), times.back());
   vortices->SetNumberOfTimeSteps(static_cast<int>(times.size()));
-  gallery::AddPanelInTime(stage, vortices, 0.3, 2.0, extinction).LookFrom(from, { 0.0, 0.0, 1.0 });
+  gallery::AddPanelInTime(stage, vortices, lower, 2.0, extinction)
+    .LookFrom(from, { 0.0, 0.0, 1.0 });
 }
 
 void BuildLate(gallery::Stage& stage)
 {
-  Draw(stage, { 0.8, 1.2, 1.6, 2.0 }, 16.0, { 0.3, -1.0, 0.25 });
+  Draw(stage, { 0.1, 0.6, 1.1, 1.6 }, 0.5, 18.0, { 0.3, -1.0, 0.25 });
 }
 
 void BuildAll(gallery::Stage& stage)
 {
   const std::vector<double> times = { 0.0, 0.5, 1.0, 1.5, 2.0 };
-  Draw(stage, times, 14.0, { 0.3, 1.0, 0.4 });
+  Draw(stage, times, 0.5, 11.0, { 0.3, 1.0, 0.4 });
   vtkNew<vtkTemporalColorTransferFunction> colors;
   colors->SetTimes(static_cast<int>(times.size()), times.data());
+  gallery::BalanceColors(colors);
   const std::array<const char*, 5> labels = { { "at 0", "at 0.5", "at 1", "at 1.5", "at 2" } };
   std::vector<gallery::ColorEntry> key;
   for (std::size_t i = 0; i < labels.size(); ++i)
@@ -51,15 +53,15 @@ void BuildAll(gallery::Stage& stage)
 const gallery::SceneRegistration late(
   { "time-vortex", "3.23", "Vortices over four time steps, colored by time",
     "Vortex tubes of an analytic field on 96 x 96 x 96 points, over all times from the first to "
-    "the last of four steps. Blue marks tubes at the first step, red at the last, and white tubes "
-    "that stay. Two tubes appear, orange and red without blue; others fade, faint and blue. Colors "
-    "of different times are added.",
+    "the last of four steps. Colors of all times are added: tubes that stay are white, with a blue "
+    "edge that they leave and an orange one toward which they drift. Blue tubes fade. Two thin "
+    "red tubes appear only toward the end.",
     {}, &BuildLate });
 
-const gallery::SceneRegistration all(
-  { "time-vortex-three", "3.25", "Vortices from birth to decay, colored by time",
-    "The vortex tubes over five time steps, from blue through cyan, green and yellow to red. "
-    "Stationary parts add up to white. Tubes that are only blue fade, "
-    "tubes that are only red appear, and stripes from blue to red are tubes that move sideways.",
-    {}, &BuildAll });
+const gallery::SceneRegistration all({ "time-vortex-three", "3.25",
+  "Vortices from birth to decay, colored by time",
+  "The vortex tubes over five time steps. Colors of all times are added, and stationary parts add "
+  "up to white. Blue tubes fade, orange tubes appear, and stripes from blue to red are tubes that "
+  "move sideways.",
+  {}, &BuildAll });
 }

@@ -22,15 +22,16 @@ namespace
 {
 using namespace gallery;
 
-/// Returns the test function of the dissertation, a traveling wave, from time 0 to 1. It is linear
-/// in z and changes slowly along y, so it needs many points along x only. With fewer, the diagonals
-/// of 4-simplices would show as teeth, whose size is the spacing times the change between steps.
-vtkSmartPointer<vtkAnalyticFieldSource> MakeWave(int steps)
+/// Returns the test function of the dissertation, a traveling wave, from time 0 to 1 and from x =
+/// -reach to reach. It is linear in z and changes slowly along y, so it needs many points along x
+/// only. With fewer, the diagonals of 4-simplices would show as teeth, whose size is the spacing
+/// times the change between steps.
+vtkSmartPointer<vtkAnalyticFieldSource> MakeWave(int steps, double reach)
 {
   auto wave = vtkSmartPointer<vtkAnalyticFieldSource>::New();
   wave->SetFieldToWave();
-  wave->SetDimensions(144, 20, 8);
-  wave->SetBounds(-2.0, 2.0, -1.0, 1.0, -1.0, 1.0);
+  wave->SetDimensions(static_cast<int>(72.0 * reach), 20, 8);
+  wave->SetBounds(-reach, reach, -1.0, 1.0, -1.0, 1.0);
   wave->SetTimeRange(0.0, 1.0);
   wave->SetNumberOfTimeSteps(steps);
   return wave;
@@ -38,16 +39,17 @@ vtkSmartPointer<vtkAnalyticFieldSource> MakeWave(int steps)
 
 void BuildWaveInTime(gallery::Stage& stage)
 {
-  gallery::Panel& panel = gallery::AddPanelInTime(stage, MakeWave(5), -0.15, 0.15, 1.6);
-  panel.LookFrom({ 0.27, -1.0, 0.13 }, { 0.0, 0.0, 1.0 });
+  gallery::Panel& panel = gallery::AddPanelInTime(stage, MakeWave(5, 1.25), -0.15, 0.15, 1.1);
+  panel.UseParallelProjection();
+  panel.LookFrom({ 0.25, -1.0, 0.05 }, { 0.0, 0.0, 1.0 });
 }
 
 const gallery::SceneRegistration waveInTime(
   { "wave-in-time", "3.20", "A wave over five time steps, colored by time",
     "A sheet between two isovalues that follows a wave, over all times from the first to the last "
     "of five steps, seen along its crests. Blue is its position at the first step, green midway, "
-    "red at the last, and white is covered all the time: the wave travels to the right. Colors of "
-    "different times are added.",
+    "red at the last, and white is covered most of the time: the wave travels to the right. Colors "
+    "of different times are added.",
     {}, &BuildWaveInTime });
 
 void BuildTimeBoundaries(gallery::Stage& stage)
@@ -61,14 +63,14 @@ void BuildTimeBoundaries(gallery::Stage& stage)
   {
     interval->SetGenerateBoundary(kind, true);
   }
-  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, MakeWave(2));
+  vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(interval, MakeWave(2, 2.0));
 
   stage.SetColumns(2);
   for (int kind = 0; kind < count; ++kind)
   {
     gallery::Panel& panel =
       stage.AddPanel(captions[static_cast<std::size_t>(kind)], { 0.25, -1.0, 0.55 });
-    vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeInTime(tetrahedra, { 0.0, 1.0 }, 2.5);
+    vtkSmartPointer<vtkVolume> volume = gallery::MakeVolumeInTime(tetrahedra, { 0.0, 1.0 }, 1.0);
     panel.Add(volume);
     panel.Add(
       gallery::MakeActor(gallery::MakeSurface(gallery::MakeTimeBoundary(interval, { kind })),
