@@ -19,6 +19,7 @@ from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
 from vtkmodules.vtkFiltersGeneral import vtkGradientFilter
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkImagingCore import vtkImageShrink3D
+from vtkmodules.vtkImagingGeneral import vtkImageGaussianSmooth
 from vtkmodules.vtkIOXML import vtkXMLGenericDataObjectReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkTexture, vtkVolume,
@@ -57,6 +58,14 @@ def reduce(image, factor):
     small = run(shrink, image)
     small.GetPointData().GetScalars().SetName(image.GetPointData().GetScalars().GetName())
     return small
+
+
+def smooth(image, deviations):
+    """Smooths an image by a Gaussian with these standard deviations, in voxels."""
+    gaussian = vtkImageGaussianSmooth()
+    gaussian.SetStandardDeviations(*deviations)
+    gaussian.SetRadiusFactor(2.0)
+    return run(gaussian, image)
 
 
 def add_gradient(data, array):

@@ -6,14 +6,14 @@ python3 tooth_scattering.py IMAGE.png
 
 import numpy as np
 from interlume import vtkShadowedSliceSettings as settings
-from props import make_colors, make_opacities, make_parallel_light, make_sliced_volume, read
+from props import (
+    make_colors, make_opacities, make_parallel_light, make_sliced_volume, read, smooth)
 from stage import Stage
 
-tooth = read("tooth.vti")
+tooth = smooth(read("tooth.vti"), (1.2, 1.2, 2.5))  # hides the rings of the scan
 stage = Stage()
-without = stage.add_panel("light that is reflected")
-within = stage.add_panel("light that is scattered inside")
-for panel, key, fill in ((without, 1.4, 0.45), (within, 0.6, 0.2)):
+without, within = map(stage.add_panel, ("light that is reflected", "light that is scattered inside"))
+for panel, key, fill in ((without, 1.4, 1.3), (within, 0.6, 0.2)):
     volume = make_sliced_volume(tooth)
     medium, mapper = volume.GetProperty(), volume.GetMapper()
     medium.SetScalarOpacity(make_opacities((115.0, 0.0), (150.0, 0.35), (255.0, 0.45)))
@@ -33,7 +33,7 @@ for panel, key, fill in ((without, 1.4, 0.45), (within, 0.6, 0.2)):
                      make_parallel_light((-0.7, -1.0, 0.6), fill))
     panel.set_background(0.20, 0.23, 0.28)
     lower, upper = np.reshape(tooth.GetBounds(), (3, 2)).T[:, :, None]
-    fractions = np.array([(0.16, 0.84), (0.45, 0.55), (0.2, 1.0)])
+    fractions = np.array([(0.16, 0.84), (0.45, 0.55), (0.12, 1.0)])
     panel.frame(*(lower + fractions * (upper - lower)).ravel())
 without.look_from((0.25, -1.0, 0.25))
 within.look_as(without)

@@ -195,8 +195,8 @@ public:
       "shaders have code for time extents only in time-varying scenes");
     this->Expect(has("surface") == (volume.at("boundary_triangles") > 0),
       "shaders have code for boundary triangles only if there are some");
-    this->Expect(has("perspective") == (this->Scene != "constant-plate"),
-      "the projection is perspective, except in constant-plate");
+    const bool isParallel = this->Scene == "constant-plate" || this->Scene == "wave-in-time";
+    this->Expect(has("perspective") != isParallel, "the projection is perspective, except in two");
     this->Expect(volume.at("pixel_stride") == 1, "every pixel is computed");
     this->Expect(volume.at("tetrahedra_drawn") > 0, "some tetrahedra are drawn");
     this->Expect(
