@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Disks painted on the inflow, advected through the flow around a ball. A new image needs no new
+// Disks painted on the inflow, advected through the flow around a sphere. A new image needs no new
 // advection.
 #include <vtkActor.h>
 #include <vtkAnalyticFlowSource.h>

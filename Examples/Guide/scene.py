@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A scanned bonsai, which is a volume, stands on polygons. All of them shadow each other under a lamp."""
+"""A scanned bonsai, a volume, on polygons. All of them cast shadows on each other under an area light."""
 
 import sys
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Streamlines as stripes on a stream surface of a tornado, from afar and close up: nearer views have more."""
+"""Streamlines as stripes on a stream surface of a tornado, from afar and close up: closer views have more."""
 
 import vtkmodules.vtkInteractionStyle
 import vtkmodules.vtkRenderingOpenGL2
