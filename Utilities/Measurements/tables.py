@@ -194,7 +194,6 @@ VALUES = {
     "flow-texture.rgba": ("flow-texture", "{slower}", {"method": "textures", "peer": "gpu-rgba"}),
     "flow-texture.components": ("flow-texture", "{ratio}", {"method": "textures", "peer": "gpu"}),
     "commands.scene": ("commands", "{minutes:2} minutes", {"case": "Utilities/demo --scene bonsai"}),
-    "commands.gallery": ("commands", "{minutes:2} minutes", {"case": "Utilities/demo"}),
     "mixed.budget": ("mixed", "{over_budget}", {"method": "scene-pass", "peer": "volume + 2 actors"}),
 }
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""time_commands.py: measures the commands on the README's first screen.
+"""time_commands.py: measures the README's command for a first look.
 
 Each command runs in a new clone of HEAD, without ccache. Writes the processor time, in minutes, to
 Documentation/measurements/vtk-VERSION/commands.json. Divide it by the number of cores for the time on an idle machine.
@@ -16,7 +16,7 @@ import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-COMMANDS = ("Utilities/demo --scene bonsai", "Utilities/demo")
+COMMANDS = ("Utilities/demo --scene bonsai",)
 
 
 def children_seconds():
