@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A scanned bonsai, a volume, on polygons. All of them shadow each other under a
-// lamp.
+// A scanned bonsai, a volume, on polygons. All of them cast shadows on each other under an area
+// light.
 #include <vtkActor.h>
 #include <vtkAreaLight.h>
 #include <vtkCamera.h>
