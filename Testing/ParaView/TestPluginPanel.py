@@ -32,7 +32,7 @@ COMMON = {**TRANSFORM, "Opacity": (0.3, {}), "DiffuseColor": ([1.0, 0.0, 0.0], {
 def picture():
     """Loads a texture."""
     return load_texture(os.path.join(
-        os.path.dirname(__file__), "..", "..", "Documentation", "pictures", "flow-disk.png"))
+        os.path.dirname(__file__), "..", "..", "Data", "Baseline", "flow-disk.png"))
 
 
 PAINT = {"InflowTexture": picture}
