@@ -218,7 +218,7 @@ void vtkFlowLIC::Convolve(
           continue;
         }
         walk.Begin(x);
-        count.PointsAtRest += walk.CanGo() ? 0 : 1;
+        count.PointsAtRest += walk.CanAdvance() ? 0 : 1;
         double sum = noise.Evaluate(x);
         int reached[2] = { 0, 0 };
         for (int side = 0; side < 2; ++side)
@@ -226,14 +226,14 @@ void vtkFlowLIC::Convolve(
           walk.Begin(x);
           const double step = side == 0 ? -report.StepLength : report.StepLength;
           int& j = reached[side];
-          while (j < report.Steps && walk.Go(step))
+          while (j < report.Steps && walk.Advance(step))
           {
             ++j;
             sum += kernel.GetWeight(j) * noise.Evaluate(walk.GetPosition());
           }
         }
         const bool isShort = std::min(reached[0], reached[1]) < report.Steps;
-        count.PointsWithShortLines += isShort && walk.CanGo() ? 1 : 0;
+        count.PointsWithShortLines += isShort && walk.CanAdvance() ? 1 : 0;
         const double mean = sum / kernel.GetSum(reached[0], reached[1]);
         const double stretched =
           0.5 + contrast * (mean - 0.5) / kernel.GetDeviation(reached[0], reached[1]);

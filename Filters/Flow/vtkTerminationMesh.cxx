@@ -132,7 +132,7 @@ std::string vtkTerminationMesh::Update()
   this->Prepared.reset(new Contents);
   if (!this->Mesh)
   {
-    return "the mesh has no dataset";
+    return "no mesh is set";
   }
   const bool isPeriodic[2] = { this->PeriodicU, this->PeriodicV };
   std::unique_ptr<Contents> prepared(new Contents);

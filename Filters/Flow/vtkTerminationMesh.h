@@ -33,7 +33,7 @@ class vtkPolyData;
  * If the mesh is made from the field's own faces, its triangles deviate from the cells' bilinear
  * faces. vtkImplicitFlowField::SetArrivalTolerance, not Tolerance, allows for this deviation.
  *
- * Update reports a missing dataset, a mesh whose triangles all have zero area, texture coordinates
+ * Update reports a missing mesh, a mesh whose triangles all have zero area, texture coordinates
  * that are missing or do not have two components, points or texture coordinates that are not
  * finite, invalid point ids, and a one-sided mesh. Triangles with a height below Tolerance are
  * skipped and counted.

@@ -406,10 +406,10 @@ public:
   /**
    * Read a light's buffer of the last frame: the transmittance of the entire volume along each ray
    * of the light. \a image receives floating-point scalars with one or three components. Its field
-   * data array `BufferFromWorld` has the 16 row-wise elements of the matrix from world coordinates
-   * to texture coordinates, which range from 0 to 1 after division by the fourth coordinate.
-   * Returns false if the light casts no shadows, or if it is inside or very close to the volume,
-   * since such a light has no planar buffer.
+   * data array `BufferFromWorld` has the 16 elements, in row-major order, of the matrix from world
+   * coordinates to texture coordinates, which range from 0 to 1 after division by the fourth
+   * coordinate. Returns false if the light casts no shadows, or if it is inside or very close to
+   * the volume, since such a light has no planar buffer.
    */
   bool ReadLightBuffer(vtkRenderer* renderer, vtkLight* light, vtkImageData* image);
 

@@ -180,7 +180,7 @@ void TestShapes(ShadowTable& table)
 
 void TestMaterials(ShadowTable& table)
 {
-  // An opaque cube: its front face shows its color if lit along the view, and is black if lit from
+  // An opaque cube: its front face shows its color if lit from the front, and is black if lit from
   // behind.
   auto scene = MakeHomogeneousScene(8, 1.0);
   scene.Size = { { 16, 16 } };
@@ -199,7 +199,7 @@ void TestMaterials(ShadowTable& table)
   };
   // View and light transmittances are equal, so half of the light returns.
   const std::array<double, 2> lit = drawCenter(-1.0);
-  table.Catalogue.Measure("opaque-lit", "fully opaque, lit along the view",
+  table.Catalogue.Measure("opaque-lit", "fully opaque, lit from the front",
     "alpha 1, half of the light", std::max(std::abs(lit[0] - 0.5), std::abs(lit[1] - 1.0)), 1e-3);
   const std::array<double, 2> dark = drawCenter(1.0);
   table.Catalogue.Measure("opaque-dark", "fully opaque, lit from behind", "alpha 1, black",

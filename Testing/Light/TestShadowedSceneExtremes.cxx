@@ -42,7 +42,7 @@ vtkSmartPointer<vtkActor> MakeFloor()
   return MakeRectangle({ { -1.0, -1.0, 0.0 } }, { { 2.0, 0.0, 0.0 } }, { { 0.0, 2.0, 0.0 } });
 }
 
-// Draws a floor lit by a sun, after a change of the scene.
+// Draws a floor lit by a sun, after applying a change to the scene.
 RgbaImage Draw(const Change& change, bool hasPass = true)
 {
   SceneStage stage(64);

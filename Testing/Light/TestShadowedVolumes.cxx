@@ -160,7 +160,7 @@ void TestBoxes(Check& check)
   }
 }
 
-/// Draws a scene with the pass, after a change of settings.
+/// Draws a scene with the pass, after applying \a change if it is set.
 RgbaImage Draw(const MixedScene& scene, const std::function<void(VolumePile&)>& change = {})
 {
   VolumePile pile(scene);

@@ -581,7 +581,7 @@ void CheckHalves(Check& check)
   const interlume::LightSource inside = MakePositional(glm::dvec3(0.1, 0.2, 0.3));
   check.That(count({ inside }) <= full + 1, "a light inside: slabs of one sweep");
   const interlume::SlicePlan plan = Plan(eye, { inside }, space);
-  check.That(plan.IsOfFirstImage(0) && plan.IsOfFirstImage(1) && !plan.HasFurtherImages(),
+  check.That(plan.IsInFirstImage(0) && plan.IsInFirstImage(1) && !plan.HasFurtherImages(),
     "a light inside: one image");
   // With two lights, the back-to-front sweep starts at the light farther from the camera.
   const interlume::LightSource far = MakePositional(glm::dvec3(0.0, 0.0, -0.2));

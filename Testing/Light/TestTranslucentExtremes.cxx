@@ -44,7 +44,7 @@ vtkSmartPointer<vtkActor> MakeFloor()
   return MakeRectangle({ { -2.0, -2.0, -0.6 } }, { { 4.0, 0.0, 0.0 } }, { { 0.0, 4.0, 0.0 } });
 }
 
-// Draws a floor and smoke, lit by a sun, after a change of the scene.
+// Draws a floor and smoke, lit by a sun, after applying a change to the scene.
 RgbaImage Draw(const Change& change)
 {
   SceneStage stage(PIXELS, 1.6);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tests that the representation Inflow Textures reproduces images of the C++ mapper: textures from files, pulses
+"""Tests that the Inflow Textures representation reproduces images of the C++ mapper: textures from files, pulses
 that move with the phase, opacity and shading by an array, cropping and shadows. With default settings, flow
 fields must be visible, and an image without arrays must cause an error.
 

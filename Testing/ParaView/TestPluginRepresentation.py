@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tests that the representation Interval Volume reproduces images of the C++ mapper.
+"""Tests that the Interval Volume representation reproduces images of the C++ mapper.
 
 Arguments: the directory for images, and `whole`, or `distributed` in a run with several processes. Each process
 then has a piece of the data, and only images that support ordered compositing are compared. If the processes

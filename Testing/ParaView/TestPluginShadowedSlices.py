@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Tests that the representation Shadowed Slices reproduces images of the C++ mapper, with lights of the view and
+"""Tests that the Shadowed Slices representation reproduces images of the C++ mapper, with lights of the view and
 the representation's own light, which is on only while it is visible.
 
 Arguments: the directory for images, and `whole`, or `distributed` in a run with several processes, in which each

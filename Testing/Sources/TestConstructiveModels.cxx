@@ -118,7 +118,8 @@ void CheckHundredths(Check& check)
   const std::map<int, double> volumes = { { vtkConstructiveModelSource::ROBOT,
                                             std::pow(0.28, 3) + std::pow(0.5, 3) +
                                               2.0 * 0.16 * 0.2 * 0.45 },
-    // Floor, two walls minus their intersection, window and cross.
+    // The floor and two walls, minus the walls' overlap and the window opening, plus the cross in
+    // the window.
     { vtkConstructiveModelSource::ROOM,
       2.05 * 2.05 * 0.05 + 2.05 * 0.05 * 1.5 + 2.0 * 0.05 * 1.5 - 0.05 * 0.8 * 0.7 +
         0.05 * (0.8 * 0.04 + 0.7 * 0.04 - 0.04 * 0.04) },

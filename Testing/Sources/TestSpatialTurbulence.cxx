@@ -125,7 +125,8 @@ void CheckSettings(Check& check)
     densities[seed] = sample.Density;
   }
   check.That(densities[0] != densities[1], "another seed yields another density");
-  // With frequency 0, all points are mapped to the origin, where the noise is 0.
+  // A negative frequency is clamped to 0, which maps all points to the origin, where the noise
+  // is 0.
   object->SetFrequency(-3.0);
   object->Evaluate(x, sample);
   Sample plain;

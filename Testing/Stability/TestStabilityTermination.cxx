@@ -137,7 +137,7 @@ void TestResolutions(StabilityCatalogue& catalogue)
   }
 }
 
-/// Tests the position along x of the rectangle in uniform flow of several sizes and speeds.
+/// Tests the inflow rectangle in uniform fields of various sizes and speeds.
 void TestInflow(StabilityCatalogue& catalogue)
 {
   catalogue.SetClass("vtkTerminationInflow");

@@ -145,7 +145,7 @@ void Panel::LookFrom(const vtkVector3d& from, const vtkVector3d& up)
   this->Camera->OrthogonalizeViewUp();
 }
 
-void Panel::LookAs(Panel& other)
+void Panel::ShareCamera(Panel& other)
 {
   this->Camera = other.Camera;
   this->Renderer->SetActiveCamera(this->Camera);

@@ -45,7 +45,7 @@ public:
   /**
    * Shares the camera of another panel. The camera is fitted to the props of both panels.
    */
-  void LookAs(Panel& other);
+  void ShareCamera(Panel& other);
 
   /**
    * Fits the camera to \a bounds instead of the props, which may extend past the edges of the

@@ -26,10 +26,10 @@ namespace interlume
  * @brief   results of streamlines in the order in which an execution requests them
  *
  * An execution requests streamlines in groups: the samples, the samples of each refinement level,
- * and samples on the far side of surfaces. A group has a number of streamlines and a digest of
- * their start positions and direction. Each result is a row of numbers: 124 bytes plus 8 bytes per
- * averaged array. All other output follows from these results. Therefore an execution that resumes
- * from the record has bit-identical output.
+ * and samples on the far side of surfaces. A group is identified by its number of streamlines and a
+ * digest of their start positions and direction. Each result is a row of numbers: 124 bytes plus 8
+ * bytes per averaged array. All other output follows from these results. Therefore an execution
+ * that resumes from the record has bit-identical output.
  */
 class StreamlineRecord
 {

@@ -45,11 +45,11 @@ public:
     this->HasDirection = this->GetDirection(x, this->Direction);
   }
   /// Returns whether the line can be continued.
-  bool CanGo() const { return this->HasDirection; }
+  bool CanAdvance() const { return this->HasDirection; }
 
   /// Advances by \a step, upstream if \a step is negative. At the end of the line, returns false
   /// without moving.
-  bool Go(double step)
+  bool Advance(double step)
   {
     if (!this->HasDirection)
     {

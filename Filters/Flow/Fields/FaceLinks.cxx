@@ -165,7 +165,7 @@ public:
     vtkSMPTools::Sort(this->Locations.begin(), this->Locations.end());
   }
 
-  FaceLinks::Joins SetLinks(const SetLink& setLink) const
+  FaceLinks::MatchGaps SetLinks(const SetLink& setLink) const
   {
     const auto number = static_cast<vtkIdType>(this->Locations.size());
     std::vector<Partner> partners(number);
@@ -177,7 +177,7 @@ public:
           partners[i] = this->FindPartner(i);
         }
       });
-    FaceLinks::Joins joins;
+    FaceLinks::MatchGaps gaps;
     for (vtkIdType i = 0; i < number; ++i)
     {
       const Partner& partner = partners[i];
@@ -188,13 +188,13 @@ public:
         {
           link.Gap =
             partner.Gap / std::min(this->Locations[i].Width, this->Locations[partner.Index].Width);
-          joins.Number += partner.Index > i ? 1 : 0;
-          joins.LargestGap = std::max(joins.LargestGap, link.Gap);
+          gaps.Number += partner.Index > i ? 1 : 0;
+          gaps.LargestGap = std::max(gaps.LargestGap, link.Gap);
         }
         setLink(this->Locations[i].Face, link);
       }
     }
-    return joins;
+    return gaps;
   }
 
 private:
@@ -332,8 +332,9 @@ void FaceLinks::FindByPoints(vtkIdType numberOfBlocks, int facesPerBlock, const 
   match(numberOfBlocks, facesPerBlock, fill, numberOfPoints, setLink);
 }
 
-FaceLinks::Joins FaceLinks::Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
-  const CellPoints& cells, const ArrayRows& positions, const SetLink& setLink)
+FaceLinks::MatchGaps FaceLinks::Find(vtkIdType numberOfBlocks, int facesPerBlock,
+  const FillBlock& fill, const CellPoints& cells, const ArrayRows& positions,
+  const SetLink& setLink)
 {
   std::vector<unsigned char> isLinked(numberOfBlocks * facesPerBlock, 0);
   FindByPoints(numberOfBlocks, facesPerBlock, fill, positions.GetNumber(),

@@ -36,7 +36,7 @@ public:
 
   /// Number of matched face pairs whose positions differ, and the largest distance between their
   /// corners, in cell widths.
-  struct Joins
+  struct MatchGaps
   {
     vtkIdType Number = 0;
     double LargestGap = 0.0;
@@ -74,7 +74,7 @@ public:
    * Face i of block b has the index b times \a facesPerBlock + i. \a positions holds the positions
    * of the points.
    */
-  static Joins Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
+  static MatchGaps Find(vtkIdType numberOfBlocks, int facesPerBlock, const FillBlock& fill,
     const CellPoints& cells, const ArrayRows& positions, const SetLink& setLink);
 
   /// Finds only the links between faces with equal point ids.

@@ -42,7 +42,7 @@ public:
   /// Returns the number of outer faces with a cell on the far side (NonconformingInterfaces), and
   /// the cell of the first such face. Only the first call computes them, with compute().
   template <typename Compute>
-  const std::pair<vtkIdType, vtkIdType>& GetOpenInterfaces(Compute&& compute) const
+  const std::pair<vtkIdType, vtkIdType>& GetNonconformingInterfaces(Compute&& compute) const
   {
     std::call_once(this->OpenOnce, [&] { this->Open = compute(); });
     return this->Open;
@@ -52,7 +52,7 @@ public:
   int FacesPerCell = 0;
   /// For each face of each cell: -1 if there is no neighbor, otherwise the code from GetLink().
   std::vector<vtkIdType> Links;
-  FaceLinks::Joins Joins;
+  FaceLinks::MatchGaps Gaps;
 
   /// Returns the code of a link to face \a face of a cell:
   /// 64 * cell + 8 * face + 2 * start + reversed.

@@ -111,7 +111,7 @@ void StructuredFlowField::FindSeams()
 {
   const std::vector<vtkIdType> faces = this->GetOutsideFaces();
   std::vector<FaceLinks::Link> links(faces.size(), FaceLinks::Link{ -1, 0, false });
-  const FaceLinks::Joins joins = FaceLinks::Find(
+  const FaceLinks::MatchGaps gaps = FaceLinks::Find(
     static_cast<vtkIdType>(faces.size()), 1,
     [&](vtkIdType i, FaceLinks::Block& block)
     { block.Corners[0] = this->GetFacePoints(faces[i], block.Points[0]); },
@@ -125,7 +125,7 @@ void StructuredFlowField::FindSeams()
       return 8;
     },
     this->Positions, [&](vtkIdType i, const FaceLinks::Link& link) { links[i] = link; });
-  this->SetSeams(GetSeams(faces, faces, links), joins);
+  this->SetSeams(GetSeams(faces, faces, links), gaps);
 }
 
 std::vector<StructuredFlowField::Seam> StructuredFlowField::GetSeams(

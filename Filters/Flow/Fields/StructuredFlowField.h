@@ -78,7 +78,7 @@ public:
     return this->WithoutSeams(this->GetOutsideFaces());
   }
   /// Returns how many linked face pairs have different positions, and by how much.
-  const FaceLinks::Joins& GetJoins() const { return this->Joins; }
+  const FaceLinks::MatchGaps& GetMatchGaps() const { return this->Gaps; }
 
   /// Returns whether a streamline leaves the grid through a face.
   bool IsDomainFace(const CellLocation& location, int face) const
@@ -108,10 +108,10 @@ protected:
   static std::vector<Seam> GetSeams(const std::vector<vtkIdType>& own,
     const std::vector<vtkIdType>& all, const std::vector<FaceLinks::Link>& links);
   /// Sets the seams, in ascending order of faces.
-  void SetSeams(std::vector<Seam>&& seams, const FaceLinks::Joins& joins)
+  void SetSeams(std::vector<Seam>&& seams, const FaceLinks::MatchGaps& gaps)
   {
     this->Seams = std::move(seams);
-    this->Joins = joins;
+    this->Gaps = gaps;
   }
   const ArrayRows& GetPositions() const { return this->Positions; }
 
@@ -128,7 +128,7 @@ private:
   CellTree Tree;
   // Seams in ascending order of faces.
   std::vector<Seam> Seams;
-  FaceLinks::Joins Joins;
+  FaceLinks::MatchGaps Gaps;
 };
 
 }

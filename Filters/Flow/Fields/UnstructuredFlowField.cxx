@@ -252,7 +252,7 @@ void UnstructuredFlowField::FindLinks(MeshLinks& mesh, bool byCoordinates) const
       this->GetNumberOfCells(), facesPerCell, fill, this->Positions.GetNumber(), set);
     return;
   }
-  mesh.Joins = FaceLinks::Find(
+  mesh.Gaps = FaceLinks::Find(
     this->GetNumberOfCells(), facesPerCell, fill,
     [this, facesPerCell](vtkIdType face, vtkIdType* points)
     { return this->GetCellPoints(face / facesPerCell, points); },

@@ -99,7 +99,7 @@ public:
   std::vector<vtkIdType> GetOuterFaces() const;
   int GetFacePoints(vtkIdType face, vtkIdType* points) const;
   /// Returns how many linked faces have different positions, and by how much.
-  const FaceLinks::Joins& GetJoins() const { return this->Mesh->Joins; }
+  const FaceLinks::MatchGaps& GetMatchGaps() const { return this->Mesh->Gaps; }
   /// Return the links of the mesh and the number of cell faces whose links were reused.
   const std::shared_ptr<const MeshLinks>& GetMesh() const { return this->Mesh; }
   vtkIdType GetNumberOfReusedFaceMatches() const { return this->NumberOfReusedFaceMatches; }

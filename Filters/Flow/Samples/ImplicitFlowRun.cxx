@@ -245,8 +245,8 @@ void ImplicitFlowRun::Describe(const FieldType& field)
   if constexpr (std::is_same_v<FieldType, StructuredFlowField> ||
     std::is_same_v<FieldType, UnstructuredFlowField>)
   {
-    this->Report.ToleranceMatchedFaces = field.GetJoins().Number;
-    this->Report.LargestFaceGap = field.GetJoins().LargestGap;
+    this->Report.ToleranceMatchedFaces = field.GetMatchGaps().Number;
+    this->Report.LargestFaceGap = field.GetMatchGaps().LargestGap;
     const auto find = [&field]() -> std::pair<vtkIdType, vtkIdType>
     {
       const interlume::NonconformingInterfaces open =
@@ -257,7 +257,7 @@ void ImplicitFlowRun::Describe(const FieldType& field)
     {
       this->Report.ReusedFaceMatches = field.GetNumberOfReusedFaceMatches();
       std::tie(this->Report.NonconformingFaces, this->Report.FirstNonconformingCell) =
-        field.GetMesh()->GetOpenInterfaces(find);
+        field.GetMesh()->GetNonconformingInterfaces(find);
     }
     else
     {

@@ -204,8 +204,8 @@ void ReachedBoundary::Extrapolate(const SampleArrays& results, SampleResults& sa
     }
     std::vector<double>& sum = sums[line.Other];
     sum.resize(start.size(), 0.0);
-    // Extrapolation from a short distance to the bracket is inaccurate and gets a small weight. If
-    // there is only one line, the weight cancels.
+    // If the bracket starts close to the reached sample, extrapolating over so short a distance is
+    // inaccurate and gets a small weight. If there is only one line, the weight cancels.
     const double weight = std::max(line.First, 1e-9);
     for (std::size_t i = 0; i < sum.size(); ++i)
     {

@@ -155,8 +155,8 @@ public:
   {
     if constexpr (Field::IsSearched)
     {
-      std::vector<vtkIdType> joined{ this->Shared.GetJoins().Number };
-      std::vector<double> gap{ this->Shared.GetJoins().LargestGap };
+      std::vector<vtkIdType> joined{ this->Shared.GetMatchGaps().Number };
+      std::vector<double> gap{ this->Shared.GetMatchGaps().LargestGap };
       this->Exchange.ReduceSum(joined);
       this->Exchange.ReduceMax(gap);
       report.ToleranceMatchedFaces = joined[0];
@@ -168,7 +168,7 @@ public:
       }
       else
       {
-        open = this->Shared.FindOpenInterfaces(this->Exchange);
+        open = this->Shared.FindNonconformingInterfaces(this->Exchange);
       }
       report.NonconformingFaces = open.Number;
       report.FirstNonconformingCell = open.FirstCell;

@@ -196,20 +196,20 @@ void PartitionBoundaryFaces::FindLinks(bool isMerged)
     { this->Links[static_cast<std::size_t>(i)] = link; });
 }
 
-FaceLinks::Joins PartitionBoundaryFaces::GetJoins() const
+FaceLinks::MatchGaps PartitionBoundaryFaces::GetMatchGaps() const
 {
-  FaceLinks::Joins joins;
+  FaceLinks::MatchGaps gaps;
   for (std::size_t i = 0; i < std::min(this->NumberOfOwn, this->Links.size()); ++i)
   {
     const FaceLinks::Link& link = this->Links[i];
     if (link.Face >= 0)
     {
       const bool isFirst = this->Faces[i].Face < this->Get(link.Face).Face;
-      joins.Number += link.Gap > 0.0 && isFirst ? 1 : 0;
-      joins.LargestGap = std::max(joins.LargestGap, link.Gap);
+      gaps.Number += link.Gap > 0.0 && isFirst ? 1 : 0;
+      gaps.LargestGap = std::max(gaps.LargestGap, link.Gap);
     }
   }
-  return joins;
+  return gaps;
 }
 
 }

@@ -71,7 +71,7 @@ public:
   const std::vector<FaceLinks::Link>& GetLinks() const { return this->Links; }
   /// Returns how many faces of this process match at different positions, and by how much. Each
   /// pair is counted only in the process that owns the face with the lower number.
-  FaceLinks::Joins GetJoins() const;
+  FaceLinks::MatchGaps GetMatchGaps() const;
 
 private:
   void ExchangeFaces(RankExchange& exchange);

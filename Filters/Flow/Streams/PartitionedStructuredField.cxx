@@ -40,10 +40,11 @@ void PartitionedStructuredField::FindSeams(RankExchange& exchange)
   {
     all.push_back(face.Face);
   }
-  this->SetSeams(GetSeams(own, all, faces.GetLinks()), faces.GetJoins());
+  this->SetSeams(GetSeams(own, all, faces.GetLinks()), faces.GetMatchGaps());
 }
 
-NonconformingInterfaces PartitionedStructuredField::FindOpenInterfaces(RankExchange& exchange) const
+NonconformingInterfaces PartitionedStructuredField::FindNonconformingInterfaces(
+  RankExchange& exchange) const
 {
   int first[3];
   int last[3];

@@ -37,7 +37,7 @@ public:
   }
 
   /// Returns the nonconforming interfaces of the whole grid. Collective.
-  NonconformingInterfaces FindOpenInterfaces(RankExchange& exchange) const;
+  NonconformingInterfaces FindNonconformingInterfaces(RankExchange& exchange) const;
 
 private:
   void FindSeams(RankExchange& exchange);

@@ -76,15 +76,15 @@ Error PartitionedUnstructuredField::Join(RankExchange& exchange)
     this->FindLinks(*mesh, false);
   }
   this->Use(mesh);
-  const std::vector<vtkIdType> faces = this->GetOutside();
+  const std::vector<vtkIdType> faces = this->GetGlobalOuterFaces();
   this->Repeated =
     SharedPoints::FindRepeated(this->GetPointsOf(faces), this->GetPositions(), exchange);
   this->FindLinksToOthers(faces, *mesh, exchange);
-  this->Interfaces = PartitionedInterfaces::Find(*this, this->GetOutside(), exchange);
+  this->Interfaces = PartitionedInterfaces::Find(*this, this->GetGlobalOuterFaces(), exchange);
   return {};
 }
 
-std::vector<vtkIdType> PartitionedUnstructuredField::GetOutside() const
+std::vector<vtkIdType> PartitionedUnstructuredField::GetGlobalOuterFaces() const
 {
   std::vector<vtkIdType> faces = this->GetOuterFaces();
   std::transform(faces.begin(), faces.end(), faces.begin(),
@@ -121,7 +121,7 @@ void PartitionedUnstructuredField::FindLinksToOthers(
     return;
   }
   faces.FindLinks(true);
-  this->Joins = faces.GetJoins();
+  this->Gaps = faces.GetMatchGaps();
   for (std::size_t i = 0; i < own.size(); ++i)
   {
     const FaceLinks::Link& link = faces.GetLinks()[i];
@@ -158,7 +158,7 @@ SpeedCount PartitionedUnstructuredField::CountOwnSpeeds() const
 void PartitionedUnstructuredField::FindPatches(RankExchange& exchange)
 {
   PartitionedPatches::Surface own;
-  own.Faces = this->GetOutside();
+  own.Faces = this->GetGlobalOuterFaces();
   const std::vector<vtkIdType> points = this->GetPointsOf(own.Faces);
   for (const vtkIdType point : points)
   {

@@ -52,8 +52,8 @@ public:
   /// Returns the nonconforming interfaces of the whole grid, and whether one is between two
   /// processes.
   const PartitionedInterfaces& GetInterfaces() const { return this->Interfaces; }
-  /// Returns the result of PartitionBoundaryFaces::GetJoins() for this process.
-  const FaceLinks::Joins& GetJoins() const { return this->Joins; }
+  /// Returns the result of PartitionBoundaryFaces::GetMatchGaps() for this process.
+  const FaceLinks::MatchGaps& GetMatchGaps() const { return this->Gaps; }
 
   /// Calls visit(rank) for each process whose cells may contain x.
   template <typename Visit>
@@ -112,7 +112,7 @@ private:
     vtkIdType Link;
   };
 
-  std::vector<vtkIdType> GetOutside() const;
+  std::vector<vtkIdType> GetGlobalOuterFaces() const;
   std::vector<vtkIdType> GetPointsOf(const std::vector<vtkIdType>& faces) const;
   void FindLinksToOthers(
     const std::vector<vtkIdType>& faces, MeshLinks& mesh, RankExchange& exchange);
@@ -122,7 +122,7 @@ private:
   ProcessBounds Boxes;
   // A link below -1 refers to the element with index -2 - link.
   std::vector<RemoteCell> RemoteCells;
-  FaceLinks::Joins Joins;
+  FaceLinks::MatchGaps Gaps;
   PartitionedInterfaces Interfaces;
   // Points that a process of lower rank also has.
   std::vector<vtkIdType> Repeated;

@@ -63,7 +63,8 @@ LevelContours::Parameters LevelContours::GetCrossing(Edge edge, double level) co
   double atLower = this->GetValue(edge.I, edge.J) - level;
   double atUpper =
     this->GetValue(edge.I + (edge.Direction == 0), edge.J + (edge.Direction == 1)) - level;
-  // Illinois variant of regula falsi: a bound that is retained twice is weighted by half.
+  // Illinois variant of regula falsi: if a bound is retained twice in a row, the value there is
+  // halved.
   constexpr int maximumNumberOfSteps = 60;
   constexpr double tolerance = 1e-13;
   double along = atLower / (atLower - atUpper);

@@ -357,7 +357,7 @@ private:
     }
   }
 
-  // Releases the capacity after the last cell, whose ids end at \a ids.
+  // Frees the unused capacity of the arrays. \a ids is the number of ids to keep.
   void Shorten(vtkIdType ids)
   {
     this->VisitList(

@@ -88,7 +88,7 @@ bool GhostCells::AreTied(const ExtractionContext& context)
   const auto isTied = [&scalars](vtkIdType id) { return HasTies(*scalars, id, id + 1); };
   for (vtkIdType cell = 0; cell < context.Input->GetNumberOfCells(); ++cell)
   {
-    if (IsOne(context, cell))
+    if (IsGhost(context, cell))
     {
       context.Input->GetCellPoints(cell, ids);
       if (std::any_of(ids->begin(), ids->end(), isTied))
@@ -116,7 +116,7 @@ void GhostCells::Remove(const ExtractionContext& context, ExtractionMesh& mesh)
   std::vector<bool> isRemoved(static_cast<std::size_t>(cells), false);
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
-    if (IsOne(context, mesh.CellIds[cell]))
+    if (IsGhost(context, mesh.CellIds[cell]))
     {
       isRemoved[cell] = true;
       withOutput.insert(mesh.CellIds[cell]);
@@ -124,12 +124,12 @@ void GhostCells::Remove(const ExtractionContext& context, ExtractionMesh& mesh)
   }
   std::vector<bool> isTriangleRemoved(mesh.Triangles.size(), false);
   std::transform(mesh.TriangleCellIds.begin(), mesh.TriangleCellIds.end(),
-    isTriangleRemoved.begin(), [&context](vtkIdType cell) { return IsOne(context, cell); });
+    isTriangleRemoved.begin(), [&context](vtkIdType cell) { return IsGhost(context, cell); });
   ExtractionCleanup::RemoveMarked(mesh, isRemoved, isTriangleRemoved);
   context.Report->CellsWithOutput -= static_cast<vtkIdType>(withOutput.size());
   for (vtkIdType cell = 0; cell < context.Input->GetNumberOfCells(); ++cell)
   {
-    context.Report->BlankedCells += IsOne(context, cell);
+    context.Report->BlankedCells += IsGhost(context, cell);
   }
 }
 

@@ -29,7 +29,7 @@ public:
   static void Request(vtkInformation* input, vtkInformation* output);
 
   /// Returns whether a cell is a ghost cell that is not hidden.
-  static bool IsOne(const Blanking& blanking, vtkIdType cell)
+  static bool IsGhost(const Blanking& blanking, vtkIdType cell)
   {
     return blanking.IsCellBlanked(cell) && !blanking.IsCellHidden(cell);
   }

@@ -49,7 +49,7 @@ public:
         for (; i < span[1] && this->IsBlanked(around, i); ++i)
         {
           ++number;
-          if (around.HasTies && GhostCells::IsOne(this->Context, around.FirstCell + i) &&
+          if (around.HasTies && GhostCells::IsGhost(this->Context, around.FirstCell + i) &&
             around.HasTiedPoints(i))
           {
             hasTiedGhost = true;

@@ -37,7 +37,7 @@ public:
   /// Returns true if a cell belongs to another piece. The cell must not be blanked.
   bool IsDuplicate(vtkIdType cell) const
   {
-    return GhostCells::IsOne(*this->Steps[0], cell) || GhostCells::IsOne(*this->Steps[1], cell);
+    return GhostCells::IsGhost(*this->Steps[0], cell) || GhostCells::IsGhost(*this->Steps[1], cell);
   }
 
 protected:

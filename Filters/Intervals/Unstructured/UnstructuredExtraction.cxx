@@ -385,9 +385,9 @@ private:
   std::optional<InteriorCells<Stored>> Interior;
   ExtractionMesh& Mesh;
   vtkIdType NumberOfCells;
-  // If true, the nodes of points are stored. A contour is small compared with its grid, and storing
-  // the points of its cells is faster than searching for them again. For the tetrahedra of an
-  // interval, the nodes would take too much memory.
+  // If true, each chunk stores the CrossingLists nodes of its points. A contour is small compared
+  // with its grid, and storing the nodes is faster than searching for the points again. For the
+  // tetrahedra of an interval, the nodes would take too much memory.
   bool KeepsNodes;
   // The points that cells share. Empty if every triangle has its own points.
   std::optional<CrossingLists> Points;

@@ -13,8 +13,8 @@ namespace interlume
 namespace
 {
 
-// Border around a slice, in light buffer texels. Interpolation in the slice's slab reads this
-// border, also from layers, whose texels are twice as large.
+// Width of the border around a slice, in light buffer texels. It is wide enough for interpolation
+// in the slice's slab, even from layers, whose texels are twice as large.
 constexpr double Border = 4.0;
 
 // Maximum number of slabs in a batch. Slabs of the same batch cast hard shadows on each other.

@@ -107,7 +107,7 @@ private:
   std::vector<int> Sums;
 };
 
-// Pyramids of directions around a light, in texture coordinates.
+// The pyramids of directions that the tiles of a light buffer cover, in texture coordinates.
 class Pyramids
 {
 public:

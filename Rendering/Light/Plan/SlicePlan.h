@@ -36,8 +36,8 @@ class UnitSpace;
  * through it and against the normal on the other side, so it takes part in up to two sweeps. If it
  * is the only light of both, the sweeps are the halves of one image, cut at the light: the sweep on
  * the camera's side is drawn first, and the other sweep is drawn behind it. Otherwise, if a
- * back-to-front sweep has wide lights only, it starts at its first light: the sweep adds no opacity
- * to the image, and no color before that light.
+ * back-to-front sweep after the first sweep has only wide lights, it starts at its first light,
+ * since it adds no opacity to the image, and no color before it reaches that light.
  *
  * The normals are continuous in the camera and the lights, unless the number of sweeps, their order
  * or the lights of a sweep change, for example when light and view are perpendicular. The image is
@@ -181,7 +181,7 @@ public:
 
   /// Returns true if the sweep belongs to the first image, which contains the opacity and all light
   /// without shadows. The colors of other images are added to it.
-  bool IsOfFirstImage(std::size_t sweep) const
+  bool IsInFirstImage(std::size_t sweep) const
   {
     return sweep == 0 || (sweep == 1 && this->Sweeps[1].IsBehind);
   }
@@ -191,7 +191,7 @@ public:
     return sweep + 1 == this->Sweeps.size() || !this->Sweeps[sweep + 1].IsBehind;
   }
   /// Returns true if there is more than one image.
-  bool HasFurtherImages() const { return !this->IsOfFirstImage(this->Sweeps.size() - 1); }
+  bool HasFurtherImages() const { return !this->IsInFirstImage(this->Sweeps.size() - 1); }
 
   /// Minimum cosine between a sweep's normal and view rays, if such a normal exists.
   static constexpr double ViewCosine = 0.5;

@@ -48,9 +48,9 @@ public:
   /// Removes all sources. Returns true if there were any.
   bool Clear();
 
-  /// Inserts markers for the sources. Call this before VTK replaces its tags.
+  /// Marks where Replace inserts the GLSL sources. Call this before VTK replaces its tags.
   static void Mark(std::string& fragmentShader);
-  /// Replaces the markers by the sources. If \a isReceiver is false, inserts only light images.
+  /// Replaces the markers with the sources. If \a isReceiver is false, inserts only light images.
   /// Returns false if the shader uses lights but has no markers.
   bool Replace(std::string& fragmentShader, bool isReceiver) const;
 

@@ -99,9 +99,9 @@ public:
   /// Shows the image if no volume has shown it, and unbinds the textures.
   void End(vtkRenderer* renderer);
 
-  /// Inserts markers for the sources. Call this before VTK replaces its tags.
+  /// Marks where Replace inserts GLSL code. Call this before VTK replaces its tags.
   static void Mark(std::string& fragmentShader);
-  /// Inserts the sources into the shader of a prop.
+  /// Inserts the GLSL code for lights and layers into the shader of a prop.
   void Replace(std::string& fragmentShader, vtkProp* prop);
   vtkMTimeType GetShaderTime() const { return this->ShaderTime.GetMTime(); }
   /// Sets the uniforms of a prop's program.

@@ -309,7 +309,7 @@ std::vector<int> SliceShader::GetLightsOf(const VolumeRenderState& frame, std::s
   {
     lights.push_back(light.Light);
   }
-  for (std::size_t i = 0; frame.Image->Plan.IsOfFirstImage(sweep) && i < frame.Image->Lights.size();
+  for (std::size_t i = 0; frame.Image->Plan.IsInFirstImage(sweep) && i < frame.Image->Lights.size();
        ++i)
   {
     if (!(frame.Image->Lights[i].ShadowStrength > 0.0))
@@ -410,7 +410,7 @@ std::string SliceShader::GetEyeSource(
   {
     sources.Lights.push_back(AddLightOfImage(frame, sweep, light, sources.Lights.size(), features));
   }
-  sources.HasFluence = frame.Scattering.HasFluence && image.Plan.IsOfFirstImage(sweep);
+  sources.HasFluence = frame.Scattering.HasFluence && image.Plan.IsInFirstImage(sweep);
   return features.MakeSource(sources);
 }
 
@@ -550,7 +550,7 @@ void SliceShader::SetEyeUniforms(
   }
   uniforms.Set("materials", materials);
   uniforms.Set("surfaceColumns", surfaceColumns);
-  uniforms.Set("ambient", image.Plan.IsOfFirstImage(sweep) ? image.Ambient : glm::dvec3(0.0));
+  uniforms.Set("ambient", image.Plan.IsInFirstImage(sweep) ? image.Ambient : glm::dvec3(0.0));
 }
 
 void SliceShader::SetLightUniforms(vtkShaderProgram* program, const VolumeRenderState& frame,

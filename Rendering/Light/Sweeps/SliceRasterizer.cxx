@@ -200,7 +200,7 @@ Error SliceRasterizer::DrawSweeps()
   for (std::size_t i = 0; i < plan.Sweeps.size() && !error; ++i)
   {
     error = this->DrawSweep(i);
-    if (!error && plan.IsLastOfImage(i) && !plan.IsOfFirstImage(i))
+    if (!error && plan.IsLastOfImage(i) && !plan.IsInFirstImage(i))
     {
       this->AddSweep();
     }
@@ -309,7 +309,7 @@ void SliceRasterizer::BeginSweep(std::size_t sweepIndex)
 {
   vtkOpenGLState* state = this->Window->GetState();
   const SlicePlan& plan = this->State->Plan;
-  this->BindImage(plan.IsOfFirstImage(sweepIndex) ? this->Image : this->SweepImage);
+  this->BindImage(plan.IsInFirstImage(sweepIndex) ? this->Image : this->SweepImage);
   SliceOcclusion::Clear(this->Window);
   if (plan.Sweeps[sweepIndex].IsBehind)
   {

@@ -49,8 +49,8 @@ public:
   /// Returns true if a prop's shaders support the test.
   static bool CanDraw(vtkProp* prop);
 
-  /// Mark inserts markers for the sources, before VTK replaces its tags. Replace then replaces the
-  /// markers by the sources.
+  /// Mark inserts markers before VTK replaces its tags. Replace then replaces the markers with GLSL
+  /// code.
   static void Mark(std::string& fragmentShader);
   void Replace(std::string& fragmentShader) const;
 

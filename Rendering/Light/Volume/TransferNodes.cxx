@@ -35,7 +35,7 @@ double GetSize(const Value& value)
 
 /// Returns a position below \a x, the first node, if \a sign is -1, or above \a x, the last node,
 /// if it is 1.
-double GetOutside(double x, double sign)
+double GetPositionOutside(double x, double sign)
 {
   return x + sign * std::max(std::abs(x), 1.0);
 }
@@ -146,7 +146,7 @@ void TransferNodes::AddFunction(Transfer* transfer, const Function& function, Cu
     return Node{ point[0], { { point[1], point[(Channels + 1) / 2], point[Channels] } } };
   };
   Node node = get(0);
-  this->Add(node.X, function(GetOutside(node.X, -1.0)));
+  this->Add(node.X, function(GetPositionOutside(node.X, -1.0)));
   this->Add(node.X, node.Y);
   for (int i = 1; i < transfer->GetSize(); ++i)
   {
@@ -156,7 +156,7 @@ void TransferNodes::AddFunction(Transfer* transfer, const Function& function, Cu
     this->AddSegment(function, node, next, midpoint, sharpness, MakesSteps<Transfer>(), curve);
     node = next;
   }
-  this->Add(node.X, function(GetOutside(node.X, 1.0)));
+  this->Add(node.X, function(GetPositionOutside(node.X, 1.0)));
   this->FindLargest();
 }
 

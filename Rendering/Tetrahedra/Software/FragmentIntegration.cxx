@@ -58,7 +58,7 @@ inline float OpacityOf(float x)
 struct Moments
 {
   float Mean;
-  // The relative change (back - front) / (back + front) of the linear extinction with the same
+  // Relative change (back - front) / (back + front) of a linear distribution with the same
   // centroid.
   float Delta;
 };

@@ -17,7 +17,7 @@ namespace interlume
  */
 struct FragmentRow
 {
-  /// Number of channels: depth, scalar, extent in time, and four of a color.
+  /// Number of channels: depth, scalar, extent in time, and four color components.
   static constexpr int CHANNELS = 7;
 
   float Thickness;

@@ -41,7 +41,7 @@ public:
 
 private:
   using Value = TetrahedronSilhouette::Value;
-  /// Number of channels: depth, three of the normal, two texture coordinates.
+  /// Number of channels: depth, three normal components, two texture coordinates.
   static constexpr int CHANNELS = 6;
 
   void SetTetrahedron(std::uint32_t tetrahedron);

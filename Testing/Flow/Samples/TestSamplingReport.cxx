@@ -338,7 +338,8 @@ void TestJump(Check& check)
   check.That(found.Time.Largest < 0.02, "a jump is not an error");
 }
 
-/// Tests threads, arrays, defaults, and samples that are not checked.
+/// Tests determinism across threads, the field arrays, the default number of checks, and which
+/// sample modes and options disable the checks.
 void TestRuns(Check& check)
 {
   const auto grid = MakeFlowGrids()[2].second;

@@ -226,7 +226,7 @@ void CheckMessage(vtkPolyData* data, const std::string& expected, Check& check)
 void CheckMessages(Check& check)
 {
   check.SetContext("messages");
-  CheckMessage(nullptr, "no dataset", check);
+  CheckMessage(nullptr, "no mesh is set", check);
   CheckMessage(vtkNew<vtkPolyData>(), "no texture coordinates", check);
   const TexturedMesh mesh = MakeTetrahedron();
   auto data = mesh.MakeData();

@@ -362,7 +362,8 @@ void CheckClass(
   }
 }
 
-/// Returns whether the class is unambiguous: volumes and thickness are not small by coincidence.
+/// Returns whether \a p clearly belongs to class \a index: neither the thickness nor any nonzero
+/// lambda_i is close to 0.
 bool IsClear(const Points& p, int index)
 {
   const ExactProperties exact = MakeTruth(p);

@@ -101,8 +101,8 @@ BenchPlot MakePlot(const Question& question, const std::vector<BenchRow>& rows);
 /// GetCostOverFront.
 BenchClaim CheckDefaults(const std::vector<Family>& families, const std::vector<BenchRow>& rows);
 
-/// Returns a part of a suite whose cases are questions, each with a plot of error against run time,
-/// and with the claim of CheckDefaults().
+/// Returns a part of a suite with one case per question. It makes a plot of error against run time
+/// for each question, and checks the claim of CheckDefaults().
 BenchPart MakeFamilyPart(const std::vector<Family>& families);
 
 /// Formats the value of a setting, such as 0.5 or 64.

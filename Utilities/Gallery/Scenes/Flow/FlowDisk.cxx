@@ -65,7 +65,8 @@ vtkSmartPointer<vtkActor> MakeSurface(gallery::MappedFlow flow, double inflow,
   // Streamlines have equal distances at the lid, 16 of them on the innermost surface.
   constexpr int lines = 16;
   flow.Length = 2.0 * vtkMath::Pi() * INNERMOST * RADIUS;
-  // The texture starts at the outline of the innermost surface, and where the others are cut away.
+  // The texture's seam starts at the silhouette of the innermost surface, and in the half of the
+  // others that is cut away.
   const bool isInnermost = inflow == INNERMOST;
   flow.StartPoints = {
     { { isInnermost ? RADIUS : 0.0, isInnermost ? 0.5 * RADIUS : -RADIUS, TOP } }

@@ -13,11 +13,11 @@ namespace gallery
 {
 namespace
 {
-/// Number of texels per period of lines, and number of texels along an edge of a texture.
+/// Texels from one line to the next in a streamline texture, and along an edge of a grid texture.
 constexpr int LINE_PERIOD = 256;
 constexpr int SIZE = 1024;
 
-/// Width of a line as a fraction of its period.
+/// Width of a line as a fraction of the distance between lines.
 constexpr double LINE_WIDTH = 0.12;
 
 /// Returns 1 on lines at integers and 0 between them, with edges that are smooth over a pixel.

@@ -64,8 +64,8 @@ void Build(gallery::Stage& stage)
   gallery::Panel& second = stage.AddPanel("arsine 10 to 14 %");
   gallery::Panel& both = stage.AddPanel("both");
   first.LookFrom({ -1.0, -1.0, 0.5 }, { 0.0, 0.0, 1.0 });
-  second.LookAs(first);
-  both.LookAs(first);
+  second.ShareCamera(first);
+  both.ShareCamera(first);
   const gallery::IntervalLook none = { amber, 0.0 };
   first.Add(gallery::MakeVolumeOfIntervals(warm, { { amber, 0.25 } }));
   second.Add(gallery::MakeVolumeOfIntervals(rich, { none, { blue, 0.25 } }));
