@@ -33,8 +33,8 @@ namespace interlume
  * @class   DataDigest
  * @brief   MD5 digest of numbers, arrays and datasets
  *
- * Digests are equal only for bit-identical data. Values are digested as stored in memory, with the
- * type, the number of components and the number of tuples of the array.
+ * The digest of an array includes its type, number of components, number of tuples and the bytes of
+ * its values. Values of arrays without the standard memory layout are converted to double.
  */
 class DataDigest
 {
@@ -56,7 +56,7 @@ public:
 
   void Add(const std::string& text)
   {
-    // The terminating zero is included so that successive strings do not merge.
+    // The terminating null is included so that successive strings do not merge.
     this->Add(text.c_str(), text.size() + 1);
   }
 
@@ -103,8 +103,8 @@ public:
     this->Add(surface ? surface->GetPointData()->GetTCoords() : nullptr);
   }
 
-  /// Adds the geometry and topology of a dataset: its type, extent, points, the cells of an
-  /// unstructured grid, and its ghost arrays. Null is ignored.
+  /// Adds the class, geometry and ghost arrays of a dataset, and the cells and faces of polyhedra
+  /// if it is an unstructured grid. Does nothing if \a grid is null.
   void AddGrid(vtkDataSet* grid)
   {
     if (!grid)
@@ -138,12 +138,19 @@ public:
     {
       this->Add(GridCells::GetStoredTypes(unstructured));
       this->Add(unstructured->GetCells());
+      for (auto* faces : GridCells::GetFaceArrays(unstructured))
+      {
+        if (faces)
+        {
+          this->Add(faces);
+        }
+      }
     }
     this->Add(grid->GetPointData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
     this->Add(grid->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   }
 
-  /// Returns the digest of all added data as 32 hexadecimal digits, and resets it.
+  /// Returns the digest of all added data as 32 hexadecimal digits, and starts a new digest.
   std::string Take()
   {
     std::string digest(32, '0');

@@ -29,13 +29,12 @@ namespace interlume
  * @brief   access to the cell storage of an unstructured grid, for all supported VTK versions
  *
  * Handles these differences between VTK versions:
- * - cell types: an array up to VTK 9.5 (vtkUnstructuredGrid::GetCellTypesArray); from 9.6
- *   GetCellTypes, which may be an implicit array if all cells have one type
- * - offsets and point ids: vtkTypeInt32Array or vtkTypeInt64Array up to 9.5; later a
- *   vtkAOSDataArrayTemplate of either type, any other array, or an implicit array for offsets of
- *   cells of equal size
- * - faces of polyhedra: up to 9.3 a face stream with the start of each cell; from 9.4 two
- *   vtkCellArray, the faces of cells and the points of faces
+ * - Cell types: up to VTK 9.5, GetCellTypesArray returns a vtkUnsignedCharArray. From 9.6,
+ *   GetCellTypes returns an array that may be implicit if all cells have the same type.
+ * - Offsets and point ids: up to 9.5, both are vtkTypeInt32Array or both are vtkTypeInt64Array.
+ *   From 9.6, they may be of any array class, and offsets of cells of equal size may be implicit.
+ * - Faces of polyhedra: up to 9.3, a face stream and the index in it at which each cell starts.
+ *   From 9.4, two vtkCellArray: the faces of each cell and the points of each face.
  */
 class GridCells
 {
@@ -61,7 +60,20 @@ public:
     return stored ? ArrayViews::Get<Types>(stored) : vtkSmartPointer<Types>::New();
   }
 
-  /// Returns the modification time of the faces of polyhedra.
+  /// Returns the arrays of polyhedron faces and their locations. They are null without polyhedra.
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
+  static std::array<vtkCellArray*, 2> GetFaceArrays(vtkUnstructuredGrid* grid)
+  {
+    return { grid->GetPolyhedronFaces(), grid->GetPolyhedronFaceLocations() };
+  }
+#else
+  static std::array<vtkIdTypeArray*, 2> GetFaceArrays(vtkUnstructuredGrid* grid)
+  {
+    return { grid->GetFaces(), grid->GetFaceLocations() };
+  }
+#endif
+
+  /// Returns the latest modification time of the arrays of polyhedron faces.
   static vtkMTimeType GetFaceTime(vtkUnstructuredGrid* grid)
   {
     vtkMTimeType time = 0;
@@ -94,7 +106,8 @@ public:
     {
       return false;
     }
-    // Each face starts with its number of points.
+    // The stream of a cell contains its number of faces and, for each face, the number of points
+    // and the point ids.
     vtkIdType left = faces->GetValue(at++);
     for (; left > 0 && at < size && faces->GetValue(at) >= 0; --left)
     {
@@ -106,8 +119,8 @@ public:
   }
 
   /// Sets the cells of \a grid, all of the same type. If VTK stores a type for each cell, \a
-  /// allocate(types, number) sizes the array of types, which is filled in parallel with \a grain
-  /// cells per task.
+  /// allocate(types, number) allocates the array of types, which is filled in parallel with \a
+  /// grain cells per task.
   template <class Allocate>
   static void SetCellsOfOneType(vtkUnstructuredGrid* grid, unsigned char type, vtkCellArray* cells,
     vtkIdType grain, Allocate allocate)
@@ -124,19 +137,19 @@ public:
     vtkSMPTools::For(0, number, grain,
       [values, type](vtkIdType first, vtkIdType last)
       { std::fill(values + first, values + last, type); });
-    // Without face arrays, VTK would search all types for polyhedra.
+    // The overload without face arguments would search all types for polyhedra.
     grid->SetCells(types, cells, nullptr, nullptr);
 #endif
   }
 
-  /// Returns whether all \a number cells have the same type. \a number must be above 0.
+  /// Returns whether all \a number cells have the same type. \a number must be positive.
   static bool AreOfOneType(const unsigned char* types, vtkIdType number)
   {
-    // Comparing each type with the next one vectorizes.
+    // Comparing adjacent types vectorizes.
     return std::equal(types + 1, types + number, types);
   }
 
-  /// Returns whether ids are stored in 32 bits.
+  /// Returns whether ids are stored as 32-bit integers.
   static bool IsNarrow(vtkDataArray* ids)
   {
     return NarrowIds::FastDownCast(ids) != nullptr;
@@ -151,14 +164,7 @@ public:
 
 private:
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
-  using Faces = vtkCellArray;
-
-  static std::array<Faces*, 2> GetFaceArrays(vtkUnstructuredGrid* grid)
-  {
-    return { grid->GetPolyhedronFaces(), grid->GetPolyhedronFaceLocations() };
-  }
-
-  /// Returns whether the arrays of \a cells contain all point ids of a cell or face.
+  /// Returns whether \a cells contains \a cell and all ids that its offsets refer to.
   static bool IsWithin(vtkCellArray* cells, vtkIdType cell)
   {
     if (cell < 0 || cell >= cells->GetNumberOfCells())
@@ -168,13 +174,6 @@ private:
     const vtkIdType size = cells->GetCellSize(cell);
     const vtkIdType first = cells->GetOffset(cell);
     return first >= 0 && size >= 0 && size <= cells->GetNumberOfConnectivityIds() - first;
-  }
-#else
-  using Faces = vtkIdTypeArray;
-
-  static std::array<Faces*, 2> GetFaceArrays(vtkUnstructuredGrid* grid)
-  {
-    return { grid->GetFaces(), grid->GetFaceLocations() };
   }
 #endif
 };

@@ -7,6 +7,7 @@
 #include "Support/Meshes/ReferenceField.h"
 #include "Support/TimeVarying/ReferenceTimeVarying.h"
 
+#include "Common/DataDigest.h"
 #include "Common/GridCheck.h"
 
 #include "vtkCellArray.h"
@@ -27,6 +28,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -165,7 +167,7 @@ std::vector<SizedType> GetSizedTypes()
     { VTK_BEZIER_HEXAHEDRON, 8, "vtkBezierHexahedron" },
     { VTK_BEZIER_WEDGE, 6, "vtkBezierWedge" },
     { VTK_BEZIER_PYRAMID, 5, unknown },
-    // Types with a fixed minimum.
+    // Cell types of fixed size, and polyhedra.
     { VTK_VERTEX, 1, "vtkVertex" },
     { VTK_TRIANGLE, 3, "vtkTriangle" },
     { VTK_QUADRATIC_HEXAHEDRON, 20, "vtkQuadraticHexahedron" },
@@ -175,8 +177,8 @@ std::vector<SizedType> GetSizedTypes()
   };
 }
 
-/// Returns a grid with the corners of a cube, a hexahedron, and a cell of another type with the
-/// first \a size points.
+/// Returns a grid of two cells on the corners of a cube: a hexahedron, and a cell of type \a type
+/// with \a size points.
 template <typename Array>
 vtkSmartPointer<vtkUnstructuredGrid> MakePair(int type, int size)
 {
@@ -207,7 +209,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakePair(int type, int size)
   return grid;
 }
 
-/// Returns the messages of the interval filters for a grid.
+/// Returns the messages of the interval and contour filters, whose outputs must be empty.
 std::vector<std::string> CollectMessages(vtkUnstructuredGrid* grid, Check& check)
 {
   vtkNew<vtkIntervalVolume> intervals;
@@ -263,7 +265,7 @@ void CheckSizes(const std::string& name, Check& check)
   }
 }
 
-/// vtkTimeSlabWriter reports the error and does not write files.
+/// vtkTimeSlabWriter must report the error, and writing must fail.
 void CheckWriter(Check& check)
 {
   check.SetContext("writer of slabs");
@@ -282,7 +284,7 @@ void CheckWriter(Check& check)
   std::filesystem::remove_all(folder);
 }
 
-/// Reads a file with a tetrahedron and a cell of another type with the first \a size points.
+/// Reads a grid of a tetrahedron and a cell of type \a type with \a size points from a string.
 vtkSmartPointer<vtkUnstructuredGrid> Read(int type, int size, const std::string& more)
 {
   std::ostringstream text;
@@ -331,11 +333,12 @@ void CheckFiles(Check& check)
   }
 }
 
-/// A polyhedron has at least four faces.
+/// A polyhedron has at least four faces. The digest of a grid depends on them.
 void CheckFaces(Check& check)
 {
   const vtkIdType ids[] = { 0, 1, 2, 4 };
   const vtkIdType faces[] = { 3, 0, 1, 2, 3, 0, 1, 4, 3, 1, 2, 4, 3, 2, 0, 4 };
+  std::set<std::string> digests;
   for (vtkIdType number = 0; number <= 4; ++number)
   {
     check.SetContext(std::to_string(number) + " faces");
@@ -347,6 +350,9 @@ void CheckFaces(Check& check)
           "cell 2 (vtkPolyhedron) has " + interlume::ArrayCheck::Count(number, "face") +
             "; 4 are needed",
       found);
+    interlume::DataDigest digest;
+    digest.AddGrid(grid);
+    check.That(digests.insert(digest.Take()).second, "a digest that other faces do not have");
   }
 }
 
