@@ -16,7 +16,9 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
+#include <string>
 
 namespace
 {
@@ -114,17 +116,18 @@ void TestSizes(FlowTable& table)
     DrawFlow(mapper, MakeFlowVoxels(2, &Uniform), coarse), expected, 2e-3);
   vtkNew<vtkImplicitFlowVolumeMapper> tiny;
   tiny->SetInflowTexture(0, paint);
-  tiny->SetSampleDistance(1e-300);
+  tiny->TextureFilterOff();
   FlowScene small = MakeScene();
   small.Size = { { 4, 4 } };
-  tiny->SetSampleDistance(1e-12);
-  tiny->TextureFilterOff();
-  tiny->SetSampleDistance(1e-12);
-  const RgbaImage many = DrawFlow(tiny, MakeFlowVoxels(3, &Uniform), small);
-  table.ExpectImage("samples-1e-12", "samples 1e-12 apart, limited to 6,000", many,
-    MakeFlowReferenceImage(small), 1e-2);
+  for (const auto& [distance, text] :
+    std::map<double, std::string>{ { 1e-300, "1e-300" }, { 1e-12, "1e-12" } })
+  {
+    tiny->SetSampleDistance(distance);
+    table.ExpectImage("samples-" + text, "samples " + text + " apart, limited to 6,000",
+      DrawFlow(tiny, MakeFlowVoxels(3, &Uniform), small), MakeFlowReferenceImage(small), 1e-2);
+  }
 
-  // A camera inside the volume, compared with the formula.
+  // Compares the image of a camera inside the volume with the formula.
   FlowScene inside = MakeScene();
   inside.Camera->SetPosition(0.1, 0.05, 0.1);
   inside.Camera->SetFocalPoint(-0.4, 0.1, -0.3);
@@ -184,7 +187,7 @@ void TestValues(FlowTable& table)
   table.ExpectImage(
     "no-texture", "an id without a texture", plain, MakeFlowReferenceImage(colored), 1e-3);
 
-  // Texture coordinates far outside the range have the color of the texture's edge.
+  // Texture coordinates far outside [0, 1] have the color of the texture's edge.
   const auto outside = [](const Position3& x) {
     return FlowEnd{ true, 0, 1e6 + x[0], -1e6, 1e30 };
   };
@@ -198,9 +201,9 @@ void TestValues(FlowTable& table)
         })),
     MakeFlowReferenceImage(edge), 1e-3);
 
-  // An opaque texture, and a texture of very low opacity.
+  // A texture of very low opacity, and an opaque texture.
   FlowScene thin = MakeScene();
-  // Texture values have 16 bits.
+  // The mapper stores texture values with 16 bits.
   constexpr double faint = 66.0 / 65535.0;
   thin.Paint = [=](const FlowEnd&) { return Color4{ { 1.0, 1.0, 1.0, faint } }; };
   table.ExpectImage("alpha-1e-3",

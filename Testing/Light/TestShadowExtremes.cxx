@@ -36,7 +36,8 @@ namespace
 
 using namespace reference;
 
-/// Slabs one voxel thick use one sample at their center, which causes this error in a fuzzy sphere.
+/// Bound for a fuzzy sphere. It allows for the error of slabs that are one voxel thick and use one
+/// sample at their center.
 constexpr double Bound = 0.02;
 
 class ShadowTable
@@ -106,8 +107,8 @@ void TestLightPositions(ShadowTable& table)
     MakePositionalLight({ { -cameraPosition[0], -cameraPosition[1], -cameraPosition[2] } }));
   measure("light-across", "light exactly perpendicular to the view",
     MakeDirectionalLight({ { 1.0, -0.75, 0.0 } }));
-  // This direction is perpendicular to the view, where the slice order switches between
-  // front-to-back and back-to-front.
+  // If the direction to the light is perpendicular to the view direction, as here, the slice order
+  // switches between front-to-back and back-to-front.
   measure("light-in-slice-plane", "a light next to the volume, in the plane of a slice",
     MakePositionalLight({ { -0.8, 0.6, 0.0 } }));
   measure("light-distance-1e-3", "a light 1e-3 above the volume",
@@ -197,7 +198,8 @@ void TestMaterials(ShadowTable& table)
     const double* pixel = found.At(8, 8);
     return std::array<double, 2>{ { pixel[0], pixel[3] } };
   };
-  // View and light transmittances are equal, so half of the light returns.
+  // At optical depth t, the transmittances toward the camera and toward the light are both exp(-t).
+  // The integral of their product is 0.5.
   const std::array<double, 2> lit = drawCenter(-1.0);
   table.Catalogue.Measure("opaque-lit", "fully opaque, lit from the front",
     "alpha 1, half of the light", std::max(std::abs(lit[0] - 0.5), std::abs(lit[1] - 1.0)), 1e-3);
@@ -330,7 +332,7 @@ void TestScreens(ShadowTable& table)
     found, MakeShadowImage(scene), Bound);
 }
 
-/// Expects an error that names the problem, and an unchanged frame.
+/// Expects an error message that contains \a word, and an unchanged frame.
 void ExpectError(ShadowTable& table, const std::string& name, const std::string& extreme,
   const std::string& word,
   const std::function<void(vtkShadowedSliceMapper*, ShadowScene&)>& invalidate)
@@ -350,7 +352,7 @@ void ExpectError(ShadowTable& table, const std::string& name, const std::string&
     wasValid && message.find(word) != std::string::npos);
   table.Catalogue.Measure(name + "-picture", extreme, "the image of the previous frame",
     CompareImages(after, before).Max, 0.0);
-  // Expects the same error from a mapper that has not drawn any frame yet.
+  // Expects an empty image from a mapper that has not drawn any frame yet.
   vtkNew<vtkShadowedSliceMapper> fresh;
   observer->Clear();
   fresh->AddObserver(vtkCommand::ErrorEvent, observer);
@@ -360,6 +362,9 @@ void ExpectError(ShadowTable& table, const std::string& name, const std::string&
   invalidate(fresh, first);
   table.Catalogue.Measure(name + "-first", extreme + ", for the first image", "an empty image",
     LargestAlpha(empty.Capture()), 0.0);
+  const std::string firstMessage = observer->GetErrorMessage();
+  table.Catalogue.Check(name + "-first-error", extreme + ", for the first image",
+    "an error with '" + word + "'", firstMessage, firstMessage.find(word) != std::string::npos);
 }
 
 vtkSmartPointer<vtkImageData> MakeBytes(const std::array<int, 3>& size, int components)

@@ -148,13 +148,6 @@ void TestMeshes(SceneTable& table)
   {
     const RgbaImage found = Draw([&, kind = kind](SceneStage& stage) { addSphere(stage, kind); });
     const RgbaImage expected = Draw(full);
-    double largest = 0.0;
-    for (int i = 34; i < 64; ++i)
-    {
-      // The sphere's shadow is to its right. The lower half of the open sphere's shadow is missing.
-      largest =
-        std::max(largest, std::abs(found.At(i, kind == 1 ? 40 : 34)[0] - expected.At(i, 34)[0]));
-    }
     if (kind == 1)
     {
       double darkest = 1.0;
@@ -166,6 +159,12 @@ void TestMeshes(SceneTable& table)
     }
     else
     {
+      double largest = 0.0;
+      // The sphere's shadow is to its right.
+      for (int i = 34; i < 64; ++i)
+      {
+        largest = std::max(largest, std::abs(found.At(i, 34)[0] - expected.At(i, 34)[0]));
+      }
       table.Catalogue.Measure(
         name, extreme, "largest difference from the sphere's shadow", largest, 0.05);
     }
@@ -251,8 +250,8 @@ vtkSmartPointer<vtkAreaLight> MakeAreaLight(
   return areaLight;
 }
 
-// Under soft lights, the brightness is never negative and never exceeds the unshadowed brightness,
-// and light does not leak.
+// Under area lights, the brightness is never negative and never exceeds the unshadowed brightness,
+// and light does not leak from a closed box.
 void TestSoftLights(SceneTable& table)
 {
   const auto expectBounded = [&table](const std::string& name, const std::string& extreme,
@@ -310,7 +309,7 @@ void TestSoftLights(SceneTable& table)
   table.Catalogue.Measure(
     "scene-soft-in-box", "an area light in a closed box", "light outside the box", brightest, 0.0);
 
-  // A plate that lies on the floor has no penumbra. It changes only the floor below it.
+  // A plate that lies on the floor has no penumbra, and its shadow is hidden below it.
   RgbaImage images[2];
   for (int i = 0; i < 2; ++i)
   {

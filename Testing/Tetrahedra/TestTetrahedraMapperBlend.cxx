@@ -87,7 +87,6 @@ void TestBlendModes(Check& check, bool parallel)
   what.Settings.Arrays.DeltaT.clear();
   what.Settings.How = Blend::Additive;
   what.Property = faint;
-  what.Settings.Arrays.DeltaT.clear();
   const RgbaImage expected = DrawByReference(what);
   for (int path : AllRenderPaths())
   {
@@ -96,7 +95,7 @@ void TestBlendModes(Check& check, bool parallel)
   }
 }
 
-/// Tests layers whose order depends on their priorities instead of their positions.
+/// Tests layers that are ordered by priority instead of distance.
 void TestPriorities(Check& check, bool parallel)
 {
   ImageCase what = MakeCase(parallel);
@@ -161,7 +160,7 @@ void AddColors(vtkDataSetAttributes* data, vtkIdType tuples, int components, dou
   data->AddArray(colors);
 }
 
-/// Tests arrays of colors, for points and cells.
+/// Tests point and cell arrays that contain colors.
 void TestColorArrays(Check& check, bool parallel)
 {
   for (bool ofCells : { false, true })
@@ -283,7 +282,8 @@ void TestNearlyOpaque(Check& check)
   }
 }
 
-/// Adds a slanted plane across the image, at a distance \a behind the center.
+/// Adds a slanted, opaque plane that fills the image. It passes through the camera's focal point,
+/// moved by \a behind along the view direction.
 void AddPlane(ImageCase& what, double behind, const Point3& color)
 {
   double position[3];

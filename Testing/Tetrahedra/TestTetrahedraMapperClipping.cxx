@@ -43,7 +43,7 @@ using Color = std::array<double, 4>;
 
 constexpr std::array<double, 6> Box = { { 0.0, 1.0, 0.0, 1.0, 0.0, 1.0 } };
 constexpr Point3 Slanted = { { 0.3, -0.4, 1.0 } };
-/// f = 0.1 + 0.5 x + 0.3 y + 0.1 z as in MakeBox(); extinction and color as in MakeRamp().
+/// Extinctions that are passed to MakeRamp(), for the scalar values 0 and 1.
 constexpr double LowExtinction = 0.3;
 constexpr double HighExtinction = 6.0;
 
@@ -104,7 +104,7 @@ PixelSegment Clip(PixelSegment segment, const Planes& planes, vtkVolume* volume)
   return segment;
 }
 
-/// A volume of the unit cube in a window.
+/// A window that shows the unit cube as a volume.
 class Scene
 {
 public:
@@ -132,7 +132,7 @@ public:
   vtkSmartPointer<vtkVolumeProperty> Property;
 };
 
-/// Compares every pixel with a formula for its clipped segment.
+/// Compares every pixel with the result of \a formula for the pixel's clipped segment.
 void Compare(Check& check, Scene& scene, const Planes& planes, double tolerance,
   const std::string& name, const std::function<Color(const PixelSegment&)>& formula)
 {
@@ -155,7 +155,7 @@ void Compare(Check& check, Scene& scene, const Planes& planes, double tolerance,
   check.Near(largest, 0.0, tolerance, name, 1.0);
 }
 
-/// Returns the scalar at a point in world coordinates.
+/// Returns the scalar of MakeBox() at a point in world coordinates.
 double GetScalar(const Point3& point, vtkVolume* volume)
 {
   vtkNew<vtkMatrix4x4> inverse;
@@ -176,7 +176,7 @@ Point3 GetColor(double scalar)
   return { { 0.1 + 0.9 * scalar, 0.2 + 0.6 * scalar, 0.9 - 0.8 * scalar } };
 }
 
-/// Integrates linear color and extinction in many small steps.
+/// Composites the linear color and extinction along a segment in many small steps.
 Color Composite(const PixelSegment& segment, vtkVolume* volume)
 {
   constexpr int steps = 200;
@@ -205,7 +205,7 @@ double GetOpticalDepth(const PixelSegment& segment, vtkVolume* volume)
   return 0.5 * (front + back) * segment.GetLength();
 }
 
-/// A render path and shader with the tolerated error.
+/// A render path and a shader, with the maximum error of their images.
 struct Path
 {
   int RenderPath;
@@ -232,7 +232,7 @@ vtkSmartPointer<Mapper> NewMapper(const Path& path)
   return mapper;
 }
 
-/// Tests composite and maximum blending of scalars. Moving the prop does not move the planes.
+/// Tests composite and maximum blending of scalars. Moving the prop must not move the planes.
 void TestScalars(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   for (bool isMoved : { false, true })
@@ -253,7 +253,6 @@ void TestScalars(Check& check, const Path& path, const Planes& planes, bool para
     Compare(check, scene, planes, 10.0 * path.Tolerance, "composite" + name,
       [volume](const PixelSegment& segment) { return Composite(segment, volume); });
     mapper->SetBlendMode(Mapper::MAXIMUM_INTENSITY_BLEND);
-    const PixelSegments segments(scene.Stage.GetRenderer());
     Compare(check, scene, planes, 1e-2, "maximum" + name,
       [volume](const PixelSegment& segment)
       {
@@ -266,7 +265,7 @@ void TestScalars(Check& check, const Path& path, const Planes& planes, bool para
   }
 }
 
-/// Tests the optical depth of a single color, with linear extinction and an extent in time.
+/// Tests a volume in a single color with linear extinction, without and with an extent in time.
 void TestDepth(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   Scene scene(parallel);
@@ -305,7 +304,7 @@ void TestDepth(Check& check, const Path& path, const Planes& planes, bool parall
   }
 }
 
-/// Tests cells of constant color, and point colors, which depend on the ends of the segment.
+/// Tests colors that are constant in each cell, and point colors, which are linear along a segment.
 void TestColors(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   Scene scene(parallel);
@@ -321,7 +320,7 @@ void TestColors(Check& check, const Path& path, const Planes& planes, bool paral
   SetPlanes(mapper, planes);
   vtkVolume* volume = scene.GetVolume();
   mapper->SetBlendModeToComposite();
-  // The view direction is from lower to higher x.
+  // The camera looks toward higher x, so the slabs are in front-to-back order.
   Compare(check, scene, planes, path.Tolerance, "slabs",
     [&](const PixelSegment& segment)
     {
@@ -358,7 +357,7 @@ void TestColors(Check& check, const Path& path, const Planes& planes, bool paral
   Compare(check, scene, planes, path.Tolerance, "colors of points",
     [&](const PixelSegment& segment)
     {
-      // The mean of the linear color, weighted by the linear extinction.
+      // The mean color, weighted by the extinction, where both are linear along the segment.
       const auto at = [](const Point3& x) {
         return Color{ { x[0], x[1], x[2], 0.5 * (x[0] + x[1]) } };
       };
@@ -377,8 +376,8 @@ void TestColors(Check& check, const Path& path, const Planes& planes, bool paral
     });
 }
 
-/// Tests that boundary triangles are visible where the segment passes the cube's surface, unless a
-/// plane removes them.
+/// Tests that boundary triangles are visible where a pixel's segment enters and leaves the cube,
+/// unless a plane removes them.
 void TestBoundary(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   Scene scene(parallel);
@@ -425,7 +424,7 @@ void TestBoundary(Check& check, const Path& path, const Planes& planes, bool par
     "boundary: " + std::to_string(different) + " pixels differ");
 }
 
-/// Tests that selection does not find parts of cells that the planes remove.
+/// Tests that parts of cells that the planes remove cannot be selected.
 void TestSelection(Check& check, const Path& path, const Planes& planes, bool parallel)
 {
   Scene scene(parallel);
@@ -438,7 +437,7 @@ void TestSelection(Check& check, const Path& path, const Planes& planes, bool pa
   check.That(found > 30, "selection: " + std::to_string(found) + " pixels");
 }
 
-/// Tests a convex body with more planes than shader uniforms or bit masks could hold.
+/// Tests a convex region with more planes than shader uniforms or bit masks could hold.
 void TestManyPlanes(Check& check, const Path& path)
 {
   Planes planes;
@@ -453,7 +452,8 @@ void TestManyPlanes(Check& check, const Path& path)
   TestDepth(check, path, planes, false);
 }
 
-/// Tests a sequence of changed planes. Each image must equal the image of a new mapper.
+/// Tests a sequence of changes to the planes and the camera. Each image must equal the image of a
+/// new mapper.
 void TestSequence(Check& check, const Path& path)
 {
   Scene scene(false);
@@ -509,7 +509,7 @@ void TestSequence(Check& check, const Path& path)
   }
 }
 
-/// Tests planes that remove the full volume, and invalid planes.
+/// Tests planes that remove the whole volume, and invalid planes.
 void TestEmptyAndInvalid(Check& check, const Path& path)
 {
   for (int blend :
@@ -549,7 +549,7 @@ int TestTetrahedraMapperClipping(int, char*[])
   {
     for (const Planes& planes : AllPlanes())
     {
-      // Planes do not affect shaders, so one case is enough to test the vertex shader.
+      // The shaders do not depend on the planes, so one case is enough for the vertex shader.
       if (path.Shader == Mapper::VERTEX_SHADER && &planes != &AllPlanes()[1])
       {
         continue;
