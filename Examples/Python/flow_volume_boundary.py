@@ -31,5 +31,6 @@ floor.SetBounds(-1.3, 1.3, -0.9, 0.9, -0.06, 0.0)
 
 stage = Stage()
 stage.add_panel().add(volume, make_actor(run(floor), PENCIL))
+stage.panels[0].ambient_occlusion = False
 stage.panels[0].look_from((0.45, -1.0, 0.4))
 stage.save()

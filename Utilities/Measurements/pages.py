@@ -114,7 +114,7 @@ class Pages:
     def filled(self, path):
         """Returns the text of a page with its values. Pages with a program must not contain typed measurements."""
         text = path.read_text(encoding="utf-8")
-        if (path.parents[2] / "Examples" / "Guide" / f"{path.stem}.py").exists():
+        if (self.folder.parents[1] / "Examples" / "Guide" / f"{path.stem}.py").exists():
             check_words(path, prose_of(text))
         text = GUIDE_RATIOS.sub(
             lambda found: f"{found.group(1)}{self.ratios(RATIO_LINES)}\n{found.group(2)}", text)

@@ -34,6 +34,7 @@ void Build(gallery::Stage& stage)
   vtkSmartPointer<vtkUnstructuredGrid> tetrahedra = stage.Extract(filter, inflow);
 
   gallery::Panel& panel = stage.AddPanel("", { 0.45, -1.0, 0.4 });
+  panel.SetAmbientOcclusion(0.0);
   vtkSmartPointer<vtkVolume> volume =
     gallery::MakeVolumeOfIntervals(tetrahedra, { { gallery::IntervalColor(0), 0.7 } });
   gallery::SetBoundary(volume, gallery::GetFlowSurface(filter, gallery::STREAM_SURFACES, 0),
